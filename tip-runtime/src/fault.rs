@@ -1,0 +1,108 @@
+//! Every run-time error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
+
+use crate::command::Target;
+use core::fmt;
+
+/// The class of an error, as the classical one-liner names it in parentheses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// The text could not be read (§9-1).
+    Preprocess,
+    /// The program cannot be loaded (§9-2).
+    Syntax,
+    /// The program failed while it ran (§9-3).
+    Runtime,
+    /// The robot itself failed.
+    Robot,
+}
+
+impl Kind {
+    /// The classical name: `RuntimeError` and so on.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Kind::Preprocess => "PreprocessError",
+            Kind::Syntax => "SyntaxError",
+            Kind::Runtime => "RuntimeError",
+            Kind::Robot => "RobotError",
+        }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What ended a program by emergency stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// An operand outside the domain of its operation, or a result that is not finite.
+    Domain,
+    /// RETURN or SUBEND without a call to return from.
+    InvalidReturn,
+    /// A scalar read before it was assigned: its index in [`Program::scalar`](crate::program::Program::scalar).
+    Unassigned(u16),
+    /// The command does not fit the control mode of its target.
+    InvalidMode,
+    /// More than ten nested calls.
+    TooDeep,
+    /// A jump to a step that does not exist; no program made by this compiler can cause it.
+    WrongStep,
+    /// A joint reached its limit (leg and joint, from 1).
+    JointLimit(u8, u8),
+    /// The target, or the way to it, leaves the reachable space.
+    OutOfReach(Target),
+    /// An input reads nonsense.
+    Sensor(&'static str),
+    /// A joint sensor reads nonsense (leg and joint, from 1).
+    JointSensor(u8, u8),
+    /// The robot's hardware failed to read or to write.
+    Hardware(&'static str),
+    /// The RETURN key: software emergency stop.
+    EmergencyKey,
+}
+
+impl Fault {
+    /// The class the fault belongs to.
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Fault::Domain
+            | Fault::InvalidReturn
+            | Fault::Unassigned(_)
+            | Fault::InvalidMode
+            | Fault::TooDeep
+            | Fault::WrongStep => Kind::Runtime,
+            Fault::JointLimit(..)
+            | Fault::OutOfReach(_)
+            | Fault::Sensor(_)
+            | Fault::JointSensor(..)
+            | Fault::Hardware(_)
+            | Fault::EmergencyKey => Kind::Robot,
+        }
+    }
+}
+
+/// The message of [`Fault::Unassigned`], which is also a load error.
+pub const UNASSIGNED: &str = "Possible use of Variable before definition";
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fault::Domain => f.write_str("Domain error"),
+            Fault::InvalidReturn => f.write_str("Invalid Return command"),
+            Fault::Unassigned(_) => f.write_str(UNASSIGNED),
+            Fault::InvalidMode => f.write_str("Invalid control mode"),
+            Fault::TooDeep => f.write_str("Too deep subroutine call"),
+            Fault::WrongStep => f.write_str("Wrong step number"),
+            Fault::JointLimit(leg, joint) => write!(f, "Joint limit J{leg}{joint}"),
+            Fault::OutOfReach(target) => write!(f, "Out of reach {target}"),
+            Fault::Sensor(name) => write!(f, "Sensor fault {name}"),
+            Fault::JointSensor(leg, joint) => write!(f, "Sensor fault J{leg}{joint}"),
+            Fault::Hardware(what) => write!(f, "Hardware fault {what}"),
+            Fault::EmergencyKey => f.write_str("Emergency stop key"),
+        }
+    }
+}
+
+impl core::error::Error for Fault {}

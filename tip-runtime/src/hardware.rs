@@ -1,0 +1,80 @@
+//! The one trait that a real robot implements.
+
+use crate::fault::Fault;
+
+/// What a robot measures in one cycle. A reader fills in what it has; the rest keeps its zeros.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensors<const L: usize, const J: usize> {
+    /// Joint angles: deg.
+    pub angles: [[f64; J]; L],
+    /// Joint torques in the robot's torque unit; zeros where nothing senses them.
+    pub torques: [[f64; J]; L],
+    /// `VR1…VR3`: V.
+    pub knobs: [f64; 3],
+    /// `PAW1…`: V of each sole's pressure sensor.
+    pub paws: [f64; L],
+    /// `ANTENNA`: V of the feeler, or 1 while the palm touches.
+    pub antenna: f64,
+}
+
+impl<const L: usize, const J: usize> Sensors<L, J> {
+    /// Nothing measured.
+    pub const ZERO: Self = Sensors {
+        angles: [[0.0; J]; L],
+        torques: [[0.0; J]; L],
+        knobs: [0.0; 3],
+        paws: [0.0; L],
+        antenna: 0.0,
+    };
+}
+
+/// What one joint is told in one cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JointCommand {
+    /// Hold this angle: deg.
+    Angle(f64),
+    /// Give this torque, in the robot's torque unit.
+    Torque(f64),
+}
+
+impl JointCommand {
+    /// The number that is sent.
+    pub const fn value(self) -> f64 {
+        match self {
+            JointCommand::Angle(value) | JointCommand::Torque(value) => value,
+        }
+    }
+}
+
+/// What a robot is told in one cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outputs<const L: usize, const J: usize> {
+    /// One command for each joint.
+    pub joints: [[JointCommand; J]; L],
+    /// Lamps and relays: bit n % 32 of word n / 32 is device n.
+    pub lamps: [u32; 8],
+    /// The sampling time for which the commands hold: ms.
+    pub period: f64,
+}
+
+/// The robot failed to read or to write; the text names what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HardwareFault(pub &'static str);
+
+/// A robot: simulated, or yours.
+pub trait Hardware<const L: usize, const J: usize> {
+    /// Samples every sensor, at the start of a cycle.
+    ///
+    /// # Errors
+    /// What failed; the machine answers with an emergency stop.
+    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault>;
+
+    /// Sends every joint command and output, at the end of a cycle.
+    ///
+    /// # Errors
+    /// What failed; the machine answers with an emergency stop.
+    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault>;
+
+    /// Stops the robot: called in every cycle of an emergency, in place of [`write`](Self::write).
+    fn stop(&mut self, why: &Fault);
+}

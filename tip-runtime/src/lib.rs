@@ -1,0 +1,33 @@
+//! Run-time of compiled T.I.P. programs.
+//!
+//! Without features this crate is the vocabulary that compiler and robot share: [`command`],
+//! [`program`], [`ops`], [`fault`] and [`model`]. The feature `control` (default) adds the robot
+//! itself; `std` adds what a hosted controller needs.
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+pub mod command;
+#[cfg(feature = "control")]
+pub mod console;
+#[cfg(feature = "control")]
+pub mod controller;
+pub mod fault;
+#[cfg(feature = "control")]
+pub mod hardware;
+#[cfg(feature = "control")]
+pub mod kinematics;
+#[cfg(feature = "control")]
+pub mod machine;
+pub mod model;
+pub mod ops;
+#[cfg(feature = "control")]
+pub mod plant;
+pub mod program;
+#[cfg(feature = "control")]
+pub mod record;
+#[cfg(feature = "control")]
+pub mod special;
+pub mod version;

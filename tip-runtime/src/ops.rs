@@ -1,0 +1,293 @@
+//! Leaf arithmetic with its faults (T.I.P. 3.1 §5). Transcendentals come from `libm` on every
+//! target, so results are bit-identical everywhere.
+
+use crate::fault::Fault;
+use core::fmt;
+
+/// Reads a scalar; `index` is its place in [`Program::scalar`](crate::program::Program::scalar).
+///
+/// # Errors
+/// `Unassigned` before the first assignment.
+#[inline]
+pub const fn get(scalar: Option<f64>, index: u16) -> Result<f64, Fault> {
+    match scalar {
+        Some(value) => Ok(value),
+        None => Err(Fault::Unassigned(index)),
+    }
+}
+
+/// Accepts only finite results.
+///
+/// # Errors
+/// `Domain` for NaN and infinities.
+#[inline]
+pub const fn finite(value: f64) -> Result<f64, Fault> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Fault::Domain)
+    }
+}
+
+macro_rules! operator {
+    ($(#[$doc:meta])* $name:ident $op:tt) => {
+        $(#[$doc])*
+        ///
+        /// # Errors
+        /// `Domain` if the result is not finite.
+        #[inline]
+        pub const fn $name(a: f64, b: f64) -> Result<f64, Fault> {
+            finite(a $op b)
+        }
+    };
+}
+
+operator!(/** `a + b` */ add +);
+operator!(/** `a - b` */ sub -);
+operator!(/** `a * b` */ mul *);
+operator!(/** `a / b`; division by zero is not finite */ div /);
+
+macro_rules! member_by_member {
+    ($(#[$doc:meta])* $name:ident $scalar:ident) => {
+        $(#[$doc])*
+        ///
+        /// # Errors
+        /// `Domain` if a member's result is not finite.
+        #[inline]
+        pub fn $name<const N: usize>(mut a: [f64; N], b: [f64; N]) -> Result<[f64; N], Fault> {
+            for (a, b) in a.iter_mut().zip(b) {
+                *a = $scalar(*a, b)?;
+            }
+            Ok(a)
+        }
+    };
+}
+
+member_by_member!(/** `a + b`, member by member */ add_each add);
+member_by_member!(/** `a - b`, member by member */ sub_each sub);
+member_by_member!(/** `a * b`, member by member */ mul_each mul);
+member_by_member!(/** `a / b`, member by member */ div_each div);
+
+/// Reads every member of a struct, the first at `index`.
+///
+/// # Errors
+/// `Unassigned` for the first member without a value.
+#[inline]
+pub fn get_each<const N: usize>(members: &[Option<f64>; N], index: u16) -> Result<[f64; N], Fault> {
+    let mut values = [0.0; N];
+    for ((value, member), index) in values.iter_mut().zip(members).zip(index..) {
+        *value = get(*member, index)?;
+    }
+    Ok(values)
+}
+
+/// `INT`: the largest whole number not above `a`.
+///
+/// # Errors
+/// None; the shape is that of every function.
+#[inline]
+pub fn int(a: f64) -> Result<f64, Fault> {
+    finite(libm::floor(a))
+}
+
+/// `ABS`.
+///
+/// # Errors
+/// None; the shape is that of every function.
+#[inline]
+pub fn abs(a: f64) -> Result<f64, Fault> {
+    finite(libm::fabs(a))
+}
+
+/// `SQRT`.
+///
+/// # Errors
+/// `Domain` below zero.
+#[inline]
+pub fn sqrt(a: f64) -> Result<f64, Fault> {
+    finite(libm::sqrt(a))
+}
+
+const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
+const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
+
+/// `DEG2RAD`.
+///
+/// # Errors
+/// None; the shape is that of every function.
+#[inline]
+pub fn deg2rad(a: f64) -> Result<f64, Fault> {
+    finite(a * RADIANS_PER_DEGREE)
+}
+
+/// `RAD2DEG`.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn rad2deg(a: f64) -> Result<f64, Fault> {
+    finite(a * DEGREES_PER_RADIAN)
+}
+
+/// `SIN` of degrees.
+///
+/// # Errors
+/// None; the shape is that of every function.
+#[inline]
+pub fn sin(a: f64) -> Result<f64, Fault> {
+    finite(libm::sin(a * RADIANS_PER_DEGREE))
+}
+
+/// `COS` of degrees.
+///
+/// # Errors
+/// None; the shape is that of every function.
+#[inline]
+pub fn cos(a: f64) -> Result<f64, Fault> {
+    finite(libm::cos(a * RADIANS_PER_DEGREE))
+}
+
+/// `TAN` of degrees.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn tan(a: f64) -> Result<f64, Fault> {
+    finite(libm::tan(a * RADIANS_PER_DEGREE))
+}
+
+/// `ASIN` in degrees.
+///
+/// # Errors
+/// `Domain` outside −1…1.
+#[inline]
+pub fn asin(a: f64) -> Result<f64, Fault> {
+    finite(libm::asin(a) * DEGREES_PER_RADIAN)
+}
+
+/// `ACOS` in degrees.
+///
+/// # Errors
+/// `Domain` outside −1…1.
+#[inline]
+pub fn acos(a: f64) -> Result<f64, Fault> {
+    finite(libm::acos(a) * DEGREES_PER_RADIAN)
+}
+
+/// `ATAN` in degrees; the language gives it the domain of `ASIN` (T.I.P. 3.1 §5-2-2).
+///
+/// # Errors
+/// `Domain` outside −1…1.
+#[inline]
+pub fn atan(a: f64) -> Result<f64, Fault> {
+    if libm::fabs(a) <= 1.0 {
+        finite(libm::atan(a) * DEGREES_PER_RADIAN)
+    } else {
+        Err(Fault::Domain)
+    }
+}
+
+/// `ATAN2 a b` in degrees, −180…180.
+///
+/// # Errors
+/// `Domain` if both are zero.
+#[inline]
+pub fn atan2(a: f64, b: f64) -> Result<f64, Fault> {
+    if a == 0.0 && b == 0.0 {
+        return Err(Fault::Domain);
+    }
+    finite(libm::atan2(a, b) * DEGREES_PER_RADIAN)
+}
+
+/// `NORM`: the root of the sum of squares.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Fault> {
+    let mut sum = 0.0;
+    for a in a {
+        sum += a * a;
+    }
+    finite(libm::sqrt(sum))
+}
+
+/// `UNIT_VECT`.
+///
+/// # Errors
+/// `Domain` for a vector without length.
+#[inline]
+pub fn unit_vect(a: [f64; 3]) -> Result<[f64; 3], Fault> {
+    let length = norm(a)?;
+    div_each(a, [length; 3])
+}
+
+/// `ROT_X`: turns `p` about the robot's x axis by degrees, right-handed.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn rot_x([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+    let (y, z) = turn(y, z, angle)?;
+    Ok([x, y, z])
+}
+
+/// `ROT_Y`: turns `p` about the robot's y axis by degrees, right-handed.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn rot_y([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+    let (z, x) = turn(z, x, angle)?;
+    Ok([x, y, z])
+}
+
+/// `ROT_Z`: turns `p` about the robot's z axis by degrees, right-handed.
+///
+/// # Errors
+/// `Domain` if the result is not finite.
+#[inline]
+pub fn rot_z([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+    let (x, y) = turn(x, y, angle)?;
+    Ok([x, y, z])
+}
+
+fn turn(a: f64, b: f64, angle: f64) -> Result<(f64, f64), Fault> {
+    let (sin, cos) = (sin(angle)?, cos(angle)?);
+    Ok((finite(a * cos - b * sin)?, finite(a * sin + b * cos)?))
+}
+
+/// The loop test of FOR and NEXT (T.I.P. 3.1 §7-6-4).
+///
+/// # Errors
+/// `Domain` for a step of zero.
+#[inline]
+pub fn for_test(value: f64, end: f64, step: f64) -> Result<bool, Fault> {
+    if step > 0.0 {
+        Ok(value <= end)
+    } else if step < 0.0 {
+        Ok(value >= end)
+    } else {
+        Err(Fault::Domain)
+    }
+}
+
+/// A value as MESSAGE shows it: truncated without decimals, else rounded (T.I.P. 3.1 §7-9-4).
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// The value.
+    pub value: f64,
+    /// Digits behind the point, 0…7.
+    pub decimals: u8,
+}
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.decimals == 0 {
+            // Adding zero turns −0 into 0.
+            write!(f, "{:.0}", libm::trunc(self.value) + 0.0)
+        } else {
+            write!(f, "{:.*}", usize::from(self.decimals), self.value)
+        }
+    }
+}

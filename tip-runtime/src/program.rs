@@ -1,0 +1,151 @@
+//! What a compiled or interpreted program is, and what a step of it can reach.
+
+use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
+use crate::fault::Fault;
+use crate::model::Family;
+use core::fmt::Display;
+
+/// Which command ended the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// `END`.
+    End,
+    /// `EXIT`.
+    Exit,
+}
+
+/// What one step did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// It ran to its end; [`Program::at`] names the step of the next cycle.
+    Next,
+    /// It waits: the next cycle runs it again.
+    Wait,
+    /// The program is over.
+    Finished(End),
+}
+
+/// The robot a program was checked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signature {
+    /// The robot's name.
+    pub robot: &'static str,
+    /// Whose commands the program may use.
+    pub family: Family,
+    /// Number of legs.
+    pub legs: u8,
+    /// Number of joints on each leg.
+    pub joints: u8,
+}
+
+/// A motion program: generated code or the reference interpreter.
+pub trait Program {
+    /// The robot the program was checked for.
+    fn signature(&self) -> Signature;
+    /// The program's name: its file, or the type that holds it.
+    fn name(&self) -> &str;
+    /// Line 2 of the source.
+    fn title(&self) -> &str;
+    /// The step that the next call of [`step`](Self::step) runs.
+    fn at(&self) -> u32;
+    /// Runs one step. A fault leaves variables, position and call stack as they were.
+    ///
+    /// # Errors
+    /// The fault that the step found; the machine answers it with an emergency stop.
+    fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault>;
+    /// Name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by one);
+    /// `None` past the last, an inner `None` while unassigned.
+    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)>;
+    /// The source line (from 1) of a step; 0 if there is no such step.
+    fn line(&self, step: u32) -> u32;
+    /// Back to the state of a new program.
+    fn reset(&mut self);
+}
+
+/// What native code of a SPECIAL command, and every step, can ask of the robot.
+pub trait Robot {
+    /// Starts or continues a command. While it answers `Pending` the same command is asked again each cycle.
+    ///
+    /// # Errors
+    /// The fault of the command; nothing of it took effect.
+    fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault>;
+    /// Measures: three members for a position or force, one for each joint of a leg for angles and
+    /// torques, the first one alone for a single joint.
+    ///
+    /// # Errors
+    /// `Domain` for a target that the robot lacks.
+    fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault>;
+    /// Reads an input in volts.
+    ///
+    /// # Errors
+    /// `Sensor` if the input reads nonsense, `Domain` for one that the robot lacks.
+    fn analog(&self, port: Port) -> Result<f64, Fault>;
+    /// The state of an event flag.
+    fn flag(&self, flag: Flag) -> bool;
+    /// Sets one of `SPECIAL_FLAG0…9`; other numbers are ignored.
+    fn set_special_flag(&mut self, n: u8, on: bool);
+    /// The sampling time in ms.
+    fn period(&self) -> f64;
+}
+
+/// What a step can reach: the robot and the console.
+pub trait Context: Robot {
+    /// Takes the oldest key, upper-cased, and empties the keyboard buffer; `None` if it is empty.
+    fn key(&mut self) -> Option<u8>;
+    /// Shows one line of text; an empty one clears it.
+    fn message(&mut self, text: &dyn Display);
+}
+
+/// Return steps of GOSUB and CALL, ten deep (T.I.P. 3.1 §10-3-6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CallStack {
+    steps: [u32; Self::DEPTH],
+    len: u8,
+}
+
+impl CallStack {
+    /// How deep calls may nest.
+    pub const DEPTH: usize = 10;
+
+    /// No call is open.
+    pub const fn new() -> Self {
+        CallStack {
+            steps: [0; Self::DEPTH],
+            len: 0,
+        }
+    }
+
+    /// Remembers where to return to.
+    ///
+    /// # Errors
+    /// `TooDeep` when ten calls are open.
+    pub fn push(&mut self, step: u32) -> Result<(), Fault> {
+        let slot = self
+            .steps
+            .get_mut(usize::from(self.len))
+            .ok_or(Fault::TooDeep)?;
+        *slot = step;
+        self.len += 1;
+        Ok(())
+    }
+
+    /// Where to return to.
+    ///
+    /// # Errors
+    /// `InvalidReturn` when no call is open.
+    pub fn pop(&mut self) -> Result<u32, Fault> {
+        let len = self.len.checked_sub(1).ok_or(Fault::InvalidReturn)?;
+        let step = self
+            .steps
+            .get(usize::from(len))
+            .ok_or(Fault::InvalidReturn)?;
+        self.len = len;
+        Ok(*step)
+    }
+}
+
+impl Default for CallStack {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,101 @@
+//! The table of diagnostic codes: the only place where a message of the compiler stands.
+
+use tip_runtime::fault::{Kind, UNASSIGNED};
+
+/// How grave a diagnostic is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// The program does not load.
+    Error,
+    /// The program loads; something in it looks wrong.
+    Warning,
+}
+
+macro_rules! codes {
+    ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr; )*) => {
+        /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $( $(#[$doc])* $variant, )*
+        }
+
+        impl Code {
+            /// Every code.
+            pub const ALL: &'static [Code] = &[$( Code::$variant, )*];
+
+            /// The stable identifier: `E…` for errors, `W…` for warnings.
+            pub const fn id(self) -> &'static str {
+                match self { $( Code::$variant => $id, )* }
+            }
+
+            /// The class of an error; `None` for a warning.
+            pub const fn kind(self) -> Option<Kind> {
+                match self { $( Code::$variant => $kind, )* }
+            }
+
+            /// The classical message (T.I.P. 3.1 §9); of a warning, ours.
+            pub const fn template(self) -> &'static str {
+                match self { $( Code::$variant => $message, )* }
+            }
+        }
+    };
+}
+
+codes! {
+    /// Reserved: nothing here can cause it.
+    CannotAllocate "E101" Some(Kind::Preprocess), "Can not allocate memory for {}";
+    /// An output file cannot be written.
+    CannotWrite "E102" Some(Kind::Preprocess), "File can not write({})";
+    /// The source file cannot be read.
+    FileNotFound "E103" Some(Kind::Preprocess), "File not found({})";
+    /// Reserved: nothing here can cause it.
+    LongFilename "E104" Some(Kind::Preprocess), "Too long filename";
+    /// The text breaks the format of a program.
+    Format "E105" Some(Kind::Preprocess), "Format error";
+    /// A MESSAGE text over 70 bytes.
+    LongString "E106" Some(Kind::Preprocess), "too much long string";
+    /// An assignment that the language lacks.
+    Equation "E107" Some(Kind::Preprocess), "Wrong equation format";
+    /// Line 1 does not name this compiler's version of the language.
+    Version "E108" Some(Kind::Preprocess), "Wrong version number";
+    /// A label declared twice.
+    DuplicateLabel "E201" Some(Kind::Syntax), "Duplicated label name";
+    /// A jump to a label that is not declared.
+    UnknownLabel "E202" Some(Kind::Syntax), "Label \"{}\" does not exist";
+    /// No END.
+    NoEnd "E203" Some(Kind::Syntax), "Not exist END";
+    /// A word that is no command, or one that the robot lacks.
+    UnknownCommand "E204" Some(Kind::Syntax), "Unknown command \"{}\"";
+    /// Arguments that do not fit the command.
+    Argument "E205" Some(Kind::Syntax), "Wrong argument";
+    /// A name that is not declared.
+    UnknownVariable "E206" Some(Kind::Syntax), "unknown variable \"{}\"";
+    /// Openers and closers, or a jump into a block.
+    Structure "E207" Some(Kind::Syntax), "Control structure mismatch";
+    /// A variable that is read and never assigned.
+    NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED;
+    /// A variable that nothing uses.
+    Unused "W101" None, "variable \"{}\" is declared but never used";
+    /// A variable that nothing reads.
+    NeverRead "W102" None, "variable \"{}\" is assigned but never read";
+    /// `//` cuts a MESSAGE text.
+    CommentInMessage "W103" None, "the comment cuts this MESSAGE text";
+    /// A variable named like a flag of motion commands.
+    FlagName "W104" None, "\"{}\" is always the flag, never the variable, in motion commands";
+    /// A jump into a FOR loop.
+    EntersFor "W105" None, "this jump enters a FOR loop from outside";
+    /// A SUBROUTINE reached from the step above it.
+    RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above";
+    /// A constant that its command refuses at run time.
+    OutOfRange "W107" None, "this constant is out of range and stops the program when it runs";
+}
+
+impl Code {
+    /// How grave a diagnostic with this code is.
+    pub const fn level(self) -> Level {
+        match self.kind() {
+            Some(_) => Level::Error,
+            None => Level::Warning,
+        }
+    }
+}

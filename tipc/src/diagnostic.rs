@@ -1,0 +1,79 @@
+//! One diagnostic, as every pass makes it. The renderers live beside it.
+
+use crate::codes::{Code, Level};
+use crate::syntax::Span;
+
+/// A second place that a diagnostic points at.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Where.
+    pub span: Span,
+    /// What stands there.
+    pub text: String,
+}
+
+/// One finding about a source file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What it is about.
+    pub code: Code,
+    /// The name or file that the message's `{}` stands for.
+    pub subject: Option<String>,
+    /// Where.
+    pub span: Span,
+    /// The reason, shown at the place.
+    pub reason: String,
+    /// Other places that matter.
+    pub labels: Vec<Label>,
+    /// The way out.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// A finding of `code` at `span`, with the reason in this case.
+    pub fn new(code: Code, span: Span, reason: impl Into<String>) -> Self {
+        Diagnostic {
+            code,
+            subject: None,
+            span,
+            reason: reason.into(),
+            labels: Vec::new(),
+            help: None,
+        }
+    }
+
+    /// Names what the message's `{}` stands for.
+    #[must_use]
+    pub fn about(mut self, subject: impl Into<String>) -> Self {
+        self.subject = Some(subject.into());
+        self
+    }
+
+    /// Points at a second place.
+    #[must_use]
+    pub fn label(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push(Label {
+            span,
+            text: text.into(),
+        });
+        self
+    }
+
+    /// Says the way out.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// How grave it is.
+    pub fn level(&self) -> Level {
+        self.code.level()
+    }
+
+    /// The classical message, its subject filled in.
+    pub fn message(&self) -> String {
+        let subject = self.subject.as_deref().unwrap_or_default();
+        self.code.template().replace("{}", subject)
+    }
+}

@@ -1,0 +1,2 @@
+//! The command `tipc`.
+fn main() {}

@@ -1,0 +1,333 @@
+//! Statements as data: what the parser reads, before anything is looked up or judged.
+//!
+//! Words are upper-cased. Every piece keeps its span.
+
+/// A stretch of the decoded source text, in bytes of UTF-8.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// The first byte.
+    pub start: usize,
+    /// The byte behind the last one.
+    pub end: usize,
+}
+
+impl Span {
+    /// From `start` up to `end`.
+    pub const fn new(start: usize, end: usize) -> Self {
+        Span { start, end }
+    }
+
+    /// From the start of `self` to the end of `other`.
+    pub const fn to(self, other: Span) -> Span {
+        Span::new(self.start, other.end)
+    }
+}
+
+/// Something with its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spanned<T> {
+    /// The thing.
+    pub node: T,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A word, upper-cased.
+pub type Word = Spanned<String>;
+
+/// A whole source file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Module {
+    /// Line 2.
+    pub title: String,
+    /// The statements up to and including the first END.
+    pub statements: Vec<Statement>,
+}
+
+/// One statement: each but a declaration is one step, or two for `SUBROUTINE`'s absence of a line of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// What it is.
+    pub kind: StatementKind,
+    /// The whole statement.
+    pub span: Span,
+    /// Its source line, from 1.
+    pub line: u32,
+}
+
+/// What a statement is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StatementKind {
+    /// `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: not a step.
+    Define {
+        /// The type of the names.
+        kind: VariableKind,
+        /// The command word.
+        keyword: Span,
+        /// The names as written, well-formed or not.
+        names: Vec<Word>,
+    },
+    /// `NAME:`; the name without its colon.
+    Label(Word),
+    /// `LHS op RHS`.
+    Equation(Equation),
+    /// `IF condition` and what follows it.
+    If {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Condition,
+        /// THEN, GOTO or GOSUB.
+        then: Then,
+    },
+    /// `ELSEIF condition THEN`.
+    ElseIf {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Condition,
+    },
+    /// `ELSE`
+    Else,
+    /// `ENDIF`
+    EndIf,
+    /// `WHILE condition`
+    While {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Condition,
+    },
+    /// `WEND`
+    Wend,
+    /// `REPEAT`
+    Repeat,
+    /// `UNTIL condition`
+    Until {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Condition,
+    },
+    /// `FOR variable = from TO to [STEP step]`
+    For {
+        /// The command word.
+        keyword: Span,
+        /// The loop variable.
+        variable: Operand,
+        /// The initial value.
+        from: Operand,
+        /// The last value.
+        to: Operand,
+        /// The increment, 1 if omitted.
+        step: Option<Operand>,
+    },
+    /// `NEXT [variable]`
+    Next {
+        /// The command word.
+        keyword: Span,
+        /// The loop variable, if named.
+        variable: Option<Operand>,
+    },
+    /// `SUBROUTINE NAME:`; the name without its colon.
+    Subroutine {
+        /// The command word.
+        keyword: Span,
+        /// The name.
+        name: Word,
+    },
+    /// `SUBEND`
+    SubEnd,
+    /// `CALL NAME:`
+    Call(Jump),
+    /// `GOTO [NAME:]`
+    Goto(Jump),
+    /// `GOSUB NAME:`
+    Gosub(Jump),
+    /// `RETURN`
+    Return,
+    /// `END`
+    End,
+    /// `EXIT`
+    Exit,
+    /// `REM text`
+    Rem,
+    /// `MESSAGE text`; the text trimmed, U+3000 already two spaces, escapes and placeholders as written.
+    Message {
+        /// The text.
+        text: Spanned<String>,
+    },
+    /// Any other command with its arguments; whether it exists is for the checker to say.
+    Command {
+        /// The command word.
+        name: Word,
+        /// Its arguments.
+        arguments: Vec<Operand>,
+    },
+    /// A statement that the parser has already reported; it still takes its step.
+    Broken,
+}
+
+/// The types of variables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum VariableKind {
+    /// A scalar.
+    Var,
+    /// X, Y, Z in mm.
+    Pos,
+    /// J1…Jn.
+    Joint,
+}
+
+/// Where an IF leads.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Then {
+    /// `THEN`: a block follows.
+    Block,
+    /// `GOTO [NAME:]`
+    Goto(Jump),
+    /// `GOSUB NAME:`
+    Gosub(Jump),
+}
+
+/// A jump as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jump {
+    /// The jump's own word.
+    pub keyword: Span,
+    /// The label without its colon; `None` if omitted.
+    pub label: Option<Word>,
+}
+
+/// An operand or argument as written: `-12.5`, `A`, `-P.X`, `F1`, `ALL`, `HS`, `J11`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operand {
+    /// What it is.
+    pub kind: OperandKind,
+    /// A minus stands before a name (a constant holds its own sign).
+    pub negative: bool,
+    /// The operand with its sign.
+    pub span: Span,
+}
+
+/// What an operand is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OperandKind {
+    /// A constant with its sign.
+    Number(f64),
+    /// A word, with the member behind its point if it has one.
+    Name {
+        /// The word before the point.
+        name: String,
+        /// The word behind the point.
+        member: Option<String>,
+    },
+}
+
+/// `a REL b`, or an event flag.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Condition {
+    /// Two scalars compared.
+    Compare {
+        /// The left operand.
+        left: Operand,
+        /// The relation.
+        relation: Relation,
+        /// The right operand.
+        right: Operand,
+    },
+    /// `FLAG` or `!FLAG`.
+    Flag {
+        /// The flag's name without `!`.
+        name: Word,
+        /// `!` stands before it.
+        negated: bool,
+    },
+}
+
+/// A relational operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Relation {
+    /// `==`
+    Eq,
+    /// `<>`
+    Ne,
+    /// `<`
+    Lt,
+    /// `>`
+    Gt,
+    /// `<=`
+    Le,
+    /// `>=`
+    Ge,
+}
+
+/// The four operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arithmetic {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+}
+
+/// An equation as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// The left side.
+    pub target: Operand,
+    /// `None` for `=`, else the operation of `+= -= *= /=`.
+    pub update: Option<Arithmetic>,
+    /// The operator's place.
+    pub operator: Span,
+    /// The right side.
+    pub value: Expression,
+}
+
+/// The right side of an equation as written; types are for the checker.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expression {
+    /// `a`
+    Operand(Operand),
+    /// `a + b` and its like.
+    Binary {
+        /// The left operand.
+        left: Operand,
+        /// The operation.
+        operation: Arithmetic,
+        /// The right operand.
+        right: Operand,
+    },
+    /// A function word and its operands, however many stand there.
+    Function {
+        /// The function's name (one of [`FUNCTIONS`]).
+        name: Word,
+        /// Its operands.
+        operands: Vec<Operand>,
+    },
+}
+
+/// The function words of equations.
+pub const FUNCTIONS: &[&str] = &[
+    "INT",
+    "ABS",
+    "SQRT",
+    "SIN",
+    "COS",
+    "TAN",
+    "ASIN",
+    "ACOS",
+    "ATAN",
+    "ATAN2",
+    "DEG2RAD",
+    "RAD2DEG",
+    "NORM",
+    "UNIT_VECT",
+    "ROT_X",
+    "ROT_Y",
+    "ROT_Z",
+];
