@@ -1,0 +1,15 @@
+3.1
+Norm
+DEF_VAR A
+DEF_POS P
+DEF_JOINT Q
+P.X = 3
+P.Y = -4
+P.Z = 0
+A = NORM P
+Q.J1 = 2
+Q.J2 = -3
+Q.J3 = 6
+A = NORM Q
+A += NORM P
+END

@@ -1,0 +1,22 @@
+3.1
+Rotation is right handed
+DEF_VAR A
+DEF_POS P, Q
+A = 90
+P.X = 1
+P.Y = 10
+P.Z = 100
+Q = ROT_X P 90
+IF Q.Z < 9.999 GOTO BAD:
+IF Q.Y > -99.999 GOTO BAD:
+Q = ROT_Y P A
+IF Q.X < 99.999 GOTO BAD:
+IF Q.Z > -0.999 GOTO BAD:
+Q = ROT_Z P 90
+IF Q.Y < 0.999 GOTO BAD:
+IF Q.X > -9.999 GOTO BAD:
+Q = ROT_Z P -A
+IF Q.Y > -0.999 GOTO BAD:
+IF Q.X < 9.999 GOTO BAD:
+EXIT
+BAD: END

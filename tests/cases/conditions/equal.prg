@@ -1,0 +1,12 @@
+3.1
+Equal
+DEF_VAR A
+A = 2
+IF A == 2 THEN
+ENDIF
+IF A == 2.5 THEN
+ENDIF
+A = -0.0
+IF A == 0 THEN
+ENDIF
+END

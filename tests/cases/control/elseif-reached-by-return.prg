@@ -1,0 +1,14 @@
+3.1
+Elseif reached by return
+DEF_VAR A
+IF 1 == 1 THEN
+GOSUB L1:
+ELSEIF 1 == 1 THEN
+A = 2
+ELSE
+A = 3
+ENDIF
+EXIT
+L1: A = 1
+RETURN
+END

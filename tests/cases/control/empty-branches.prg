@@ -1,0 +1,10 @@
+3.1
+Empty branches
+DEF_VAR A
+IF 1 == 1 THEN
+ELSEIF 1 == 1 THEN
+A = 2
+ELSE
+A = 3
+ENDIF
+END

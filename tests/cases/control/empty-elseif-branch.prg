@@ -1,0 +1,11 @@
+3.1
+Empty elseif branch
+DEF_VAR A
+IF 1 == 2 THEN
+ELSEIF 1 == 1 THEN
+ELSEIF 1 == 1 THEN
+A = 3
+ELSE
+A = 4
+ENDIF
+END

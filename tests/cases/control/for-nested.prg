@@ -1,0 +1,8 @@
+3.1
+For nested
+DEF_VAR I, J
+FOR I = 1 TO 2
+FOR J = 1 TO 2
+NEXT J
+NEXT I
+END

@@ -1,0 +1,10 @@
+3.1
+Gosub and return
+DEF_VAR A
+GOSUB L1:
+GOSUB L1:
+EXIT
+L1:
+A = 1
+RETURN
+END

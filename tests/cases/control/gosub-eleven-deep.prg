@@ -1,0 +1,5 @@
+3.1
+Gosub eleven deep
+L1:
+GOSUB L1:
+END

@@ -1,0 +1,11 @@
+3.1
+Gosub ten deep
+DEF_VAR N
+N = 0
+GOSUB L1:
+EXIT
+L1:
+N += 1
+IF N < 10 GOSUB L1:
+RETURN
+END

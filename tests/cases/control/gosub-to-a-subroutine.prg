@@ -1,0 +1,8 @@
+3.1
+Gosub to a subroutine
+GOSUB S1:
+EXIT
+SUBROUTINE S1:
+RETURN
+SUBEND
+END

@@ -1,0 +1,9 @@
+3.1
+If else false
+DEF_VAR A
+IF 1 > 2 THEN
+A = 1
+ELSE
+A = 2
+ENDIF
+END

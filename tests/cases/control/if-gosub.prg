@@ -1,0 +1,7 @@
+3.1
+If gosub
+IF 2 < 1 GOSUB L1:
+IF 2 > 1 GOSUB L1:
+EXIT
+L1: RETURN
+END

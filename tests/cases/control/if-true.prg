@@ -1,0 +1,7 @@
+3.1
+If true
+DEF_VAR A
+IF 1 == 1 THEN
+A = 1
+ENDIF
+END

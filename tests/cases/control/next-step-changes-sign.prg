@@ -1,0 +1,8 @@
+3.1
+Next step changes sign
+DEF_VAR I, S
+S = 1
+FOR I = 1 TO 3 STEP S
+S = -1
+NEXT
+END

@@ -1,0 +1,5 @@
+3.1
+Return without call
+REM one
+RETURN
+END

@@ -1,0 +1,5 @@
+3.1
+Atan above one
+DEF_VAR A
+A = ATAN 1.0000001
+END

@@ -1,0 +1,4 @@
+3.1
+Emergency key in a waiting step
+SLEEP 1000
+END

@@ -1,0 +1,6 @@
+3.1
+Next overflows
+DEF_VAR I
+FOR I = 1E308 TO 1.5E308 STEP 1E308
+NEXT
+END

@@ -1,0 +1,6 @@
+3.1
+Esc is no key
+KEY_IN
+IF HALT_REQUEST GOTO L1:
+EXIT
+L1: END

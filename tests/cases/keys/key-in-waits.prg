@@ -1,0 +1,4 @@
+3.1
+Key in waits
+KEY_IN
+END

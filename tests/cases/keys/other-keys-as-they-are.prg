@@ -1,0 +1,9 @@
+3.1
+Other keys as they are
+DEF_VAR K
+KEY_IN K
+KEY_IN K
+KEY_IN K
+KEY_IN K
+KEY_IN K
+END

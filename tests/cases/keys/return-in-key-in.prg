@@ -1,0 +1,4 @@
+3.1
+Return in key in
+KEY_IN
+END

@@ -1,0 +1,5 @@
+3.1
+Same key again
+KEY_IN
+KEY_IN
+END

@@ -1,0 +1,6 @@
+3.1
+Empty and clear
+MESSAGE text
+MESSAGE_CLEAR
+MESSAGE
+END

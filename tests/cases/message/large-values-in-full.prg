@@ -1,0 +1,7 @@
+3.1
+Large values in full
+DEF_VAR A
+A = 1180591620717411303424
+MESSAGE %A%
+MESSAGE %A.1%
+END

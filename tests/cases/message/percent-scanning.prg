@@ -1,0 +1,9 @@
+3.1
+Percent scanning
+DEF_VAR A
+A = 7
+MESSAGE 50%%A%
+MESSAGE %X%A%
+MESSAGE %A%A%
+MESSAGE %A%%A.1%
+END

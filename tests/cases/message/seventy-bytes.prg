@@ -1,0 +1,4 @@
+3.1
+Seventy bytes
+MESSAGE あいうえおかきくけこさしすせそたちつてとなにぬねのはひふへほまみむめab
+END

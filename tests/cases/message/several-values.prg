@@ -1,0 +1,7 @@
+3.1
+Several values
+DEF_VAR A, LONG_NAME_1
+A = 1
+LONG_NAME_1 = 2.5
+MESSAGE A=%A%, L=%LONG_NAME_1.2%%A%
+END

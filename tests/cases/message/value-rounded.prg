@@ -1,0 +1,18 @@
+3.1
+Value rounded
+DEF_VAR A
+A = 0.0625
+MESSAGE %A.3%
+A = 0.1875
+MESSAGE %A.3%
+A = 2.675
+MESSAGE %A.2%
+A = 0.5
+MESSAGE %A.1% %A.7%
+A = 1.25
+MESSAGE %A.1%
+A = 1.75
+MESSAGE %A.1%
+A = 9.9999
+MESSAGE %A.3%
+END

@@ -1,0 +1,16 @@
+3.1
+Value truncated
+DEF_VAR A
+A = 2.9
+MESSAGE %A%
+A = -2.9
+MESSAGE %A%
+A = 0.5
+MESSAGE %A%
+A = -0.5
+MESSAGE %A%
+A = -0.0
+MESSAGE %A%
+A = 1234567
+MESSAGE %A%
+END

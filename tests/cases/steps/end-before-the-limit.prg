@@ -1,0 +1,4 @@
+3.1
+End before the limit
+REM one
+END

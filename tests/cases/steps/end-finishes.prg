@@ -1,0 +1,5 @@
+3.1
+End finishes
+REM one
+END ; THIS IS NOT READ
+NOR THIS

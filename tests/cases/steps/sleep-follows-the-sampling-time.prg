@@ -1,0 +1,8 @@
+3.1
+Sleep follows the sampling time
+SLEEP 100
+SET_SAMPLING_TIME 10
+SLEEP 100
+SET_SAMPLING_FREQ 20
+SLEEP 100
+END

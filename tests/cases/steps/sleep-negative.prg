@@ -1,0 +1,4 @@
+3.1
+Sleep negative
+SLEEP -1
+END

@@ -1,0 +1,9 @@
+3.1
+Subroutine is one step
+DEF_VAR A
+CALL SUB:
+EXIT
+SUBROUTINE SUB:
+A = 1
+SUBEND
+END

@@ -1,0 +1,10 @@
+3.1
+Key constants
+DEF_VAR A
+A = CHAR_0
+A = CHAR_9
+A = CHAR_A
+A = CHAR_Z
+A = CHAR_SPC
+A = -CHAR_A
+END
