@@ -2,6 +2,8 @@
 //!
 //! Words are upper-cased. Every piece keeps its span.
 
+use crate::diagnostic::Diagnostic;
+
 /// A stretch of the decoded source text, in bytes of UTF-8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
@@ -44,7 +46,7 @@ pub struct Module {
     pub statements: Vec<Statement>,
 }
 
-/// One statement: each but a declaration is one step, or two for `SUBROUTINE`'s absence of a line of its own.
+/// One statement. Each but a declaration is one step; `L1: CMD` is two statements, `SUBROUTINE NAME:` one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     /// What it is.
@@ -161,11 +163,36 @@ pub enum StatementKind {
     Command {
         /// The command word.
         name: Word,
-        /// Its arguments.
+        /// Its arguments, up to the first malformed one.
         arguments: Vec<Operand>,
+        /// What is malformed behind `arguments`, not yet reported: it counts only if the command exists.
+        malformed: Option<Box<Diagnostic>>,
     },
     /// A statement that the parser has already reported; it still takes its step.
-    Broken,
+    Broken(Shape),
+}
+
+/// What a broken statement was going to be, so that one mistake does not unbalance the blocks around it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// Neither opens nor closes anything.
+    Plain,
+    /// `IF … THEN`
+    If,
+    /// `ELSEIF`
+    ElseIf,
+    /// `WHILE`
+    While,
+    /// `UNTIL`
+    Until,
+    /// `FOR`
+    For,
+    /// `NEXT`
+    Next,
+    /// `SUBROUTINE`
+    Subroutine,
+    /// `SUBEND`
+    SubEnd,
 }
 
 /// The types of variables.
