@@ -6,6 +6,8 @@ pub mod codes;
 pub mod commands;
 pub mod diagnostic;
 pub mod emit;
+#[cfg(test)]
+pub(crate) mod fixture;
 #[cfg(feature = "build")]
 pub mod generate;
 #[cfg(feature = "interp")]

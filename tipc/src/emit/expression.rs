@@ -1,0 +1,225 @@
+//! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
+//! operands left to right, then the operation, then the left side of `op=`, then the result.
+
+use super::Emitter;
+use super::ident::field;
+use super::word;
+use crate::program::{
+    Arithmetic, Axis, Condition, Function, Operand, Relation, Scalar, ScalarExpression,
+    StructExpression, VariableId, VariableKind,
+};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+impl Emitter<'_> {
+    /// The place that holds a scalar.
+    pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
+        let variable = &self.program.variables[scalar.variable];
+        let name = field(variable);
+        match variable.kind {
+            VariableKind::Var => quote!(self.#name),
+            VariableKind::Pos | VariableKind::Joint => {
+                let member = Literal::usize_unsuffixed(scalar.member);
+                quote!(self.#name[#member])
+            }
+        }
+    }
+
+    /// The value of a scalar, or its fault.
+    pub(super) fn read(&self, scalar: Scalar) -> TokenStream {
+        let place = self.place(scalar);
+        let index = Literal::usize_unsuffixed(self.program.scalar_index(scalar));
+        quote!(ops::get(#place, #index)?)
+    }
+
+    /// The members of a struct, or the fault of the first one without a value.
+    fn read_struct(&self, variable: VariableId) -> TokenStream {
+        let variable = &self.program.variables[variable];
+        let name = field(variable);
+        let first = Literal::usize_unsuffixed(variable.first);
+        quote!(ops::get_each(&self.#name, #first)?)
+    }
+
+    pub(super) fn operand(&self, operand: Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(value) => word::number(value),
+            Operand::Scalar {
+                scalar,
+                negative: false,
+            } => self.read(scalar),
+            Operand::Scalar {
+                scalar,
+                negative: true,
+            } => {
+                let value = self.read(scalar);
+                quote!(-#value)
+            }
+        }
+    }
+
+    pub(super) fn set_scalar(
+        &self,
+        target: Scalar,
+        update: Option<Arithmetic>,
+        value: ScalarExpression,
+    ) -> TokenStream {
+        let place = self.place(target);
+        let value = self.scalar_expression(value);
+        match update {
+            None => quote!(#place = Some(#value);),
+            Some(operation) => {
+                let old = self.read(target);
+                let operation = arithmetic(operation);
+                quote! {
+                    let value = #value;
+                    #place = Some(#operation(#old, value)?);
+                }
+            }
+        }
+    }
+
+    fn scalar_expression(&self, value: ScalarExpression) -> TokenStream {
+        match value {
+            ScalarExpression::Operand(operand) => self.operand(operand),
+            ScalarExpression::Binary {
+                left,
+                operation,
+                right,
+            } => {
+                let operation = arithmetic(operation);
+                let (left, right) = (self.operand(left), self.operand(right));
+                quote!(#operation(#left, #right)?)
+            }
+            ScalarExpression::Function { function, operand } => {
+                let function = function_of_one(function);
+                let operand = self.operand(operand);
+                quote!(#function(#operand)?)
+            }
+            ScalarExpression::Atan2 { y, x } => {
+                let (y, x) = (self.operand(y), self.operand(x));
+                quote!(ops::atan2(#y, #x)?)
+            }
+            ScalarExpression::Norm(variable) => {
+                let members = self.read_struct(variable);
+                quote!(ops::norm(#members)?)
+            }
+        }
+    }
+
+    pub(super) fn set_struct(
+        &self,
+        target: VariableId,
+        update: Option<Arithmetic>,
+        value: StructExpression,
+    ) -> TokenStream {
+        let place = field(&self.program.variables[target]);
+        let value = self.struct_expression(value);
+        match update {
+            None => quote!(self.#place = #value.map(Some);),
+            Some(operation) => {
+                let old = self.read_struct(target);
+                let operation = arithmetic_each(operation);
+                quote! {
+                    let value = #value;
+                    self.#place = #operation(#old, value)?.map(Some);
+                }
+            }
+        }
+    }
+
+    fn struct_expression(&self, value: StructExpression) -> TokenStream {
+        match value {
+            StructExpression::Copy(variable) => self.read_struct(variable),
+            StructExpression::Binary {
+                left,
+                operation,
+                right,
+            } => {
+                let operation = arithmetic_each(operation);
+                let (left, right) = (self.read_struct(left), self.read_struct(right));
+                quote!(#operation(#left, #right)?)
+            }
+            StructExpression::UnitVect(variable) => {
+                let members = self.read_struct(variable);
+                quote!(ops::unit_vect(#members)?)
+            }
+            StructExpression::Rotate {
+                axis,
+                operand,
+                angle,
+            } => {
+                let turn = match axis {
+                    Axis::X => quote!(ops::rot_x),
+                    Axis::Y => quote!(ops::rot_y),
+                    Axis::Z => quote!(ops::rot_z),
+                };
+                let (members, angle) = (self.read_struct(operand), self.operand(angle));
+                quote!(#turn(#members, #angle)?)
+            }
+        }
+    }
+
+    pub(super) fn condition(&self, condition: Condition) -> TokenStream {
+        match condition {
+            Condition::Compare {
+                left,
+                relation,
+                right,
+            } => {
+                let relation = relational(relation);
+                let (left, right) = (self.operand(left), self.operand(right));
+                quote!(#left #relation #right)
+            }
+            Condition::Flag { flag, negated } => {
+                let flag = word::flag(flag);
+                let not = negated.then(|| quote!(!));
+                quote!(#not cx.flag(#flag))
+            }
+        }
+    }
+}
+
+fn arithmetic(operation: Arithmetic) -> TokenStream {
+    match operation {
+        Arithmetic::Add => quote!(ops::add),
+        Arithmetic::Sub => quote!(ops::sub),
+        Arithmetic::Mul => quote!(ops::mul),
+        Arithmetic::Div => quote!(ops::div),
+    }
+}
+
+fn arithmetic_each(operation: Arithmetic) -> TokenStream {
+    match operation {
+        Arithmetic::Add => quote!(ops::add_each),
+        Arithmetic::Sub => quote!(ops::sub_each),
+        Arithmetic::Mul => quote!(ops::mul_each),
+        Arithmetic::Div => quote!(ops::div_each),
+    }
+}
+
+fn function_of_one(function: Function) -> TokenStream {
+    match function {
+        Function::Int => quote!(ops::int),
+        Function::Abs => quote!(ops::abs),
+        Function::Sqrt => quote!(ops::sqrt),
+        Function::Sin => quote!(ops::sin),
+        Function::Cos => quote!(ops::cos),
+        Function::Tan => quote!(ops::tan),
+        Function::Asin => quote!(ops::asin),
+        Function::Acos => quote!(ops::acos),
+        Function::Atan => quote!(ops::atan),
+        Function::Deg2Rad => quote!(ops::deg2rad),
+        Function::Rad2Deg => quote!(ops::rad2deg),
+    }
+}
+
+fn relational(relation: Relation) -> TokenStream {
+    match relation {
+        Relation::Eq => quote!(==),
+        Relation::Ne => quote!(!=),
+        Relation::Lt => quote!(<),
+        Relation::Gt => quote!(>),
+        Relation::Le => quote!(<=),
+        Relation::Ge => quote!(>=),
+    }
+}

@@ -1,0 +1,18 @@
+//! Generated code as a file that people read.
+
+use super::header;
+use crate::program::Program;
+use proc_macro2::TokenStream;
+
+/// The tokens of [`emit`](super::emit) as formatted source text under a header comment.
+///
+/// # Errors
+/// The tokens are no Rust file; a visibility or run-time path that is none can cause it.
+pub fn pretty(program: &Program, tokens: TokenStream) -> Result<String, syn::Error> {
+    let file = syn::parse2(tokens)?;
+    Ok(format!(
+        "// {}\n\n{}",
+        header(program),
+        prettyplease::unparse(&file)
+    ))
+}

@@ -1,0 +1,311 @@
+//! How Rust spells a program's state: the struct, its constructor and its implementations.
+
+use super::ident::{chunk, field, identifier};
+use super::{CHUNK, Emitter, Steps, header_of, word};
+use crate::program::{Action, Variable, VariableKind};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+use std::collections::BTreeSet;
+use tip_runtime::model::Family;
+
+impl Emitter<'_> {
+    /// Whether anything reads "taken / not taken".
+    pub(super) fn has_taken_state(&self) -> bool {
+        self.program
+            .steps
+            .iter()
+            .any(|step| matches!(step.action, Action::ElseIf { .. } | Action::Else { .. }))
+    }
+
+    fn has_calls(&self, mentioned: &BTreeSet<String>) -> bool {
+        mentioned.contains("calls")
+    }
+
+    /// The struct; `mentioned` are the words of its states.
+    pub(super) fn state(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+        let Emitter {
+            visibility,
+            runtime,
+            name,
+            ..
+        } = self;
+        let source = self.program.source_name.replace('`', "'");
+        let header = format!(" {}", header_of(self.program, &format!("`{source}`")));
+        let robot = self.program.signature.robot;
+        let about = format!(" The motion program `{source}`, compiled for the robot `{robot}`.");
+        let fields = self.program.variables.iter().map(|variable| {
+            let (field, kind) = (field(variable), field_type(variable));
+            quote!(#field: #kind,)
+        });
+        let not_taken = self.has_taken_state().then(|| quote!(not_taken: bool,));
+        let calls = self
+            .has_calls(mentioned)
+            .then(|| quote!(calls: #runtime::program::CallStack,));
+        quote! {
+            #[doc = #about]
+            #[doc = ""]
+            #[doc = #header]
+            #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+            #[allow(non_snake_case, clippy::all, clippy::pedantic)]
+            #visibility struct #name {
+                at: u32,
+                #not_taken
+                #calls
+                #(#fields)*
+            }
+        }
+    }
+
+    /// The constructor, the states and what moves between them.
+    pub(super) fn inherent_impl(&self, steps: &Steps) -> TokenStream {
+        let name = &self.name;
+        let constructor = self.constructor(&steps.mentioned);
+        let tables = self.tables(&steps.mentioned);
+        let moves = self.moves(&steps.mentioned);
+        let functions = &steps.functions;
+        quote! {
+            #[allow(unused_doc_comments, unused_qualifications, clippy::all, clippy::pedantic)]
+            impl #name {
+                #tables
+                #constructor
+                #functions
+                #moves
+            }
+        }
+    }
+
+    fn constructor(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+        let Emitter {
+            visibility,
+            runtime,
+            ..
+        } = self;
+        let fields = self.program.variables.iter().map(|variable| {
+            let field = field(variable);
+            let unassigned = match variable.kind {
+                VariableKind::Var => quote!(None),
+                VariableKind::Pos | VariableKind::Joint => {
+                    let size = Literal::usize_unsuffixed(variable.size());
+                    quote!([None; #size])
+                }
+            };
+            quote!(#field: #unassigned,)
+        });
+        let not_taken = self.has_taken_state().then(|| quote!(not_taken: false,));
+        let calls = self
+            .has_calls(mentioned)
+            .then(|| quote!(calls: #runtime::program::CallStack::new(),));
+        quote! {
+            #[doc = " At step 0, with every variable unassigned."]
+            #visibility const fn new() -> Self {
+                use ::core::option::Option::None;
+                Self {
+                    at: 0,
+                    #not_taken
+                    #calls
+                    #(#fields)*
+                }
+            }
+        }
+    }
+
+    /// The source line of each step, and the steps of the labels that states name.
+    fn tables(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+        let lines = self
+            .program
+            .steps
+            .iter()
+            .map(|step| Literal::u32_unsuffixed(step.line));
+        let labels = self
+            .labels
+            .iter()
+            .filter(|(_, name)| mentioned.contains(&name.to_string()))
+            .map(|(step, name)| {
+                let step = Literal::u32_unsuffixed(*step);
+                quote!(const #name: u32 = #step;)
+            });
+        quote! {
+            const LINES: &'static [u32] = &[#(#lines),*];
+            #(#labels)*
+        }
+    }
+
+    /// The ways from a state to the next one; only those that a state takes.
+    fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+        let runtime = self.runtime;
+        let taken = self
+            .has_taken_state()
+            .then(|| quote!(self.not_taken = false;));
+        let asks = [("command", false), ("command_hs", true)].map(|(name, hs)| {
+            let name = identifier(name);
+            mentioned
+                .contains(&name.to_string())
+                .then(|| self.ask(&name, hs))
+        });
+        let go = (mentioned.contains("go") || asks.iter().any(Option::is_some)).then(|| {
+            quote! {
+                fn go(&mut self, step: u32) -> #runtime::program::Flow {
+                    self.at = step;
+                    #taken
+                    #runtime::program::Flow::Next
+                }
+            }
+        });
+        let skip = mentioned.contains("skip").then(|| {
+            quote! {
+                fn skip(&mut self, step: u32) -> #runtime::program::Flow {
+                    self.at = step;
+                    self.not_taken = true;
+                    #runtime::program::Flow::Next
+                }
+            }
+        });
+        quote! { #go #skip #(#asks)* }
+    }
+
+    /// What asks the robot for a command and goes on once it is done.
+    fn ask(&self, name: &Ident, hs: bool) -> TokenStream {
+        let runtime = self.runtime;
+        quote! {
+            fn #name(
+                &mut self,
+                cx: &mut dyn #runtime::program::Context,
+                op: #runtime::command::Op,
+                target: #runtime::command::Target,
+                values: &[#runtime::command::Value],
+                next: u32,
+            ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
+                use #runtime::command::{Command, Poll};
+                let poll = cx.command(&Command { op, hs: #hs, target, values })?;
+                ::core::result::Result::Ok(match poll {
+                    Poll::Done => self.go(next),
+                    Poll::Pending => #runtime::program::Flow::Wait,
+                })
+            }
+        }
+    }
+
+    pub(super) fn default_impl(&self) -> TokenStream {
+        let name = &self.name;
+        quote! {
+            #[automatically_derived]
+            impl ::core::default::Default for #name {
+                fn default() -> Self {
+                    Self::new()
+                }
+            }
+        }
+    }
+
+    pub(super) fn program_impl(&self) -> TokenStream {
+        let Emitter {
+            runtime,
+            name,
+            program,
+            ..
+        } = self;
+        let (source, title) = (&program.source_name, &program.title);
+        let signature = self.signature();
+        let chunks = (0..program.steps.len()).step_by(CHUNK).map(|first| {
+            let number = Literal::usize_unsuffixed(first / CHUNK);
+            let function = chunk(first);
+            quote!(#number => self.#function(cx),)
+        });
+        let scalars = self.scalars();
+        let chunk_size = Literal::usize_unsuffixed(CHUNK);
+        quote! {
+            #[automatically_derived]
+            #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
+            impl #runtime::program::Program for #name {
+                fn signature(&self) -> #runtime::program::Signature {
+                    #signature
+                }
+                fn name(&self) -> &str {
+                    #source
+                }
+                fn title(&self) -> &str {
+                    #title
+                }
+                fn at(&self) -> u32 {
+                    self.at
+                }
+                fn step(
+                    &mut self,
+                    cx: &mut dyn #runtime::program::Context,
+                ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
+                    match self.at / #chunk_size {
+                        #(#chunks)*
+                        _ => ::core::result::Result::Err(#runtime::fault::Fault::WrongStep),
+                    }
+                }
+                fn scalar(&self, i: usize) -> ::core::option::Option<(&str, ::core::option::Option<f64>)> {
+                    use ::core::option::Option::{None, Some};
+                    Some(match i {
+                        #scalars
+                        _ => return None,
+                    })
+                }
+                fn line(&self, step: u32) -> u32 {
+                    use ::core::option::Option::{None, Some};
+                    match Self::LINES.get(step as usize) {
+                        Some(line) => *line,
+                        None => 0,
+                    }
+                }
+                fn reset(&mut self) {
+                    *self = Self::new();
+                }
+            }
+        }
+    }
+
+    fn signature(&self) -> TokenStream {
+        let runtime = self.runtime;
+        let signature = self.program.signature;
+        let robot = signature.robot;
+        let family = match signature.family {
+            Family::Titan => quote!(Titan),
+            Family::Hand => quote!(Hand),
+            Family::Generic => quote!(Generic),
+        };
+        let (legs, joints) = (word::small(signature.legs), word::small(signature.joints));
+        quote! {
+            #runtime::program::Signature {
+                robot: #robot,
+                family: #runtime::model::Family::#family,
+                legs: #legs,
+                joints: #joints,
+            }
+        }
+    }
+
+    /// The arms that give name and value of each scalar.
+    fn scalars(&self) -> TokenStream {
+        let mut arms = TokenStream::new();
+        for variable in &self.program.variables {
+            let field = field(variable);
+            for (member, name) in variable.scalar_names().enumerate() {
+                let index = Literal::usize_unsuffixed(variable.first + member);
+                let value = match variable.kind {
+                    VariableKind::Var => quote!(self.#field),
+                    VariableKind::Pos | VariableKind::Joint => {
+                        let member = Literal::usize_unsuffixed(member);
+                        quote!(self.#field[#member])
+                    }
+                };
+                arms.extend(quote!(#index => (#name, #value),));
+            }
+        }
+        arms
+    }
+}
+
+fn field_type(variable: &Variable) -> TokenStream {
+    match variable.kind {
+        VariableKind::Var => quote!(::core::option::Option<f64>),
+        VariableKind::Pos | VariableKind::Joint => {
+            let size = Literal::usize_unsuffixed(variable.size());
+            quote!([::core::option::Option<f64>; #size])
+        }
+    }
+}

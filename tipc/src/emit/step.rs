@@ -1,0 +1,395 @@
+//! How Rust spells steps: one match arm each, in functions of a bounded number of arms.
+
+use super::ident::{chunk, field, identifier};
+use super::word;
+use super::{CHUNK, Emitter, Steps};
+use crate::program::{Action, Argument, End, MessagePart, Step, StepId};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use std::collections::BTreeSet;
+
+impl Emitter<'_> {
+    /// Every state, in functions of [`CHUNK`] states.
+    pub(super) fn steps(&self) -> Steps {
+        let mut functions = TokenStream::new();
+        let mut mentioned = BTreeSet::new();
+        for (n, steps) in self.program.steps.chunks(CHUNK).enumerate() {
+            functions.extend(self.function(n * CHUNK, steps, &mut mentioned));
+        }
+        Steps {
+            functions,
+            mentioned,
+        }
+    }
+
+    fn function(
+        &self,
+        first: usize,
+        steps: &[Step],
+        mentioned: &mut BTreeSet<String>,
+    ) -> TokenStream {
+        let runtime = self.runtime;
+        let name = chunk(first);
+        let arms: TokenStream = (first..)
+            .zip(steps)
+            .map(|(number, step)| self.arm(number as StepId, step))
+            .collect();
+        let body = quote! {
+            let flow = match self.at {
+                #arms
+                _ => return Err(Fault::WrongStep),
+            };
+            Ok(flow)
+        };
+        let mut words = BTreeSet::new();
+        collect_words(&body, &mut words);
+        let imports = self.imports(&words);
+        let context = if words.contains("cx") {
+            quote!(cx)
+        } else {
+            quote!(_)
+        };
+        mentioned.extend(words);
+        quote! {
+            fn #name(
+                &mut self,
+                #context: &mut dyn #runtime::program::Context,
+            ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
+                #imports
+                #body
+            }
+        }
+    }
+
+    /// What a function's body mentions: no name of the surrounding scope can get in between.
+    fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
+        let runtime = self.runtime;
+        let option = import(quote!(::core::option::Option), words, &["None", "Some"]);
+        let result = import(quote!(::core::result::Result), words, &["Err", "Ok"]);
+        let command = ["Flag", "Op", "Port", "Target", "Teach", "Value"];
+        let command = import(quote!(#runtime::command), words, &command);
+        let fault = import(quote!(#runtime::fault), words, &["Fault"]);
+        let ops = import(runtime.clone(), words, &["ops"]);
+        let program = import(quote!(#runtime::program), words, &["End", "Flow"]);
+        quote! { #option #result #command #fault #ops #program }
+    }
+
+    fn arm(&self, number: StepId, step: &Step) -> TokenStream {
+        let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
+        let number_token = Literal::u32_unsuffixed(number);
+        let action = self.action(number + 1, &step.action);
+        quote! {
+            #[doc = #doc]
+            #number_token => #action
+        }
+    }
+
+    /// The arm's body; its value is a `Flow`.
+    fn action(&self, next: StepId, action: &Action) -> TokenStream {
+        match action {
+            Action::Nothing => {
+                let go = self.go(next);
+                quote!(#go,)
+            }
+            Action::SetScalar {
+                target,
+                update,
+                value,
+            } => {
+                let go = self.go(next);
+                let set = self.set_scalar(*target, *update, *value);
+                quote!({ #set #go })
+            }
+            Action::SetStruct {
+                target,
+                update,
+                value,
+            } => {
+                let go = self.go(next);
+                let set = self.set_struct(*target, *update, *value);
+                quote!({ #set #go })
+            }
+            Action::If {
+                condition,
+                otherwise,
+            } => {
+                let condition = self.condition(*condition);
+                let (go, skip) = (self.go(next), self.skip(*otherwise));
+                quote!(if #condition { #go } else { #skip },)
+            }
+            Action::ElseIf {
+                condition,
+                otherwise,
+            } => {
+                let condition = self.condition(*condition);
+                let (go, pass) = (self.go(next), self.go(*otherwise));
+                let skip = self.skip(*otherwise);
+                quote! {
+                    if !self.not_taken { #pass } else if #condition { #go } else { #skip },
+                }
+            }
+            Action::Else { end } => {
+                let (go, pass) = (self.go(next), self.go(*end));
+                quote!(if self.not_taken { #go } else { #pass },)
+            }
+            Action::While { condition, exit } => {
+                let condition = self.condition(*condition);
+                let (go, exit) = (self.go(next), self.go(*exit));
+                quote!(if #condition { #go } else { #exit },)
+            }
+            Action::Goto { to } => {
+                let go = self.go(*to);
+                quote!(#go,)
+            }
+            Action::Until { condition, back } => {
+                let condition = self.condition(*condition);
+                let (go, back) = (self.go(next), self.go(*back));
+                quote!(if #condition { #go } else { #back },)
+            }
+            Action::For {
+                variable,
+                from,
+                to,
+                step,
+                exit,
+            } => {
+                let (from, to, by) = (self.operand(*from), self.operand(*to), self.operand(*step));
+                let place = self.place(*variable);
+                let (go, exit) = (self.go(next), self.go(*exit));
+                quote!({
+                    let from = #from;
+                    let to = #to;
+                    let by = #by;
+                    let enters = ops::for_test(from, to, by)?;
+                    #place = Some(from);
+                    if enters { #go } else { #exit }
+                })
+            }
+            Action::Next {
+                variable,
+                to,
+                step,
+                body,
+            } => {
+                let (old, by, to) = (self.read(*variable), self.operand(*step), self.operand(*to));
+                let place = self.place(*variable);
+                let (again, go) = (self.go(*body), self.go(next));
+                quote!({
+                    let value = #old;
+                    let by = #by;
+                    let to = #to;
+                    let value = ops::add(value, by)?;
+                    let repeats = ops::for_test(value, to, by)?;
+                    #place = Some(value);
+                    if repeats { #again } else { #go }
+                })
+            }
+            Action::IfGoto { condition, to } => {
+                let condition = self.condition(*condition);
+                let (jump, go) = (self.go(*to), self.go(next));
+                quote!(if #condition { #jump } else { #go },)
+            }
+            Action::Gosub { to } => {
+                let call = self.call(*to, next);
+                quote!({ #call })
+            }
+            Action::IfGosub { condition, to } => {
+                let condition = self.condition(*condition);
+                let (call, go) = (self.call(*to, next), self.go(next));
+                quote!(if #condition { #call } else { #go },)
+            }
+            Action::Return => quote!({
+                let back = self.calls.pop()?;
+                self.go(back)
+            }),
+            Action::Finish(End::End) => quote!(Flow::Finished(End::End),),
+            Action::Finish(End::Exit) => quote!(Flow::Finished(End::Exit),),
+            Action::Command {
+                op,
+                hs,
+                target,
+                arguments,
+            } => {
+                let ask = if *hs { "command_hs" } else { "command" };
+                let (ask, op, target) = (identifier(ask), word::op(*op), word::target(*target));
+                let next = self.step_number(next);
+                if arguments.is_empty() {
+                    return quote!(self.#ask(cx, #op, #target, &[], #next)?,);
+                }
+                let values = self.values(arguments);
+                quote!({
+                    let values = #values;
+                    self.#ask(cx, #op, #target, &values, #next)?
+                })
+            }
+            Action::TeachStruct { what, target, into } => {
+                let (what, target) = (word::teach(*what), word::target(*target));
+                let variable = &self.program.variables[*into];
+                let place = field(variable);
+                let members: Vec<Ident> = (1..=variable.size())
+                    .map(|member| format_ident!("m{member}"))
+                    .collect();
+                let go = self.go(next);
+                quote!({
+                    let [#(#members,)* ..] = cx.teach(#what, #target)?;
+                    self.#place = [#(Some(#members)),*];
+                    #go
+                })
+            }
+            Action::TeachScalar { what, target, into } => {
+                let place = self.place(*into);
+                let (what, target) = (word::teach(*what), word::target(*target));
+                let go = self.go(next);
+                quote!({
+                    let [measured, ..] = cx.teach(#what, #target)?;
+                    #place = Some(measured);
+                    #go
+                })
+            }
+            Action::AdIn { port, into } => {
+                let (place, port) = (self.place(*into), word::port(*port));
+                let go = self.go(next);
+                quote!({
+                    #place = Some(cx.analog(#port)?);
+                    #go
+                })
+            }
+            Action::KeyIn { into } => {
+                let place = self.place(*into);
+                let go = self.go(next);
+                quote!(match cx.key() {
+                    Some(key) => {
+                        #place = Some(key as f64);
+                        #go
+                    }
+                    None => Flow::Wait,
+                },)
+            }
+            Action::Message { parts } => {
+                let text = self.message(parts);
+                let go = self.go(next);
+                quote!({ #text #go })
+            }
+        }
+    }
+
+    /// On to a step, "taken".
+    fn go(&self, step: StepId) -> TokenStream {
+        let step = self.step_number(step);
+        quote!(self.go(#step))
+    }
+
+    /// From a false IF or ELSEIF on to a step, "not taken".
+    fn skip(&self, step: StepId) -> TokenStream {
+        let step = self.step_number(step);
+        if self.has_taken_state() {
+            quote!(self.skip(#step))
+        } else {
+            quote!(self.go(#step))
+        }
+    }
+
+    fn call(&self, to: StepId, back: StepId) -> TokenStream {
+        let back = self.step_number(back);
+        let go = self.go(to);
+        quote! {
+            self.calls.push(#back)?;
+            #go
+        }
+    }
+
+    /// A step's number, or the constant of the label that stands there.
+    fn step_number(&self, step: StepId) -> TokenStream {
+        match self.labels.binary_search_by_key(&step, |(at, _)| *at) {
+            Ok(label) => {
+                let name = &self.labels[label].1;
+                quote!(Self::#name)
+            }
+            Err(_) => {
+                let step = Literal::u32_unsuffixed(step);
+                quote!(#step)
+            }
+        }
+    }
+
+    fn values(&self, arguments: &[Argument]) -> TokenStream {
+        let numbers = arguments
+            .iter()
+            .map(|argument| self.operand(argument.operand));
+        let relative = arguments
+            .iter()
+            .filter(|argument| argument.relative)
+            .count();
+        if relative == 0 {
+            quote!([#(#numbers),*].map(Value::absolute))
+        } else {
+            let kinds = arguments.iter().map(|argument| match argument.relative {
+                true => quote!(Value::relative),
+                false => quote!(Value::absolute),
+            });
+            quote!([#(#kinds(#numbers)),*])
+        }
+    }
+
+    fn message(&self, parts: &[MessagePart]) -> TokenStream {
+        let mut plain = String::new();
+        let mut format = String::new();
+        let mut values = TokenStream::new();
+        let mut names = Vec::new();
+        for part in parts {
+            match part {
+                MessagePart::Text(text) => {
+                    plain.push_str(text);
+                    format.push_str(&text.replace('{', "{{").replace('}', "}}"));
+                }
+                MessagePart::Value { scalar, decimals } => {
+                    let name = format_ident!("shown{}", names.len() + 1);
+                    let (value, decimals) = (self.read(*scalar), word::small(*decimals));
+                    values.extend(quote! {
+                        let #name = ops::Shown { value: #value, decimals: #decimals };
+                    });
+                    names.push(name);
+                    format.push_str("{}");
+                }
+            }
+        }
+        if names.is_empty() {
+            quote!(cx.message(&#plain);)
+        } else {
+            quote! {
+                #values
+                cx.message(&::core::format_args!(#format, #(#names),*));
+            }
+        }
+    }
+}
+
+/// A `use` of those candidates that are mentioned.
+fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> TokenStream {
+    let names: Vec<Ident> = candidates
+        .iter()
+        .filter(|word| words.contains(**word))
+        .map(|word| identifier(word))
+        .collect();
+    match names.as_slice() {
+        [] => TokenStream::new(),
+        [name] => quote!(use #from::#name;),
+        names => quote!(use #from::{#(#names),*};),
+    }
+}
+
+/// Adds every identifier that occurs in the tokens.
+fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
+    for token in tokens.clone() {
+        match token {
+            TokenTree::Ident(ident) => {
+                let word = ident.to_string();
+                if !words.contains(&word) {
+                    words.insert(word);
+                }
+            }
+            TokenTree::Group(group) => collect_words(&group.stream(), words),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}

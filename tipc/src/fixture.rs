@@ -1,0 +1,94 @@
+//! Programs built by hand, for unit tests.
+
+use crate::program::{
+    Action, Argument, Condition, Label, Operand, Program, Relation, Scalar, Step, StepId, Variable,
+    VariableKind,
+};
+use tip_runtime::model::titan8;
+
+/// A program for TITAN VIII: `VAR_KEY`, the variables of these names and types, and a step for
+/// each action, one a line from line 3 on.
+pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) -> Program {
+    let signature = titan8::MODEL.signature();
+    let mut declared = Vec::new();
+    let mut first = 0;
+    for (name, kind) in [("VAR_KEY", VariableKind::Var)].iter().chain(variables) {
+        let variable = Variable {
+            name: (*name).to_owned(),
+            kind: *kind,
+            first,
+            joints: usize::from(signature.joints),
+        };
+        first += variable.size();
+        declared.push(variable);
+    }
+    let steps = (3..).zip(actions).map(|(line, action)| Step {
+        action,
+        line,
+        column: 1,
+        text: format!("LINE {line}"),
+        formal: String::new(),
+    });
+    Program {
+        source_name: "by_hand.prg".to_owned(),
+        source_hash: 0x0123_4567_89ab_cdef,
+        title: "built by hand".to_owned(),
+        signature,
+        variables: declared,
+        labels: Vec::new(),
+        steps: steps.collect(),
+    }
+}
+
+/// The same program with labels.
+pub(crate) fn labelled(mut program: Program, labels: &[(&str, StepId)]) -> Program {
+    program.labels = labels
+        .iter()
+        .map(|(name, step)| Label {
+            name: (*name).to_owned(),
+            step: *step,
+            subroutine: false,
+        })
+        .collect();
+    program
+}
+
+/// The scalar of a VAR.
+pub(crate) fn scalar(variable: usize) -> Scalar {
+    member(variable, 0)
+}
+
+/// A member of a struct.
+pub(crate) fn member(variable: usize, member: usize) -> Scalar {
+    Scalar { variable, member }
+}
+
+/// A scalar as an operand.
+pub(crate) fn read(variable: usize) -> Operand {
+    Operand::Scalar {
+        scalar: scalar(variable),
+        negative: false,
+    }
+}
+
+/// A constant as an operand.
+pub(crate) fn constant(value: f64) -> Operand {
+    Operand::Constant(value)
+}
+
+/// A constant as an argument.
+pub(crate) fn argument(value: f64) -> Argument {
+    Argument {
+        operand: constant(value),
+        relative: false,
+    }
+}
+
+/// A comparison.
+pub(crate) fn compare(left: Operand, relation: Relation, right: Operand) -> Condition {
+    Condition::Compare {
+        left,
+        relation,
+        right,
+    }
+}
