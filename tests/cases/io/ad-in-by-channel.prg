@@ -1,0 +1,8 @@
+3.1
+Ad in by channel
+DEF_VAR V
+AD_IN 0 13 V
+AD_IN 0 14 V
+AD_IN 0, 15, V
+AD_IN 0 12 V
+END

@@ -1,0 +1,8 @@
+3.1
+Ad in by name
+DEF_VAR V
+AD_IN VR1 V
+AD_IN VR2 V
+AD_IN VR2 V
+AD_IN VR3 V
+END

@@ -1,0 +1,9 @@
+3.1
+Ad in of the soles
+DEF_VAR V
+AD_IN PAW1 V
+AD_IN PAW2 V
+AD_IN PAW3 V
+AD_IN PAW4 V
+AD_IN ANTENNA V
+END

@@ -1,0 +1,7 @@
+3.1
+Ad in on generic
+DEF_VAR V
+AD_IN VR2 V
+AD_IN 0 14 V
+AD_IN VR1 V
+END

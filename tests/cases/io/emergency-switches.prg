@@ -1,0 +1,7 @@
+3.1
+Emergency switches
+EMG_OFF
+EMG_ON
+EMG_ON
+EMG_OFF
+END

@@ -1,0 +1,4 @@
+3.1
+Lamp off not fitted
+LAMP_OFF 255
+END

@@ -1,0 +1,6 @@
+3.1
+Lamps of generic
+LAMP_ON 15
+LAMP_OFF 8
+LAMP_ON 16
+END

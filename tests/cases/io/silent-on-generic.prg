@@ -1,0 +1,5 @@
+3.1
+Silent on generic
+SILENT_ON
+SILENT_OFF
+END

@@ -1,0 +1,4 @@
+3.1
+Special on generic
+SPECIAL 0
+END

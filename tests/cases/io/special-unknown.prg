@@ -1,0 +1,4 @@
+3.1
+Special unknown
+SPECIAL 14
+END

@@ -1,0 +1,12 @@
+3.1
+Rel ptp operands
+DEF_POS P
+P.X = 0
+P.Y = 5
+P.Z = 5
+REL_PTP F1 0 0 10
+REL_PTP F2 P
+REL_PTP HS F3 0 -P.Y P.Z
+REL_PTP HS F4 P
+REL_PTP F1 0 0 0
+END

@@ -1,0 +1,11 @@
+3.1
+Relative ptp adds to the measurement
+DEF_POS P
+PTP F1 R 0 R 20 R 20
+PTP F1 R 0 R 20 R 20
+SLEEP 2000
+TEACH_POSITION F1 P
+IF P.Y < 217 GOTO BAD:
+IF P.Y > 226 GOTO BAD:
+EXIT
+BAD: END

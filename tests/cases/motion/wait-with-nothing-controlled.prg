@@ -1,0 +1,7 @@
+3.1
+Wait with nothing controlled
+WAIT_INPOS F1
+WAIT_INPOS J23
+WAIT_INPOS ALL
+WAIT_NEAR ALL
+END

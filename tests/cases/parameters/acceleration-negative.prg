@@ -1,0 +1,5 @@
+3.1
+Acceleration negative
+REM one
+SET_A_MAX F1 -1
+END

@@ -1,0 +1,5 @@
+3.1
+Just position negative
+REM one
+SET_JUST_POSITION F1 -0.1
+END

@@ -1,0 +1,5 @@
+3.1
+Sampling frequency negative
+REM one
+SET_SAMPLING_FREQ -50
+END

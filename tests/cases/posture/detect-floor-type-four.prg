@@ -1,0 +1,4 @@
+3.1
+Detect floor type four
+DETECT_FLOOR F1 4
+END

@@ -1,0 +1,4 @@
+3.1
+Sit down
+SIT_DOWN 30
+END

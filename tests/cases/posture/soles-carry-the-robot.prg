@@ -1,0 +1,11 @@
+3.1
+Soles carry the robot
+DEF_VAR V
+STAND_UP 50
+AD_IN PAW1 V
+IF V < 0.2 GOTO BAD:
+AD_IN PAW4 V
+IF V < 0.2 GOTO BAD:
+SLEEP 1E9
+BAD: EXIT
+END

@@ -1,0 +1,4 @@
+3.1
+Stand up
+STAND_UP 50
+END

@@ -1,0 +1,87 @@
+3.1
+Stepping test
+DEF_POS UP, DOWN          // strokes
+DEF_VAR RISE, N, MODE
+
+MODE = 0                  // step 0
+N = 0
+RISE = 10
+UP.X = 0; UP.Y = 0; UP.Z = 10
+DOWN = UP
+DOWN.Z = -UP.Z
+SET_V_MAX ALL 100
+SET_A_MAX ALL 400
+MESSAGE press S
+
+WAIT_KEY:                 // step 11
+KEY_IN
+IF VAR_KEY <> CHAR_S GOTO WAIT_KEY:
+
+START:                    // step 14
+MESSAGE go
+GOSUB LIFT:
+
+REST:                     // step 17
+SLEEP 100
+IF MODE == 1 GOTO FINISH:
+IF HALT_REQUEST GOTO STOP:
+N += 1
+MESSAGE round %N%
+GOTO REST:
+
+STOP:                     // step 24
+MODE = 1
+GOTO REST:
+
+FINISH:                   // step 27
+GOSUB LOWER:
+MESSAGE done
+SLEEP 1E9
+
+LIFT:                     // step 31
+REL_PTP F1 UP
+WAIT_INPOS F1
+REL_PTP F2 UP
+WAIT_INPOS F2
+REL_PTP F3 UP
+WAIT_INPOS F3
+REL_PTP F4 UP
+WAIT_INPOS F4
+WAIT_NEAR ALL
+RETURN
+
+LOWER:                    // step 42
+MESSAGE down
+REL_PTP F1 DOWN
+REL_PTP F2 DOWN
+REL_PTP F3 DOWN
+REL_PTP F4 DOWN
+WAIT_INPOS ALL
+REM 49
+REM 50
+REM 51
+REM 52
+REM 53
+REM 54
+REM 55
+REM 56
+REM 57
+REM 58
+REM 59
+REM 60
+REM 61
+REM 62
+REM 63
+REM 64
+REM 65
+REM 66
+REM 67
+REM 68
+REM 69
+REM 70
+REM 71
+REM 72
+REM 73
+GOTO LAST:
+LAST: RETURN              // step 75
+END

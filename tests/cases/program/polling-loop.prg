@@ -1,0 +1,9 @@
+3.1
+Wait for a key by polling
+FLUSH_BUF
+LOOP:
+IF KB_HIT GOTO FOUND:
+GOTO
+FOUND: MESSAGE a key
+KEY_IN
+END
