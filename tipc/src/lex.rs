@@ -1,1 +1,156 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! A statement's characters to words and operators. It knows no command.
+
+use crate::syntax::{Arithmetic, Relation, Span};
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A name, a number or anything else between delimiters and operators.
+    Word,
+    /// `=`, or `+= -= *= /=`.
+    Assign(Option<Arithmetic>),
+    /// `== <> < > <= >=`
+    Relation(Relation),
+    /// `+ - * /`
+    Arithmetic(Arithmetic),
+    /// `!`
+    Not,
+    /// `:`
+    Colon,
+}
+
+/// A word or operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Token {
+    /// What it is.
+    pub(crate) kind: Kind,
+    /// Where it stands.
+    pub(crate) span: Span,
+    /// A delimiter stands before it.
+    pub(crate) spaced: bool,
+}
+
+/// The full-width space as UTF-8 spells it.
+const FULL_WIDTH_SPACE: &[u8] = b"\xE3\x80\x80";
+
+/// The characters that only take up room.
+pub(crate) const BLANKS: &[char] = &[' ', '\t', '\u{3000}'];
+/// The characters between words: blanks and the comma.
+pub(crate) const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
+
+/// Reads the tokens of `span` into `tokens` and returns the first characters that no statement may hold.
+///
+/// Those characters become part of words, so that the tokens around them stay usable.
+pub(crate) fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
+    let bytes = &text.as_bytes()[..span.end];
+    let mut foreign = None;
+    let mut at = span.start;
+    loop {
+        let start = skip_delimiters(bytes, at);
+        if start >= bytes.len() {
+            return foreign;
+        }
+        let (kind, end) = operator(bytes, start).unwrap_or_else(|| {
+            let end = word_end(bytes, start);
+            foreign = foreign.or_else(|| foreign_run(text, Span::new(start, end)));
+            (Kind::Word, end)
+        });
+        tokens.push(Token {
+            kind,
+            span: Span::new(start, end),
+            spaced: start > at,
+        });
+        at = end;
+    }
+}
+
+/// The first place from `at` on without a delimiter.
+pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
+    while let length @ 1.. = delimiter(bytes, at) {
+        at += length;
+    }
+    at
+}
+
+/// How long the delimiter at `at` is; 0 if none stands there.
+pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
+    match bytes.get(at) {
+        Some(b' ' | b'\t' | b',') => 1,
+        Some(0xE3) if bytes[at..].starts_with(FULL_WIDTH_SPACE) => FULL_WIDTH_SPACE.len(),
+        _ => 0,
+    }
+}
+
+/// The end of the word that starts at `start`.
+pub(crate) fn word_end(bytes: &[u8], start: usize) -> usize {
+    let end = plain_word_end(bytes, start);
+    if is_open_exponent(&bytes[start..end], &bytes[end..]) {
+        return plain_word_end(bytes, end + 1);
+    }
+    end
+}
+
+fn plain_word_end(bytes: &[u8], start: usize) -> usize {
+    let mut at = start;
+    while let Some(byte) = bytes.get(at) {
+        let ends = match byte {
+            b'+' | b'-' | b'*' | b'/' | b'=' | b'<' | b'>' | b'!' | b':' => true,
+            _ => delimiter(bytes, at) > 0,
+        };
+        if ends {
+            break;
+        }
+        at += 1;
+    }
+    at
+}
+
+/// Whether `word` is a number up to its `E` and `rest` goes on with the exponent's sign and digits.
+fn is_open_exponent(word: &[u8], rest: &[u8]) -> bool {
+    let [b'+' | b'-', b'0'..=b'9', ..] = rest else {
+        return false;
+    };
+    let [mantissa @ .., b'E' | b'e'] = word else {
+        return false;
+    };
+    !mantissa.is_empty()
+        && mantissa
+            .iter()
+            .all(|byte| matches!(byte, b'0'..=b'9' | b'.'))
+}
+
+fn operator(bytes: &[u8], at: usize) -> Option<(Kind, usize)> {
+    let equals = bytes.get(at + 1) == Some(&b'=');
+    let arithmetic = |operation| match equals {
+        true => (Kind::Assign(Some(operation)), 2),
+        false => (Kind::Arithmetic(operation), 1),
+    };
+    let (kind, length) = match bytes[at] {
+        b'=' if equals => (Kind::Relation(Relation::Eq), 2),
+        b'=' => (Kind::Assign(None), 1),
+        b'<' if equals => (Kind::Relation(Relation::Le), 2),
+        b'<' if bytes.get(at + 1) == Some(&b'>') => (Kind::Relation(Relation::Ne), 2),
+        b'<' => (Kind::Relation(Relation::Lt), 1),
+        b'>' if equals => (Kind::Relation(Relation::Ge), 2),
+        b'>' => (Kind::Relation(Relation::Gt), 1),
+        b'+' => arithmetic(Arithmetic::Add),
+        b'-' => arithmetic(Arithmetic::Sub),
+        b'*' => arithmetic(Arithmetic::Mul),
+        b'/' => arithmetic(Arithmetic::Div),
+        b'!' => (Kind::Not, 1),
+        b':' => (Kind::Colon, 1),
+        _ => return None,
+    };
+    Some((kind, at + length))
+}
+
+/// The first run of characters in `span` that only comments and texts may hold.
+pub(crate) fn foreign_run(text: &str, span: Span) -> Option<Span> {
+    let word = &text[span.start..span.end];
+    let is_foreign = |char: char| !char.is_ascii() || char.is_ascii_control();
+    let start = word.find(is_foreign)?;
+    let length = word[start..]
+        .find(|char| !is_foreign(char))
+        .unwrap_or(word.len() - start);
+    Some(Span::new(span.start + start, span.start + start + length))
+}

@@ -1,11 +1,120 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
+mod command;
+mod condition;
+mod control;
+mod equation;
+mod header;
+mod jump;
+mod line;
+mod message;
+mod operand;
+mod reader;
+mod statement;
+
+use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
-use crate::source::Source;
-use crate::syntax::Module;
+use crate::lex::Token;
+use crate::source::{Source, first_beyond};
+use crate::syntax::{Module, Span, Statement, StatementKind};
+
+/// The most bytes that a line may have (T.I.P. 3.1 §3).
+const LINE_LIMIT: usize = 1023;
+/// The most bytes that the name of a label or variable may have (§4-3, §4-4).
+const NAME_LIMIT: usize = 32;
 
 /// Parses a source for version `tip_version` of the language.
+///
+/// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
-    let _ = (source, tip_version);
-    (Module::default(), Vec::new())
+    if let Err(wrong) = header::version(source, tip_version) {
+        return (Module::default(), vec![*wrong]);
+    }
+    let mut parser = Parser {
+        source,
+        text: source.text(),
+        line: 1,
+        tokens: Vec::new(),
+        module: Module {
+            title: header::title(source),
+            statements: Vec::new(),
+        },
+        diagnostics: Vec::new(),
+    };
+    parser.lines();
+    (parser.module, parser.diagnostics)
 }
+
+/// What stands at the end of a piece of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flow {
+    /// The program goes on.
+    Continue,
+    /// END: the rest of the file does not count.
+    End,
+}
+
+struct Parser<'a> {
+    source: &'a Source,
+    text: &'a str,
+    /// The current line, from 1.
+    line: u32,
+    /// The current statement's tokens; kept to use its memory again.
+    tokens: Vec<Token>,
+    module: Module,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Parser<'_> {
+    fn lines(&mut self) {
+        for line in 1..=self.source.line_count() {
+            self.line = line;
+            self.check_length();
+            if line > 2 && self.statements_of_line() == Flow::End {
+                return;
+            }
+        }
+        self.report_missing_end();
+    }
+
+    fn check_length(&mut self) {
+        let span = self.source.line_span(self.line);
+        let Some(beyond) = first_beyond(self.source.slice(span), LINE_LIMIT) else {
+            return;
+        };
+        let rest = Span::new(span.start + beyond, span.end);
+        let reason = format!("this line has more than {LINE_LIMIT} bytes");
+        let help = "break the line; a full-width character counts 2 bytes";
+        self.report(Diagnostic::new(Code::Format, rest, reason).help(help));
+    }
+
+    fn report_missing_end(&mut self) {
+        let line = self.source.line_span(self.source.line_count());
+        let place = self.trim(line, char::is_whitespace);
+        let missing = Diagnostic::new(Code::NoEnd, place, "the program ends here without END");
+        self.report(missing.help("put END on a line of its own behind the last statement"));
+    }
+
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn push(&mut self, kind: StatementKind, span: Span) {
+        self.module.statements.push(Statement {
+            kind,
+            span,
+            line: self.line,
+        });
+    }
+
+    /// `span` without the characters at its ends that `drop` names.
+    fn trim(&self, span: Span, drop: impl Fn(char) -> bool) -> Span {
+        let text = self.source.slice(span);
+        let kept = text.trim_end_matches(&drop);
+        let end = span.start + kept.len();
+        Span::new(end - kept.trim_start_matches(&drop).len(), end)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -21,15 +21,8 @@ static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {
     set
 });
 
-/// The length of `text` in code page 932: half-width 1, full-width 2; a character outside it counts its UTF-8 bytes.
-pub(crate) fn byte_length(text: &str) -> usize {
-    if text.is_ascii() {
-        return text.len();
-    }
-    text.chars().map(char_length).sum()
-}
-
-/// Where in `text` the first character stands that does not fit into `limit` bytes of code page 932.
+/// Where in `text` the first character stands that does not fit into `limit` bytes of code page 932: half-width 1,
+/// full-width 2; a character outside it counts its UTF-8 bytes.
 pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     // No character is longer in code page 932 than in UTF-8.
     if text.len() <= limit {

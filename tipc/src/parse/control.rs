@@ -1,0 +1,206 @@
+//! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
+
+use super::reader::{Parsed, Reader};
+use crate::diagnostic::Diagnostic;
+use crate::lex::{Kind, Token};
+use crate::syntax::{Jump, Operand, OperandKind, Shape, Span, StatementKind, Then};
+
+/// A statement and, if something behind it is wrong, what; or only what is wrong.
+pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
+
+impl Reader<'_> {
+    pub(super) fn if_statement(&mut self, keyword: Span) -> Read {
+        let condition = self.condition()?;
+        let (then, end) = self.then()?;
+        let kind = StatementKind::If {
+            keyword,
+            condition,
+            then,
+        };
+        Ok((kind, end))
+    }
+
+    fn then(&mut self) -> Parsed<(Then, Parsed<()>)> {
+        if self.take_word("THEN").is_some() {
+            return Ok((Then::Block, self.expect_end("THEN")));
+        }
+        if let Some(keyword) = self.take_word("GOTO") {
+            let jump = self.goto(keyword)?;
+            return Ok((Then::Goto(jump), self.expect_end("the label")));
+        }
+        if let Some(keyword) = self.take_word("GOSUB") {
+            let jump = self.jump(keyword, "GOSUB")?;
+            return Ok((Then::Gosub(jump), self.expect_end("the label")));
+        }
+        Err(self.missing_then())
+    }
+
+    fn missing_then(&self) -> Box<Diagnostic> {
+        if self.at_word("CALL") {
+            let help = "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`";
+            return self.fault_with_help(self.here(), "IF cannot CALL", help);
+        }
+        let help = "write THEN for a block, or GOTO or GOSUB and a label";
+        self.fault_with_help(self.here(), "THEN, GOTO or GOSUB belongs here", help)
+    }
+
+    pub(super) fn else_if(&mut self, keyword: Span) -> Read {
+        let condition = self.condition()?;
+        let end = match self.take_word("THEN") {
+            Some(_) => self.expect_end("THEN"),
+            None => Err(self.fault(self.here(), "THEN belongs here")),
+        };
+        Ok((StatementKind::ElseIf { keyword, condition }, end))
+    }
+
+    pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
+        let condition = self.condition()?;
+        let end = self.expect_end("the condition");
+        Ok((StatementKind::While { keyword, condition }, end))
+    }
+
+    pub(super) fn until(&mut self, keyword: Span) -> Read {
+        let condition = self.condition()?;
+        let end = self.expect_end("the condition");
+        Ok((StatementKind::Until { keyword, condition }, end))
+    }
+
+    pub(super) fn for_statement(&mut self, keyword: Span) -> Read {
+        let variable = self.loop_variable()?;
+        self.expect_assignment()?;
+        let from = self.operand_before_keyword()?;
+        if self.take_word("TO").is_none() {
+            return Err(self.fault_with_help(self.here(), "TO belongs here", FOR_FORM));
+        }
+        let to = self.operand_before_keyword()?;
+        let step = match self.take_word("STEP") {
+            Some(_) => Some(self.operand_before_keyword()?),
+            None => None,
+        };
+        let end = match self.left() {
+            0 => Ok(()),
+            _ => Err(self.fault_with_help(self.rest(), "FOR ends before this", FOR_FORM)),
+        };
+        let kind = StatementKind::For {
+            keyword,
+            variable,
+            from,
+            to,
+            step,
+        };
+        Ok((kind, end))
+    }
+
+    fn loop_variable(&mut self) -> Parsed<Operand> {
+        let operand = self.operand_before_keyword()?;
+        match operand.kind {
+            OperandKind::Name { .. } if !operand.negative => Ok(operand),
+            _ => Err(self.fault_with_help(operand.span, "a variable belongs here", FOR_FORM)),
+        }
+    }
+
+    fn expect_assignment(&mut self) -> Parsed<()> {
+        match self.peek() {
+            Some(Token {
+                kind: Kind::Assign(None),
+                ..
+            }) => {
+                self.take();
+                Ok(())
+            }
+            _ => Err(self.fault_with_help(self.here(), "`=` belongs here", FOR_FORM)),
+        }
+    }
+
+    pub(super) fn next_statement(&mut self, keyword: Span) -> Read {
+        let variable = match self.left() {
+            0 => None,
+            _ => Some(self.loop_variable_of_next()?),
+        };
+        let end = self.expect_end("NEXT and its variable");
+        Ok((StatementKind::Next { keyword, variable }, end))
+    }
+
+    fn loop_variable_of_next(&mut self) -> Parsed<Operand> {
+        let operand = self.operand()?;
+        match operand.kind {
+            OperandKind::Name { .. } if !operand.negative => Ok(operand),
+            _ => Err(self.fault(
+                operand.span,
+                "NEXT names the variable of its FOR, or nothing",
+            )),
+        }
+    }
+
+    pub(super) fn subroutine(&mut self, keyword: Span) -> Read {
+        let help = "write `SUBROUTINE NAME:`";
+        let name = match self.take() {
+            Some(token) if token.kind == Kind::Word => self.word(token.span),
+            Some(token) => {
+                return Err(self.fault_with_help(token.span, "a name belongs here", help));
+            }
+            None => {
+                return Err(self.fault_with_help(self.here(), "the name is missing here", help));
+            }
+        };
+        let end = match self.peek() {
+            Some(token) if token.kind == Kind::Colon => {
+                self.take();
+                self.expect_end("SUBROUTINE and its name")
+            }
+            _ => {
+                let help = format!("write `SUBROUTINE {}:`", name.node);
+                Err(self.fault_with_help(name.span, "the name's colon is missing", help))
+            }
+        };
+        Ok((StatementKind::Subroutine { keyword, name }, end))
+    }
+
+    /// `CALL NAME:` and `GOSUB NAME:`.
+    pub(super) fn call(
+        &mut self,
+        keyword: Span,
+        name: &str,
+        make: fn(Jump) -> StatementKind,
+    ) -> Read {
+        let jump = self.jump(keyword, name)?;
+        Ok((make(jump), self.expect_end("the label")))
+    }
+
+    pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
+        let jump = self.goto(keyword)?;
+        Ok((StatementKind::Goto(jump), self.expect_end("the label")))
+    }
+
+    /// A word that stands alone in its statement.
+    pub(super) fn alone(&mut self, name: &str, kind: StatementKind) -> Read {
+        Ok((kind, self.expect_end(name)))
+    }
+
+    /// What the statement was going to be; an IF opens a block if it has its THEN, or ends before it.
+    pub(super) fn shape(keyword: &str, text: &str, tokens: &[Token]) -> Shape {
+        match keyword {
+            "IF" if opens_block(text, tokens) => Shape::If,
+            "ELSEIF" => Shape::ElseIf,
+            "WHILE" => Shape::While,
+            "UNTIL" => Shape::Until,
+            "FOR" => Shape::For,
+            "NEXT" => Shape::Next,
+            "SUBROUTINE" => Shape::Subroutine,
+            "SUBEND" => Shape::SubEnd,
+            _ => Shape::Plain,
+        }
+    }
+}
+
+const FOR_FORM: &str = "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`";
+
+fn opens_block(text: &str, tokens: &[Token]) -> bool {
+    let is = |token: &Token, word: &str| {
+        text[token.span.start..token.span.end].eq_ignore_ascii_case(word)
+    };
+    let jumps = |token: &Token| {
+        token.kind == Kind::Colon || ["GOTO", "GOSUB", "CALL"].iter().any(|word| is(token, word))
+    };
+    tokens.iter().any(|token| is(token, "THEN")) || !tokens.iter().any(jumps)
+}

@@ -1,0 +1,124 @@
+//! `LHS op RHS` (T.I.P. 3.1 §5).
+
+use super::reader::{Parsed, Reader};
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::lex::{Kind, Token};
+use crate::syntax::{Equation, Expression, FUNCTIONS, Operand, OperandKind};
+
+/// Whether the tokens are meant as an equation: an assignment stands behind the first word, or a non-word starts it.
+pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
+    let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
+    match tokens {
+        [first, second, ..] if first.kind == Kind::Word => is_assignment(second),
+        [first, ..] if first.kind != Kind::Word => tokens.iter().any(is_assignment),
+        _ => false,
+    }
+}
+
+/// Reads an equation.
+pub(super) fn equation(text: &str, tokens: &[Token]) -> Parsed<Equation> {
+    let mut reader = Reader::new(text, tokens, 0, Code::Equation);
+    let target = target(&mut reader)?;
+    let (update, operator) = match reader.take() {
+        Some(Token {
+            kind: Kind::Assign(update),
+            span,
+            ..
+        }) => (update, span),
+        _ => return Err(reader.fault(target.span, "one variable stands left of the `=`")),
+    };
+    let value = right_side(&mut reader)?;
+    Ok(Equation {
+        target,
+        update,
+        operator,
+        value,
+    })
+}
+
+fn target(reader: &mut Reader<'_>) -> Parsed<Operand> {
+    let help = "the left side is a variable or a member, as `A` or `P.X`, without sign";
+    match reader.peek() {
+        Some(token) if token.kind == Kind::Word => {
+            reader.take();
+            let operand = reader.value(token.span)?;
+            match operand.kind {
+                OperandKind::Name { .. } => Ok(operand),
+                OperandKind::Number(_) => {
+                    Err(reader.fault_with_help(token.span, "a constant cannot be assigned", help))
+                }
+            }
+        }
+        _ => Err(reader.fault_with_help(reader.here(), "an equation starts with a variable", help)),
+    }
+}
+
+fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
+    if let Some(function) = reader.peek().filter(|token| is_function(reader, *token)) {
+        reader.take();
+        let (operands, read) = reader.operands();
+        read.map_err(|fault| explain_function(*fault))?;
+        for operand in &operands {
+            refuse_function(reader, operand)?;
+        }
+        return Ok(Expression::Function {
+            name: reader.word(function.span),
+            operands,
+        });
+    }
+    let left = reader.operand()?;
+    refuse_function(reader, &left)?;
+    let operation = match reader.take() {
+        None => return Ok(Expression::Operand(left)),
+        Some(Token {
+            kind: Kind::Arithmetic(operation),
+            ..
+        }) => operation,
+        Some(token) => {
+            let reason = "`+`, `-`, `*`, `/` or nothing can stand here";
+            return Err(reader.fault_with_help(token.span, reason, ONE_OPERATION));
+        }
+    };
+    let right = reader.operand()?;
+    refuse_function(reader, &right)?;
+    match reader.left() {
+        0 => Ok(Expression::Binary {
+            left,
+            operation,
+            right,
+        }),
+        _ => Err(reader.fault_with_help(
+            reader.rest(),
+            "the equation ends before this",
+            ONE_OPERATION,
+        )),
+    }
+}
+
+const ONE_OPERATION: &str =
+    "an equation holds one operation or one function; use a variable for what comes between";
+
+fn explain_function(fault: Diagnostic) -> Box<Diagnostic> {
+    let help = fault.help.clone();
+    Box::new(fault.help(help.unwrap_or_else(|| ONE_OPERATION.to_owned())))
+}
+
+fn is_function(reader: &Reader<'_>, token: Token) -> bool {
+    let word = reader.slice(token.span);
+    token.kind == Kind::Word && FUNCTIONS.iter().any(|name| word.eq_ignore_ascii_case(name))
+}
+
+/// A function is the whole right side; it stands nowhere else.
+fn refuse_function(reader: &Reader<'_>, operand: &Operand) -> Parsed<()> {
+    match &operand.kind {
+        OperandKind::Name { name, member: None } if FUNCTIONS.contains(&name.as_str()) => {
+            Err(reader.fault_with_help(
+                operand.span,
+                format!("{name} cannot stand here"),
+                ONE_OPERATION,
+            ))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,57 @@
+//! Jumps and the labels they name (T.I.P. 3.1 §7-7).
+
+use super::reader::{Parsed, Reader};
+use crate::lex::Kind;
+use crate::syntax::{Jump, Span, Word};
+
+impl Reader<'_> {
+    /// `GOTO [NAME:]`; the jump's word is already taken.
+    pub(super) fn goto(&mut self, keyword: Span) -> Parsed<Jump> {
+        if self.left() == 0 {
+            return Ok(Jump {
+                keyword,
+                label: None,
+            });
+        }
+        self.jump(keyword, "GOTO")
+    }
+
+    /// `GOSUB NAME:` or `CALL NAME:`; the jump's word is already taken.
+    pub(super) fn jump(&mut self, keyword: Span, name: &str) -> Parsed<Jump> {
+        let label = self.jump_label(name)?;
+        Ok(Jump {
+            keyword,
+            label: Some(label),
+        })
+    }
+
+    fn jump_label(&mut self, jump: &str) -> Parsed<Word> {
+        let word = match self.take() {
+            Some(token) if token.kind == Kind::Word => self.word(token.span),
+            Some(token) => {
+                let reason = "a label belongs here";
+                let help = format!("write `{jump} L1:`");
+                return Err(self.fault_with_help(token.span, reason, help));
+            }
+            None => {
+                let help = format!("write `{jump} L1:`");
+                return Err(self.fault_with_help(self.here(), "a label is missing here", help));
+            }
+        };
+        match self.peek() {
+            Some(token) if token.kind == Kind::Colon && !token.spaced => {
+                self.take();
+                Ok(word)
+            }
+            Some(token) if token.kind == Kind::Colon => {
+                let gap = Span::new(word.span.end, token.span.end);
+                let help = format!("write `{}:`", word.node);
+                Err(self.fault_with_help(gap, "no blank may stand before this colon", help))
+            }
+            _ => {
+                let help = format!("write `{}:`", word.node);
+                Err(self.fault_with_help(word.span, "the label's colon is missing", help))
+            }
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! Operands: constants, names, members, and their signs.
+
+use super::reader::{Parsed, Reader};
+use crate::lex::{Kind, Token};
+use crate::syntax::{Arithmetic, Operand, OperandKind, Span};
+
+/// Words that end an operand list in conditions and FOR; no variable bears such a name.
+const STOPS: &[&str] = &["THEN", "GOTO", "GOSUB", "CALL", "TO", "STEP"];
+
+impl Reader<'_> {
+    /// An operand with its sign.
+    pub(super) fn operand(&mut self) -> Parsed<Operand> {
+        match self.peek() {
+            Some(Token {
+                kind: Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)),
+                span,
+                ..
+            }) => self.signed(sign, span),
+            Some(token) if token.kind == Kind::Word => {
+                self.take();
+                self.value(token.span)
+            }
+            Some(token) => {
+                let reason = format!(
+                    "`{}` stands where an operand belongs",
+                    self.slice(token.span)
+                );
+                Err(self.fault(token.span, reason))
+            }
+            None => Err(self.fault(self.here(), "an operand is missing here")),
+        }
+    }
+
+    /// An operand of a condition or of FOR.
+    pub(super) fn operand_before_keyword(&mut self) -> Parsed<Operand> {
+        match STOPS.iter().find(|stop| self.at_word(stop)) {
+            Some(stop) => {
+                let reason = format!("an operand is missing before {stop}");
+                Err(self.fault(self.here(), reason))
+            }
+            None => self.operand(),
+        }
+    }
+
+    /// Operands up to the end; at the first bad one, those before it and what is wrong.
+    ///
+    /// Behind an operand a sign belongs to the next one and needs a delimiter before it.
+    pub(super) fn operands(&mut self) -> (Vec<Operand>, Parsed<()>) {
+        let mut operands = Vec::with_capacity(self.left());
+        while let Some(token) = self.peek() {
+            let is_sign = token.kind != Kind::Word;
+            if is_sign && !token.spaced && !operands.is_empty() {
+                return (operands, Err(self.glued(token)));
+            }
+            match self.operand() {
+                Ok(operand) => operands.push(operand),
+                Err(fault) => return (operands, Err(fault)),
+            }
+        }
+        (operands, Ok(()))
+    }
+
+    fn glued(&self, token: Token) -> Box<crate::diagnostic::Diagnostic> {
+        let text = self.slice(token.span);
+        let reason = format!("`{text}` stands between two arguments");
+        let help = "arguments are separated by blanks or commas; a sign stands right before its number or name";
+        self.fault_with_help(token.span, reason, help)
+    }
+
+    fn signed(&mut self, sign: Arithmetic, place: Span) -> Parsed<Operand> {
+        let operand = match self.peek_second() {
+            Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
+            _ => {
+                let reason = "a sign stands right before its number or name, without a blank";
+                return Err(self.fault(place, reason));
+            }
+        };
+        self.take();
+        self.take();
+        let operand = self.value(operand)?;
+        let span = place.to(operand.span);
+        match (operand.kind, sign) {
+            (OperandKind::Number(number), Arithmetic::Sub) => Ok(Operand {
+                kind: OperandKind::Number(-number),
+                negative: false,
+                span,
+            }),
+            (kind @ OperandKind::Number(_), _) => Ok(Operand {
+                kind,
+                negative: false,
+                span,
+            }),
+            (kind, Arithmetic::Sub) => Ok(Operand {
+                kind,
+                negative: true,
+                span,
+            }),
+            _ => Err(self.fault_with_help(
+                place,
+                "`+` stands only before constants",
+                "leave the `+` out",
+            )),
+        }
+    }
+
+    /// A word as constant, name or member.
+    pub(super) fn value(&self, span: Span) -> Parsed<Operand> {
+        let word = self.slice(span);
+        let kind = match word.as_bytes().first() {
+            Some(b'0'..=b'9' | b'.') => OperandKind::Number(self.number(word, span)?),
+            _ => self.name(word, span)?,
+        };
+        Ok(Operand {
+            kind,
+            negative: false,
+            span,
+        })
+    }
+
+    fn number(&self, word: &str, span: Span) -> Parsed<f64> {
+        match word.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            Ok(_) => Err(self.fault(span, "this constant is too large")),
+            Err(_) => Err(self.fault_with_help(
+                span,
+                format!("`{word}` is no number"),
+                "a constant is decimal, as `12`, `-0.5` or `1.5E3`; a name starts with a letter or `_`",
+            )),
+        }
+    }
+
+    fn name(&self, word: &str, span: Span) -> Parsed<OperandKind> {
+        let (name, member) = match word.split_once('.') {
+            Some((name, member)) => (name, Some(member)),
+            None => (word, None),
+        };
+        if let Some(at) = word.find(|char: char| !is_name_char(char) && char != '.') {
+            return Err(self.foreign_in_name(word, Span::new(span.start + at, span.start + at + 1)));
+        }
+        if member.is_some_and(|member| member.is_empty() || member.contains('.')) {
+            let help = "a member is written `P.X` or `Q.J2`";
+            return Err(self.fault_with_help(span, format!("`{word}` is no member"), help));
+        }
+        Ok(OperandKind::Name {
+            name: name.to_ascii_uppercase(),
+            member: member.map(str::to_ascii_uppercase),
+        })
+    }
+
+    fn foreign_in_name(&self, word: &str, place: Span) -> Box<crate::diagnostic::Diagnostic> {
+        let char = self.slice(place);
+        let reason = format!("`{char}` can stand in no name and no number");
+        if word.contains(['(', ')']) {
+            let help = "the language has no parentheses: one operation an equation, and `SIN A` for a function";
+            return self.fault_with_help(place, reason, help);
+        }
+        self.fault_with_help(place, reason, "a name is made of letters, digits and `_`")
+    }
+}
+
+fn is_name_char(char: char) -> bool {
+    char.is_ascii_alphanumeric() || char == '_'
+}

@@ -1,0 +1,119 @@
+//! A walk over the tokens of one statement.
+
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::lex::{Kind, Token};
+use crate::syntax::{Span, Word};
+
+/// A piece of a statement, or what is wrong with it.
+pub(super) type Parsed<T> = Result<T, Box<Diagnostic>>;
+
+/// Reads tokens one by one; its faults carry one code.
+pub(super) struct Reader<'a> {
+    text: &'a str,
+    tokens: &'a [Token],
+    at: usize,
+    code: Code,
+}
+
+impl<'a> Reader<'a> {
+    /// Starts behind the `skip` first tokens.
+    pub(super) fn new(text: &'a str, tokens: &'a [Token], skip: usize, code: Code) -> Self {
+        Reader {
+            text,
+            tokens,
+            at: skip,
+            code,
+        }
+    }
+
+    /// The next token, which stays.
+    pub(super) fn peek(&self) -> Option<Token> {
+        self.tokens.get(self.at).copied()
+    }
+
+    /// The token behind the next one.
+    pub(super) fn peek_second(&self) -> Option<Token> {
+        self.tokens.get(self.at + 1).copied()
+    }
+
+    /// The next token.
+    pub(super) fn take(&mut self) -> Option<Token> {
+        let token = self.peek()?;
+        self.at += 1;
+        Some(token)
+    }
+
+    /// The text at a place.
+    pub(super) fn slice(&self, span: Span) -> &'a str {
+        &self.text[span.start..span.end]
+    }
+
+    /// The word at a place, upper-cased.
+    pub(super) fn word(&self, span: Span) -> Word {
+        Word {
+            node: self.slice(span).to_ascii_uppercase(),
+            span,
+        }
+    }
+
+    /// Whether the next token is the keyword `word`.
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        self.peek().is_some_and(|token| {
+            token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word)
+        })
+    }
+
+    /// Takes the keyword `word` if it is next.
+    pub(super) fn take_word(&mut self, word: &str) -> Option<Span> {
+        let token = self.at_word(word).then(|| self.take())?;
+        token.map(|token| token.span)
+    }
+
+    /// How many tokens are left.
+    pub(super) fn left(&self) -> usize {
+        self.tokens.len() - self.at
+    }
+
+    /// The next token's place, or the one right behind the last token.
+    pub(super) fn here(&self) -> Span {
+        match (self.peek(), self.tokens.last()) {
+            (Some(token), _) => token.span,
+            (None, Some(last)) => Span::new(last.span.end, last.span.end),
+            (None, None) => Span::default(),
+        }
+    }
+
+    /// All that is left.
+    pub(super) fn rest(&self) -> Span {
+        match self.tokens.last() {
+            Some(last) if self.left() > 0 => self.here().to(last.span),
+            _ => self.here(),
+        }
+    }
+
+    /// A fault of this statement at `span`.
+    pub(super) fn fault(&self, span: Span, reason: impl Into<String>) -> Box<Diagnostic> {
+        Box::new(Diagnostic::new(self.code, span, reason))
+    }
+
+    /// A fault of this statement at `span`, with the way out.
+    pub(super) fn fault_with_help(
+        &self,
+        span: Span,
+        reason: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Box<Diagnostic> {
+        Box::new(Diagnostic::new(self.code, span, reason).help(help))
+    }
+
+    /// Nothing may be left.
+    pub(super) fn expect_end(&self, behind: &str) -> Parsed<()> {
+        if self.left() == 0 {
+            return Ok(());
+        }
+        let reason = format!("nothing may stand behind {behind}");
+        let help = "start the next statement on a line of its own, or behind `;`";
+        Err(self.fault_with_help(self.rest(), reason, help))
+    }
+}
