@@ -1,1 +1,173 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! From commands to joint angles: control modes, trajectories, parameters, limits.
+//!
+//! A control cycle calls [`sense`](Controller::sense), then at most one
+//! [`command`](Controller::command), then [`advance`](Controller::advance), and sends the
+//! [`outputs`](Controller::outputs). Everything else answers questions.
+//!
+//! Modes are kept per leg and joint. Nothing is controlled at the start: the servos hold the
+//! initial posture. Commands of torque, force and compliance are not carried out yet; on a robot
+//! that has them they answer [`Fault::InvalidMode`].
+
+mod arrival;
+mod detect;
+mod drive;
+mod motion;
+mod params;
+mod posture;
+mod stand;
+mod stop;
+mod targets;
+mod task;
+mod teach;
+mod trajectory;
+mod watch;
+
+use crate::command::{Command, Op, Poll};
+use crate::fault::Fault;
+use crate::hardware::{JointCommand, Sensors};
+use crate::model::Model;
+use drive::{Going, LegDrive};
+use motion::Base;
+use params::{JointParams, Params};
+use stop::Hold;
+use task::Task;
+
+/// The controller of a robot with `L` legs of `J` joints.
+#[derive(Clone, Debug)]
+pub struct Controller<'m, const L: usize, const J: usize> {
+    model: &'m Model<L, J>,
+    params: Params<L, J>,
+    drives: [LegDrive<J>; L],
+    measured: Sensors<L, J>,
+    /// Measured joint rates: deg/s.
+    rates: [[f64; J]; L],
+    /// Whether joint angles have been measured yet.
+    sensed: bool,
+    hold: Hold,
+    task: Task<L>,
+    /// What arose in the last advance, to be reported by the next sense.
+    pending: Option<Fault>,
+}
+
+impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
+    /// A robot in its initial posture with nothing controlled and standard parameters.
+    #[must_use]
+    pub fn new(model: &'m Model<L, J>) -> Self {
+        let initial = model.legs.map(|leg| leg.initial);
+        Controller {
+            model,
+            params: Params::standard(&model.standards),
+            drives: initial.map(LegDrive::free),
+            measured: Sensors {
+                angles: initial,
+                ..Sensors::ZERO
+            },
+            rates: [[0.0; J]; L],
+            sensed: false,
+            hold: Hold::Off,
+            task: Task::Idle,
+            pending: None,
+        }
+    }
+
+    /// The robot that is controlled.
+    #[must_use]
+    pub const fn model(&self) -> &'m Model<L, J> {
+        self.model
+    }
+
+    /// The sampling time: ms.
+    #[must_use]
+    pub const fn period(&self) -> f64 {
+        self.params.period
+    }
+
+    /// What every joint is told.
+    #[must_use]
+    pub fn outputs(&self) -> [[JointCommand; J]; L] {
+        core::array::from_fn(|leg| {
+            let angles = self.drives.get(leg).map_or([0.0; J], |drive| drive.angles);
+            angles.map(JointCommand::Angle)
+        })
+    }
+
+    /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,
+    /// in each cycle until it is done.
+    ///
+    /// Commands of the console, lamps and logs, and SPECIAL, are not the controller's: `Domain`.
+    ///
+    /// # Errors
+    /// The fault of the command, which then had no effect.
+    pub fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        if let Some(set) = self.set_parameter(command) {
+            return set.map(|()| Poll::Done);
+        }
+        match command.op {
+            Op::Ptp => self.move_foot(command, Base::Operand)?,
+            Op::RelPtp => self.move_foot(command, Base::Target)?,
+            Op::PtpAngle => self.move_joints(command, Base::Operand)?,
+            Op::RelPtpAngle => self.move_joints(command, Base::Target)?,
+            Op::VelControl => self.drive_foot(command)?,
+            Op::OmegaControl => self.drive_joints(command)?,
+            Op::AllStop => self.hold(),
+            Op::AllStopRelease => self.release(),
+            Op::InitialPosture => return Ok(self.initial_posture()),
+            Op::StandUp => return self.stand(command, -1.0),
+            Op::SitDown => return self.stand(command, 1.0),
+            Op::DetectFloor => return self.detect_floor(command),
+            Op::Sleep => return self.sleep(command),
+            Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
+            Op::WaitNear => return self.wait_near(command.target),
+            op if is_of_force(op) => return Err(Fault::InvalidMode),
+            _ => return Err(Fault::Domain),
+        }
+        Ok(Poll::Done)
+    }
+
+    /// Moves every joint command on by one sampling time. What goes wrong is reported by the next
+    /// [`sense`](Self::sense).
+    pub fn advance(&mut self) {
+        let legs = self.model.legs.iter().zip(&mut self.drives);
+        let params = self.params.feet.iter().zip(&self.params.joints);
+        for (n, ((leg, drive), (foot, joints))) in legs.zip(params).enumerate() {
+            let going = Going {
+                inverse: self.model.inverse,
+                number: targets::number(n),
+                dt: self.params.period / 1000.0,
+                held: self.hold.is_on(),
+            };
+            let joints = joints.each_ref().map(JointParams::limits);
+            let moved = drive.advance(leg, foot.limits(), &joints, &going);
+            if let (Err(fault), true) = (moved, self.params.emg) {
+                self.pending.get_or_insert(fault);
+            }
+        }
+        self.end_if_finished();
+    }
+}
+
+/// Commands of torque, force and compliance.
+const fn is_of_force(op: Op) -> bool {
+    matches!(
+        op,
+        Op::Torque
+            | Op::Force
+            | Op::ComplianceAngle
+            | Op::RelComplianceAngle
+            | Op::CompliancePosition
+            | Op::RelCompliancePosition
+            | Op::NoCompliance
+            | Op::SetTorqueMax
+            | Op::SetTorqueMaxRate
+            | Op::SetTorqueMaxSoft
+            | Op::SetTorqueMaxFirmly
+            | Op::SetTorqueMaxNormal
+            | Op::SetAngleStiffness
+            | Op::SetPositionStiffness
+            | Op::SetComplianceTorqueLimit
+            | Op::ResetComplianceTorqueLimit
+            | Op::SetComplianceForceLimit
+            | Op::ResetComplianceForceLimit
+            | Op::DetectObject
+    )
+}

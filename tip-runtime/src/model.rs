@@ -38,6 +38,12 @@ impl Range {
     pub const fn contains(&self, value: f64) -> bool {
         value >= self.min && value <= self.max
     }
+
+    /// The interval with both ends moved outwards by `margin`.
+    #[must_use]
+    pub const fn widened(&self, margin: f64) -> Self {
+        Range::new(self.min - margin, self.max + margin)
+    }
 }
 
 /// A revolute joint and the link behind it.
@@ -128,6 +134,8 @@ pub struct Model<const L: usize, const J: usize> {
     pub standards: Standards,
     /// The sampling times that it accepts: ms.
     pub periods: Range,
+    /// The reading of a sole's pressure sensor from which its foot stands on something: V.
+    pub contact: f64,
     /// Lamps and relays: devices 0 up to, but not including, this number.
     pub lamps: u8,
 }

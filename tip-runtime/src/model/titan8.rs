@@ -38,6 +38,7 @@ pub const MODEL: Model<4, 3> = Model {
         period: 20.0,
     },
     periods: Range::new(1.0, 1000.0),
+    contact: 0.25,
     lamps: 8,
 };
 

@@ -1,0 +1,110 @@
+//! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
+//! or leave it.
+
+use super::drive::Drive;
+use super::task::Task;
+use super::trajectory::Goal;
+use super::{Controller, targets};
+use crate::command::{Command, Poll};
+use crate::fault::Fault;
+
+/// The search under way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Search<const L: usize> {
+    way: Way,
+    /// Which legs have still to find what they look for.
+    looking: [bool; L],
+}
+
+/// The operand of DETECT_FLOOR.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// One leg after the other goes down.
+    DownInTurn,
+    /// All legs go down at once.
+    DownTogether,
+    /// All legs go up: the body sinks.
+    Up,
+}
+
+/// The speed of a searching foot, as a share of the standard V_MAX (SLOW).
+const SLOW: f64 = 0.5;
+
+impl Way {
+    fn new(operand: f64) -> Result<Self, Fault> {
+        match libm::trunc(operand) {
+            1.0 => Ok(Way::DownInTurn),
+            2.0 => Ok(Way::DownTogether),
+            3.0 => Ok(Way::Up),
+            _ => Err(Fault::Domain),
+        }
+    }
+}
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    pub(super) fn detect_floor(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let mut search = match self.task {
+            Task::Detect(search) => search,
+            _ => Self::new_search(command)?,
+        };
+        for (n, looking) in (1..).zip(&mut search.looking) {
+            if !*looking {
+                continue;
+            }
+            if self.touches(n)? != (search.way == Way::Up) {
+                // The floor has stopped the foot already: its set point follows at once.
+                self.send_foot(n, self.measured_foot(n)?, true)?;
+                *looking = false;
+            } else {
+                self.set_off(n, search.way)?;
+                if search.way == Way::DownInTurn {
+                    break;
+                }
+            }
+        }
+        if search.looking.contains(&true) {
+            self.task = Task::Detect(search);
+            Ok(Poll::Pending)
+        } else {
+            self.task = Task::Idle;
+            Ok(Poll::Done)
+        }
+    }
+
+    fn new_search(command: &Command<'_>) -> Result<Search<L>, Fault> {
+        let [way] = command.values else {
+            return Err(Fault::Domain);
+        };
+        let way = Way::new(way.v)?;
+        let mut looking = [false; L];
+        for looking in targets::feet(&mut looking, command.target)? {
+            *looking = true;
+        }
+        Ok(Search { way, looking })
+    }
+
+    /// Whether the sole of leg `n` feels the floor.
+    fn touches(&self, n: u8) -> Result<bool, Fault> {
+        const NAMES: [&str; 9] = [
+            "PAW1", "PAW2", "PAW3", "PAW4", "PAW5", "PAW6", "PAW7", "PAW8", "PAW9",
+        ];
+        let volts = *targets::leg(&self.measured.paws, n)?;
+        if volts.is_finite() {
+            Ok(volts >= self.model.contact)
+        } else {
+            Err(Fault::Sensor(targets::leg(&NAMES, n)?))
+        }
+    }
+
+    fn set_off(&mut self, n: u8, way: Way) -> Result<(), Fault> {
+        let slow = SLOW * self.model.standards.v_max;
+        let velocity = match way {
+            Way::DownInTurn | Way::DownTogether => [0.0, 0.0, -slow],
+            Way::Up => [0.0, 0.0, slow],
+        };
+        let leg = targets::leg(&self.model.legs, n)?;
+        let drive = targets::leg_mut(&mut self.drives, n)?;
+        drive.drive = Drive::Foot(drive.foot(leg).towards(Goal::Speed(velocity)));
+        Ok(())
+    }
+}

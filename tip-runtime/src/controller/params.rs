@@ -1,0 +1,252 @@
+//! What the SET_ commands set (T.I.P. 3.1 §7-8), and how they set it.
+
+use super::trajectory::Limits;
+use super::{Controller, targets};
+use crate::command::{Command, Op, Target};
+use crate::fault::Fault;
+use crate::model::Standards;
+
+/// Parameters of one foot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FootParams {
+    pub(super) v_max: f64,
+    pub(super) a_max: f64,
+    pub(super) just: f64,
+    pub(super) near: f64,
+}
+
+/// Parameters of one joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct JointParams {
+    pub(super) omega_max: f64,
+    pub(super) omega_dot_max: f64,
+    pub(super) just: f64,
+    pub(super) near: f64,
+}
+
+impl FootParams {
+    const fn standard(standards: &Standards) -> Self {
+        FootParams {
+            v_max: standards.v_max,
+            a_max: standards.a_max,
+            just: standards.just_position,
+            near: standards.near_position,
+        }
+    }
+
+    pub(super) const fn limits(&self) -> Limits {
+        Limits {
+            speed: self.v_max,
+            acceleration: self.a_max,
+        }
+    }
+}
+
+impl JointParams {
+    const fn standard(standards: &Standards) -> Self {
+        JointParams {
+            omega_max: standards.omega_max,
+            omega_dot_max: standards.omega_dot_max,
+            just: standards.just_angle,
+            near: standards.near_angle,
+        }
+    }
+
+    pub(super) const fn limits(&self) -> Limits {
+        Limits {
+            speed: self.omega_max,
+            acceleration: self.omega_dot_max,
+        }
+    }
+}
+
+/// Every parameter and switch that INITIAL_POSTURE and the end of a program put back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Params<const L: usize, const J: usize> {
+    pub(super) feet: [FootParams; L],
+    pub(super) joints: [[JointParams; J]; L],
+    /// Sampling time: ms.
+    pub(super) period: f64,
+    /// EMG_ON: a joint at its working limit is an emergency.
+    pub(super) emg: bool,
+}
+
+impl<const L: usize, const J: usize> Params<L, J> {
+    pub(super) const fn standard(standards: &Standards) -> Self {
+        Params {
+            feet: [FootParams::standard(standards); L],
+            joints: [[JointParams::standard(standards); J]; L],
+            period: standards.period,
+            emg: true,
+        }
+    }
+}
+
+type FootField = fn(&mut FootParams) -> &mut f64;
+type JointField = fn(&mut JointParams) -> &mut f64;
+
+/// Which parameter a command sets.
+enum Field {
+    Foot(FootField),
+    Joint(JointField),
+}
+
+/// Where the new value comes from.
+enum Source {
+    /// The operand.
+    Operand,
+    /// The operand as a percentage of the standard value.
+    Rate,
+    /// A share of the standard value.
+    Share(f64),
+}
+
+const SLOW: Source = Source::Share(0.5);
+const FAST: Source = Source::Share(1.5);
+const NORMAL: Source = Source::Share(1.0);
+
+/// What a SET_ command of feet and joints means.
+fn setting(op: Op) -> Option<(Field, Source)> {
+    use Field::{Foot, Joint};
+    use Source::{Operand, Rate};
+    const V_MAX: FootField = |foot| &mut foot.v_max;
+    const A_MAX: FootField = |foot| &mut foot.a_max;
+    const OMEGA_MAX: JointField = |joint| &mut joint.omega_max;
+    const OMEGA_DOT_MAX: JointField = |joint| &mut joint.omega_dot_max;
+    Some(match op {
+        Op::SetAMax => (Foot(A_MAX), Operand),
+        Op::SetAMaxRate => (Foot(A_MAX), Rate),
+        Op::SetAMaxSlow => (Foot(A_MAX), SLOW),
+        Op::SetAMaxFast => (Foot(A_MAX), FAST),
+        Op::SetAMaxNormal => (Foot(A_MAX), NORMAL),
+        Op::SetVMax => (Foot(V_MAX), Operand),
+        Op::SetVMaxRate => (Foot(V_MAX), Rate),
+        Op::SetVMaxSlow => (Foot(V_MAX), SLOW),
+        Op::SetVMaxFast => (Foot(V_MAX), FAST),
+        Op::SetVMaxNormal => (Foot(V_MAX), NORMAL),
+        Op::SetJustPosition => (Foot(|foot| &mut foot.just), Operand),
+        Op::SetNearPosition => (Foot(|foot| &mut foot.near), Operand),
+        Op::SetOmegaMax => (Joint(OMEGA_MAX), Operand),
+        Op::SetOmegaMaxRate => (Joint(OMEGA_MAX), Rate),
+        Op::SetOmegaMaxSlow => (Joint(OMEGA_MAX), SLOW),
+        Op::SetOmegaMaxFast => (Joint(OMEGA_MAX), FAST),
+        Op::SetOmegaMaxNormal => (Joint(OMEGA_MAX), NORMAL),
+        Op::SetOmegaDotMax => (Joint(OMEGA_DOT_MAX), Operand),
+        Op::SetOmegaDotMaxRate => (Joint(OMEGA_DOT_MAX), Rate),
+        Op::SetOmegaDotMaxSlow => (Joint(OMEGA_DOT_MAX), SLOW),
+        Op::SetOmegaDotMaxFast => (Joint(OMEGA_DOT_MAX), FAST),
+        Op::SetOmegaDotMaxNormal => (Joint(OMEGA_DOT_MAX), NORMAL),
+        Op::SetJustAngle => (Joint(|joint| &mut joint.just), Operand),
+        Op::SetNearAngle => (Joint(|joint| &mut joint.near), Operand),
+        _ => return None,
+    })
+}
+
+/// Operands of one parameter command, found to lie in their domain.
+struct Checked<'a> {
+    command: &'a Command<'a>,
+    source: Source,
+}
+
+impl<'a> Checked<'a> {
+    fn new(command: &'a Command<'a>, source: Source) -> Result<Self, Fault> {
+        let in_domain = |v: f64| match source {
+            Source::Operand => v >= 0.0,
+            Source::Rate => v > 0.0 && v <= 100.0,
+            Source::Share(_) => true,
+        };
+        if command.values.iter().all(|value| in_domain(value.v)) {
+            Ok(Checked { command, source })
+        } else {
+            Err(Fault::Domain)
+        }
+    }
+
+    /// The value for the `i`th joint of a leg; a single operand serves all.
+    fn value(&self, i: usize, standard: f64) -> Result<f64, Fault> {
+        let operand = match self.command.values {
+            [one] => Some(one),
+            each => each.get(i),
+        };
+        Ok(match self.source {
+            Source::Operand => operand.ok_or(Fault::Domain)?.v,
+            Source::Rate => standard * operand.ok_or(Fault::Domain)?.v / 100.0,
+            Source::Share(share) => standard * share,
+        })
+    }
+}
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Carries out a parameter command; `None` if the command is none.
+    pub(super) fn set_parameter(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
+        if let Some((field, source)) = setting(command.op) {
+            return Some(self.set_field(command, field, source));
+        }
+        match command.op {
+            Op::SetSamplingTime => Some(self.set_period(command, |time| time)),
+            Op::SetSamplingFreq => Some(self.set_period(command, |frequency| 1000.0 / frequency)),
+            Op::EmgOn | Op::EmgOff => {
+                self.params.emg = command.op == Op::EmgOn;
+                Some(Ok(()))
+            }
+            _ => None,
+        }
+    }
+
+    fn set_field(
+        &mut self,
+        command: &Command<'_>,
+        field: Field,
+        source: Source,
+    ) -> Result<(), Fault> {
+        let operands = Checked::new(command, source)?;
+        let standards = &self.model.standards;
+        let mut changed = self.params;
+        match field {
+            Field::Foot(field) => {
+                let standard = *field(&mut FootParams::standard(standards));
+                for foot in targets::feet(&mut changed.feet, command.target)? {
+                    *field(foot) = operands.value(0, standard)?;
+                }
+            }
+            Field::Joint(field) => {
+                let standard = *field(&mut JointParams::standard(standards));
+                match (command.target, command.values) {
+                    (Target::Joint(leg, joint), [_] | []) => {
+                        let joint = targets::joint_mut(&mut changed.joints, leg, joint)?;
+                        *field(joint) = operands.value(0, standard)?;
+                    }
+                    (Target::Joint(..), _) => return Err(Fault::Domain),
+                    (target, _) => {
+                        for leg in targets::feet(&mut changed.joints, target)? {
+                            for (i, joint) in leg.iter_mut().enumerate() {
+                                *field(joint) = operands.value(i, standard)?;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        self.params = changed;
+        Ok(())
+    }
+
+    fn set_period(&mut self, command: &Command<'_>, to_ms: fn(f64) -> f64) -> Result<(), Fault> {
+        let [value] = command.values else {
+            return Err(Fault::Domain);
+        };
+        let period = to_ms(value.v);
+        if !self.model.periods.contains(period) {
+            return Err(Fault::Domain);
+        }
+        self.params.period = period;
+        Ok(())
+    }
+
+    /// Puts V_MAX of every foot to a share of its standard value.
+    pub(super) fn set_all_v_max(&mut self, share: f64) {
+        for foot in &mut self.params.feet {
+            foot.v_max = self.model.standards.v_max * share;
+        }
+    }
+}

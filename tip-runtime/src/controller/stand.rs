@@ -1,0 +1,74 @@
+//! STAND_UP and SIT_DOWN (T.I.P. 3.1 §7-11-1, §7-11-2): the feet push the body up, or let it down.
+
+use super::task::Task;
+use super::{Controller, targets};
+use crate::command::{Command, Poll, Target};
+use crate::fault::Fault;
+
+/// How far STAND_UP or SIT_DOWN has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stand {
+    /// The feet come to rest where they are.
+    Settling,
+    /// The feet move.
+    Moving,
+}
+
+/// V_MAX on the way, as a share of its standard value (SLOW).
+const SLOW: f64 = 0.5;
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Moves every foot by the operand times `direction` along z.
+    pub(super) fn stand(&mut self, command: &Command<'_>, direction: f64) -> Result<Poll, Fault> {
+        let [height] = command.values else {
+            return Err(Fault::Domain);
+        };
+        let rise = direction * height.v;
+        let stage = match self.task {
+            Task::Stand(stage) => stage,
+            _ => {
+                self.settle(rise)?;
+                Stand::Settling
+            }
+        };
+        match stage {
+            _ if !self.inpos(Target::All) => self.task = Task::Stand(stage),
+            Stand::Settling => {
+                self.shift_feet(rise)?;
+                self.set_all_v_max(SLOW);
+                self.task = Task::Stand(Stand::Moving);
+            }
+            Stand::Moving => {
+                self.set_all_v_max(1.0);
+                self.task = Task::Idle;
+                return Ok(Poll::Done);
+            }
+        }
+        Ok(Poll::Pending)
+    }
+
+    /// Puts every foot under position control where it comes to rest, if it can rise from there.
+    fn settle(&mut self, rise: f64) -> Result<(), Fault> {
+        let mut rest = [[0.0; 3]; L];
+        for (n, rest) in (1..).zip(&mut rest) {
+            *rest = self.foot_rest_point(n)?;
+            self.require_reach(n, raised(*rest, rise)?)?;
+        }
+        for (n, rest) in (1..).zip(rest) {
+            self.send_foot(n, rest, false)?;
+        }
+        Ok(())
+    }
+
+    fn shift_feet(&mut self, rise: f64) -> Result<(), Fault> {
+        for n in 1..=targets::number(L.wrapping_sub(1)) {
+            let target = raised(self.foot_target(n)?, rise)?;
+            self.send_foot(n, target, false)?;
+        }
+        Ok(())
+    }
+}
+
+fn raised([x, y, z]: [f64; 3], rise: f64) -> Result<[f64; 3], Fault> {
+    Ok([x, y, crate::ops::add(z, rise)?])
+}

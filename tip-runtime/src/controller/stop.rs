@@ -1,0 +1,74 @@
+//! Everything that brings the robot to rest (T.I.P. 3.1 §7-1-5, §7-10-3).
+
+use super::Controller;
+use super::drive::LegDrive;
+use super::params::Params;
+use super::task::Task;
+
+/// Whether motions are held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hold {
+    /// They go on.
+    Off,
+    /// ALL_STOP: they brake and wait; modes and targets stay.
+    On,
+    /// The program is over: they brake, then nothing is controlled any more.
+    Finishing,
+}
+
+impl Hold {
+    pub(super) const fn is_on(self) -> bool {
+        !matches!(self, Hold::Off)
+    }
+}
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
+    pub fn hold(&mut self) {
+        if self.hold == Hold::Off {
+            self.hold = Hold::On;
+        }
+    }
+
+    /// ALL_STOP_RELEASE: every motion goes on towards its target.
+    pub fn release(&mut self) {
+        if self.hold == Hold::On {
+            self.hold = Hold::Off;
+        }
+    }
+
+    /// Whether ALL_STOP is in force.
+    #[must_use]
+    pub fn is_held(&self) -> bool {
+        self.hold == Hold::On
+    }
+
+    /// END and EXIT: every motion brakes under the limits in force; then parameters are standard
+    /// and nothing is controlled.
+    pub fn finish(&mut self) {
+        self.task = Task::Idle;
+        self.hold = Hold::Finishing;
+        self.end_if_finished();
+    }
+
+    /// Emergency stop: every joint is to stay where it is measured; nothing is controlled.
+    pub fn emergency(&mut self) {
+        self.drives = self.measured.angles.map(LegDrive::free);
+        self.task = Task::Idle;
+        self.hold = Hold::Off;
+        self.pending = None;
+    }
+
+    /// Whether no joint command moves.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.drives.iter().all(LegDrive::is_at_rest)
+    }
+
+    pub(super) fn end_if_finished(&mut self) {
+        if self.hold == Hold::Finishing && self.is_at_rest() {
+            self.drives = self.drives.map(|drive| LegDrive::free(drive.angles));
+            self.params = Params::standard(&self.model.standards);
+            self.hold = Hold::Off;
+        }
+    }
+}

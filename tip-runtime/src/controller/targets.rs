@@ -1,0 +1,50 @@
+//! Finding what a target names; legs and joints count from 1 in the language.
+
+use crate::command::Target;
+use crate::fault::Fault;
+
+/// The place of leg or joint `n`, counted from 0.
+pub(super) fn index(n: u8) -> usize {
+    usize::from(n).wrapping_sub(1)
+}
+
+/// What belongs to leg `n`.
+pub(super) fn leg<T>(legs: &[T], n: u8) -> Result<&T, Fault> {
+    legs.get(index(n)).ok_or(Fault::Domain)
+}
+
+/// What belongs to leg `n`.
+pub(super) fn leg_mut<T>(legs: &mut [T], n: u8) -> Result<&mut T, Fault> {
+    legs.get_mut(index(n)).ok_or(Fault::Domain)
+}
+
+/// What belongs to joint `m` of leg `n`.
+pub(super) fn joint<const J: usize, T>(legs: &[[T; J]], n: u8, m: u8) -> Result<&T, Fault> {
+    leg(legs, n)?.get(index(m)).ok_or(Fault::Domain)
+}
+
+/// What belongs to joint `m` of leg `n`.
+pub(super) fn joint_mut<const J: usize, T>(
+    legs: &mut [[T; J]],
+    n: u8,
+    m: u8,
+) -> Result<&mut T, Fault> {
+    leg_mut(legs, n)?.get_mut(index(m)).ok_or(Fault::Domain)
+}
+
+/// What belongs to the one leg, or to all legs, that a target names.
+pub(super) fn feet<T>(legs: &mut [T], target: Target) -> Result<&mut [T], Fault> {
+    match target {
+        Target::All => Ok(legs),
+        Target::Foot(n) => {
+            let at = index(n);
+            legs.get_mut(at..at.wrapping_add(1)).ok_or(Fault::Domain)
+        }
+        Target::None | Target::Floor | Target::Joint(..) => Err(Fault::Domain),
+    }
+}
+
+/// The number, from 1, of the leg or joint at `index`.
+pub(super) fn number(index: usize) -> u8 {
+    u8::try_from(index).map_or(u8::MAX, |index| index.saturating_add(1))
+}

@@ -1,0 +1,158 @@
+//! Set points that move under limits of speed and acceleration.
+//!
+//! One law serves joints (`N` = 1) and feet (`N` = 3). A set point has a position and a velocity;
+//! whatever its goal becomes, both go on from where they are.
+
+mod approach;
+mod course;
+mod vector;
+
+use course::Course;
+
+/// The most that a set point may do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limits {
+    /// Speed, while it heads for a point.
+    pub(crate) speed: f64,
+    /// Acceleration; infinite for a move without acceleration limit.
+    pub(crate) acceleration: f64,
+}
+
+/// What a set point is after.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Goal<const N: usize> {
+    /// To come to rest and stay.
+    Rest,
+    /// To come to rest at a point.
+    Point {
+        /// The point.
+        target: [f64; N],
+        /// Whether no acceleration limit holds on the way.
+        hs: bool,
+    },
+    /// To keep a velocity.
+    Speed([f64; N]),
+}
+
+/// A moving set point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Track<const N: usize> {
+    position: [f64; N],
+    velocity: [f64; N],
+    goal: Goal<N>,
+    course: Option<Course<N>>,
+}
+
+impl<const N: usize> Track<N> {
+    /// A set point in motion, without a goal.
+    pub(crate) const fn moving(position: [f64; N], velocity: [f64; N]) -> Self {
+        Track {
+            position,
+            velocity,
+            goal: Goal::Rest,
+            course: None,
+        }
+    }
+
+    /// A set point at rest.
+    pub(crate) const fn resting(position: [f64; N]) -> Self {
+        Self::moving(position, [0.0; N])
+    }
+
+    /// The same motion towards another goal.
+    pub(crate) const fn towards(self, goal: Goal<N>) -> Self {
+        Track {
+            goal,
+            course: None,
+            ..self
+        }
+    }
+
+    /// The same goal, starting from rest at `position`.
+    pub(crate) const fn stopped_at(self, position: [f64; N]) -> Self {
+        Track::resting(position).towards(self.goal)
+    }
+
+    pub(crate) const fn position(&self) -> [f64; N] {
+        self.position
+    }
+
+    pub(crate) const fn velocity(&self) -> [f64; N] {
+        self.velocity
+    }
+
+    pub(crate) const fn goal(&self) -> Goal<N> {
+        self.goal
+    }
+
+    pub(crate) fn is_at_rest(&self) -> bool {
+        self.velocity.iter().all(|speed| *speed == 0.0)
+    }
+
+    /// Where the set point comes to rest when it brakes as hard as it may.
+    pub(crate) fn rest_point(&self, limits: Limits) -> [f64; N] {
+        let acceleration = self.in_force(limits).acceleration;
+        let speed = vector::norm(self.velocity);
+        let per_speed = if acceleration > 0.0 {
+            speed / (2.0 * acceleration)
+        } else {
+            0.0
+        };
+        vector::add_scaled(self.position, self.velocity, per_speed)
+    }
+
+    /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.
+    pub(crate) fn advance(&mut self, limits: Limits, dt: f64, held: bool) {
+        let limits = self.in_force(limits);
+        match self.goal {
+            _ if held => self.ramp([0.0; N], limits, dt),
+            Goal::Rest => self.ramp([0.0; N], limits, dt),
+            Goal::Speed(velocity) => self.ramp(velocity, limits, dt),
+            Goal::Point { target, .. } => self.follow(target, limits, dt),
+        }
+    }
+
+    fn in_force(&self, limits: Limits) -> Limits {
+        match self.goal {
+            Goal::Point { hs: true, .. } => Limits {
+                acceleration: f64::INFINITY,
+                ..limits
+            },
+            _ => limits,
+        }
+    }
+
+    fn follow(&mut self, target: [f64; N], limits: Limits, dt: f64) {
+        let mut course = match self.course {
+            Some(course) => course,
+            None => Course::new(self.position, self.velocity, target),
+        };
+        course.advance(limits, dt);
+        self.position = course.position();
+        self.velocity = course.velocity();
+        self.course = Some(course);
+    }
+
+    /// Changes the velocity along a straight line in velocity space, as fast as it may.
+    fn ramp(&mut self, velocity: [f64; N], limits: Limits, dt: f64) {
+        self.course = None;
+        let acceleration = limits.acceleration;
+        if acceleration <= 0.0 {
+            self.velocity = [0.0; N];
+            return;
+        }
+        let change = vector::add_scaled(velocity, self.velocity, -1.0);
+        let (direction, size) = vector::split(change);
+        let ramp = size / acceleration;
+        if dt < ramp {
+            self.position = vector::add_scaled(self.position, self.velocity, dt);
+            self.position =
+                vector::add_scaled(self.position, direction, 0.5 * acceleration * dt * dt);
+            self.velocity = vector::add_scaled(self.velocity, direction, acceleration * dt);
+        } else {
+            self.position = vector::add_scaled(self.position, self.velocity, 0.5 * ramp);
+            self.position = vector::add_scaled(self.position, velocity, dt - 0.5 * ramp);
+            self.velocity = velocity;
+        }
+    }
+}

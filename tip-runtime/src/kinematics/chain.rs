@@ -1,0 +1,93 @@
+//! Where the joints of a leg are, and how they move its foot.
+
+use crate::model::Leg;
+use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
+
+const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
+
+/// A leg in one posture: the place and axis of each joint, and the foot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chain<const J: usize> {
+    places: [Vector3<f64>; J],
+    axes: [Vector3<f64>; J],
+    foot: Vector3<f64>,
+}
+
+impl<const J: usize> Chain<J> {
+    /// Forward kinematics of `leg` at `angles` (deg).
+    #[must_use]
+    pub fn new(leg: &Leg<J>, angles: &[f64; J]) -> Self {
+        let mut chain = Chain {
+            places: [Vector3::zeros(); J],
+            axes: [Vector3::zeros(); J],
+            foot: Vector3::from(leg.base),
+        };
+        let mut frame = Rotation3::identity();
+        let slots = chain.places.iter_mut().zip(chain.axes.iter_mut());
+        for ((place, axis), (joint, angle)) in slots.zip(leg.joints.iter().zip(angles)) {
+            let local = Unit::new_unchecked(Vector3::from(joint.axis));
+            *place = chain.foot;
+            *axis = frame * local.into_inner();
+            frame *= Rotation3::from_axis_angle(&local, angle * RADIANS_PER_DEGREE);
+            chain.foot += frame * Vector3::from(joint.link);
+        }
+        chain
+    }
+
+    /// The foot's position: mm.
+    #[must_use]
+    pub fn foot(&self) -> [f64; 3] {
+        self.foot.into()
+    }
+
+    /// The position of joint `m`, counted from 0: mm.
+    #[must_use]
+    pub fn joint(&self, m: usize) -> Option<[f64; 3]> {
+        self.places.get(m).map(|place| (*place).into())
+    }
+
+    /// The position of every joint from base to foot: mm.
+    pub fn joints(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.places.iter().map(|place| (*place).into())
+    }
+
+    /// Velocity of the foot for each joint's angular velocity: mm/rad.
+    #[must_use]
+    pub fn foot_jacobian(&self) -> SMatrix<f64, 3, J> {
+        self.jacobian(self.foot, J)
+    }
+
+    /// Velocity of joint `m`, counted from 0, for each joint's angular velocity: mm/rad. A joint
+    /// is moved by those before it only; the other columns are zero.
+    #[must_use]
+    pub fn joint_jacobian(&self, m: usize) -> Option<SMatrix<f64, 3, J>> {
+        self.places.get(m).map(|place| self.jacobian(*place, m))
+    }
+
+    fn jacobian(&self, point: Vector3<f64>, moved_by: usize) -> SMatrix<f64, 3, J> {
+        let mut jacobian = SMatrix::<f64, 3, J>::zeros();
+        let joints = self.axes.iter().zip(&self.places).take(moved_by);
+        for (mut column, (axis, place)) in jacobian.column_iter_mut().zip(joints) {
+            column.copy_from(&axis.cross(&(point - place)));
+        }
+        jacobian
+    }
+
+    /// The foot's velocity (mm/s) at joint rates (deg/s).
+    #[must_use]
+    pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
+        let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
+        (self.foot_jacobian() * rates).into()
+    }
+
+    /// The least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None` where
+    /// the foot cannot move in every direction.
+    #[must_use]
+    pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
+        let jacobian = self.foot_jacobian();
+        let gram: Matrix3<f64> = jacobian * jacobian.transpose();
+        let rates = jacobian.transpose() * (gram.try_inverse()? * Vector3::from(velocity));
+        let rates: [f64; J] = (rates / RADIANS_PER_DEGREE).into();
+        rates.iter().all(|rate| rate.is_finite()).then_some(rates)
+    }
+}
