@@ -1,1 +1,96 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! Where a program meets people: keyboard, message line, logs, emergency report.
+
+#[cfg(feature = "std")]
+mod log_files;
+#[cfg(feature = "std")]
+mod scripted;
+#[cfg(feature = "terminal")]
+mod terminal;
+
+#[cfg(feature = "std")]
+pub use log_files::LogFiles;
+#[cfg(feature = "std")]
+pub use scripted::{Scripted, Transcript};
+#[cfg(feature = "terminal")]
+pub use terminal::Terminal;
+
+use crate::machine::Report;
+use crate::record::Sample;
+use core::fmt::Display;
+
+/// A console. Every method has a default that does nothing: `()` is a console.
+///
+/// Texts arrive as [`Display`] so that a console that shows nothing formats nothing.
+pub trait Console {
+    /// The next byte that was typed and not yet handed over, if any. Asked in every cycle until it
+    /// gives `None`; `cycle` counts the program's cycles from 0.
+    fn key(&mut self, cycle: u64) -> Option<u8> {
+        let _ = cycle;
+        None
+    }
+
+    /// Shows one line in place of the one before; an empty one clears it (MESSAGE).
+    fn message(&mut self, text: &dyn Display) {
+        let _ = text;
+    }
+
+    /// Shows as little as possible from now on, or everything again (SILENT_ON, SILENT_OFF).
+    fn silent(&mut self, on: bool) {
+        let _ = on;
+    }
+
+    /// One row of TITAN.LOG (LOG_START, LOG_ONE_SHOT).
+    fn sample(&mut self, sample: &Sample<'_>) {
+        let _ = sample;
+    }
+
+    /// The text of OUTPUT_VARIABLES.
+    fn variables(&mut self, dump: &dyn Display) {
+        let _ = dump;
+    }
+
+    /// The emergency stop, told once.
+    fn emergency(&mut self, report: &Report<'_>) {
+        let _ = report;
+    }
+
+    /// The program is over, by END, EXIT or emergency stop: time to write what was collected.
+    fn ended(&mut self) {}
+}
+
+impl Console for () {}
+
+macro_rules! forward {
+    () => {
+        fn key(&mut self, cycle: u64) -> Option<u8> {
+            (**self).key(cycle)
+        }
+        fn message(&mut self, text: &dyn Display) {
+            (**self).message(text);
+        }
+        fn silent(&mut self, on: bool) {
+            (**self).silent(on);
+        }
+        fn sample(&mut self, sample: &Sample<'_>) {
+            (**self).sample(sample);
+        }
+        fn variables(&mut self, dump: &dyn Display) {
+            (**self).variables(dump);
+        }
+        fn emergency(&mut self, report: &Report<'_>) {
+            (**self).emergency(report);
+        }
+        fn ended(&mut self) {
+            (**self).ended();
+        }
+    };
+}
+
+impl<C: Console + ?Sized> Console for &mut C {
+    forward!();
+}
+
+#[cfg(feature = "std")]
+impl<C: Console + ?Sized> Console for std::boxed::Box<C> {
+    forward!();
+}

@@ -9,6 +9,8 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(feature = "control")]
+mod analog;
 pub mod command;
 #[cfg(feature = "control")]
 pub mod console;
@@ -26,6 +28,8 @@ pub mod ops;
 #[cfg(feature = "control")]
 pub mod plant;
 pub mod program;
+#[cfg(feature = "std")]
+pub mod realtime;
 #[cfg(feature = "control")]
 pub mod record;
 #[cfg(feature = "control")]

@@ -1,1 +1,73 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! What is written down about a run: the trace, TITAN.LOG, the dump of variables.
+
+mod dump;
+#[cfg(feature = "std")]
+mod json_lines;
+mod sample;
+mod state_hash;
+#[cfg(feature = "std")]
+mod stream;
+#[cfg(feature = "std")]
+mod titan_log;
+
+pub use dump::Dump;
+#[cfg(feature = "std")]
+pub use json_lines::{Ending, JsonLines};
+pub use sample::Sample;
+pub use state_hash::state_hash;
+#[cfg(feature = "std")]
+pub use stream::Stream;
+#[cfg(feature = "std")]
+pub use titan_log::TitanLog;
+
+use crate::command::Command;
+use crate::hardware::JointCommand;
+use crate::program::Program;
+use core::fmt::Display;
+
+/// One control cycle whose step ran to its end without a fault.
+#[derive(Clone, Copy)]
+pub struct Cycle<'a> {
+    /// Its number, from 0.
+    pub number: u64,
+    /// The step that ran.
+    pub step: u32,
+    /// The step of the next cycle; `None` behind END and EXIT.
+    pub next: Option<u32>,
+    /// The program after the step, for its variables.
+    pub program: &'a dyn Program,
+    /// The command that each joint was sent, leg by leg.
+    pub commands: &'a [JointCommand],
+    /// The angle that each joint measured, leg by leg: deg.
+    pub angles: &'a [f64],
+}
+
+/// Takes notes of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
+/// and [`cycle`](Self::cycle) after it, with what the step did in between; the failing cycle of an
+/// emergency has no [`cycle`](Self::cycle).
+pub trait Sink {
+    /// A step is about to run.
+    fn begin(&mut self, program: &dyn Program) {
+        let _ = program;
+    }
+
+    /// A robot command was accepted: told in the first cycle of the command only.
+    fn command(&mut self, command: &Command<'_>) {
+        let _ = command;
+    }
+
+    /// A message was shown; an empty one cleared the line.
+    fn say(&mut self, text: &dyn Display) {
+        let _ = text;
+    }
+
+    /// A lamp was switched.
+    fn lamp(&mut self, device: u8, on: bool) {
+        let _ = (device, on);
+    }
+
+    /// The cycle is over.
+    fn cycle(&mut self, cycle: &Cycle<'_>) {
+        let _ = cycle;
+    }
+}

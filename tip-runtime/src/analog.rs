@@ -1,0 +1,97 @@
+//! The analogue inputs of the control box: which channel is what, and how volts follow from angles
+//! and forces.
+
+use crate::model::Range;
+
+/// Channels of the A/D board.
+pub(crate) const CHANNELS: u8 = 16;
+
+/// The channel of `VR1`; `VR2` and `VR3` follow (T.I.P. 3.1 §7-8-1).
+const FIRST_KNOB: u8 = 13;
+
+/// Volts of a potentiometer at the ends of its range.
+const POTENTIOMETER: f64 = 5.0;
+
+/// Volts of a sole's pressure sensor under its full load.
+const PAW: f64 = 5.0;
+
+/// The full load of a sole's pressure sensor: N.
+const PAW_FULL: f64 = 200.0;
+
+/// What is wired to a channel of the A/D board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wire {
+    /// A joint: leg and joint, from 0.
+    Joint(usize, usize),
+    /// A knob, from 0.
+    Knob(usize),
+    /// Nothing.
+    Open,
+}
+
+/// What is wired to `channel` of a robot of `legs` × `joints`; `None` past the board's last one.
+pub(crate) fn wire(channel: u8, legs: usize, joints: usize) -> Option<Wire> {
+    if channel >= CHANNELS {
+        return None;
+    }
+    if let Some(knob) = channel.checked_sub(FIRST_KNOB) {
+        return Some(Wire::Knob(usize::from(knob)));
+    }
+    let index = usize::from(channel);
+    match index.checked_div(joints) {
+        Some(leg) if leg < legs => Some(Wire::Joint(leg, index - leg * joints)),
+        _ => Some(Wire::Open),
+    }
+}
+
+/// Volts of a potentiometer that covers `range` degrees.
+pub(crate) fn volts_of_angle(range: Range, angle: f64) -> f64 {
+    let middle = (range.min + range.max) / 2.0;
+    POTENTIOMETER * (angle - middle) / (range.max - middle)
+}
+
+/// The angle in degrees at which a potentiometer gives `volts`.
+pub(crate) fn angle_of_volts(range: Range, volts: f64) -> f64 {
+    let middle = (range.min + range.max) / 2.0;
+    middle + volts / POTENTIOMETER * (range.max - middle)
+}
+
+/// Volts of a sole's pressure sensor under `load` N.
+pub(crate) fn volts_of_load(load: f64) -> f64 {
+    (PAW * load / PAW_FULL).clamp(0.0, PAW)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // clauses: 7.32
+    #[test]
+    fn the_board_has_joints_first_and_knobs_last() {
+        assert_eq!(wire(0, 4, 3), Some(Wire::Joint(0, 0)));
+        assert_eq!(wire(11, 4, 3), Some(Wire::Joint(3, 2)));
+        assert_eq!(wire(12, 4, 3), Some(Wire::Open));
+        assert_eq!(wire(13, 4, 3), Some(Wire::Knob(0)));
+        assert_eq!(wire(15, 4, 3), Some(Wire::Knob(2)));
+        assert_eq!(wire(16, 4, 3), None);
+        // A robot of many joints does not push the knobs off their channels.
+        assert_eq!(wire(13, 9, 9), Some(Wire::Knob(0)));
+    }
+
+    #[test]
+    fn potentiometers_span_ten_volts_over_the_outer_limits() {
+        let range = Range::new(-65.0, 85.0);
+        assert_eq!(volts_of_angle(range, -65.0), -5.0);
+        assert_eq!(volts_of_angle(range, 10.0), 0.0);
+        assert_eq!(volts_of_angle(range, 85.0), 5.0);
+        assert_eq!(angle_of_volts(range, 5.0), 85.0);
+        assert_eq!(angle_of_volts(range, -2.5), -27.5);
+    }
+
+    #[test]
+    fn soles_give_five_volts_at_two_hundred_newtons_and_no_more() {
+        assert_eq!(volts_of_load(0.0), 0.0);
+        assert_eq!(volts_of_load(100.0), 2.5);
+        assert_eq!(volts_of_load(300.0), 5.0);
+    }
+}

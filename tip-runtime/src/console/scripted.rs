@@ -1,0 +1,136 @@
+//! Keys typed by a script, and a console that remembers what it was shown.
+
+use super::Console;
+use crate::machine::Report;
+use crate::record::{Sample, TitanLog};
+use core::fmt::Display;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+/// The byte of the ESC key: a halt request.
+const ESCAPE: u8 = 0x1B;
+
+/// Types keys at given cycles; everything else is the inner console's affair.
+#[derive(Clone, Debug, Default)]
+pub struct Scripted<C = Transcript> {
+    keys: Vec<(u64, u8)>,
+    typed: usize,
+    inner: C,
+}
+
+impl Scripted {
+    /// Types each byte of `keys` before the step of its cycle and remembers what is shown.
+    /// Several bytes for one cycle keep their order.
+    pub fn new(keys: Vec<(u64, u8)>) -> Self {
+        Self::around(keys, Transcript::default())
+    }
+}
+
+impl<C> Scripted<C> {
+    /// Types each byte of `keys` before the step of its cycle, ahead of what `inner` has to give.
+    pub fn around(mut keys: Vec<(u64, u8)>, inner: C) -> Self {
+        keys.sort_by_key(|(cycle, _)| *cycle);
+        Scripted {
+            keys,
+            typed: 0,
+            inner,
+        }
+    }
+
+    /// Requests a halt before the step of `cycle`.
+    #[must_use]
+    pub fn halt(mut self, cycle: u64) -> Self {
+        let place = self.keys.partition_point(|(at, _)| *at <= cycle);
+        self.keys.insert(place, (cycle, ESCAPE));
+        self
+    }
+
+    /// The console inside.
+    pub fn inner(&self) -> &C {
+        &self.inner
+    }
+
+    /// The console inside.
+    pub fn inner_mut(&mut self) -> &mut C {
+        &mut self.inner
+    }
+}
+
+impl<C: Console> Console for Scripted<C> {
+    fn key(&mut self, cycle: u64) -> Option<u8> {
+        match self.keys.get(self.typed) {
+            Some((at, byte)) if *at <= cycle => {
+                self.typed += 1;
+                Some(*byte)
+            }
+            _ => self.inner.key(cycle),
+        }
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        self.inner.message(text);
+    }
+
+    fn silent(&mut self, on: bool) {
+        self.inner.silent(on);
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        self.inner.sample(sample);
+    }
+
+    fn variables(&mut self, dump: &dyn Display) {
+        self.inner.variables(dump);
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.inner.emergency(report);
+    }
+
+    fn ended(&mut self) {
+        self.inner.ended();
+    }
+}
+
+/// Remembers everything that it was told, in order of arrival.
+#[derive(Clone, Debug, Default)]
+pub struct Transcript {
+    /// The messages; an empty one cleared the line.
+    pub messages: Vec<String>,
+    /// Each change of SILENT.
+    pub silent: Vec<bool>,
+    /// The rows of TITAN.LOG.
+    pub log: TitanLog,
+    /// The texts of OUTPUT_VARIABLES.
+    pub variables: Vec<String>,
+    /// The text of EMG.log.
+    pub emergency: Option<String>,
+    /// How often the program's end was told.
+    pub ended: u32,
+}
+
+impl Console for Transcript {
+    fn message(&mut self, text: &dyn Display) {
+        self.messages.push(text.to_string());
+    }
+
+    fn silent(&mut self, on: bool) {
+        self.silent.push(on);
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        self.log.push(sample);
+    }
+
+    fn variables(&mut self, dump: &dyn Display) {
+        self.variables.push(dump.to_string());
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.emergency = Some(report.to_string());
+    }
+
+    fn ended(&mut self) {
+        self.ended += 1;
+    }
+}

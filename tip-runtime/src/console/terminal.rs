@@ -1,0 +1,173 @@
+//! A terminal: keys as they are pressed, the message on one line.
+
+use super::Console;
+use crate::machine::Report;
+use core::fmt::Display;
+use std::io::{self, IsTerminal, Read, Stdout, Write};
+
+/// What Ctrl-C sends.
+const CONTROL_C: u8 = 0x03;
+/// What the RETURN key sends: software emergency stop.
+const RETURN: u8 = 0x0D;
+
+/// The terminal of standard input, showing messages on an output.
+///
+/// While it lives, keys arrive without RETURN and unechoed; dropping it restores the terminal. If
+/// standard input is no terminal, it is left alone and no keys arrive.
+///
+/// Ctrl-C arrives as a byte as well: it stops the robot as the RETURN key does, unless
+/// [`report_interrupts`](Self::report_interrupts) says otherwise.
+#[derive(Debug)]
+pub struct Terminal<W: Write = Stdout> {
+    output: W,
+    /// The output is a terminal, whose line can be overwritten.
+    rewrites: bool,
+    silent: bool,
+    stops_on_interrupt: bool,
+    interrupted: bool,
+    raw: Option<raw::Raw>,
+}
+
+impl Terminal {
+    /// Shows messages on standard output.
+    pub fn new() -> Self {
+        let output = io::stdout();
+        let rewrites = output.is_terminal();
+        Self::on(output, rewrites)
+    }
+}
+
+impl Default for Terminal {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<W: Write> Terminal<W> {
+    /// Shows messages on `output`, each in place of the one before if that is possible.
+    pub fn on(output: W, rewrites: bool) -> Self {
+        Terminal {
+            output,
+            rewrites,
+            silent: false,
+            stops_on_interrupt: true,
+            interrupted: false,
+            raw: raw::Raw::enter(),
+        }
+    }
+
+    /// Ctrl-C only makes [`interrupted`](Self::interrupted) true; the host decides what follows.
+    #[must_use]
+    pub fn report_interrupts(mut self) -> Self {
+        self.stops_on_interrupt = false;
+        self
+    }
+
+    /// Ctrl-C was pressed.
+    pub fn interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// A console has no way to refuse a text, so a closed output loses it.
+    fn show(&mut self, text: &dyn Display) {
+        let _ = if self.rewrites {
+            write!(self.output, "\r\x1b[2K{text}")
+        } else {
+            writeln!(self.output, "{text}")
+        };
+        let _ = self.output.flush();
+    }
+}
+
+impl<W: Write> Console for Terminal<W> {
+    fn key(&mut self, _cycle: u64) -> Option<u8> {
+        self.raw.as_ref()?;
+        let mut byte = [0];
+        match io::stdin().read(&mut byte) {
+            Ok(1) => {}
+            _ => return None,
+        }
+        match byte {
+            [CONTROL_C] => {
+                self.interrupted = true;
+                self.stops_on_interrupt.then_some(RETURN)
+            }
+            [byte] => Some(byte),
+        }
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        if !self.silent {
+            self.show(text);
+        }
+    }
+
+    fn silent(&mut self, on: bool) {
+        if on {
+            self.message(&"");
+        }
+        self.silent = on;
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.show(&report);
+    }
+
+    fn ended(&mut self) {
+        if self.rewrites {
+            let _ = writeln!(self.output);
+        }
+    }
+}
+
+#[cfg(unix)]
+mod raw {
+    use rustix::termios::{
+        InputModes, LocalModes, OptionalActions, SpecialCodeIndex, Termios, tcgetattr, tcsetattr,
+    };
+    use std::io::{IsTerminal, stdin};
+
+    /// Standard input without line editing; the former state comes back on drop.
+    #[derive(Debug)]
+    pub(super) struct Raw(Termios);
+
+    impl Raw {
+        /// `None` if standard input is no terminal, or refuses.
+        pub(super) fn enter() -> Option<Self> {
+            let input = stdin();
+            if !input.is_terminal() {
+                return None;
+            }
+            let former = tcgetattr(&input).ok()?;
+            let mut raw = former.clone();
+            raw.local_modes
+                .remove(LocalModes::ICANON | LocalModes::ECHO | LocalModes::ISIG);
+            raw.input_modes.remove(InputModes::ICRNL | InputModes::IXON);
+            // Reading gives what there is, at once.
+            raw.special_codes[SpecialCodeIndex::VMIN] = 0;
+            raw.special_codes[SpecialCodeIndex::VTIME] = 0;
+            tcsetattr(&input, OptionalActions::Now, &raw).ok()?;
+            Some(Raw(former))
+        }
+    }
+
+    impl Drop for Raw {
+        fn drop(&mut self) {
+            // Nothing is left to be done for a terminal that is gone.
+            let _ = tcsetattr(stdin(), OptionalActions::Now, &self.0);
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod raw {
+    /// Standard input without line editing: not available on this system.
+    #[derive(Debug)]
+    pub(super) struct Raw;
+
+    impl Raw {
+        pub(super) fn enter() -> Option<Self> {
+            None
+        }
+    }
+}

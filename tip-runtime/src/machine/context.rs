@@ -1,0 +1,94 @@
+//! What the step of one cycle can reach.
+
+use super::devices::{Devices, whole_byte};
+use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
+use crate::console::Console;
+use crate::fault::Fault;
+use crate::program::{Context, Robot};
+use crate::record::Sink;
+use crate::special::{Call, Special};
+use core::fmt::Display;
+
+pub(super) struct StepContext<'a, 'm, C, S, const L: usize, const J: usize> {
+    pub(super) devices: &'a mut Devices<'m, L, J>,
+    pub(super) special: &'a mut S,
+    pub(super) console: &'a mut C,
+    pub(super) sink: Option<&'a mut dyn Sink>,
+    /// The step does not continue one that waited.
+    pub(super) first: bool,
+}
+
+impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L, J> {
+    fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let value = |place: usize| command.values.get(place).map(|value| value.v);
+        let call = Call {
+            number: whole_byte(value(0))?,
+            arguments: [value(1), value(2)],
+            first: self.first,
+        };
+        self.special.poll(call, self.devices)
+    }
+
+    fn note(&mut self, command: &Command<'_>) {
+        let Some(sink) = &mut self.sink else {
+            return;
+        };
+        if self.first && command.op.is_traced() {
+            sink.command(command);
+        }
+        let switched = match command.op {
+            Op::LampOn => true,
+            Op::LampOff => false,
+            _ => return,
+        };
+        if let Ok(device) = whole_byte(command.values.first().map(|value| value.v)) {
+            sink.lamp(device, switched);
+        }
+    }
+}
+
+impl<C, S: Special, const L: usize, const J: usize> Robot for StepContext<'_, '_, C, S, L, J> {
+    fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let poll = match command.op {
+            Op::Special => self.call_special(command)?,
+            _ => self.devices.command(command)?,
+        };
+        self.note(command);
+        Ok(poll)
+    }
+
+    fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault> {
+        self.devices.teach(what, target)
+    }
+
+    fn analog(&self, port: Port) -> Result<f64, Fault> {
+        self.devices.analog(port)
+    }
+
+    fn flag(&self, flag: Flag) -> bool {
+        self.devices.flag(flag)
+    }
+
+    fn set_special_flag(&mut self, n: u8, on: bool) {
+        self.devices.set_special_flag(n, on);
+    }
+
+    fn period(&self) -> f64 {
+        self.devices.period()
+    }
+}
+
+impl<C: Console, S: Special, const L: usize, const J: usize> Context
+    for StepContext<'_, '_, C, S, L, J>
+{
+    fn key(&mut self) -> Option<u8> {
+        self.devices.keyboard.take()
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        self.console.message(text);
+        if let Some(sink) = &mut self.sink {
+            sink.say(text);
+        }
+    }
+}

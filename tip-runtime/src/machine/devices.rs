@@ -1,0 +1,219 @@
+//! The robot as steps and native code see it: motion goes to the controller, the rest is here.
+
+use super::keyboard::Keyboard;
+use super::sampling::Sampling;
+use crate::analog::{self, Wire};
+use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
+use crate::controller::Controller;
+use crate::fault::Fault;
+use crate::hardware::{JointCommand, Outputs, Sensors};
+use crate::model::Model;
+use crate::program::Robot;
+
+/// Volts from which the antenna counts as touching.
+const TOUCH: f64 = 0.5;
+
+#[derive(Clone, Debug)]
+pub(super) struct Devices<'m, const L: usize, const J: usize> {
+    pub(super) model: &'m Model<L, J>,
+    pub(super) controller: Controller<'m, L, J>,
+    pub(super) sensors: Sensors<L, J>,
+    /// What was sent last.
+    pub(super) outputs: Outputs<L, J>,
+    pub(super) keyboard: Keyboard,
+    pub(super) halt_requested: bool,
+    special_flags: [bool; 10],
+    pub(super) lamps: [u32; 8],
+    pub(super) sampling: Sampling,
+    /// SILENT_ON or SILENT_OFF ran in this cycle.
+    pub(super) silence: Option<bool>,
+    /// OUTPUT_VARIABLES ran in this cycle.
+    pub(super) dump_requested: bool,
+    held_for_dump: bool,
+    held_for_pause: bool,
+}
+
+impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
+    pub(super) fn new(model: &'m Model<L, J>) -> Self {
+        Devices {
+            model,
+            controller: Controller::new(model),
+            sensors: Sensors::ZERO,
+            outputs: Outputs {
+                joints: [[JointCommand::Angle(0.0); J]; L],
+                lamps: [0; 8],
+                period: model.standards.period,
+            },
+            keyboard: Keyboard::new(),
+            halt_requested: false,
+            special_flags: [false; 10],
+            lamps: [0; 8],
+            sampling: Sampling::default(),
+            silence: None,
+            dump_requested: false,
+            held_for_dump: false,
+            held_for_pause: false,
+        }
+    }
+
+    /// Whether this call is what holds the robot.
+    fn hold(&mut self) -> bool {
+        let holds = !self.controller.is_held();
+        if holds {
+            self.controller.hold();
+        }
+        holds
+    }
+
+    fn dump_variables(&mut self) {
+        self.dump_requested = true;
+        self.held_for_dump = self.hold();
+    }
+
+    pub(super) fn release_after_dump(&mut self) {
+        if core::mem::take(&mut self.held_for_dump) {
+            self.controller.release();
+        }
+    }
+
+    pub(super) fn hold_for_pause(&mut self) {
+        self.held_for_pause = self.hold();
+    }
+
+    pub(super) fn release_after_pause(&mut self) {
+        if core::mem::take(&mut self.held_for_pause) {
+            self.controller.release();
+        }
+    }
+
+    fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
+        let device = whole_byte(command.values.first().map(|value| value.v))?;
+        if device >= self.model.lamps {
+            return Err(Fault::Domain);
+        }
+        let bit = 1 << (device % 32);
+        if let Some(word) = self.lamps.get_mut(usize::from(device / 32)) {
+            *word = if on { *word | bit } else { *word & !bit };
+        }
+        Ok(())
+    }
+
+    fn channel(&self, channel: u8) -> Result<f64, Fault> {
+        match analog::wire(channel, L, J).ok_or(Fault::Domain)? {
+            Wire::Joint(leg, joint) => self.joint(leg, joint),
+            Wire::Knob(knob) => self.knob(knob),
+            Wire::Open => Ok(0.0),
+        }
+    }
+
+    fn joint(&self, leg: usize, joint: usize) -> Result<f64, Fault> {
+        let range = self
+            .model
+            .legs
+            .get(leg)
+            .and_then(|leg| leg.joints.get(joint));
+        let angle = self.sensors.angles.get(leg).and_then(|leg| leg.get(joint));
+        match (range, angle) {
+            (Some(joint), Some(angle)) => Ok(analog::volts_of_angle(joint.outer, *angle)),
+            _ => Err(Fault::Domain),
+        }
+    }
+
+    fn knob(&self, knob: usize) -> Result<f64, Fault> {
+        self.sensors.knobs.get(knob).copied().ok_or(Fault::Domain)
+    }
+}
+
+/// A number given as a float, truncated, if it is 0…255.
+pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
+    let whole = libm::trunc(value.ok_or(Fault::Domain)?);
+    if (0.0..=255.0).contains(&whole) {
+        Ok(whole as u8)
+    } else {
+        Err(Fault::Domain)
+    }
+}
+
+/// Where a leg, joint or knob that counts from 1 stands in an array; past every array if it is 0.
+fn index(number: u8) -> usize {
+    usize::from(number).wrapping_sub(1)
+}
+
+fn port_name(port: Port) -> &'static str {
+    match port {
+        Port::Channel(_) => "AD",
+        Port::Knob(1) => "VR1",
+        Port::Knob(2) => "VR2",
+        Port::Knob(_) => "VR3",
+        Port::Joint(..) => "potentiometer",
+        Port::Paw(1) => "PAW1",
+        Port::Paw(2) => "PAW2",
+        Port::Paw(3) => "PAW3",
+        Port::Paw(4) => "PAW4",
+        Port::Paw(_) => "PAW",
+        Port::Antenna => "ANTENNA",
+    }
+}
+
+impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
+    fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        match command.op {
+            Op::FlushBuf => self.keyboard.clear(),
+            Op::LampOn => self.switch_lamp(command, true)?,
+            Op::LampOff => self.switch_lamp(command, false)?,
+            Op::SilentOn => self.silence = Some(true),
+            Op::SilentOff => self.silence = Some(false),
+            Op::LogStart => self.sampling.start(),
+            Op::LogStop => self.sampling.stop(),
+            Op::LogOneShot => self.sampling.one_shot(),
+            Op::OutputVariables => self.dump_variables(),
+            Op::Special => return Err(Fault::Domain),
+            _ => return self.controller.command(command),
+        }
+        Ok(Poll::Done)
+    }
+
+    fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault> {
+        self.controller.teach(what, target)
+    }
+
+    fn analog(&self, port: Port) -> Result<f64, Fault> {
+        let volts = match port {
+            Port::Channel(channel) => self.channel(channel)?,
+            Port::Knob(knob) => self.knob(index(knob))?,
+            Port::Joint(leg, joint) => self.joint(index(leg), index(joint))?,
+            Port::Paw(leg) => *self.sensors.paws.get(index(leg)).ok_or(Fault::Domain)?,
+            Port::Antenna => self.sensors.antenna,
+        };
+        if volts.is_finite() {
+            Ok(volts)
+        } else {
+            Err(Fault::Sensor(port_name(port)))
+        }
+    }
+
+    fn flag(&self, flag: Flag) -> bool {
+        match flag {
+            Flag::HaltRequest => self.halt_requested,
+            Flag::KbHit => !self.keyboard.is_empty(),
+            Flag::Inpos(target) => self.controller.inpos(target),
+            Flag::Near(target) => self.controller.near(target),
+            Flag::Special(n) => self
+                .special_flags
+                .get(usize::from(n))
+                .copied()
+                .unwrap_or(false),
+            Flag::Antenna => self.sensors.antenna >= TOUCH,
+        }
+    }
+
+    fn set_special_flag(&mut self, n: u8, on: bool) {
+        if let Some(flag) = self.special_flags.get_mut(usize::from(n)) {
+            *flag = on;
+        }
+    }
+
+    fn period(&self) -> f64 {
+        self.controller.period()
+    }
+}

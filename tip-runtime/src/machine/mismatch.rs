@@ -1,0 +1,44 @@
+//! A program on the wrong robot.
+
+use crate::program::Signature;
+use core::fmt;
+
+/// The program was checked for another robot than the one it was put on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// The robot the program was checked for.
+    pub program: Signature,
+    /// The robot at hand.
+    pub robot: Signature,
+}
+
+impl Mismatch {
+    pub(super) fn check(program: Signature, robot: Signature) -> Result<(), Self> {
+        if program == robot {
+            Ok(())
+        } else {
+            Err(Mismatch { program, robot })
+        }
+    }
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the program was compiled for ")?;
+        describe(f, self.program)?;
+        f.write_str(", the robot is ")?;
+        describe(f, self.robot)
+    }
+}
+
+fn describe(f: &mut fmt::Formatter<'_>, robot: Signature) -> fmt::Result {
+    let Signature {
+        robot,
+        family,
+        legs,
+        joints,
+    } = robot;
+    write!(f, "{robot} ({family:?}, {legs} legs of {joints} joints)")
+}
+
+impl core::error::Error for Mismatch {}

@@ -1,0 +1,114 @@
+//! Where the body is.
+
+use super::Point;
+use nalgebra::{Rotation3, Unit};
+
+/// Position and attitude of the robot frame in the world: mm and deg.
+///
+/// The attitude turns by yaw about z first, then by pitch about x (to the right: + raises the
+/// front), then by roll about y (forward: + lowers the right side).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// To the right at the start.
+    pub x: f64,
+    /// Forward at the start.
+    pub y: f64,
+    /// Up.
+    pub z: f64,
+    /// About the body's y axis.
+    pub roll: f64,
+    /// About the body's x axis.
+    pub pitch: f64,
+    /// About the world's z axis.
+    pub yaw: f64,
+}
+
+impl Pose {
+    pub(super) fn new([x, y, z]: [f64; 3], rotation: &Rotation3<f64>) -> Self {
+        let (right, forward, up) = (
+            rotation * Point::x(),
+            rotation * Point::y(),
+            rotation * Point::z(),
+        );
+        Pose {
+            x,
+            y,
+            z,
+            roll: libm::atan2(-right.z, up.z).to_degrees(),
+            pitch: libm::asin(forward.z.clamp(-1.0, 1.0)).to_degrees(),
+            yaw: libm::atan2(-forward.x, forward.y).to_degrees(),
+        }
+    }
+}
+
+/// The body in the floor's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Body {
+    /// The floor's normal in the robot frame.
+    pub(super) normal: Point,
+    /// The origin above the floor: mm.
+    pub(super) height: f64,
+    /// The origin along the floor: mm.
+    pub(super) x: f64,
+    pub(super) y: f64,
+    /// Turn about the floor's normal, behind the tilt: rad.
+    pub(super) heading: f64,
+}
+
+impl Body {
+    /// Level, over the floor's origin.
+    pub(super) fn upright(height: f64) -> Self {
+        Body {
+            normal: Point::z(),
+            height,
+            x: 0.0,
+            y: 0.0,
+            heading: 0.0,
+        }
+    }
+
+    /// Tilts and lifts the body, keeping place and heading.
+    pub(super) fn rest(&mut self, normal: Point, height: f64) {
+        self.normal = normal;
+        self.height = height;
+    }
+
+    /// The shortest turn that stands the floor's normal upright.
+    pub(super) fn levelling(normal: Point) -> Rotation3<f64> {
+        Rotation3::rotation_between(&normal, &Point::z()).unwrap_or_else(Rotation3::identity)
+    }
+
+    /// Turns the robot frame into the floor's.
+    pub(super) fn rotation(&self) -> Rotation3<f64> {
+        let up = Unit::new_unchecked(Point::z());
+        Rotation3::from_axis_angle(&up, self.heading) * Self::levelling(self.normal)
+    }
+
+    /// A point of the robot frame, in the floor's.
+    pub(super) fn point(&self, point: Point) -> Point {
+        self.rotation() * point + Point::new(self.x, self.y, self.height)
+    }
+
+    /// A direction of the floor's frame, in the robot's.
+    pub(super) fn into_body(self, direction: Point) -> Point {
+        self.rotation().inverse() * direction
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_of_a_pose_have_the_documented_senses() {
+        let turned = |axis: Point, degrees: f64| {
+            let angle = degrees.to_radians();
+            let rotation = Rotation3::from_axis_angle(&Unit::new_unchecked(axis), angle);
+            let pose = Pose::new([1.0, 2.0, 3.0], &rotation);
+            [pose.roll, pose.pitch, pose.yaw].map(libm::round)
+        };
+        assert_eq!(turned(Point::y(), 20.0), [20.0, 0.0, 0.0]);
+        assert_eq!(turned(Point::x(), 20.0), [0.0, 20.0, 0.0]);
+        assert_eq!(turned(Point::z(), 20.0), [0.0, 0.0, 20.0]);
+    }
+}

@@ -1,0 +1,48 @@
+//! What can touch the floor.
+
+use super::Point;
+use super::links::LegLinks;
+use crate::model::Model;
+
+/// Something for each foot and for each corner of the belly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Contacts<T, const L: usize> {
+    pub(super) feet: [T; L],
+    pub(super) belly: [T; 4],
+}
+
+impl<T, const L: usize> Contacts<T, L> {
+    pub(super) const fn new(feet: [T; L], belly: [T; 4]) -> Self {
+        Contacts { feet, belly }
+    }
+
+    /// Feet first.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
+        self.feet.iter().chain(&self.belly)
+    }
+}
+
+impl<T: Copy, const L: usize> Contacts<T, L> {
+    pub(super) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Contacts<U, L> {
+        Contacts {
+            feet: self.feet.map(&mut f),
+            belly: self.belly.map(&mut f),
+        }
+    }
+}
+
+impl<const L: usize> Contacts<Point, L> {
+    /// The points that can touch the floor, in the robot frame.
+    pub(super) fn of<const J: usize>(model: &Model<L, J>, legs: &[LegLinks<J>; L]) -> Self {
+        let (x, y, z) = (model.body.x, model.body.y, model.body.z.min);
+        Contacts {
+            feet: legs.map(|leg| leg.foot),
+            belly: [
+                Point::new(x.min, y.min, z),
+                Point::new(x.max, y.min, z),
+                Point::new(x.max, y.max, z),
+                Point::new(x.min, y.max, z),
+            ],
+        }
+    }
+}

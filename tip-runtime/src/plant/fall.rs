@@ -1,0 +1,72 @@
+//! Watches the centre of mass over the support polygon.
+
+use super::Point;
+use super::contacts::Contacts;
+use super::polygon;
+
+/// How far outside the polygon the centre of mass may be before the body tips: mm.
+const TIPPING: f64 = 1.0;
+
+/// The centre of mass left the support polygon.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fall {
+    /// The control cycle, from 0.
+    pub cycle: u64,
+    /// How far outside the centre of mass was: mm, negative.
+    pub margin: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FallWatch {
+    /// Feet no more than this above the lowest count as standing: mm.
+    pub(super) lift: f64,
+    pub(super) margin: f64,
+    pub(super) count: u32,
+    pub(super) first: Option<Fall>,
+    falling: bool,
+}
+
+impl FallWatch {
+    pub(super) const fn new() -> Self {
+        FallWatch {
+            lift: 20.0,
+            margin: 0.0,
+            count: 0,
+            first: None,
+            falling: false,
+        }
+    }
+
+    /// Looks at one instant. The polygon is that of the feet that stand, judged in the robot frame:
+    /// a body that tips follows the feet that were lifted, so being on the floor proves nothing.
+    /// The belly belongs to it as soon as it carries. `down` is the direction of gravity.
+    pub(super) fn watch<const L: usize>(
+        &mut self,
+        points: &Contacts<Point, L>,
+        loads: &Contacts<f64, L>,
+        centre: Point,
+        down: Point,
+        cycle: u64,
+    ) {
+        let heights = points.feet.iter().map(|foot| foot.z);
+        let lowest = heights.fold(f64::INFINITY, f64::min);
+        let feet = (points.feet.iter()).filter(|foot| foot.z <= lowest + self.lift);
+        let lies = loads.belly.iter().any(|load| *load > 0.0);
+        let belly = points.belly.iter().filter(|_| lies);
+        let polygon = feet.chain(belly).map(|point| [point.x, point.y]);
+        let fall = (lowest - centre.z) / down.z;
+        let over = [centre.x + fall * down.x, centre.y + fall * down.y];
+        self.margin = polygon::margin(polygon, over);
+        self.count_fall(cycle);
+    }
+
+    fn count_fall(&mut self, cycle: u64) {
+        let falling = self.margin < -TIPPING;
+        if falling && !self.falling {
+            self.count += 1;
+            let margin = self.margin;
+            self.first.get_or_insert(Fall { cycle, margin });
+        }
+        self.falling = falling;
+    }
+}

@@ -1,0 +1,54 @@
+//! How far inside the convex hull of some points another point is.
+
+/// The distance of `inner` to the nearest edge of the hull, negative outside. Points on one line
+/// have a hull without inside.
+pub(super) fn margin(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+    let mut margin = f64::INFINITY;
+    let mut nearest = f64::INFINITY;
+    for from in hull.clone() {
+        nearest = nearest.min(libm::hypot(inner[0] - from[0], inner[1] - from[1]));
+        for to in hull.clone() {
+            let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
+            if length > 0.0 && hull.clone().all(|point| side(from, to, point) >= -1e-6) {
+                margin = margin.min(side(from, to, inner) / length);
+            }
+        }
+    }
+    if margin.is_finite() { margin } else { -nearest }
+}
+
+/// Twice the area of a triangle; positive if `point` is on the left of the way.
+fn side(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
+    (to[0] - from[0]) * (point[1] - from[1]) - (to[1] - from[1]) * (point[0] - from[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: [[f64; 2]; 5] = [
+        [0.0, 0.0],
+        [10.0, 10.0],
+        [10.0, 0.0],
+        [4.0, 5.0],
+        [0.0, 10.0],
+    ];
+
+    fn margin_of(points: &[[f64; 2]], inner: [f64; 2]) -> f64 {
+        margin(points.iter().copied(), inner)
+    }
+
+    #[test]
+    fn the_nearest_edge_counts_and_inner_points_do_not() {
+        assert_eq!(margin_of(&SQUARE, [5.0, 5.0]), 5.0);
+        assert_eq!(margin_of(&SQUARE, [9.0, 4.0]), 1.0);
+        assert_eq!(margin_of(&SQUARE, [5.0, 0.0]), 0.0);
+        assert_eq!(margin_of(&SQUARE, [5.0, -3.0]), -3.0);
+    }
+
+    #[test]
+    fn lines_and_points_have_no_inside() {
+        assert_eq!(margin_of(&[[0.0, 0.0], [0.0, 8.0]], [3.0, 4.0]), -3.0);
+        assert_eq!(margin_of(&[[0.0, 0.0]], [3.0, 4.0]), -5.0);
+    }
+}

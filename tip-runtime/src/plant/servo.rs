@@ -1,0 +1,136 @@
+//! A joint's motor and its position loop.
+
+use crate::hardware::JointCommand;
+use crate::model::Joint;
+
+/// How far behind its outer limit a joint meets its mechanical stop: deg.
+const STOP: f64 = 2.0;
+
+/// How all joints follow their commands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ServoDynamics {
+    /// Time constant of the position loop: ms.
+    pub lag: f64,
+    /// The fastest that a joint turns: deg/s.
+    pub speed: f64,
+}
+
+impl Default for ServoDynamics {
+    /// 15 ms and 360 deg/s.
+    fn default() -> Self {
+        ServoDynamics {
+            lag: 15.0,
+            speed: 360.0,
+        }
+    }
+}
+
+/// One joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Servo {
+    /// deg.
+    pub(super) angle: f64,
+    /// What the motor gives: N·m.
+    pub(super) torque: f64,
+}
+
+impl Servo {
+    /// At rest at an angle.
+    pub(super) const fn at(angle: f64) -> Self {
+        Servo { angle, torque: 0.0 }
+    }
+
+    /// Moves for `dt` s while the load exerts the torque `load`.
+    pub(super) fn advance(
+        &mut self,
+        joint: &Joint,
+        command: JointCommand,
+        load: f64,
+        dt: f64,
+        dynamics: &ServoDynamics,
+    ) {
+        let strongest = joint.torque;
+        let farthest = dynamics.speed * dt;
+        let turn = match command {
+            JointCommand::Angle(_) if libm::fabs(load) > strongest => {
+                // The load wins: the joint gives way.
+                self.torque = (-load).clamp(-strongest, strongest);
+                farthest * (load + self.torque) / strongest
+            }
+            JointCommand::Angle(target) => {
+                self.torque = -load;
+                let share = 1.0 - libm::exp(-1000.0 * dt / dynamics.lag);
+                (target - self.angle) * share
+            }
+            JointCommand::Torque(torque) => {
+                // Without inertia a torque that nothing balances turns a viscous joint.
+                self.torque = torque.clamp(-strongest, strongest);
+                farthest * (self.torque + load) / strongest
+            }
+        };
+        if turn.is_finite() {
+            let stops = (joint.outer.min - STOP, joint.outer.max + STOP);
+            let angle = self.angle + turn.clamp(-farthest, farthest);
+            self.angle = angle.clamp(stops.0, stops.1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::titan8;
+
+    const KNEE: Joint = titan8::MODEL.legs[0].joints[2];
+
+    fn advanced(command: JointCommand, load: f64, cycles: u32) -> Servo {
+        let mut servo = Servo::at(90.0);
+        for _ in 0..cycles {
+            servo.advance(&KNEE, command, load, 0.02, &ServoDynamics::default());
+        }
+        servo
+    }
+
+    #[test]
+    fn a_servo_arrives_without_error_and_carries_its_load() {
+        let servo = advanced(JointCommand::Angle(60.0), 12.5, 100);
+        assert!((servo.angle - 60.0).abs() < 1e-9);
+        assert_eq!(servo.torque, -12.5);
+    }
+
+    #[test]
+    fn one_time_constant_closes_the_gap_but_for_one_part_in_e() {
+        let dynamics = ServoDynamics {
+            lag: 20.0,
+            speed: 1e9,
+        };
+        let mut servo = Servo::at(90.0);
+        servo.advance(&KNEE, JointCommand::Angle(80.0), 0.0, 0.02, &dynamics);
+        assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_joint_turns_faster_than_its_motor() {
+        // 360 deg/s: 7.2 degrees in 20 ms.
+        let servo = advanced(JointCommand::Angle(20.0), 0.0, 1);
+        assert!((servo.angle - 82.8).abs() < 1e-12);
+        let servo = advanced(JointCommand::Torque(1000.0), 1000.0, 1);
+        assert!((servo.angle - 97.2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_motor_gives_more_than_its_torque_and_a_load_above_turns_it() {
+        let servo = advanced(JointCommand::Angle(90.0), 60.0, 1);
+        assert_eq!(servo.torque, -40.0);
+        assert!((servo.angle - 93.6).abs() < 1e-12);
+        let servo = advanced(JointCommand::Angle(90.0), 40.0, 1);
+        assert_eq!((servo.angle, servo.torque), (90.0, -40.0));
+    }
+
+    #[test]
+    fn the_stops_hold_and_nonsense_moves_nothing() {
+        assert_eq!(advanced(JointCommand::Torque(40.0), 0.0, 1000).angle, 157.0);
+        assert_eq!(advanced(JointCommand::Torque(-40.0), 0.0, 1000).angle, -2.0);
+        assert_eq!(advanced(JointCommand::Angle(f64::NAN), 0.0, 5).angle, 90.0);
+    }
+}

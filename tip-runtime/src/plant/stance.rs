@@ -1,0 +1,140 @@
+//! The body goes where its stance feet take it.
+
+use super::Point;
+use super::body::Body;
+use super::contacts::Contacts;
+
+/// Feet and belly on the floor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stance<const L: usize> {
+    /// Where each contact is on the floor, `None` in the air.
+    places: Contacts<Option<[f64; 2]>, L>,
+    /// Where each foot touched down.
+    touchdowns: [Option<[f64; 2]>; L],
+    slips: [f64; L],
+    worst: f64,
+}
+
+impl<const L: usize> Stance<L> {
+    /// Nothing touches yet.
+    pub(super) const fn new() -> Self {
+        Stance {
+            places: Contacts::new([None; L], [None; 4]),
+            touchdowns: [None; L],
+            slips: [0.0; L],
+            worst: 0.0,
+        }
+    }
+
+    /// How far a foot has slipped since it touched down: mm.
+    pub(super) fn slip(&self, leg: usize) -> f64 {
+        self.slips.get(leg).copied().unwrap_or(0.0)
+    }
+
+    /// The farthest that a foot has slipped so far: mm.
+    pub(super) const fn worst(&self) -> f64 {
+        self.worst
+    }
+
+    /// Moves the body so that what touched before and still does stays where it was: the rigid
+    /// motion of least squares, weighed by the loads, which is what friction holds on to.
+    pub(super) fn follow(
+        &mut self,
+        points: &Contacts<Point, L>,
+        loads: &Contacts<f64, L>,
+        body: &mut Body,
+    ) {
+        let levelling = Body::levelling(body.normal);
+        let levelled = points.map(|point| levelling * point);
+        let stays = levelled
+            .iter()
+            .zip(loads.iter())
+            .zip(self.places.iter())
+            .filter_map(|((point, load), place)| {
+                let place = place.filter(|_| *load > 0.0)?;
+                Some(Pair {
+                    own: [point.x, point.y],
+                    place,
+                    weight: *load,
+                })
+            });
+        fit(stays, body);
+        self.remember(points, loads, body);
+    }
+
+    fn remember(&mut self, points: &Contacts<Point, L>, loads: &Contacts<f64, L>, body: &Body) {
+        let rotation = body.rotation();
+        let place = |point: &Point, load: &f64| {
+            let point = rotation * point;
+            (*load > 0.0).then_some([point.x + body.x, point.y + body.y])
+        };
+        let belly = points.belly.iter().zip(&loads.belly);
+        for (old, (point, load)) in self.places.belly.iter_mut().zip(belly) {
+            *old = place(point, load);
+        }
+        let feet = points.feet.iter().zip(&loads.feet);
+        for (old, (point, load)) in self.places.feet.iter_mut().zip(feet) {
+            *old = place(point, load);
+        }
+        self.measure_slips();
+    }
+
+    fn measure_slips(&mut self) {
+        let touchdowns = self.touchdowns.iter_mut().zip(&mut self.slips);
+        for ((touchdown, slip), place) in touchdowns.zip(self.places.feet) {
+            *slip = match place {
+                Some([x, y]) => {
+                    let [x0, y0] = *touchdown.get_or_insert([x, y]);
+                    libm::hypot(x - x0, y - y0)
+                }
+                None => {
+                    *touchdown = None;
+                    0.0
+                }
+            };
+            self.worst = self.worst.max(*slip);
+        }
+    }
+}
+
+/// A contact that stays on the floor.
+struct Pair {
+    /// Levelled, without heading, from the body's origin: mm.
+    own: [f64; 2],
+    /// Where it was on the floor: mm.
+    place: [f64; 2],
+    /// N.
+    weight: f64,
+}
+
+/// Moves the body by the planar rigid motion of weighted least squares (Kabsch, Acta Cryst. A32,
+/// 1976, in two dimensions). With nothing that stays the body keeps place and heading.
+fn fit(pairs: impl Iterator<Item = Pair> + Clone, body: &mut Body) {
+    let mut total = 0.0;
+    let (mut own_centre, mut place_centre) = ([0.0; 2], [0.0; 2]);
+    for Pair { own, place, weight } in pairs.clone() {
+        total += weight;
+        for axis in 0..2 {
+            own_centre[axis] += weight * own[axis];
+            place_centre[axis] += weight * place[axis];
+        }
+    }
+    if total <= 0.0 {
+        return;
+    }
+    let [own_x, own_y] = own_centre.map(|sum| sum / total);
+    let [place_x, place_y] = place_centre.map(|sum| sum / total);
+    let (mut along, mut across) = (0.0, 0.0);
+    for Pair { own, place, weight } in pairs {
+        let own = [own[0] - own_x, own[1] - own_y];
+        let place = [place[0] - place_x, place[1] - place_y];
+        along += weight * (own[0] * place[0] + own[1] * place[1]);
+        across += weight * (own[0] * place[1] - own[1] * place[0]);
+    }
+    if along != 0.0 || across != 0.0 {
+        body.heading = libm::atan2(across, along);
+    }
+    let (sin, cos) = (libm::sin(body.heading), libm::cos(body.heading));
+    body.x = place_x - (cos * own_x - sin * own_y);
+    body.y = place_y - (sin * own_x + cos * own_y);
+}

@@ -1,0 +1,176 @@
+//! How the body rests on its contacts.
+//!
+//! Every contact is a stiff spring. The body is where its potential energy is least: with the
+//! floor as the plane `z = -(a x + b y + h)` seen from the body, that energy is convex in
+//! `(a, b, h)`, so Newton's method with a line search finds the one minimum (Nocedal and Wright,
+//! Numerical Optimization, 2006, ch. 3). For large tilts the frame is turned and it is done again.
+
+use super::Point;
+use super::body::Body;
+use super::contacts::Contacts;
+use nalgebra::{Matrix3, Vector3};
+
+/// Of a foot with its leg, and of the belly: N/mm.
+const STIFFNESS: f64 = 100.0;
+/// Turns of the frame in one go.
+const TURNS: u32 = 6;
+/// Steps of Newton's method in one frame.
+const STEPS: u32 = 40;
+/// Halvings of one step.
+const HALVINGS: u32 = 30;
+/// The largest step: slope, slope, height in mm.
+const LARGEST: [f64; 3] = [0.1, 0.1, 50.0];
+/// Slopes and heights in mm below which a step changes nothing.
+const SMALLEST: [f64; 3] = [1e-13, 1e-13, 1e-10];
+/// Keeps the curvature positive where fewer than three contacts carry: relative to one contact at
+/// about 100 mm.
+const DAMPING: f64 = 1e-6;
+
+/// What presses the body down.
+pub(super) struct Load {
+    /// The centre of mass in the robot frame: mm.
+    pub(super) centre: Point,
+    /// N.
+    pub(super) weight: f64,
+    /// Direction of gravity in the floor's frame.
+    pub(super) gravity: Point,
+}
+
+/// Where the floor is, seen from the body.
+pub(super) struct Support {
+    /// Its normal in the robot frame.
+    pub(super) normal: Point,
+    /// The body's origin above it: mm.
+    pub(super) height: f64,
+}
+
+/// Finds the rest nearest to how `body` was.
+pub(super) fn rest<const L: usize>(
+    points: &Contacts<Point, L>,
+    load: &Load,
+    body: &Body,
+) -> Support {
+    let mut support = Support {
+        normal: body.normal,
+        height: body.height,
+    };
+    for _ in 0..TURNS {
+        let levelling = Body::levelling(support.normal);
+        let problem = Problem {
+            points: points.map(|point| levelling * point),
+            centre: levelling * load.centre,
+            pull: pull(load, body.heading),
+        };
+        let plane = problem.solve(support.height);
+        let tilted = Point::new(plane.x, plane.y, 1.0);
+        let length = tilted.norm();
+        support.normal = levelling.inverse() * (tilted / length);
+        support.height = plane.z / length;
+        if length - 1.0 < 1e-18 {
+            break;
+        }
+    }
+    support
+}
+
+/// What each contact carries: N.
+pub(super) fn loads<const L: usize>(
+    points: &Contacts<Point, L>,
+    normal: Point,
+    height: f64,
+) -> Contacts<f64, L> {
+    points.map(|point| STIFFNESS * (-(normal.dot(&point) + height)).max(0.0))
+}
+
+/// The weight in a frame that stands level on the floor without the body's heading: N.
+fn pull(load: &Load, heading: f64) -> Point {
+    let (sin, cos) = (libm::sin(heading), libm::cos(heading));
+    let gravity = load.gravity;
+    Point::new(
+        cos * gravity.x + sin * gravity.y,
+        cos * gravity.y - sin * gravity.x,
+        gravity.z,
+    ) * load.weight
+}
+
+struct Problem<const L: usize> {
+    points: Contacts<Point, L>,
+    centre: Point,
+    pull: Point,
+}
+
+impl<const L: usize> Problem<L> {
+    fn solve(&self, height: f64) -> Vector3<f64> {
+        let mut plane = Vector3::new(0.0, 0.0, height);
+        for _ in 0..STEPS {
+            let step = self.newton_step(&plane);
+            plane = self.descend(plane, step);
+            let small = step
+                .iter()
+                .zip(&SMALLEST)
+                .all(|(step, smallest)| libm::fabs(*step) < *smallest);
+            if small {
+                break;
+            }
+        }
+        plane
+    }
+
+    /// What the weight wants of `(a, b, h)`: on a slope it acts where its line meets the floor.
+    fn weight(&self, plane: &Vector3<f64>) -> Vector3<f64> {
+        let above = self.centre.z + plane.z;
+        let lean = above / self.pull.z;
+        Vector3::new(
+            self.centre.x - lean * self.pull.x,
+            self.centre.y - lean * self.pull.y,
+            1.0,
+        ) * -self.pull.z
+    }
+
+    fn newton_step(&self, plane: &Vector3<f64>) -> Vector3<f64> {
+        let mut slope = self.weight(plane);
+        let mut curvature =
+            Matrix3::from_diagonal(&Vector3::new(1e4, 1e4, 1.0)) * (DAMPING * STIFFNESS);
+        for point in self.points.iter() {
+            let lever = Vector3::new(point.x, point.y, 1.0);
+            let depth = -(lever.dot(plane) + point.z);
+            if depth > 0.0 {
+                slope -= lever * (STIFFNESS * depth);
+                curvature += lever * lever.transpose() * STIFFNESS;
+            }
+        }
+        let step = curvature
+            .cholesky()
+            .map_or_else(Vector3::zeros, |curvature| -curvature.solve(&slope));
+        let excess = step
+            .iter()
+            .zip(&LARGEST)
+            .map(|(step, largest)| libm::fabs(*step) / largest)
+            .fold(1.0, f64::max);
+        step / excess
+    }
+
+    /// Goes along `step` as far as the energy falls.
+    fn descend(&self, plane: Vector3<f64>, mut step: Vector3<f64>) -> Vector3<f64> {
+        let weight = self.weight(&plane);
+        let before = self.energy(&plane, &weight);
+        for _ in 0..HALVINGS {
+            let candidate = plane + step;
+            if self.energy(&candidate, &weight) <= before {
+                return candidate;
+            }
+            step /= 2.0;
+        }
+        plane
+    }
+
+    fn energy(&self, plane: &Vector3<f64>, weight: &Vector3<f64>) -> f64 {
+        let mut energy = weight.dot(plane);
+        for point in self.points.iter() {
+            let height = plane.x * point.x + plane.y * point.y + plane.z + point.z;
+            let depth = (-height).max(0.0);
+            energy += STIFFNESS / 2.0 * depth * depth;
+        }
+        energy
+    }
+}

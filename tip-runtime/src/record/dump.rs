@@ -1,0 +1,36 @@
+//! The text of OUTPUT_VARIABLES.
+
+use crate::program::Program;
+use core::fmt;
+
+/// Every scalar of a program, one a line in declaration order: name, tab, value; `unassigned` in
+/// place of a value that is none. A heading `# cycle N, step N, line N` goes before.
+#[derive(Clone, Copy)]
+pub struct Dump<'a> {
+    /// The program.
+    pub program: &'a dyn Program,
+    /// The cycle that asked for it.
+    pub cycle: u64,
+    /// The step that asked for it.
+    pub step: u32,
+}
+
+impl fmt::Display for Dump<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Dump {
+            program,
+            cycle,
+            step,
+        } = self;
+        let line = program.line(*step);
+        writeln!(f, "# cycle {cycle}, step {step}, line {line}")?;
+        for index in 0.. {
+            match program.scalar(index) {
+                Some((name, Some(value))) => writeln!(f, "{name}\t{value:?}")?,
+                Some((name, None)) => writeln!(f, "{name}\tunassigned")?,
+                None => break,
+            }
+        }
+        Ok(())
+    }
+}

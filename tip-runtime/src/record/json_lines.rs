@@ -1,0 +1,232 @@
+//! The trace: one JSON object a line.
+
+use super::{Cycle, Sink, state_hash};
+use crate::command::{Command, Target, Value};
+use crate::machine::Emergency;
+use crate::program::{End, Program};
+use core::fmt::{self, Display, Write};
+use std::string::String;
+use std::vec::Vec;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// The program ended itself.
+    Program(End),
+    /// Somebody pressed Ctrl-C.
+    Interrupted,
+    /// The asked number of cycles is used up.
+    Limit,
+    /// Emergency stop.
+    Emergency(Emergency),
+}
+
+/// Writes the trace of a run, one record for each cycle and a last one, in a form that two engines
+/// share byte for byte. Keys keep their order; one with nothing to say is left out. Numbers are in
+/// the shortest form that reads back to the same bits.
+#[derive(Clone, Debug)]
+pub struct JsonLines<W> {
+    out: W,
+    result: fmt::Result,
+    with_state: bool,
+    /// Bits of every scalar after the cycle before; empty before the first one.
+    scalars: Vec<Option<u64>>,
+    say: Option<String>,
+    lamp: Option<(u8, bool)>,
+    command: String,
+}
+
+impl<W: Write> JsonLines<W> {
+    /// Writes to `out`; `with_state` ends each record with a hash of commands and measurements.
+    pub fn new(out: W, with_state: bool) -> Self {
+        JsonLines {
+            out,
+            result: Ok(()),
+            with_state,
+            scalars: Vec::new(),
+            say: None,
+            lamp: None,
+            command: String::new(),
+        }
+    }
+
+    /// Writes the last record; `cycles` is the number of cycle records.
+    pub fn end(&mut self, ending: Ending, cycles: u64) {
+        let written = self.end_record(ending, cycles);
+        self.result = self.result.and(written);
+    }
+
+    /// Whether everything was written so far.
+    ///
+    /// # Errors
+    /// The writer refused; the records behind that place are missing.
+    pub const fn result(&self) -> fmt::Result {
+        self.result
+    }
+
+    /// Where it writes to.
+    pub fn get_ref(&self) -> &W {
+        &self.out
+    }
+
+    /// Where it writes to.
+    pub fn get_mut(&mut self) -> &mut W {
+        &mut self.out
+    }
+
+    /// Gives back where it wrote to.
+    pub fn into_inner(self) -> W {
+        self.out
+    }
+
+    fn end_record(&mut self, ending: Ending, cycles: u64) -> fmt::Result {
+        let out = &mut self.out;
+        match ending {
+            Ending::Program(End::End) => out.write_str(r#"{"end":"END""#)?,
+            Ending::Program(End::Exit) => out.write_str(r#"{"end":"EXIT""#)?,
+            Ending::Interrupted => out.write_str(r#"{"end":"INTERRUPTED""#)?,
+            Ending::Limit => out.write_str(r#"{"end":"LIMIT""#)?,
+            Ending::Emergency(Emergency { fault, step, .. }) => {
+                out.write_str(r#"{"end":"EMERGENCY","error":"#)?;
+                string(out, &fault)?;
+                write!(out, r#","kind":"{}","step":{step}"#, fault.kind())?;
+            }
+        }
+        writeln!(out, r#","cycles":{cycles}}}"#)
+    }
+
+    fn cycle_record(&mut self, cycle: &Cycle<'_>) -> fmt::Result {
+        write!(
+            self.out,
+            r#"{{"cycle":{},"step":{}"#,
+            cycle.number, cycle.step
+        )?;
+        if let Some(next) = cycle.next {
+            write!(self.out, r#","next":{next}"#)?;
+        }
+        self.changes(cycle.program)?;
+        let out = &mut self.out;
+        if let Some(text) = &self.say {
+            out.write_str(r#","say":"#)?;
+            string(out, text)?;
+        }
+        if let Some((device, on)) = self.lamp {
+            write!(out, r#","lamp":{{"{device}":{on}}}"#)?;
+        }
+        if !self.command.is_empty() {
+            write!(out, r#","cmd":[{}]"#, self.command)?;
+        }
+        if self.with_state {
+            let hash = state_hash(cycle.commands, cycle.angles);
+            write!(out, r#","state":"{hash:016x}""#)?;
+        }
+        out.write_str("}\n")
+    }
+
+    /// The key `set`, and the new values for the next cycle to compare with.
+    fn changes(&mut self, program: &dyn Program) -> fmt::Result {
+        let mut opening = r#","set":{"#;
+        for (index, before) in self.scalars.iter_mut().enumerate() {
+            let Some((name, Some(value))) = program.scalar(index) else {
+                continue;
+            };
+            let now = Some(value.to_bits());
+            if *before == now {
+                continue;
+            }
+            *before = now;
+            self.out.write_str(opening)?;
+            string(&mut self.out, &name)?;
+            write!(self.out, ":{value:?}")?;
+            opening = ",";
+        }
+        if opening == "," {
+            self.out.write_str("}")?;
+        }
+        Ok(())
+    }
+}
+
+impl<W: Write> Sink for JsonLines<W> {
+    fn begin(&mut self, program: &dyn Program) {
+        self.say = None;
+        self.lamp = None;
+        self.command.clear();
+        if self.scalars.is_empty() {
+            let scalars = (0..).map_while(|index| program.scalar(index));
+            self.scalars
+                .extend(scalars.map(|(_, value)| value.map(f64::to_bits)));
+        }
+    }
+
+    fn command(&mut self, command: &Command<'_>) {
+        let written = write_command(&mut self.command, command);
+        self.result = self.result.and(written);
+    }
+
+    fn say(&mut self, text: &dyn Display) {
+        let mut line = String::new();
+        let written = write!(line, "{text}");
+        self.say = Some(line);
+        self.result = self.result.and(written);
+    }
+
+    fn lamp(&mut self, device: u8, on: bool) {
+        self.lamp = Some((device, on));
+    }
+
+    fn cycle(&mut self, cycle: &Cycle<'_>) {
+        if self.result.is_ok() {
+            self.result = self.cycle_record(cycle);
+        }
+    }
+}
+
+/// The members of `cmd`.
+fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
+    write!(out, r#""{}""#, command.op.name())?;
+    if command.hs {
+        out.write_str(r#","HS""#)?;
+    }
+    match command.target {
+        Target::None => out.write_str(",null")?,
+        target => write!(out, r#","{target}""#)?,
+    }
+    for Value { v, relative } in command.values {
+        if *relative {
+            write!(out, r#","R{v:?}""#)?;
+        } else {
+            write!(out, ",{v:?}")?;
+        }
+    }
+    Ok(())
+}
+
+/// A JSON string; characters beyond ASCII stand as they are (RFC 8259 §7).
+fn string(out: &mut impl Write, text: &dyn Display) -> fmt::Result {
+    out.write_char('"')?;
+    write!(Escaped(out), "{text}")?;
+    out.write_char('"')
+}
+
+struct Escaped<'a, W>(&'a mut W);
+
+impl<W: Write> Write for Escaped<'_, W> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for character in text.chars() {
+            match character {
+                '"' => self.0.write_str("\\\"")?,
+                '\\' => self.0.write_str("\\\\")?,
+                '\n' => self.0.write_str("\\n")?,
+                '\r' => self.0.write_str("\\r")?,
+                '\t' => self.0.write_str("\\t")?,
+                '\0'..='\x1F' => write!(self.0, "\\u{:04x}", u32::from(character))?,
+                _ => self.0.write_char(character)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,44 @@
+//! Formatted text into a file or pipe.
+
+use core::fmt;
+use std::io;
+
+/// Makes any [`io::Write`] a [`fmt::Write`] and keeps the error that such a one cannot tell.
+#[derive(Debug)]
+pub struct Stream<W> {
+    writer: W,
+    error: Option<io::Error>,
+}
+
+impl<W: io::Write> Stream<W> {
+    /// Writes to `writer`, which does its own buffering.
+    pub fn new(writer: W) -> Self {
+        Stream {
+            writer,
+            error: None,
+        }
+    }
+
+    /// Flushes, and tells the first error of all writing so far.
+    ///
+    /// # Errors
+    /// The first error of the writer; what came after it was not written.
+    pub fn finish(&mut self) -> io::Result<()> {
+        match self.error.take() {
+            Some(error) => Err(error),
+            None => self.writer.flush(),
+        }
+    }
+}
+
+impl<W: io::Write> fmt::Write for Stream<W> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        if self.error.is_some() {
+            return Err(fmt::Error);
+        }
+        self.writer.write_all(text.as_bytes()).map_err(|error| {
+            self.error = Some(error);
+            fmt::Error
+        })
+    }
+}
