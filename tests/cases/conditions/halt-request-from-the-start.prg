@@ -1,0 +1,8 @@
+3.1
+Halt request from the start
+WHILE !HALT_REQUEST
+EXIT
+WEND
+REPEAT
+UNTIL HALT_REQUEST
+END

@@ -1,0 +1,5 @@
+3.1
+While flag waits
+WHILE !HALT_REQUEST
+WEND
+END

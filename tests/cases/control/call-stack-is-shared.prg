@@ -1,0 +1,10 @@
+3.1
+Call stack is shared
+GOSUB S1:
+GOSUB L1:
+EXIT
+L1: CALL S1:
+RETURN
+SUBROUTINE S1:
+SUBEND
+END

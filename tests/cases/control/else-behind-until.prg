@@ -1,0 +1,10 @@
+3.1
+Else behind until
+DEF_VAR A
+IF 1 == 1 THEN
+REPEAT
+UNTIL 1 == 1
+ELSE
+A = 1
+ENDIF
+END

@@ -1,0 +1,14 @@
+3.1
+Else reached by return
+DEF_VAR A
+IF 1 == 1 THEN
+CALL S1:
+ELSE
+A = 1
+ENDIF
+EXIT
+SUBROUTINE S1:
+IF 1 == 2 THEN
+ENDIF
+SUBEND
+END

@@ -1,0 +1,5 @@
+3.1
+Loop as an ordinary label
+GOTO LOOP:
+REM skipped
+LOOP: END

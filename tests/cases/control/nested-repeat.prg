@@ -1,0 +1,10 @@
+3.1
+Nested repeat
+DEF_VAR N
+N = 0
+REPEAT
+REPEAT
+N += 1
+UNTIL N >= 2
+UNTIL N >= 3
+END

@@ -1,0 +1,3 @@
+3.1
+Emergency key at once
+END

@@ -1,0 +1,5 @@
+3.1
+Joint limit ignored
+EMG_OFF
+SLEEP 100
+END

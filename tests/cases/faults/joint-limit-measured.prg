@@ -1,0 +1,4 @@
+3.1
+Joint limit measured
+SLEEP 1000
+END

@@ -1,0 +1,4 @@
+3.1
+Joint limit near miss
+SLEEP 100
+END

@@ -1,0 +1,7 @@
+3.1
+Joint limit on the way
+SET_SAMPLING_TIME 1000
+OMEGA_CONTROL J11 90
+REM two
+REM three
+END

@@ -1,0 +1,5 @@
+3.1
+Outer limit always stops
+EMG_OFF
+SLEEP 100
+END

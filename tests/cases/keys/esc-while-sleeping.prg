@@ -1,0 +1,6 @@
+3.1
+Esc while sleeping
+SLEEP 60
+IF HALT_REQUEST GOTO L1:
+EXIT
+L1: END

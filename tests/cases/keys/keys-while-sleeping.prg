@@ -1,0 +1,7 @@
+3.1
+Keys while sleeping
+SLEEP 80
+IF !KB_HIT GOTO BAD:
+KEY_IN
+EXIT
+BAD: END

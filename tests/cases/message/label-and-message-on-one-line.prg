@@ -1,0 +1,5 @@
+3.1
+Label and message on one line
+L1: MESSAGE Label: kept
+MESSAGE a ;MESSAGE b
+END

@@ -1,0 +1,11 @@
+3.1
+Seven decimals
+DEF_VAR A
+A = 0.00390625
+MESSAGE %A.7%
+MESSAGE %A.6%
+A = 1E-9
+MESSAGE %A.7%
+A = -0.75
+MESSAGE %A.7%
+END

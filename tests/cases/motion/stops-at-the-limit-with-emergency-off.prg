@@ -1,0 +1,11 @@
+3.1
+Stops at the limit with emergency off
+DEF_VAR V
+EMG_OFF
+OMEGA_CONTROL J11 60
+SLEEP 3000
+TEACH_ANGLE J11 V
+IF V < 58 GOTO BAD:
+IF V > 61 GOTO BAD:
+EXIT
+BAD: END

@@ -1,0 +1,7 @@
+3.1
+Velocity ends foot control
+PTP F1 -391 201 -200
+WAIT_NEAR F1
+VEL_CONTROL F1 0 0 1
+WAIT_NEAR F1
+END

@@ -1,0 +1,10 @@
+3.1
+Delimiters
+DEF_VAR	A,B	,C
+A=1
+B	=	A+1
+C=A*B
+IF A<>B GOTO L1:
+EXIT
+L1: PTP,F1,-391,	201 -200
+END

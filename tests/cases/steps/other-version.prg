@@ -1,0 +1,3 @@
+2.50
+An older machine
+END

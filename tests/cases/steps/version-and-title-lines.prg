@@ -1,0 +1,4 @@
+3.10   // the version
+END of the world
+REM one
+END
