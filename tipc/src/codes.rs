@@ -11,6 +11,16 @@ pub enum Level {
     Warning,
 }
 
+impl Level {
+    /// `error` or `warning`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Level::Error => "error",
+            Level::Warning => "warning",
+        }
+    }
+}
+
 macro_rules! codes {
     ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr; )*) => {
         /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.

@@ -1,5 +1,13 @@
 //! One diagnostic, as every pass makes it. The renderers live beside it.
 
+mod human;
+mod json;
+mod short;
+
+pub use human::render_human;
+pub use json::render_json;
+pub use short::render_short;
+
 use crate::codes::{Code, Level};
 use crate::syntax::Span;
 
@@ -76,4 +84,14 @@ impl Diagnostic {
         let subject = self.subject.as_deref().unwrap_or_default();
         self.code.template().replace("{}", subject)
     }
+    /// What is printed of it in one line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
+    pub fn title(&self) -> String {
+        match self.code.kind() {
+            Some(kind) => format!("TIP_ERR:{} ({kind})", self.message()),
+            None => self.message(),
+        }
+    }
 }
+
+#[cfg(test)]
+mod tests;

@@ -33,7 +33,12 @@ pub struct Source {
     hash: u64,
     text: String,
     lines: Vec<Span>,
+    /// How many characters stand before each multiple of [`STRIDE`] bytes; empty if all are ASCII.
+    characters: Vec<usize>,
 }
+
+/// How many bytes a search for a column looks at, at most: a line may be as long as the file.
+const STRIDE: usize = 1024;
 
 impl Source {
     /// Decodes a file (T.I.P. 3.1 §3).
@@ -55,6 +60,7 @@ impl Source {
             name: name.into(),
             hash: fnv1a(bytes),
             lines: split_lines(&decoded.text),
+            characters: count_characters(&decoded.text),
             text: decoded.text,
         };
         (source, decoded.bad.map(Bad::diagnostic))
@@ -105,10 +111,19 @@ impl Source {
             .lines
             .partition_point(|line| line.start <= offset)
             .saturating_sub(1);
-        let start = self.lines[index].start;
-        let before = self.text.get(start..offset.min(self.text.len()));
-        let column = before.unwrap_or_default().chars().count() + 1;
+        let before = self.characters_before(self.lines[index].start);
+        let column = self.characters_before(offset.min(self.text.len())) - before + 1;
         (index as u32 + 1, column as u32)
+    }
+
+    fn characters_before(&self, offset: usize) -> usize {
+        match self.characters.get(offset / STRIDE) {
+            Some(known) => {
+                let start = offset / STRIDE * STRIDE;
+                known + character_starts(&self.text.as_bytes()[start..offset])
+            }
+            None => offset,
+        }
     }
 }
 
@@ -238,8 +253,31 @@ fn split_lines(text: &str) -> Vec<Span> {
     lines
 }
 
+fn count_characters(text: &str) -> Vec<usize> {
+    if text.is_ascii() {
+        return Vec::new();
+    }
+    let mut before = 0;
+    let counts = text.as_bytes().chunks(STRIDE).map(|chunk| {
+        let here = before;
+        before += character_starts(chunk);
+        here
+    });
+    let mut counts: Vec<usize> = counts.collect();
+    counts.push(before);
+    counts
+}
+
+/// How many characters start in `bytes` of UTF-8.
+fn character_starts(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count()
+}
+
 fn fnv1a(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3)
     })
 }
+
+#[cfg(test)]
+mod tests;

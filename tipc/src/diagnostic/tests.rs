@@ -1,0 +1,164 @@
+use super::{Diagnostic, render_human, render_json, render_short};
+use crate::codes::Code;
+use crate::source::{Encoding, Source};
+use crate::syntax::Span;
+
+fn source(name: &str, text: &str) -> Source {
+    Source::decode(name, text.as_bytes(), Encoding::Utf8).0
+}
+
+/// A diagnostic at the first occurrence of `place`.
+fn at(source: &Source, code: Code, place: &str, reason: &str) -> Diagnostic {
+    Diagnostic::new(code, span(source, place), reason)
+}
+
+fn span(source: &Source, place: &str) -> Span {
+    let start = source
+        .text()
+        .find(place)
+        .expect("the place stands in the text");
+    Span::new(start, start + place.len())
+}
+
+#[track_caller]
+fn check_human(source: &Source, diagnostic: &Diagnostic, expected: &str) {
+    let shown = render_human(source, diagnostic, false);
+    let trimmed: Vec<&str> = shown.lines().map(str::trim_end).collect();
+    assert_eq!(
+        trimmed.join("\n").trim_end(),
+        expected.trim_matches('\n'),
+        "\n{shown}"
+    );
+}
+
+// clauses: 8.1
+#[test]
+fn carets_stand_under_the_place_behind_wide_text() {
+    let source = source("walk.prg", "3.1\nt\nMESSAGE 日本 // 注\nEND");
+    let diagnostic = at(
+        &source,
+        Code::CommentInMessage,
+        "// 注",
+        "the text ends here",
+    )
+    .help("move it");
+    check_human(
+        &source,
+        &diagnostic,
+        "
+warning[W103]: the comment cuts this MESSAGE text
+ --> walk.prg:3:12
+  |
+3 | MESSAGE 日本 // 注
+  |              ^^^^^ the text ends here
+  |
+  = help: move it
+",
+    );
+}
+
+// clauses: 8.1
+#[test]
+fn labels_are_shown_near_and_far() {
+    let body = "A = 1\n".repeat(60);
+    let source = source(
+        "walk.prg",
+        &format!("3.1\nt\nWHILE KB_HIT\nIF KB_HIT THEN\n{body}END"),
+    );
+    let diagnostic = at(&source, Code::Structure, "WHILE", "this is never closed")
+        .label(span(&source, "IF"), "inside it")
+        .label(span(&source, "END"), "the program ends here");
+    check_human(
+        &source,
+        &diagnostic,
+        "
+error[E207]: TIP_ERR:Control structure mismatch (SyntaxError)
+  --> walk.prg:3:1
+   |
+ 3 | WHILE KB_HIT
+   | ^^^^^ this is never closed
+ 4 | IF KB_HIT THEN
+   | -- inside it
+   |
+  ::: walk.prg:65:1
+   |
+65 | END
+   | --- the program ends here
+",
+    );
+}
+
+#[test]
+fn a_place_at_the_end_of_a_line_has_its_caret() {
+    let source = source("walk.prg", "3.1\r\nt\r\nA =\r\nEND");
+    let place = Span::new(span(&source, "A =").end, span(&source, "A =").end);
+    let diagnostic = Diagnostic::new(Code::Equation, place, "an operand is missing here");
+    check_human(
+        &source,
+        &diagnostic,
+        "
+error[E107]: TIP_ERR:Wrong equation format (PreprocessError)
+ --> walk.prg:3:4
+  |
+3 | A =
+  |    ^ an operand is missing here
+",
+    );
+}
+
+#[test]
+fn a_place_far_into_an_endless_line_is_named_without_its_line() {
+    let source = source("walk.prg", &format!("{}X", "あ".repeat(5000)));
+    let diagnostic = at(&source, Code::Format, "X", "too far");
+    let shown = render_human(&source, &diagnostic, false);
+    assert!(shown.contains("--> walk.prg:1:5001"), "{shown}");
+    assert!(shown.contains("too far"), "{shown}");
+}
+
+#[test]
+fn colour_is_only_there_when_asked_for() {
+    let source = source("walk.prg", "3.1\nt\nEND");
+    let diagnostic = at(&source, Code::Format, "END", "why");
+    assert!(!render_human(&source, &diagnostic, false).contains('\u{1B}'));
+    assert!(render_human(&source, &diagnostic, true).contains('\u{1B}'));
+}
+
+// clauses: 8.1
+#[test]
+fn short_is_the_classical_line_behind_the_place() {
+    let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
+    let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
+    assert_eq!(
+        render_short(&source, &error),
+        "dir/walk.prg:3:8: error: TIP_ERR:Label \"X\" does not exist (SyntaxError)"
+    );
+    let warning = at(&source, Code::Unused, "X", "here").about("X");
+    assert_eq!(
+        render_short(&source, &warning),
+        "dir/walk.prg:3:8: warning: variable \"X\" is declared but never used"
+    );
+}
+
+// clauses: 8.1
+#[test]
+fn json_is_one_object_on_one_line() {
+    let source = source("a\"b\\.prg", "3.1\nt\nあ X\nEND");
+    let error = at(&source, Code::UnknownVariable, "X", "nowhere")
+        .about("X")
+        .help("two\nlines\t日");
+    assert_eq!(
+        render_json(&source, &error),
+        concat!(
+            r#"{"level":"error","kind":"SyntaxError","message":"unknown variable \"X\"","code":"E206","#,
+            r#""file":"a\"b\\.prg","line":3,"column":3,"help":"two\u000alines\u0009日"}"#
+        )
+    );
+    let warning = at(&source, Code::CommentInMessage, "X", "here");
+    assert_eq!(
+        render_json(&source, &warning),
+        concat!(
+            r#"{"level":"warning","message":"the comment cuts this MESSAGE text","code":"W103","#,
+            r#""file":"a\"b\\.prg","line":3,"column":3}"#
+        )
+    );
+}
