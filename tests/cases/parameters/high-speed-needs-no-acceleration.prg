@@ -1,0 +1,8 @@
+3.1
+High speed needs no acceleration
+SET_A_MAX F1 0
+PTP HS F1 -391 201 -150
+SLEEP 1000
+IF !INPOS_F1 GOTO BAD:
+EXIT
+BAD: END
