@@ -57,16 +57,18 @@ impl FallWatch {
         let fall = (lowest - centre.z) / down.z;
         let over = [centre.x + fall * down.x, centre.y + fall * down.y];
         self.margin = polygon::margin(polygon, over);
-        self.count_fall(cycle);
+        self.count_fall(cycle, lies);
     }
 
-    fn count_fall(&mut self, cycle: u64) {
-        let falling = self.margin < -TIPPING;
-        if falling && !self.falling {
+    /// A fall lasts until the body stands on its feet alone again.
+    fn count_fall(&mut self, cycle: u64, lies: bool) {
+        if self.margin >= -TIPPING {
+            self.falling &= lies;
+        } else if !self.falling {
+            self.falling = true;
             self.count += 1;
             let margin = self.margin;
             self.first.get_or_insert(Fall { cycle, margin });
         }
-        self.falling = falling;
     }
 }

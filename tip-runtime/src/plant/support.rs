@@ -11,7 +11,7 @@ use super::contacts::Contacts;
 use nalgebra::{Matrix3, Vector3};
 
 /// Of a foot with its leg, and of the belly: N/mm.
-const STIFFNESS: f64 = 100.0;
+const STIFFNESS: f64 = 200.0;
 /// Turns of the frame in one go.
 const TURNS: u32 = 6;
 /// Steps of Newton's method in one frame.
@@ -22,6 +22,8 @@ const HALVINGS: u32 = 30;
 const LARGEST: [f64; 3] = [0.1, 0.1, 50.0];
 /// Slopes and heights in mm below which a step changes nothing.
 const SMALLEST: [f64; 3] = [1e-13, 1e-13, 1e-10];
+/// What an energy may rise by without being a rise: N·mm.
+const ROUNDING: f64 = 1e-8;
 /// Keeps the curvature positive where fewer than three contacts carry: relative to one contact at
 /// about 100 mm.
 const DAMPING: f64 = 1e-6;
@@ -156,7 +158,7 @@ impl<const L: usize> Problem<L> {
         let before = self.energy(&plane, &weight);
         for _ in 0..HALVINGS {
             let candidate = plane + step;
-            if self.energy(&candidate, &weight) <= before {
+            if self.energy(&candidate, &weight) <= before + ROUNDING {
                 return candidate;
             }
             step /= 2.0;

@@ -1,0 +1,80 @@
+//! A program that is a list of commands.
+
+use tip_runtime::command::{Command, Op, Poll, Target, Value};
+use tip_runtime::fault::Fault;
+use tip_runtime::machine::Machine;
+use tip_runtime::model::{Model, titan8};
+use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::program::{Context, End, Flow, Program, Signature};
+
+pub(crate) static MODEL: Model<4, 3> = titan8::MODEL;
+
+/// One step: a command on a target with its values.
+pub(crate) type Step = (Op, Target, &'static [f64]);
+
+/// Runs its steps one after the other, then ends.
+pub(crate) struct List(pub(crate) &'static [Step], u32);
+
+impl Program for List {
+    fn signature(&self) -> Signature {
+        MODEL.signature()
+    }
+    fn name(&self) -> &str {
+        "list"
+    }
+    fn title(&self) -> &str {
+        ""
+    }
+    fn at(&self) -> u32 {
+        self.1
+    }
+    fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        let Some((op, target, numbers)) = self.0.get(self.1 as usize) else {
+            return Ok(Flow::Finished(End::End));
+        };
+        let mut values = [Value::absolute(0.0); 3];
+        for (value, number) in values.iter_mut().zip(*numbers) {
+            *value = Value::absolute(*number);
+        }
+        let command = Command {
+            op: *op,
+            hs: false,
+            target: *target,
+            values: &values[..numbers.len()],
+        };
+        if cx.command(&command)? == Poll::Pending {
+            return Ok(Flow::Wait);
+        }
+        cx.message(&op.name());
+        self.1 += 1;
+        Ok(Flow::Next)
+    }
+    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+        (i == 0).then_some(("VAR_KEY", None))
+    }
+    fn line(&self, step: u32) -> u32 {
+        step + 3
+    }
+    fn reset(&mut self) {
+        self.1 = 0;
+    }
+}
+
+pub(crate) type Bench = Machine<'static, List, SimulatedPlant<4, 3>, (), (), 4, 3>;
+
+pub(crate) fn bench(steps: &'static [Step]) -> Bench {
+    let plant = SimulatedPlant::new(&MODEL);
+    Machine::new(List(steps, 0), &MODEL, plant, (), ()).expect("made for this robot")
+}
+
+/// Runs to the end, which must come in time and without an emergency.
+pub(crate) fn run(steps: &'static [Step]) -> Bench {
+    let mut machine = bench(steps);
+    for _ in 0..5000 {
+        if !machine.cycle().is_running() {
+            assert_eq!(machine.emergency(), None);
+            return machine;
+        }
+    }
+    panic!("still at step {}", machine.program().at());
+}
