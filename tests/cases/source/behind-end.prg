@@ -1,0 +1,7 @@
+3.1
+behind end
+END
+FOO
+GOTO NOWHERE:
+ELSE
+全角

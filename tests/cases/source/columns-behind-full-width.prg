@@ -1,0 +1,5 @@
+3.1
+columns behind full width
+　あ　= 1
+MESSAGE あいう // え
+END

@@ -1,0 +1,7 @@
+3.1
+comment in message
+MESSAGE see http://example
+MESSAGE a / b
+MESSAGE a; SLEEP 20 // fine
+REM see http://example
+END

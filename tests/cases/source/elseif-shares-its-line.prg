@@ -1,0 +1,6 @@
+3.1
+elseif shares its line
+IF KB_HIT THEN ; SLEEP 20
+ELSEIF HALT_REQUEST THEN ; SLEEP 40
+ENDIF
+END

@@ -1,0 +1,4 @@
+3.1
+end in lower case
+end
+foo

@@ -1,0 +1,4 @@
+3.1
+label named end
+END:
+SLEEP 20

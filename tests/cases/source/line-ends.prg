@@ -1,0 +1,4 @@
+3.1t
+FOO
+BARBAZ
+END

@@ -1,0 +1,12 @@
+3.1
+lone words alone
+IF KB_HIT THEN
+L1: ELSE // else
+; ENDIF ;
+REPEAT
+; ; REPEAT
+UNTIL KB_HIT
+UNTIL KB_HIT
+WHILE KB_HIT
+	WEND
+END

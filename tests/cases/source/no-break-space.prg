@@ -1,0 +1,4 @@
+3.1
+no break space
+SLEEP 20
+END

@@ -1,0 +1,5 @@
+3.1
+no end but blank lines
+SLEEP 20
+
+

@@ -1,0 +1,4 @@
+3.1
+no end in comment
+SLEEP 20
+// END

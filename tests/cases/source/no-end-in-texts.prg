@@ -1,0 +1,4 @@
+3.1
+no end in texts
+REM END
+MESSAGE END

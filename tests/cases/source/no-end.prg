@@ -1,0 +1,3 @@
+3.1
+no end
+SLEEP 20

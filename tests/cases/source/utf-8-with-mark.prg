@@ -1,0 +1,4 @@
+﻿3.1
+mark
+MESSAGE 歩
+END

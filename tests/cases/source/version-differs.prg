@@ -1,0 +1,4 @@
+3.0
+t
+FOO
+GOTO NOWHERE:

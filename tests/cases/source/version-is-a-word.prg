@@ -1,0 +1,3 @@
+version
+t
+END

@@ -1,0 +1,3 @@
+　3.1	　// of the language
+t
+END

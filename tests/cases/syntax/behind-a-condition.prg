@@ -1,0 +1,7 @@
+3.1
+behind a condition
+WHILE KB_HIT SLEEP
+WEND
+REPEAT
+UNTIL 1 == 1 1
+END

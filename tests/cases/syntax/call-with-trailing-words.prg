@@ -1,0 +1,8 @@
+3.1
+call with trailing words
+CALL S1: SLEEP 20
+GOTO L1:
+SUBROUTINE S1:
+SUBEND
+L1:
+END

@@ -1,0 +1,7 @@
+3.1
+condition missing
+WHILE
+WEND
+REPEAT
+UNTIL
+END

@@ -1,0 +1,8 @@
+3.1
+for
+DEF_VAR I
+FOR I = 1 TO 3
+NEXT
+FOR I=3 TO -3 STEP -.5
+NEXT I
+END

@@ -1,0 +1,8 @@
+3.1
+if with call
+IF KB_HIT CALL S1:
+GOTO L1:
+SUBROUTINE S1:
+SUBEND
+L1:
+END

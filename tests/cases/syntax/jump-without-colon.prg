@@ -1,0 +1,9 @@
+3.1
+jump without colon
+L1:
+GOTO L1
+GOSUB L1
+CALL L1
+IF KB_HIT GOTO L1
+IF KB_HIT GOSUB L1
+END

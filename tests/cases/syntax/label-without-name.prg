@@ -1,0 +1,4 @@
+3.1
+label without name
+: SLEEP 20
+END

@@ -1,0 +1,10 @@
+3.1
+labels share a line
+L1: SLEEP 20
+L2:SLEEP 20
+L3: L4: SLEEP 20
+L5 : SLEEP 20
+L6	:
+10: GOTO 10:
+GOTO L4:
+END

@@ -1,0 +1,15 @@
+3.1
+malformed conditions
+L1:
+IF 1 = 1 GOTO L1:
+IF 1 != 2 GOTO L1:
+IF 1 => 2 GOTO L1:
+IF 1 == GOTO L1:
+IF == 1 GOTO L1:
+IF 1 + 1 == 2 GOTO L1:
+IF 2 == 1 + 1 GOTO L1:
+IF 1 GOTO L1:
+IF GOTO L1:
+IF ! KB_HIT GOTO L1:
+IF -KB_HIT GOTO L1:
+END

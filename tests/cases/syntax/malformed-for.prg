@@ -1,0 +1,18 @@
+3.1
+malformed for
+DEF_VAR I
+FOR I 1 TO 3
+NEXT
+FOR I = 1 3
+NEXT
+FOR I = 1 TO
+NEXT
+FOR I = 1 TO 3 STEP
+NEXT
+FOR I = 1 TO 3 2
+NEXT
+FOR 5 = 1 TO 3
+NEXT
+FOR I = 1 TO 3
+NEXT I I
+END

@@ -1,0 +1,5 @@
+3.1
+t
+MESSAGE •\\n
+MESSAGE •\n
+END

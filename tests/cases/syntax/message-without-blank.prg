@@ -1,0 +1,5 @@
+3.1
+message without blank
+MESSAGE-5
+MESSAGE: SLEEP 20
+END

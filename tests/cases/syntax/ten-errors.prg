@@ -1,0 +1,16 @@
+3.1
+ten errors
+DEF_VAR A
+A = 1
+	A = 1 + 2 + 3
+GOTO NOWHERE:
+FOO 1 2
+IF A = 1 THEN
+ELSE SLEEP 20
+ENDIF
+MESSAGE one\ntwo
+　　SLEEP　Ａ
+L1: SLEEP A ; GOTO L1
+L1:
+B = A
+END

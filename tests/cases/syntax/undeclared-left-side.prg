@@ -1,0 +1,5 @@
+3.1
+undeclared left side
+FOO = 5
+BAR += 1
+END

@@ -1,0 +1,7 @@
+3.1
+words behind then
+IF KB_HIT THEN SLEEP 20
+ENDIF
+IF KB_HIT THEN ; SLEEP 20
+ENDIF
+END
