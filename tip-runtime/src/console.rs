@@ -8,7 +8,7 @@ mod scripted;
 mod terminal;
 
 #[cfg(feature = "std")]
-pub use log_files::LogFiles;
+pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]
 pub use scripted::{Scripted, Transcript};
 #[cfg(feature = "terminal")]

@@ -1,15 +1,17 @@
-//! The files of a run: TITAN.LOG, EMG.log and VARIABLES.LOG, each written whole.
+//! The files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written whole.
+
+mod claim;
+
+pub use claim::LogError;
 
 use super::Console;
 use crate::machine::Report;
 use crate::record::{Sample, TitanLog};
+use claim::Claim;
 use core::fmt::Display;
-use std::ffi::OsString;
 use std::fmt::Write as _;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::string::{String, ToString};
-use std::{fs, io};
 
 /// The rows of LOG_START and LOG_ONE_SHOT.
 const TITAN_LOG: &str = "TITAN.LOG";
@@ -17,31 +19,40 @@ const TITAN_LOG: &str = "TITAN.LOG";
 const EMERGENCY_LOG: &str = "EMG.log";
 /// Every text of OUTPUT_VARIABLES, one behind the other.
 const VARIABLES_LOG: &str = "VARIABLES.LOG";
+/// What the compiler warned of.
+const WARNING_LOG: &str = "WARNING.LOG";
 
 /// Writes the files of a run into one folder; keys and messages are the inner console's affair.
 ///
-/// Files appear only when there is something to write, and never half written: the text goes to a
-/// temporary file beside the final one, which it then replaces. TITAN.LOG and VARIABLES.LOG are
-/// written when the program is over.
+/// Files appear only when there is something to write, and never half written. Each begins with a
+/// line that names its program; a file that does not name this program is never replaced.
+/// TITAN.LOG and VARIABLES.LOG are written when the program is over.
 #[derive(Debug)]
 pub struct LogFiles<C> {
     inner: C,
-    folder: PathBuf,
+    claim: Claim,
     log: TitanLog,
     variables: String,
-    failed: Option<(PathBuf, io::Error)>,
+    failed: Option<LogError>,
 }
 
 impl<C> LogFiles<C> {
-    /// Files go to `folder`, which must exist.
-    pub fn new(folder: impl Into<PathBuf>, inner: C) -> Self {
-        LogFiles {
+    /// Takes `folder`, which is made if it is missing, for the files of `program`, and removes those
+    /// that an earlier run of the same program left.
+    ///
+    /// # Errors
+    /// A file of another program, or one that is no log at all, stands in the way; nothing was
+    /// changed then. Or the folder cannot be written.
+    pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
+        let claim = Claim::new(folder.into(), program);
+        claim.take(&[WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG])?;
+        Ok(LogFiles {
             inner,
-            folder: folder.into(),
+            claim,
             log: TitanLog::default(),
             variables: String::new(),
             failed: None,
-        }
+        })
     }
 
     /// Keeps at most `rows` rows of TITAN.LOG.
@@ -61,9 +72,9 @@ impl<C> LogFiles<C> {
         &mut self.inner
     }
 
-    /// The first file that could not be written, and why.
-    pub fn take_error(&mut self) -> Option<(PathBuf, io::Error)> {
-        self.failed.take()
+    /// Writes WARNING.LOG: the compiler's warnings, one a line.
+    pub fn warnings(&mut self, text: &str) {
+        self.write(WARNING_LOG, text);
     }
 
     /// Writes what was collected so far: for a host that ends a run before the program does.
@@ -79,29 +90,18 @@ impl<C> LogFiles<C> {
         }
     }
 
+    /// The first file that could not be written, and why.
+    pub fn take_error(&mut self) -> Option<LogError> {
+        self.failed.take()
+    }
+
     fn write(&mut self, name: &str, text: &str) {
-        let path = self.folder.join(name);
-        if let Err(error) = replace(&path, text)
+        if let Err(error) = self.claim.write(name, text)
             && self.failed.is_none()
         {
-            self.failed = Some((path, error));
+            self.failed = Some(error);
         }
     }
-}
-
-/// Gives the file at `path` a new content, all of it or nothing.
-#[allow(
-    clippy::disallowed_methods,
-    reason = "this console is for writing files"
-)]
-fn replace(path: &Path, text: &str) -> io::Result<()> {
-    let mut temporary = OsString::from(path);
-    temporary.push(".part");
-    let temporary = PathBuf::from(temporary);
-    let mut file = fs::File::create(&temporary)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()?;
-    fs::rename(&temporary, path)
 }
 
 impl<C: Console> Console for LogFiles<C> {

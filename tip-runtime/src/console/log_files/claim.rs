@@ -1,0 +1,135 @@
+//! Files that belong to one program: whole or absent, and never over those of another.
+#![allow(
+    clippy::disallowed_methods,
+    reason = "this console is for writing files"
+)]
+
+use core::fmt;
+use std::ffi::OsString;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::{format, fs, process, vec::Vec};
+
+/// No first line that we wrote is longer.
+const LONGEST_HEADING: u64 = 4096;
+
+/// A file that cannot be written.
+#[derive(Debug)]
+pub struct LogError {
+    /// Which one.
+    pub path: PathBuf,
+    /// Why.
+    pub reason: io::Error,
+}
+
+impl LogError {
+    fn new(path: &Path, reason: io::Error) -> Self {
+        LogError {
+            path: path.to_path_buf(),
+            reason,
+        }
+    }
+}
+
+impl fmt::Display for LogError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.reason)
+    }
+}
+
+impl core::error::Error for LogError {}
+
+/// A folder and the program whose files it holds.
+#[derive(Debug)]
+pub(super) struct Claim {
+    folder: PathBuf,
+    program: String,
+}
+
+impl Claim {
+    pub(super) fn new(folder: PathBuf, program: &str) -> Self {
+        Claim {
+            folder,
+            // A line end would make a second line of the heading.
+            program: program.replace(['\r', '\n'], " "),
+        }
+    }
+
+    /// Sees that every file of these names is ours, then removes what is left of an earlier run.
+    pub(super) fn take(&self, names: &[&str]) -> Result<(), LogError> {
+        fs::create_dir_all(&self.folder).map_err(|error| LogError::new(&self.folder, error))?;
+        for name in names {
+            self.check_owner(name)?;
+        }
+        for name in names {
+            self.remove(name)?;
+        }
+        Ok(())
+    }
+
+    /// Gives a file a new content, all of it or nothing: written beside its place, then renamed.
+    pub(super) fn write(&self, name: &str, text: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        let temporary = beside(&path);
+        let replace = || {
+            let mut file = fs::File::create(&temporary)?;
+            writeln!(file, "{}", self.heading(name))?;
+            file.write_all(text.as_bytes())?;
+            file.sync_all()?;
+            fs::rename(&temporary, &path)
+        };
+        replace().map_err(|error| {
+            // Nobody needs what is left of a failed attempt; it may not even exist.
+            let _ = fs::remove_file(&temporary);
+            LogError::new(&path, error)
+        })
+    }
+
+    fn heading(&self, name: &str) -> String {
+        format!("# {name} of {}", self.program)
+    }
+
+    fn check_owner(&self, name: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        let refuse = |error| Err(LogError::new(&path, error));
+        match first_line(&path) {
+            Ok(line) if line == self.heading(name).as_bytes() => Ok(()),
+            Ok(_) => refuse(io::Error::new(
+                io::ErrorKind::AlreadyExists,
+                format!("it is no log of {} and would be lost", self.program),
+            )),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            Err(error) => refuse(error),
+        }
+    }
+
+    fn remove(&self, name: &str) -> Result<(), LogError> {
+        let path = self.folder.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(LogError::new(&path, error))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A name beside `path` that no other process uses.
+fn beside(path: &Path) -> PathBuf {
+    let mut name = OsString::from(path);
+    name.push(".");
+    name.push(process::id().to_string());
+    name.push(".part");
+    PathBuf::from(name)
+}
+
+fn first_line(path: &Path) -> io::Result<Vec<u8>> {
+    let mut line = Vec::new();
+    let file = BufReader::new(fs::File::open(path)?);
+    file.take(LONGEST_HEADING).read_until(b'\n', &mut line)?;
+    if line.last() == Some(&b'\n') {
+        line.pop();
+    }
+    Ok(line)
+}

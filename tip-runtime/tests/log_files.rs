@@ -1,0 +1,66 @@
+//! Log files belong to one program.
+#![cfg(feature = "std")]
+
+use std::fs;
+use std::path::PathBuf;
+use tip_runtime::console::{Console, LogFiles};
+use tip_runtime::hardware::JointCommand;
+use tip_runtime::record::Sample;
+
+fn folder(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("log_files").join(name);
+    let _ = fs::remove_dir_all(&path);
+    path
+}
+
+const SAMPLE: Sample<'static> = Sample {
+    cycle: 3,
+    time: 60.0,
+    joints_per_leg: 1,
+    angles: &[1.5],
+    commands: &[JointCommand::Angle(2.0)],
+    torques: &[],
+    paws: &[0.0],
+    knobs: &[],
+    antenna: 0.0,
+};
+
+// clauses: 7.40 9.5
+#[test]
+fn a_log_appears_whole_when_the_program_is_over() {
+    let folder = folder("whole");
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    console.sample(&SAMPLE);
+    assert_eq!(fs::read_dir(&folder).expect("it was made").count(), 0);
+    console.ended();
+    assert!(console.take_error().is_none());
+    assert_eq!(fs::read_dir(&folder).expect("it was made").count(), 1);
+    let text = fs::read_to_string(folder.join("TITAN.LOG")).expect("it was written");
+    let lines: Vec<_> = text.lines().collect();
+    assert_eq!(lines[0], "# TITAN.LOG of walk.prg");
+    assert_eq!(lines[1], "cycle\ttime\tJ11\tC11\tPAW1\tANTENNA");
+    assert_eq!(lines[2], "3\t60.0\t1.5\t2.0\t0.0\t0.0");
+}
+
+#[test]
+fn the_same_program_takes_its_folder_again_and_begins_anew() {
+    let folder = folder("again");
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    console.warnings("a warning\n");
+    console.sample(&SAMPLE);
+    console.ended();
+    LogFiles::claim(&folder, "walk.prg", ()).expect("the files are ours");
+    assert_eq!(fs::read_dir(&folder).expect("it exists").count(), 0);
+}
+
+#[test]
+fn another_program_and_a_stray_file_keep_what_is_theirs() {
+    let folder = folder("foreign");
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    console.warnings("a warning\n");
+    let error = LogFiles::claim(&folder, "turn.prg", ()).expect_err("walk.prg was here");
+    assert_eq!(error.path, folder.join("WARNING.LOG"));
+    fs::write(folder.join("EMG.log"), "no log of ours\n").expect("the folder is writable");
+    LogFiles::claim(&folder, "walk.prg", ()).expect_err("EMG.log would be lost");
+    assert!(folder.join("WARNING.LOG").exists(), "nothing was touched");
+}
