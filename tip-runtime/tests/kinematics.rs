@@ -25,12 +25,12 @@ fn corner(leg: &Leg<3>) -> (f64, f64) {
 fn closed_form(leg: &Leg<3>, [yaw, thigh, knee]: [f64; 3]) -> [f64; 3] {
     let (side, _) = corner(leg);
     let (thigh, shank) = (thigh.to_radians(), (thigh - knee).to_radians());
-    let r = 50.0 + 240.0 * thigh.cos() + 200.0 * shank.cos();
-    let z = 240.0 * thigh.sin() + 200.0 * shank.sin();
+    let r = 50.0 + 240.0 * libm::cos(thigh) + 200.0 * libm::cos(shank);
+    let z = 240.0 * libm::sin(thigh) + 200.0 * libm::sin(shank);
     let yaw = yaw.to_radians();
     [
-        leg.base[0] + side * r * yaw.cos(),
-        leg.base[1] + r * yaw.sin(),
+        leg.base[0] + side * r * libm::cos(yaw),
+        leg.base[1] + r * libm::sin(yaw),
         z,
     ]
 }
@@ -120,7 +120,7 @@ fn inverse_undoes_forward_over_the_workspace() {
                 .map(|joint| dice.within(joint.limits.min, joint.limits.max));
             // Behind its own hip the foot looks like that of a leg turned round.
             let [_, thigh, knee] = angles.map(f64::to_radians);
-            if 50.0 + 240.0 * thigh.cos() + 200.0 * (thigh - knee).cos() < 1.0 {
+            if 50.0 + 240.0 * libm::cos(thigh) + 200.0 * libm::cos(thigh - knee) < 1.0 {
                 continue;
             }
             let foot = Chain::new(leg, &angles).foot();
@@ -143,8 +143,8 @@ fn forward_undoes_inverse_and_the_reach_ends_where_the_links_do() {
             dice.within(-300.0, 700.0),
             dice.within(-500.0, 500.0),
         ];
-        let level = (foot[0] - 101.0).hypot(foot[1] - 201.0) - 50.0;
-        let reach = level.hypot(foot[2]);
+        let level = libm::hypot(foot[0] - 101.0, foot[1] - 201.0) - 50.0;
+        let reach = libm::hypot(level, foot[2]);
         match solve(leg, foot) {
             Some(angles) => {
                 assert!((40.0 - 1e-6..=440.0 + 1e-6).contains(&reach));

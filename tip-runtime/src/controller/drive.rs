@@ -94,7 +94,7 @@ impl<const J: usize> LegDrive<J> {
     /// Moves on by one sampling time. At the border of what the leg can do it stops there.
     ///
     /// # Errors
-    /// What stopped it.
+    /// What stopped it: the way to a foot's target is out of reach, or a joint is at its limit.
     pub(super) fn advance(
         &mut self,
         leg: &Leg<J>,
@@ -113,7 +113,10 @@ impl<const J: usize> LegDrive<J> {
                     }
                     Err(fault) => {
                         *track = before.stopped_at(before.position());
-                        Err(fault)
+                        Err(match track.goal() {
+                            Goal::Point { .. } => Fault::OutOfReach(Target::Foot(going.number)),
+                            Goal::Rest | Goal::Speed(_) => fault,
+                        })
                     }
                 }
             }

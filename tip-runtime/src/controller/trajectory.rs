@@ -5,9 +5,14 @@
 
 mod approach;
 mod course;
+#[cfg(test)]
+mod tests;
 mod vector;
 
 use course::Course;
+
+/// A remaining time below this is rounding: s.
+const INSTANT: f64 = 1e-9;
 
 /// The most that a set point may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,7 +149,7 @@ impl<const N: usize> Track<N> {
         let change = vector::add_scaled(velocity, self.velocity, -1.0);
         let (direction, size) = vector::split(change);
         let ramp = size / acceleration;
-        if dt < ramp {
+        if dt < ramp - INSTANT {
             self.position = vector::add_scaled(self.position, self.velocity, dt);
             self.position =
                 vector::add_scaled(self.position, direction, 0.5 * acceleration * dt * dt);

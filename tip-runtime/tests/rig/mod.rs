@@ -142,11 +142,8 @@ pub(crate) fn absolute(values: &[f64]) -> Vec<Value> {
 
 #[allow(dead_code, reason = "each test file uses its part")]
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b) * (a - b))
-        .sum::<f64>()
-        .sqrt()
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    libm::sqrt(squares.sum())
 }
 
 /// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).

@@ -2,10 +2,7 @@
 //! and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, ch. 3), planned anew
 //! from the present state in each cycle, so that limits may change on the way.
 
-use super::Limits;
-
-/// A remaining time below this is rounding: s.
-const INSTANT: f64 = 1e-9;
+use super::{INSTANT, Limits};
 
 /// How far the point still is, and how fast the way there shrinks.
 #[derive(Clone, Copy, Debug, PartialEq)]
