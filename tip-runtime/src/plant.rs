@@ -147,6 +147,11 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         })
     }
 
+    /// Which feet carry anything.
+    pub fn contacts(&self) -> [bool; L] {
+        self.loads.feet.map(|load| load > 0.0)
+    }
+
     /// The farthest that any foot has slipped on one stance so far: mm.
     pub fn worst_slip(&self) -> f64 {
         self.stance.worst()

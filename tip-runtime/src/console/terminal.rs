@@ -19,10 +19,7 @@ const RETURN: u8 = 0x0D;
 /// [`report_interrupts`](Self::report_interrupts) says otherwise.
 #[derive(Debug)]
 pub struct Terminal<W: Write = Stdout> {
-    output: W,
-    /// The output is a terminal, whose line can be overwritten.
-    rewrites: bool,
-    silent: bool,
+    line: MessageLine<W>,
     stops_on_interrupt: bool,
     interrupted: bool,
     raw: Option<raw::Raw>,
@@ -47,9 +44,11 @@ impl<W: Write> Terminal<W> {
     /// Shows messages on `output`, each in place of the one before if that is possible.
     pub fn on(output: W, rewrites: bool) -> Self {
         Terminal {
-            output,
-            rewrites,
-            silent: false,
+            line: MessageLine {
+                output,
+                rewrites,
+                silent: false,
+            },
             stops_on_interrupt: true,
             interrupted: false,
             raw: raw::Raw::enter(),
@@ -66,16 +65,6 @@ impl<W: Write> Terminal<W> {
     /// Ctrl-C was pressed.
     pub fn interrupted(&self) -> bool {
         self.interrupted
-    }
-
-    /// A console has no way to refuse a text, so a closed output loses it.
-    fn show(&mut self, text: &dyn Display) {
-        let _ = if self.rewrites {
-            write!(self.output, "\r\x1b[2K{text}")
-        } else {
-            writeln!(self.output, "{text}")
-        };
-        let _ = self.output.flush();
     }
 }
 
@@ -97,24 +86,63 @@ impl<W: Write> Console for Terminal<W> {
     }
 
     fn message(&mut self, text: &dyn Display) {
-        if !self.silent {
-            self.show(text);
-        }
+        self.line.message(text);
     }
 
     fn silent(&mut self, on: bool) {
-        if on {
+        self.line.silence(on);
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.line.report(report);
+    }
+
+    fn ended(&mut self) {
+        self.line.close();
+    }
+}
+
+/// The output: one line that each message takes over from the one before.
+///
+/// A console has no way to refuse a text, so a closed output loses it.
+#[derive(Debug)]
+struct MessageLine<W> {
+    output: W,
+    /// The output is a terminal, whose line can be overwritten.
+    rewrites: bool,
+    silent: bool,
+}
+
+impl<W: Write> MessageLine<W> {
+    fn message(&mut self, text: &dyn Display) {
+        if self.silent {
+            return;
+        }
+        let _ = if self.rewrites {
+            write!(self.output, "\r\x1b[2K{text}")
+        } else {
+            writeln!(self.output, "{text}")
+        };
+        let _ = self.output.flush();
+    }
+
+    fn silence(&mut self, on: bool) {
+        if on && self.rewrites {
             self.message(&"");
         }
         self.silent = on;
     }
 
-    fn emergency(&mut self, report: &Report<'_>) {
-        self.show(&report);
+    /// Several lines, shown in silence as well.
+    fn report(&mut self, text: &dyn Display) {
+        let start = if self.rewrites { "\r\x1b[2K" } else { "" };
+        let _ = write!(self.output, "{start}{text}");
+        let _ = self.output.flush();
     }
 
-    fn ended(&mut self) {
-        if self.rewrites {
+    /// Leaves the last message where it is.
+    fn close(&mut self) {
+        if self.rewrites && !self.silent {
             let _ = writeln!(self.output);
         }
     }
@@ -169,5 +197,56 @@ mod raw {
         pub(super) fn enter() -> Option<Self> {
             None
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    fn shown(rewrites: bool, act: impl FnOnce(&mut MessageLine<Vec<u8>>)) -> std::string::String {
+        let mut line = MessageLine {
+            output: Vec::new(),
+            rewrites,
+            silent: false,
+        };
+        act(&mut line);
+        std::string::String::from_utf8(line.output).expect("text")
+    }
+
+    // clauses: 7.34 7.35
+    #[test]
+    fn a_terminal_shows_one_message_in_place_of_the_other() {
+        let text = shown(true, |line| {
+            line.message(&"one");
+            line.message(&"");
+            line.close();
+        });
+        assert_eq!(text, "\r\x1b[2Kone\r\x1b[2K\n");
+    }
+
+    // clauses: 7.35
+    #[test]
+    fn a_file_keeps_every_message() {
+        let text = shown(false, |line| {
+            line.message(&"one");
+            line.message(&"two");
+            line.close();
+        });
+        assert_eq!(text, "one\ntwo\n");
+    }
+
+    // clauses: 7.37
+    #[test]
+    fn silence_clears_the_line_and_lets_only_emergencies_through() {
+        let text = shown(true, |line| {
+            line.silence(true);
+            line.message(&"one");
+            line.report(&"TIP_ERR\n");
+            line.silence(false);
+            line.message(&"two");
+        });
+        assert_eq!(text, "\r\x1b[2K\r\x1b[2KTIP_ERR\n\r\x1b[2Ktwo");
     }
 }

@@ -1,7 +1,7 @@
 //! Where the body is.
 
 use super::Point;
-use nalgebra::{Rotation3, Unit};
+use nalgebra::{Matrix3, Rotation3, Unit};
 
 /// Position and attitude of the robot frame in the world: mm and deg.
 ///
@@ -75,7 +75,7 @@ impl Body {
 
     /// The shortest turn that stands the floor's normal upright.
     pub(super) fn levelling(normal: Point) -> Rotation3<f64> {
-        Rotation3::rotation_between(&normal, &Point::z()).unwrap_or_else(Rotation3::identity)
+        turn(normal, Point::z())
     }
 
     /// Turns the robot frame into the floor's.
@@ -95,9 +95,28 @@ impl Body {
     }
 }
 
+/// The shortest turn from one unit vector to another that does not point the other way (Rodrigues'
+/// formula without an angle, which would lose small ones).
+pub(super) fn turn(from: Point, to: Point) -> Rotation3<f64> {
+    let cross = from.cross(&to).cross_matrix();
+    let matrix = Matrix3::identity() + cross + cross * cross / (1.0 + from.dot(&to));
+    Rotation3::from_matrix_unchecked(matrix)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_shortest_turn_keeps_lengths_and_the_smallest_angles() {
+        for lean in [0.0, 1e-12, 1e-3, 1.0] {
+            let from = Point::new(libm::sin(lean), 0.0, libm::cos(lean));
+            let turn = turn(from, Point::z());
+            assert!((turn * from - Point::z()).norm() < 1e-15);
+            assert!((turn * Point::y() - Point::y()).norm() < 1e-15);
+            assert!((turn.matrix().determinant() - 1.0).abs() < 1e-15);
+        }
+    }
 
     #[test]
     fn angles_of_a_pose_have_the_documented_senses() {

@@ -1,7 +1,7 @@
 //! The floor: a plane.
 
 use super::Point;
-use super::body::{Body, Pose};
+use super::body::{Body, Pose, turn};
 use nalgebra::Rotation3;
 
 /// A plane on which the robot stands.
@@ -24,7 +24,7 @@ impl Floor {
     fn tilt(&self) -> Rotation3<f64> {
         let [x, y] = self.slope;
         let normal = Point::new(-x, -y, 1.0);
-        Rotation3::rotation_between(&Point::z(), &normal).unwrap_or_else(Rotation3::identity)
+        turn(Point::z(), normal / normal.norm())
     }
 
     /// The direction of gravity in the floor's frame.

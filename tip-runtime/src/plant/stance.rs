@@ -3,14 +3,15 @@
 use super::Point;
 use super::body::Body;
 use super::contacts::Contacts;
+use nalgebra::Vector2;
 
 /// Feet and belly on the floor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stance<const L: usize> {
     /// Where each contact is on the floor, `None` in the air.
-    places: Contacts<Option<[f64; 2]>, L>,
+    places: Contacts<Option<Vector2<f64>>, L>,
     /// Where each foot touched down.
-    touchdowns: [Option<[f64; 2]>; L],
+    touchdowns: [Option<Vector2<f64>>; L],
     slips: [f64; L],
     worst: f64,
 }
@@ -53,7 +54,7 @@ impl<const L: usize> Stance<L> {
             .filter_map(|((point, load), place)| {
                 let place = place.filter(|_| *load > 0.0)?;
                 Some(Pair {
-                    own: [point.x, point.y],
+                    own: point.xy(),
                     place,
                     weight: *load,
                 })
@@ -66,7 +67,7 @@ impl<const L: usize> Stance<L> {
         let rotation = body.rotation();
         let place = |point: &Point, load: &f64| {
             let point = rotation * point;
-            (*load > 0.0).then_some([point.x + body.x, point.y + body.y])
+            (*load > 0.0).then_some(point.xy() + Vector2::new(body.x, body.y))
         };
         let belly = points.belly.iter().zip(&loads.belly);
         for (old, (point, load)) in self.places.belly.iter_mut().zip(belly) {
@@ -83,10 +84,7 @@ impl<const L: usize> Stance<L> {
         let touchdowns = self.touchdowns.iter_mut().zip(&mut self.slips);
         for ((touchdown, slip), place) in touchdowns.zip(self.places.feet) {
             *slip = match place {
-                Some([x, y]) => {
-                    let [x0, y0] = *touchdown.get_or_insert([x, y]);
-                    libm::hypot(x - x0, y - y0)
-                }
+                Some(place) => (place - *touchdown.get_or_insert(place)).norm(),
                 None => {
                     *touchdown = None;
                     0.0
@@ -100,9 +98,9 @@ impl<const L: usize> Stance<L> {
 /// A contact that stays on the floor.
 struct Pair {
     /// Levelled, without heading, from the body's origin: mm.
-    own: [f64; 2],
+    own: Vector2<f64>,
     /// Where it was on the floor: mm.
-    place: [f64; 2],
+    place: Vector2<f64>,
     /// N.
     weight: f64,
 }
@@ -111,30 +109,27 @@ struct Pair {
 /// 1976, in two dimensions). With nothing that stays the body keeps place and heading.
 fn fit(pairs: impl Iterator<Item = Pair> + Clone, body: &mut Body) {
     let mut total = 0.0;
-    let (mut own_centre, mut place_centre) = ([0.0; 2], [0.0; 2]);
+    let (mut own_centre, mut place_centre) = (Vector2::zeros(), Vector2::zeros());
     for Pair { own, place, weight } in pairs.clone() {
         total += weight;
-        for axis in 0..2 {
-            own_centre[axis] += weight * own[axis];
-            place_centre[axis] += weight * place[axis];
-        }
+        own_centre += own * weight;
+        place_centre += place * weight;
     }
     if total <= 0.0 {
         return;
     }
-    let [own_x, own_y] = own_centre.map(|sum| sum / total);
-    let [place_x, place_y] = place_centre.map(|sum| sum / total);
+    own_centre /= total;
+    place_centre /= total;
     let (mut along, mut across) = (0.0, 0.0);
     for Pair { own, place, weight } in pairs {
-        let own = [own[0] - own_x, own[1] - own_y];
-        let place = [place[0] - place_x, place[1] - place_y];
-        along += weight * (own[0] * place[0] + own[1] * place[1]);
-        across += weight * (own[0] * place[1] - own[1] * place[0]);
+        let (own, place) = (own - own_centre, place - place_centre);
+        along += weight * own.dot(&place);
+        across += weight * own.perp(&place);
     }
     if along != 0.0 || across != 0.0 {
         body.heading = libm::atan2(across, along);
     }
     let (sin, cos) = (libm::sin(body.heading), libm::cos(body.heading));
-    body.x = place_x - (cos * own_x - sin * own_y);
-    body.y = place_y - (sin * own_x + cos * own_y);
+    body.x = place_centre.x - (cos * own_centre.x - sin * own_centre.y);
+    body.y = place_centre.y - (sin * own_centre.x + cos * own_centre.y);
 }

@@ -68,7 +68,7 @@ pub(super) fn rest<const L: usize>(
         let length = tilted.norm();
         support.normal = levelling.inverse() * (tilted / length);
         support.height = plane.z / length;
-        if length - 1.0 < 1e-18 {
+        if length <= 1.0 {
             break;
         }
     }
