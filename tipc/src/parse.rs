@@ -10,6 +10,7 @@ mod line;
 mod message;
 mod operand;
 mod reader;
+mod shape;
 mod statement;
 
 use crate::codes::Code;

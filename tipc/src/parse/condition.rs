@@ -1,8 +1,8 @@
 //! Conditions of IF, ELSEIF, WHILE and UNTIL (T.I.P. 3.1 §6).
 
-use super::reader::{Parsed, Reader};
+use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
-use crate::syntax::{Arithmetic, Condition, Operand, OperandKind, Relation, Word};
+use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
     /// `a REL b`, `FLAG` or `!FLAG`.
@@ -64,31 +64,24 @@ impl Reader<'_> {
         }
     }
 
-    fn no_relation(&self, token: Token) -> Box<crate::diagnostic::Diagnostic> {
+    fn no_relation(&self, token: Token) -> Fault {
         let reason = match token.kind {
             Kind::Assign(None) => "`=` assigns; it compares nothing",
-            Kind::Arithmetic(
-                Arithmetic::Add | Arithmetic::Sub | Arithmetic::Mul | Arithmetic::Div,
-            ) => "a condition cannot calculate",
+            Kind::Arithmetic(_) => "a condition cannot calculate",
             _ => "a relation belongs here",
         };
         self.fault_with_help(token.span, reason, RELATIONS)
     }
 
     fn flag(&self, operand: Operand) -> Parsed<Condition> {
-        let fault = match operand.kind {
-            OperandKind::Name { name, member: None } if !operand.negative => {
-                return Ok(Condition::Flag {
-                    name: Word {
-                        node: name,
-                        span: operand.span,
-                    },
-                    negated: false,
-                });
-            }
-            _ => self.fault_with_help(operand.span, "this is compared with nothing", FORMS),
-        };
-        Err(fault)
+        let span = operand.span;
+        match operand.kind {
+            OperandKind::Name { name, member: None } if !operand.negative => Ok(Condition::Flag {
+                name: Word { node: name, span },
+                negated: false,
+            }),
+            _ => Err(self.fault_with_help(span, "this is compared with nothing", FORMS)),
+        }
     }
 }
 

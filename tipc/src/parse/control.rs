@@ -1,9 +1,8 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
-use super::reader::{Parsed, Reader};
-use crate::diagnostic::Diagnostic;
+use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
-use crate::syntax::{Jump, Operand, OperandKind, Shape, Span, StatementKind, Then};
+use crate::syntax::{Jump, Operand, OperandKind, Span, StatementKind, Then};
 
 /// A statement and, if something behind it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
@@ -35,7 +34,7 @@ impl Reader<'_> {
         Err(self.missing_then())
     }
 
-    fn missing_then(&self) -> Box<Diagnostic> {
+    fn missing_then(&self) -> Fault {
         if self.at_word("CALL") {
             let help = "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`";
             return self.fault_with_help(self.here(), "IF cannot CALL", help);
@@ -176,31 +175,6 @@ impl Reader<'_> {
     pub(super) fn alone(&mut self, name: &str, kind: StatementKind) -> Read {
         Ok((kind, self.expect_end(name)))
     }
-
-    /// What the statement was going to be; an IF opens a block if it has its THEN, or ends before it.
-    pub(super) fn shape(keyword: &str, text: &str, tokens: &[Token]) -> Shape {
-        match keyword {
-            "IF" if opens_block(text, tokens) => Shape::If,
-            "ELSEIF" => Shape::ElseIf,
-            "WHILE" => Shape::While,
-            "UNTIL" => Shape::Until,
-            "FOR" => Shape::For,
-            "NEXT" => Shape::Next,
-            "SUBROUTINE" => Shape::Subroutine,
-            "SUBEND" => Shape::SubEnd,
-            _ => Shape::Plain,
-        }
-    }
 }
 
 const FOR_FORM: &str = "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`";
-
-fn opens_block(text: &str, tokens: &[Token]) -> bool {
-    let is = |token: &Token, word: &str| {
-        text[token.span.start..token.span.end].eq_ignore_ascii_case(word)
-    };
-    let jumps = |token: &Token| {
-        token.kind == Kind::Colon || ["GOTO", "GOSUB", "CALL"].iter().any(|word| is(token, word))
-    };
-    tokens.iter().any(|token| is(token, "THEN")) || !tokens.iter().any(jumps)
-}

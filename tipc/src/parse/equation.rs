@@ -1,8 +1,7 @@
 //! `LHS op RHS` (T.I.P. 3.1 §5).
 
-use super::reader::{Parsed, Reader};
+use super::reader::{Fault, Parsed, Reader};
 use crate::codes::Code;
-use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
 use crate::syntax::{Equation, Expression, FUNCTIONS, Operand, OperandKind};
 
@@ -58,7 +57,7 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
     if let Some(function) = reader.peek().filter(|token| is_function(reader, *token)) {
         reader.take();
         let (operands, read) = reader.operands();
-        read.map_err(|fault| explain_function(*fault))?;
+        read.map_err(with_help)?;
         for operand in &operands {
             refuse_function(reader, operand)?;
         }
@@ -99,9 +98,10 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
 const ONE_OPERATION: &str =
     "an equation holds one operation or one function; use a variable for what comes between";
 
-fn explain_function(fault: Diagnostic) -> Box<Diagnostic> {
-    let help = fault.help.clone();
-    Box::new(fault.help(help.unwrap_or_else(|| ONE_OPERATION.to_owned())))
+/// The fault with the help that it lacks.
+fn with_help(mut fault: Fault) -> Fault {
+    fault.help.get_or_insert_with(|| ONE_OPERATION.to_owned());
+    fault
 }
 
 fn is_function(reader: &Reader<'_>, token: Token) -> bool {

@@ -1,6 +1,6 @@
 //! Operands: constants, names, members, and their signs.
 
-use super::reader::{Parsed, Reader};
+use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
 use crate::syntax::{Arithmetic, Operand, OperandKind, Span};
 
@@ -60,7 +60,7 @@ impl Reader<'_> {
         (operands, Ok(()))
     }
 
-    fn glued(&self, token: Token) -> Box<crate::diagnostic::Diagnostic> {
+    fn glued(&self, token: Token) -> Fault {
         let text = self.slice(token.span);
         let reason = format!("`{text}` stands between two arguments");
         let help = "arguments are separated by blanks or commas; a sign stands right before its number or name";
@@ -147,7 +147,7 @@ impl Reader<'_> {
         })
     }
 
-    fn foreign_in_name(&self, word: &str, place: Span) -> Box<crate::diagnostic::Diagnostic> {
+    fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
         let char = self.slice(place);
         let reason = format!("`{char}` can stand in no name and no number");
         if word.contains(['(', ')']) {

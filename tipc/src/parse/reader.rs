@@ -5,8 +5,10 @@ use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
 use crate::syntax::{Span, Word};
 
+/// What is wrong with a statement.
+pub(super) type Fault = Box<Diagnostic>;
 /// A piece of a statement, or what is wrong with it.
-pub(super) type Parsed<T> = Result<T, Box<Diagnostic>>;
+pub(super) type Parsed<T> = Result<T, Fault>;
 
 /// Reads tokens one by one; its faults carry one code.
 pub(super) struct Reader<'a> {
@@ -93,7 +95,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A fault of this statement at `span`.
-    pub(super) fn fault(&self, span: Span, reason: impl Into<String>) -> Box<Diagnostic> {
+    pub(super) fn fault(&self, span: Span, reason: impl Into<String>) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
@@ -103,7 +105,7 @@ impl<'a> Reader<'a> {
         span: Span,
         reason: impl Into<String>,
         help: impl Into<String>,
-    ) -> Box<Diagnostic> {
+    ) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }
 

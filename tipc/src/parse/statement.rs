@@ -3,6 +3,7 @@
 use super::control::Read;
 use super::line::not_alone;
 use super::reader::Reader;
+use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::codes::Code;
 use crate::lex::{Kind, Token, foreign_run, lex};
@@ -62,7 +63,7 @@ impl Parser<'_> {
             return self.define(kind, word, tokens, reported);
         }
         if reported {
-            return StatementKind::Broken(Reader::shape(&keyword, self.text, tokens));
+            return StatementKind::Broken(shape(&keyword, self.text, tokens));
         }
         if equation::looks_like_one(tokens) {
             return match equation::equation(self.text, tokens) {
@@ -81,7 +82,7 @@ impl Parser<'_> {
             }
             Some(Err(fault)) => {
                 self.report(*fault);
-                StatementKind::Broken(Reader::shape(&keyword, self.text, tokens))
+                StatementKind::Broken(shape(&keyword, self.text, tokens))
             }
             None => self.command(keyword, tokens),
         }

@@ -6,6 +6,7 @@ use crate::source::{Encoding, Source};
 mod conditions;
 mod control;
 mod equations;
+mod header;
 mod lines;
 mod robustness;
 
