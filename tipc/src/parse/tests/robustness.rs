@@ -1,5 +1,6 @@
-//! Whatever comes in, the parser answers, and every place it names exists.
+//! Whatever comes in, the parser answers, and every place it names exists and can be shown.
 
+use crate::diagnostic::render_human;
 use crate::parse::parse;
 use crate::source::{Encoding, Source};
 use crate::syntax::Span;
@@ -100,6 +101,9 @@ fn try_on(bytes: &[u8]) {
             for label in &diagnostic.labels {
                 assert_in_range(&source, label.span, bytes);
             }
+        }
+        for diagnostic in diagnostics.iter().chain(&bad).take(3) {
+            assert!(!render_human(&source, diagnostic, false).is_empty());
         }
         for statement in &module.statements {
             assert_in_range(&source, statement.span, bytes);
