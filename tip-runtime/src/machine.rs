@@ -70,6 +70,8 @@ pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
     cycles: u64,
     /// Since the start: ms.
     time: f64,
+    /// When the sensors were sampled.
+    sampled_at: f64,
 }
 
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J>
@@ -105,6 +107,7 @@ where
             stop_requested: false,
             cycles: 0,
             time: 0.0,
+            sampled_at: 0.0,
         })
     }
 
@@ -132,6 +135,7 @@ where
         if let Some(HardwareFault(what)) = self.unwritten.take() {
             return Err(Fault::Hardware(what));
         }
+        self.sampled_at = self.time;
         self.hardware
             .read(&mut self.devices.sensors)
             .map_err(|HardwareFault(what)| Fault::Hardware(what))?;
@@ -239,7 +243,7 @@ where
         let senses_torque = !matches!(model.family, Family::Titan);
         self.console.sample(&Sample {
             cycle: self.cycles,
-            time: self.time,
+            time: self.sampled_at,
             joints_per_leg: J,
             angles: sensors.angles.as_flattened(),
             commands: outputs.joints.as_flattened(),

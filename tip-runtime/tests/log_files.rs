@@ -8,7 +8,9 @@ use tip_runtime::hardware::JointCommand;
 use tip_runtime::record::Sample;
 
 fn folder(name: &str) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("log_files").join(name);
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+        .join("log_files")
+        .join(name);
     let _ = fs::remove_dir_all(&path);
     path
 }

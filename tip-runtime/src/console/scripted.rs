@@ -134,3 +134,33 @@ impl Console for Transcript {
         self.ended += 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Typist;
+
+    impl Console for Typist {
+        fn key(&mut self, cycle: u64) -> Option<u8> {
+            (cycle == 1).then_some(b'z')
+        }
+    }
+
+    // clauses: 2.23
+    #[test]
+    fn keys_come_at_their_cycle_in_the_order_given() {
+        let mut console = Scripted::new(std::vec![(5, b'c'), (2, b'b'), (2, b'a')]).halt(2);
+        assert_eq!(console.key(1), None);
+        let at_two: Vec<_> = (0..4).map(|_| console.key(2)).collect();
+        assert_eq!(at_two, [Some(b'b'), Some(b'a'), Some(0x1B), None]);
+        assert_eq!(console.key(9), Some(b'c'));
+    }
+
+    #[test]
+    fn the_console_inside_types_behind_the_script() {
+        let mut console = Scripted::around(std::vec![(1, b'a')], Typist);
+        assert_eq!(console.key(0), None);
+        assert_eq!((console.key(1), console.key(1)), (Some(b'a'), Some(b'z')));
+    }
+}

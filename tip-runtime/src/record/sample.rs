@@ -7,7 +7,7 @@ use crate::hardware::JointCommand;
 pub struct Sample<'a> {
     /// The program's cycle, from 0.
     pub cycle: u64,
-    /// Since the program's start: ms.
+    /// When the sensors were sampled, since the program's start: ms.
     pub time: f64,
     /// Joints of each leg.
     pub joints_per_leg: usize,

@@ -42,3 +42,29 @@ impl<W: io::Write> fmt::Write for Stream<W> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::fmt::Write;
+    use std::vec::Vec;
+
+    #[test]
+    fn text_goes_through() {
+        let mut stream = Stream::new(Vec::new());
+        assert_eq!(write!(stream, "a{}", 1), Ok(()));
+        assert!(stream.finish().is_ok());
+        assert_eq!(stream.writer, b"a1");
+    }
+
+    #[test]
+    fn the_first_error_is_kept_and_ends_all_writing() {
+        let mut room = [0; 3];
+        let mut stream = Stream::new(room.as_mut_slice());
+        assert_eq!(stream.write_str("abc"), Ok(()));
+        assert!(stream.write_str("d").is_err());
+        assert!(stream.write_str("").is_err());
+        let error = stream.finish().expect_err("no room");
+        assert_eq!(error.kind(), io::ErrorKind::WriteZero);
+    }
+}

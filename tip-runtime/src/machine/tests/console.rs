@@ -92,7 +92,7 @@ fn sampling_goes_on_between_start_and_stop_and_once_for_a_shot() {
     let times: Vec<_> = (text.lines().skip(1))
         .map(|row| row.split('\t').nth(1).expect("a column"))
         .collect();
-    assert_eq!(times[..2], ["40.0", "60.0"]);
+    assert_eq!(times[..2], ["20.0", "40.0"]);
     // TITAN VIII senses no torque.
     assert!(!text.contains("\tT11"));
 }
