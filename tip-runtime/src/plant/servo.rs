@@ -54,7 +54,7 @@ impl Servo {
         let turn = match command {
             JointCommand::Angle(_) if libm::fabs(load) > strongest => {
                 // The load wins: the joint gives way.
-                self.torque = (-load).clamp(-strongest, strongest);
+                self.torque = within(-load, -strongest, strongest);
                 farthest * (load + self.torque) / strongest
             }
             JointCommand::Angle(target) => {
@@ -64,15 +64,26 @@ impl Servo {
             }
             JointCommand::Torque(torque) => {
                 // Without inertia a torque that nothing balances turns a viscous joint.
-                self.torque = torque.clamp(-strongest, strongest);
+                self.torque = within(torque, -strongest, strongest);
                 farthest * (self.torque + load) / strongest
             }
         };
         if turn.is_finite() {
             let stops = (joint.outer.min - STOP, joint.outer.max + STOP);
-            let angle = self.angle + turn.clamp(-farthest, farthest);
-            self.angle = angle.clamp(stops.0, stops.1);
+            let angle = self.angle + within(turn, -farthest, farthest);
+            self.angle = within(angle, stops.0, stops.1);
         }
+    }
+}
+
+/// As [`f64::clamp`], which would panic where the limits of a model are nonsense.
+fn within(value: f64, least: f64, most: f64) -> f64 {
+    if value > most {
+        most
+    } else if value < least {
+        least
+    } else {
+        value
     }
 }
 
