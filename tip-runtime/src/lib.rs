@@ -5,6 +5,7 @@
 //! itself; `std` adds what a hosted controller needs.
 #![no_std]
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 #[cfg(feature = "std")]
 extern crate std;
