@@ -151,7 +151,7 @@ struct Checked<'a> {
 impl<'a> Checked<'a> {
     fn new(command: &'a Command<'a>, source: Source) -> Result<Self, Fault> {
         let in_domain = |v: f64| match source {
-            Source::Operand => v >= 0.0,
+            Source::Operand => v >= 0.0 && v.is_finite(),
             Source::Rate => v > 0.0 && v <= 100.0,
             Source::Share(_) => true,
         };

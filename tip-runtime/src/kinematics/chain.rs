@@ -68,7 +68,11 @@ impl<const J: usize> Chain<J> {
         let mut jacobian = SMatrix::<f64, 3, J>::zeros();
         let joints = self.axes.iter().zip(&self.places).take(moved_by);
         for (mut column, (axis, place)) in jacobian.column_iter_mut().zip(joints) {
-            column.copy_from(&axis.cross(&(point - place)));
+            // Member by member: `copy_from` carries a check of shapes that could panic.
+            let moved = axis.cross(&(point - place));
+            for (entry, moved) in column.iter_mut().zip(&moved) {
+                *entry = *moved;
+            }
         }
         jacobian
     }
