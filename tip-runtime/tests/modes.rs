@@ -285,3 +285,26 @@ fn targets_that_do_not_exist_are_refused() {
     assert_eq!(rig.fault(Op::Ptp, F1, &[0.0]), Fault::Domain);
     assert_eq!(rig.fault(Op::PtpAngle, F1, &[0.0]), Fault::Domain);
 }
+
+// clauses: 7.7 7.8 7.21 7.22
+#[test]
+fn velocities_are_bound_by_the_acceleration_not_by_the_speed_of_moves() {
+    let mut rig = Rig::titan();
+    rig.done(Op::SetVMax, Target::All, &[1.0]);
+    rig.done(Op::SetOmegaMax, Target::All, &[1.0]);
+    rig.done(Op::VelControl, F1, &[0.0, 0.0, 60.0]);
+    rig.done(Op::OmegaControl, Target::Joint(2, 1), &[18.0]);
+    rig.idle(10);
+    let (foot, joint) = (rig.foot(1)[2], rig.commanded()[1][0]);
+    rig.idle(1);
+    assert!((rig.foot(1)[2] - foot - 1.2).abs() < 1e-9);
+    assert!((rig.commanded()[1][0] - joint - 0.36).abs() < 1e-9);
+    // Without acceleration there is no motion.
+    let mut rig = Rig::titan();
+    rig.done(Op::SetAMax, Target::All, &[0.0]);
+    rig.done(Op::SetOmegaDotMax, Target::All, &[0.0]);
+    rig.done(Op::VelControl, F1, &[0.0, 0.0, 60.0]);
+    rig.done(Op::OmegaControl, Target::Joint(2, 1), &[18.0]);
+    rig.idle(10);
+    assert_eq!(rig.commanded(), [[0.0, 0.0, 90.0]; 4]);
+}
