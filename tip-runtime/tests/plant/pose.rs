@@ -144,3 +144,39 @@ fn motors_carry_the_weight_through_the_jacobian() {
         assert!(close(knee, 0.0, 1e-2), "{knee}");
     }
 }
+
+#[test]
+fn on_a_slope_to_the_side_the_lower_feet_carry_more_wherever_the_body_heads() {
+    let floor = Floor {
+        height: 0.0,
+        slope: [0.1, 0.0],
+    };
+    let mut rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_floor(floor));
+    rig.move_to(stance(-250.0));
+    let up = libm::atan2(0.1, 1.0);
+    let [x, _, z] = rig.plant.centre_of_mass();
+    let above = (z - 0.1 * x) * libm::cos(up);
+    let expected = WEIGHT * libm::sin(up) * above / 391.0;
+    let loads = rig.loads();
+    let difference = loads[0] + loads[2] - loads[1] - loads[3];
+    assert!(
+        close(difference, expected, 0.02 * expected),
+        "{difference} {expected}"
+    );
+
+    let level = rig.loads();
+    let turn = |rig: &mut Rig, angle: f64| {
+        let (sin, cos) = (libm::sin(-angle), libm::cos(-angle));
+        rig.change(|feet| {
+            for foot in feet {
+                let [x, y, _] = *foot;
+                (foot[0], foot[1]) = (cos * x - sin * y, sin * x + cos * y);
+            }
+        });
+    };
+    turn(&mut rig, 0.3);
+    // The feet stay where they are in the world, the centre of mass nearly so: so do the loads.
+    for (turned, level) in rig.loads().iter().zip(level) {
+        assert!(close(*turned, level, 0.03 * level), "{turned} {level}");
+    }
+}
