@@ -97,3 +97,16 @@ fn a_foot_in_the_air_slips_nowhere() {
     assert!(rig.plant.feet()[0].touches());
     assert!(rig.plant.worst_slip() <= 1.0, "{}", rig.plant.worst_slip());
 }
+
+#[test]
+fn a_foot_that_carries_little_slips_and_leaves_the_body_where_it_is() {
+    let mut rig = Rig::standing();
+    shift(&mut rig, 40.0, -40.0);
+    // Almost lifted: the other three hold the body.
+    rig.change(|feet| feet[0][2] += 0.6);
+    let (before, load) = (rig.plant.body(), rig.loads()[0]);
+    assert!(load > 0.0 && load < 10.0, "{load}");
+    rig.change(|feet| feet[0][1] += 20.0);
+    assert!(close(rig.plant.body().y, before.y, 1.0));
+    assert!(rig.plant.feet()[0].slip > 18.0);
+}
