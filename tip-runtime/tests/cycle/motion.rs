@@ -32,15 +32,18 @@ fn stand_up_lifts_the_body_and_sit_down_lays_it_on_its_belly() {
     assert!(down.hardware().belly_load() > 0.0);
 }
 
-// clauses: 7.3 7.15
+// clauses: 7.3 7.5 7.15
 #[test]
 fn four_feet_swept_together_take_the_body_along() {
-    const SWEEP: [Step; 7] = [
+    // Held while the targets are set, all feet start together.
+    const SWEEP: [Step; 9] = [
         RISE[0],
+        (Op::AllStop, Target::None, &[]),
         (Op::RelPtp, leg(1), &[0.0, -80.0, 0.0]),
         (Op::RelPtp, leg(2), &[0.0, -80.0, 0.0]),
         (Op::RelPtp, leg(3), &[0.0, -80.0, 0.0]),
         (Op::RelPtp, leg(4), &[0.0, -80.0, 0.0]),
+        (Op::AllStopRelease, Target::None, &[]),
         (Op::WaitInpos, ALL, &[]),
         (Op::Sleep, Target::None, &[400.0]),
     ];
@@ -48,6 +51,8 @@ fn four_feet_swept_together_take_the_body_along() {
     let body = machine.hardware().body();
     assert!((body.y - 80.0).abs() < 1.0, "{body:?}");
     assert_eq!(machine.hardware().falls(), 0);
+    let slip = machine.hardware().worst_slip();
+    assert!(slip <= 1.0, "{slip}");
 }
 
 // clauses: 7.45
