@@ -1,1 +1,62 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! Judges what the parser read: names, types, arguments, structure, jumps, use of variables.
+//!
+//! Every pass reports all that it finds; none stops another.
+
+mod arguments;
+mod conditions;
+mod equations;
+mod inputs;
+mod jumps;
+mod labels;
+mod message;
+mod names;
+mod ranges;
+mod resolve;
+mod structure;
+mod suggest;
+mod targets;
+mod usage;
+
+use crate::diagnostic::Diagnostic;
+use crate::program::Variable;
+use crate::robot::Robot;
+use crate::source::Source;
+use crate::syntax::Module;
+pub(crate) use labels::Labels;
+pub(crate) use resolve::Resolved;
+pub(crate) use structure::Blocks;
+
+/// What the passes found out about a module, statement by statement.
+#[derive(Debug)]
+pub(crate) struct Checked {
+    /// The variables, `VAR_KEY` first.
+    pub(crate) variables: Vec<Variable>,
+    /// The labels and subroutines.
+    pub(crate) labels: Labels,
+    /// The block structure.
+    pub(crate) blocks: Blocks,
+    /// Where each jump leads: the index of a statement.
+    pub(crate) jumps: Vec<Option<usize>>,
+    /// What the operands of each statement stand for.
+    pub(crate) resolved: Vec<Resolved>,
+}
+
+/// Runs every pass over a module.
+pub(crate) fn check(source: &Source, module: &Module, robot: Robot) -> (Checked, Vec<Diagnostic>) {
+    let mut found = Vec::new();
+    let names = names::Names::collect(module, robot, &mut found);
+    let (resolved, usage) = resolve::statements(source, module, robot, &names, &mut found);
+    usage.report(&names, &mut found);
+    let labels = Labels::collect(module, &mut found);
+    let blocks = structure::blocks(module, &mut found);
+    let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
+    structure::warn_of_entries(module, &mut found);
+    let checked = Checked {
+        variables: names.variables,
+        labels,
+        blocks,
+        jumps,
+        resolved,
+    };
+    (checked, found)
+}

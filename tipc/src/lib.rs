@@ -1,7 +1,7 @@
 //! Compiler for T.I.P. 3.1 robot programs.
 #![forbid(unsafe_code)]
 
-pub mod check;
+mod check;
 pub mod codes;
 pub mod commands;
 pub mod diagnostic;
@@ -12,10 +12,15 @@ pub(crate) mod fixture;
 pub mod generate;
 #[cfg(feature = "interp")]
 pub mod interp;
-pub mod lex;
+mod lex;
 pub mod listing;
-pub mod lower;
+mod load;
+mod lower;
 pub mod parse;
 pub mod program;
+mod robot;
 pub mod source;
 pub mod syntax;
+
+pub use load::{Loaded, Options, load};
+pub use robot::Robot;

@@ -1,1 +1,183 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! The only maker of [`Program`]: decides what a statement means.
+
+mod formal;
+
+use crate::check::{Checked, Resolved};
+use crate::program::{Action, End, Label, Program, Step, StepId};
+use crate::robot::Robot;
+use crate::source::Source;
+use crate::syntax::{Module, StatementKind, Then};
+
+/// Lowers a module in which nothing was found wrong.
+pub(crate) fn lower(source: &Source, module: &Module, checked: Checked, robot: Robot) -> Program {
+    let lowering = Lowering::new(module, &checked);
+    let steps = module
+        .statements
+        .iter()
+        .enumerate()
+        .filter(|(_, statement)| !matches!(statement.kind, StatementKind::Define { .. }))
+        .map(|(index, statement)| {
+            let (line, column) = source.line_column(statement.span.start);
+            Step {
+                action: lowering.action(index),
+                line,
+                column,
+                text: source.slice(statement.span).to_owned(),
+                formal: formal::line(source, statement),
+            }
+        })
+        .collect();
+    let labels = checked
+        .labels
+        .all
+        .iter()
+        .map(|(name, statement, subroutine)| Label {
+            name: name.clone(),
+            step: lowering.steps[*statement],
+            subroutine: *subroutine,
+        })
+        .collect();
+    Program {
+        source_name: base_name(source.name()).to_owned(),
+        source_hash: source.hash(),
+        title: module.title.clone(),
+        signature: robot.signature(),
+        variables: checked.variables,
+        labels,
+        steps,
+    }
+}
+
+fn base_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+struct Lowering<'a> {
+    module: &'a Module,
+    checked: &'a Checked,
+    /// The step of each statement; of a declaration, the next one.
+    steps: Vec<StepId>,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(module: &'a Module, checked: &'a Checked) -> Self {
+        let mut next = 0;
+        let steps = module
+            .statements
+            .iter()
+            .map(|statement| {
+                let step = next;
+                next += u32::from(!matches!(statement.kind, StatementKind::Define { .. }));
+                step
+            })
+            .collect();
+        Lowering {
+            module,
+            checked,
+            steps,
+        }
+    }
+
+    fn action(&self, index: usize) -> Action {
+        match &self.checked.resolved[index] {
+            Resolved::Action(action) => action.clone(),
+            Resolved::Condition(condition) => self.conditional(index, *condition),
+            Resolved::For {
+                variable,
+                from,
+                to,
+                step,
+            } => Action::For {
+                variable: *variable,
+                from: *from,
+                to: *to,
+                step: *step,
+                exit: self.partner(index) + 1,
+            },
+            Resolved::Plain | Resolved::Failed => self.plain(index),
+        }
+    }
+
+    fn conditional(&self, index: usize, condition: crate::program::Condition) -> Action {
+        match &self.module.statements[index].kind {
+            StatementKind::If {
+                then: Then::Goto(_),
+                ..
+            } => Action::IfGoto {
+                condition,
+                to: self.jump(index),
+            },
+            StatementKind::If {
+                then: Then::Gosub(_),
+                ..
+            } => Action::IfGosub {
+                condition,
+                to: self.jump(index),
+            },
+            StatementKind::ElseIf { .. } => Action::ElseIf {
+                condition,
+                otherwise: self.partner(index),
+            },
+            StatementKind::While { .. } => Action::While {
+                condition,
+                exit: self.partner(index) + 1,
+            },
+            StatementKind::Until { .. } => Action::Until {
+                condition,
+                back: self.partner(index),
+            },
+            _ => Action::If {
+                condition,
+                otherwise: self.partner(index),
+            },
+        }
+    }
+
+    fn plain(&self, index: usize) -> Action {
+        match &self.module.statements[index].kind {
+            StatementKind::Else => Action::Else {
+                end: self.partner(index),
+            },
+            StatementKind::Wend => Action::Goto {
+                to: self.partner(index),
+            },
+            StatementKind::Goto(_) => Action::Goto {
+                to: self.jump(index),
+            },
+            StatementKind::Gosub(_) | StatementKind::Call(_) => Action::Gosub {
+                to: self.jump(index),
+            },
+            StatementKind::Next { .. } => self.next(index),
+            StatementKind::Return | StatementKind::SubEnd => Action::Return,
+            StatementKind::End => Action::Finish(End::End),
+            StatementKind::Exit => Action::Finish(End::Exit),
+            _ => Action::Nothing,
+        }
+    }
+
+    fn next(&self, index: usize) -> Action {
+        let opener = self.checked.blocks.links[index].partner.unwrap_or(index);
+        match &self.checked.resolved[opener] {
+            Resolved::For {
+                variable, to, step, ..
+            } => Action::Next {
+                variable: *variable,
+                to: *to,
+                step: *step,
+                body: self.steps[opener] + 1,
+            },
+            _ => Action::Nothing,
+        }
+    }
+
+    /// The step that a control word is tied to; checked programs have one.
+    fn partner(&self, index: usize) -> StepId {
+        let partner = self.checked.blocks.links[index].partner;
+        self.steps[partner.unwrap_or(index)]
+    }
+
+    /// The step that a jump leads to; checked programs have one.
+    fn jump(&self, index: usize) -> StepId {
+        self.steps[self.checked.jumps[index].unwrap_or(index)]
+    }
+}

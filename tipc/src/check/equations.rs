@@ -1,0 +1,256 @@
+//! Types of equations (T.I.P. 3.1 §5).
+
+use super::names::Meant;
+use super::resolve::Resolver;
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::program::{Action, Axis, Function, ScalarExpression, StructExpression, VariableId};
+use crate::syntax::{Equation, Expression, Operand, Span, VariableKind, Word};
+
+/// The right side of an equation with its type.
+enum Value {
+    Scalar(ScalarExpression),
+    Struct(VariableKind, StructExpression),
+}
+
+impl Resolver<'_> {
+    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
+        let target = self.meant(&equation.target, Code::Equation);
+        let value = self.expression(&equation.value);
+        let (target, value) = (target?, value?);
+        let place = equation.target.span;
+        let action = self.assignment(equation, target, value)?;
+        if equation.update.is_some() {
+            self.read(target, place);
+        }
+        Some(action)
+    }
+
+    fn assignment(&mut self, equation: &Equation, target: Meant, value: Value) -> Option<Action> {
+        let update = equation.update;
+        let place = equation.target.span;
+        match (target, value) {
+            (Meant::Constant(_), _) => {
+                self.refuse(Code::Equation, place, "a constant cannot be assigned")
+            }
+            (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
+                self.refuse(Code::Equation, place, "the left side has no sign")
+            }
+            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => {
+                self.usage.assign(scalar.variable);
+                Some(Action::SetScalar {
+                    target: scalar,
+                    update,
+                    value,
+                })
+            }
+            (Meant::Struct { variable, kind, .. }, Value::Struct(of, value)) if kind == of => {
+                self.usage.assign(variable);
+                Some(Action::SetStruct {
+                    target: variable,
+                    update,
+                    value,
+                })
+            }
+            (target, value) => {
+                let reason = format!(
+                    "the left side is {}, the right side {}",
+                    type_name(kind_of(target)),
+                    type_name(value.kind())
+                );
+                let fault =
+                    Diagnostic::new(Code::Equation, expression_span(&equation.value), reason);
+                self.report(fault.label(place, "the left side"));
+                None
+            }
+        }
+    }
+
+    fn expression(&mut self, expression: &Expression) -> Option<Value> {
+        match expression {
+            Expression::Operand(operand) => match self.value(operand)? {
+                Meant::Struct { variable, kind, .. } => {
+                    Some(Value::Struct(kind, StructExpression::Copy(variable)))
+                }
+                meant => Some(Value::Scalar(ScalarExpression::Operand(meant.number()?))),
+            },
+            Expression::Binary {
+                left,
+                operation,
+                right,
+            } => {
+                let (first, second) = (self.value(left), self.value(right));
+                match (first?, second?) {
+                    (
+                        Meant::Struct { variable, kind, .. },
+                        Meant::Struct {
+                            variable: other,
+                            kind: of,
+                            ..
+                        },
+                    ) if kind == of => Some(Value::Struct(
+                        kind,
+                        StructExpression::Binary {
+                            left: variable,
+                            operation: *operation,
+                            right: other,
+                        },
+                    )),
+                    (first, second) => match (first.number(), second.number()) {
+                        (Some(left), Some(right)) => {
+                            Some(Value::Scalar(ScalarExpression::Binary {
+                                left,
+                                operation: *operation,
+                                right,
+                            }))
+                        }
+                        _ => {
+                            let reason = format!(
+                                "{} and {} do not go together",
+                                type_name(kind_of(first)),
+                                type_name(kind_of(second))
+                            );
+                            self.refuse(Code::Equation, left.span.to(right.span), reason)
+                        }
+                    },
+                }
+            }
+            Expression::Function { name, operands } => self.function(name, operands),
+        }
+    }
+
+    fn function(&mut self, name: &Word, operands: &[Operand]) -> Option<Value> {
+        let wanted = match name.node.as_str() {
+            "ATAN2" | "ROT_X" | "ROT_Y" | "ROT_Z" => 2,
+            _ => 1,
+        };
+        if operands.len() != wanted {
+            let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
+            let reason = format!(
+                "{} takes {wanted} operand(s), not {}",
+                name.node,
+                operands.len()
+            );
+            return self.refuse(Code::Equation, place, reason);
+        }
+        match name.node.as_str() {
+            "ATAN2" => {
+                let y = self.number(&operands[0], Code::Equation);
+                let x = self.number(&operands[1], Code::Equation);
+                Some(Value::Scalar(ScalarExpression::Atan2 { y: y?, x: x? }))
+            }
+            "NORM" => {
+                let (variable, _) = self.structure(&operands[0], None)?;
+                Some(Value::Scalar(ScalarExpression::Norm(variable)))
+            }
+            "UNIT_VECT" => {
+                let (variable, kind) = self.structure(&operands[0], Some(VariableKind::Pos))?;
+                Some(Value::Struct(kind, StructExpression::UnitVect(variable)))
+            }
+            "ROT_X" => self.rotation(Axis::X, operands),
+            "ROT_Y" => self.rotation(Axis::Y, operands),
+            "ROT_Z" => self.rotation(Axis::Z, operands),
+            name => {
+                let operand = self.number(&operands[0], Code::Equation)?;
+                let function = scalar_function(name)?;
+                Some(Value::Scalar(ScalarExpression::Function {
+                    function,
+                    operand,
+                }))
+            }
+        }
+    }
+
+    fn rotation(&mut self, axis: Axis, operands: &[Operand]) -> Option<Value> {
+        let turned = self.structure(&operands[0], Some(VariableKind::Pos));
+        let angle = self.variable_or_constant(&operands[1], Code::Equation);
+        let ((operand, kind), angle) = (turned?, angle?);
+        Some(Value::Struct(
+            kind,
+            StructExpression::Rotate {
+                axis,
+                operand,
+                angle,
+            },
+        ))
+    }
+
+    /// A whole struct, of one kind if `kind` says so.
+    fn structure(
+        &mut self,
+        operand: &Operand,
+        kind: Option<VariableKind>,
+    ) -> Option<(VariableId, VariableKind)> {
+        match self.value(operand)? {
+            Meant::Struct {
+                variable, kind: of, ..
+            } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
+            _ => {
+                let wanted = kind.map_or("a POS or JOINT", |kind| type_name(Some(kind)));
+                let reason = format!("{wanted} belongs here");
+                self.refuse(Code::Equation, operand.span, reason)
+            }
+        }
+    }
+
+    /// An operand that the equation reads; a struct has no sign.
+    fn value(&mut self, operand: &Operand) -> Option<Meant> {
+        let meant = self.meant(operand, Code::Equation)?;
+        self.read(meant, operand.span);
+        if let Meant::Struct { negative: true, .. } = meant {
+            return self.refuse(Code::Equation, operand.span, "a struct has no sign");
+        }
+        Some(meant)
+    }
+}
+
+impl Value {
+    fn kind(&self) -> Option<VariableKind> {
+        match self {
+            Value::Scalar(_) => None,
+            Value::Struct(kind, _) => Some(*kind),
+        }
+    }
+}
+
+fn kind_of(meant: Meant) -> Option<VariableKind> {
+    match meant {
+        Meant::Struct { kind, .. } => Some(kind),
+        Meant::Constant(_) | Meant::Scalar { .. } => None,
+    }
+}
+
+fn type_name(kind: Option<VariableKind>) -> &'static str {
+    match kind {
+        Some(VariableKind::Pos) => "a POS",
+        Some(VariableKind::Joint) => "a JOINT",
+        Some(VariableKind::Var) | None => "a number",
+    }
+}
+
+fn expression_span(expression: &Expression) -> Span {
+    match expression {
+        Expression::Operand(operand) => operand.span,
+        Expression::Binary { left, right, .. } => left.span.to(right.span),
+        Expression::Function { name, operands } => operands
+            .last()
+            .map_or(name.span, |last| name.span.to(last.span)),
+    }
+}
+
+fn scalar_function(name: &str) -> Option<Function> {
+    Some(match name {
+        "INT" => Function::Int,
+        "ABS" => Function::Abs,
+        "SQRT" => Function::Sqrt,
+        "SIN" => Function::Sin,
+        "COS" => Function::Cos,
+        "TAN" => Function::Tan,
+        "ASIN" => Function::Asin,
+        "ACOS" => Function::Acos,
+        "ATAN" => Function::Atan,
+        "DEG2RAD" => Function::Deg2Rad,
+        "RAD2DEG" => Function::Rad2Deg,
+        _ => return None,
+    })
+}

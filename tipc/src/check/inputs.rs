@@ -1,0 +1,188 @@
+//! Commands that fill variables, and SPECIAL (T.I.P. 3.1 §7-5, §7-9-1, §7-9-2, §7-10-11).
+
+use super::names::{Meant, VAR_KEY};
+use super::resolve::Resolver;
+use super::targets::{target, word};
+use crate::codes::Code;
+use crate::commands::Targets;
+use crate::diagnostic::Diagnostic;
+use crate::program::{self, Action, Argument, Scalar};
+use crate::syntax::{Operand, VariableKind, Word};
+use tip_runtime::command::{Op, Port, Target, Teach};
+use tip_runtime::model::Family;
+
+impl Resolver<'_> {
+    pub(super) fn teach(
+        &mut self,
+        name: &Word,
+        what: Teach,
+        targets: Targets,
+        arguments: &[Operand],
+    ) -> Option<Action> {
+        let target = self.target(name, targets, arguments)?;
+        let Some(into) = arguments.get(1) else {
+            return self.missing(name.span, "the variable that receives what is measured");
+        };
+        self.no_more(name, &arguments[2..])?;
+        let kind = match (what, target) {
+            (Teach::Position | Teach::Force, _) => VariableKind::Pos,
+            (Teach::Angle | Teach::Torque, Target::Joint(..)) => VariableKind::Var,
+            (Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
+        };
+        let wanted = match kind {
+            VariableKind::Pos => "a POS variable belongs here",
+            VariableKind::Joint => "a JOINT variable belongs here",
+            VariableKind::Var => "a VAR or a member belongs here",
+        };
+        match self.meant(into, Code::Argument)? {
+            Meant::Struct {
+                variable,
+                kind: of,
+                negative: false,
+            } if kind == of => {
+                self.usage.assign(variable);
+                Some(Action::TeachStruct {
+                    what,
+                    target,
+                    into: variable,
+                })
+            }
+            Meant::Scalar {
+                scalar,
+                negative: false,
+                ..
+            } if kind == VariableKind::Var => {
+                self.usage.assign(scalar.variable);
+                Some(Action::TeachScalar {
+                    what,
+                    target,
+                    into: scalar,
+                })
+            }
+            _ => self.refuse(Code::Argument, into.span, wanted),
+        }
+    }
+
+    pub(super) fn key_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+        self.no_more(name, arguments.get(1..).unwrap_or_default())?;
+        let into = match arguments.first() {
+            Some(operand) => self.receiver(operand)?,
+            None => Scalar {
+                variable: self.names.find(VAR_KEY)?,
+                member: 0,
+            },
+        };
+        self.usage.assign(into.variable);
+        Some(Action::KeyIn { into })
+    }
+
+    pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+        let Some(first) = arguments.first() else {
+            return self.missing(name.span, "the input, as `0 13` or `VR1`,");
+        };
+        let (port, used) = match word(first) {
+            Some(id) if self.names.find(id).is_none() => (self.port(first, id)?, 1),
+            _ => (self.channel(name, arguments)?, 2),
+        };
+        let Some(into) = arguments.get(used) else {
+            return self.missing(name.span, "the VAR that receives the volts");
+        };
+        self.no_more(name, &arguments[used + 1..])?;
+        let into = self.receiver(into)?;
+        self.usage.assign(into.variable);
+        Some(Action::AdIn { port, into })
+    }
+
+    fn channel(&mut self, name: &Word, arguments: &[Operand]) -> Option<Port> {
+        let board = self.constant(&arguments[0])?;
+        if board.trunc() != 0.0 {
+            let reason = "there is one A/D board: number 0";
+            return self.refuse(Code::Argument, arguments[0].span, reason);
+        }
+        let Some(channel) = arguments.get(1) else {
+            return self.missing(name.span, "the channel");
+        };
+        let number = self.constant(channel)?.trunc();
+        if !(0.0..=15.0).contains(&number) {
+            let reason = "the board has the channels 0…15";
+            return self.refuse(Code::Argument, channel.span, reason);
+        }
+        Some(Port::Channel(number as u8))
+    }
+
+    fn port(&mut self, operand: &Operand, id: &str) -> Option<Port> {
+        let family = self.robot.signature().family;
+        let port = match id.as_bytes() {
+            [b'V', b'R', knob @ b'1'..=b'3'] => Some(Port::Knob(knob - b'0')),
+            [b'P', b'A', b'W', paw @ b'1'..=b'4'] if family == Family::Titan => {
+                Some(Port::Paw(paw - b'0'))
+            }
+            b"ANTENNA" if family != Family::Generic => Some(Port::Antenna),
+            _ => match target(id) {
+                Some(Target::Joint(leg, joint)) if self.robot.has(Target::Joint(leg, joint)) => {
+                    Some(Port::Joint(leg, joint))
+                }
+                _ => None,
+            },
+        };
+        if port.is_none() {
+            let reason = format!("{} has no input of this name", self.robot.name());
+            let paws = match family {
+                Family::Titan => ", PAW1…PAW4, ANTENNA",
+                Family::Hand => ", ANTENNA",
+                Family::Generic => "",
+            };
+            let help = format!(
+                "inputs are VR1…VR3, joints{paws}; {}",
+                self.robot.inventory()
+            );
+            self.report(Diagnostic::new(Code::Argument, operand.span, reason).help(help));
+        }
+        port
+    }
+
+    pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+        let Some((number, values)) = arguments.split_first() else {
+            return self.missing(name.span, "the number of the native command");
+        };
+        let code = self.constant(number)?.trunc();
+        if !(0.0..=255.0).contains(&code) {
+            let reason = "native commands have the numbers 0…255";
+            return self.refuse(Code::Argument, number.span, reason);
+        }
+        self.no_more(name, values.get(2..).unwrap_or_default())?;
+        let mut operands = vec![program::Operand::Constant(code + 0.0)];
+        for value in values {
+            operands.push(self.variable_or_constant(value, Code::Argument)?);
+        }
+        let argument = |operand| Argument {
+            operand,
+            relative: false,
+        };
+        Some(Action::Command {
+            op: Op::Special,
+            hs: false,
+            target: Target::None,
+            arguments: operands.into_iter().map(argument).collect(),
+        })
+    }
+
+    /// A VAR without sign, which a command fills.
+    fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
+        match self.meant(operand, Code::Argument)? {
+            Meant::Scalar {
+                scalar,
+                negative: false,
+                member: false,
+            } => Some(scalar),
+            _ => self.refuse(Code::Argument, operand.span, "a VAR belongs here"),
+        }
+    }
+
+    fn constant(&mut self, operand: &Operand) -> Option<f64> {
+        match self.meant(operand, Code::Argument)? {
+            Meant::Constant(value) => Some(value),
+            _ => self.refuse(Code::Argument, operand.span, "a constant belongs here"),
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
+
+use super::labels::{LOOP, Labels};
+use super::structure::{BlockKind, Blocks, keyword};
+use super::suggest::nearest;
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::{Jump, Module, Span, StatementKind, Then};
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Goto,
+    Gosub,
+    Call,
+}
+
+/// Finds the statement that each jump leads to.
+pub(crate) fn resolve(
+    module: &Module,
+    labels: &Labels,
+    blocks: &Blocks,
+    found: &mut Vec<Diagnostic>,
+) -> Vec<Option<usize>> {
+    let mut jumps = Jumps {
+        module,
+        labels,
+        blocks,
+        found,
+    };
+    module
+        .statements
+        .iter()
+        .enumerate()
+        .map(|(index, statement)| {
+            let (kind, jump) = jump_of(&statement.kind)?;
+            let place = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
+            let to = jumps.target(index, kind, jump, place)?;
+            jumps.check(index, to, kind, jump.keyword);
+            Some(to)
+        })
+        .collect()
+}
+
+fn jump_of(kind: &StatementKind) -> Option<(Kind, &Jump)> {
+    match kind {
+        StatementKind::Goto(jump)
+        | StatementKind::If {
+            then: Then::Goto(jump),
+            ..
+        } => Some((Kind::Goto, jump)),
+        StatementKind::Gosub(jump)
+        | StatementKind::If {
+            then: Then::Gosub(jump),
+            ..
+        } => Some((Kind::Gosub, jump)),
+        StatementKind::Call(jump) => Some((Kind::Call, jump)),
+        _ => None,
+    }
+}
+
+struct Jumps<'a> {
+    module: &'a Module,
+    labels: &'a Labels,
+    blocks: &'a Blocks,
+    found: &'a mut Vec<Diagnostic>,
+}
+
+impl Jumps<'_> {
+    fn target(&mut self, index: usize, kind: Kind, jump: &Jump, place: Span) -> Option<usize> {
+        let name = jump
+            .label
+            .as_ref()
+            .map_or(LOOP, |label| label.node.as_str());
+        if name == LOOP {
+            return self.loop_target(index, kind, place);
+        }
+        let Some(to) = self.labels.find(name) else {
+            let help = match nearest(name, self.labels.names()) {
+                Some(near) => format!("did you mean `{near}:`?"),
+                None => format!("declare it: `{name}:`"),
+            };
+            let fault = Diagnostic::new(Code::UnknownLabel, place, "no such label");
+            self.found.push(fault.about(name).help(help));
+            return None;
+        };
+        if kind == Kind::Call && !self.is_subroutine(to) {
+            let reason = format!("`{name}` is a plain label, not a SUBROUTINE");
+            let fault = Diagnostic::new(Code::Argument, place, reason)
+                .label(self.module.statements[to].span, "declared here")
+                .help("GOSUB calls plain labels");
+            self.found.push(fault);
+            return None;
+        }
+        Some(to)
+    }
+
+    fn loop_target(&mut self, index: usize, kind: Kind, place: Span) -> Option<usize> {
+        if kind != Kind::Goto {
+            let fault = Diagnostic::new(Code::Argument, place, "LOOP is a label for GOTO only");
+            self.found
+                .push(fault.help("give the routine a label of its own"));
+            return None;
+        }
+        let to = self.labels.loop_above(index);
+        if to.is_none() {
+            let reason = "no LOOP label stands above this jump";
+            let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
+            self.found
+                .push(fault.help("put `LOOP:` where the repetition starts"));
+        }
+        to
+    }
+
+    fn is_subroutine(&self, statement: usize) -> bool {
+        matches!(
+            self.module.statements[statement].kind,
+            StatementKind::Subroutine { .. }
+        )
+    }
+
+    /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
+    fn check(&mut self, from: usize, to: usize, kind: Kind, place: Span) {
+        let around: Vec<usize> = self.blocks.chain(from).collect();
+        let called = kind != Kind::Goto && self.is_subroutine(to);
+        let entered = self
+            .blocks
+            .chain(to)
+            .filter(|block| !around.contains(block));
+        let mut entered: Vec<usize> = entered
+            .filter(|block| !(called && self.blocks.blocks[*block].opener == to))
+            .collect();
+        let closed = entered
+            .iter()
+            .rposition(|block| self.blocks.blocks[*block].kind != BlockKind::For);
+        if let Some(closed) = closed {
+            let block = entered[closed];
+            return self.refuse_entry(block, to, place);
+        }
+        if kind == Kind::Goto
+            && let Some(left) = self.left_subroutine(&around, to)
+        {
+            return self.refuse_leaving(left, to, place);
+        }
+        if let Some(block) = entered.pop() {
+            self.warn_of_for(block, to, place);
+        }
+    }
+
+    fn left_subroutine(&self, around: &[usize], to: usize) -> Option<usize> {
+        let target: Vec<usize> = self.blocks.chain(to).collect();
+        let is_subroutine =
+            |block: &usize| self.blocks.blocks[*block].kind == BlockKind::Subroutine;
+        around
+            .iter()
+            .copied()
+            .find(|block| is_subroutine(block) && !target.contains(block))
+    }
+
+    fn refuse_entry(&mut self, block: usize, to: usize, place: Span) {
+        let block = self.blocks.blocks[block];
+        let opener = &self.module.statements[block.opener];
+        let (what, help) = match block.kind {
+            BlockKind::If => ("a branch of an IF", "move the label out of the branch"),
+            BlockKind::While => ("a WHILE", "jump to a label before the WHILE"),
+            BlockKind::Repeat => ("a REPEAT", "jump to a label before the REPEAT"),
+            BlockKind::For => ("a FOR", "jump to a label before the FOR"),
+            BlockKind::Subroutine => ("a SUBROUTINE", "CALL the SUBROUTINE"),
+        };
+        let reason = format!("this jump enters {what} from outside");
+        let mut fault = Diagnostic::new(Code::Structure, place, reason)
+            .label(keyword(opener), "the block starts here");
+        if block.opener != to {
+            fault = fault.label(self.module.statements[to].span, "the label");
+        }
+        self.found.push(fault.help(help));
+    }
+
+    fn refuse_leaving(&mut self, block: usize, to: usize, place: Span) {
+        let opener = &self.module.statements[self.blocks.blocks[block].opener];
+        let fault = Diagnostic::new(Code::Structure, place, "GOTO leaves its SUBROUTINE")
+            .label(keyword(opener), "the SUBROUTINE starts here")
+            .label(self.module.statements[to].span, "the label")
+            .help("leave a SUBROUTINE with RETURN or SUBEND");
+        self.found.push(fault);
+    }
+
+    fn warn_of_for(&mut self, block: usize, to: usize, place: Span) {
+        let opener = &self.module.statements[self.blocks.blocks[block].opener];
+        let reason = "NEXT counts a variable that FOR may not have set";
+        let warning = Diagnostic::new(Code::EntersFor, place, reason)
+            .label(keyword(opener), "the FOR")
+            .label(self.module.statements[to].span, "the label");
+        self.found.push(warning);
+    }
+}

@@ -1,0 +1,291 @@
+//! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
+
+use super::suggest::nearest;
+use crate::codes::Code;
+use crate::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
+use crate::diagnostic::Diagnostic;
+use crate::program::{self, Scalar, Variable, VariableId};
+use crate::robot::Robot;
+use crate::syntax::{
+    FUNCTIONS, Module, Operand, OperandKind, Span, StatementKind, VariableKind, Word,
+};
+use std::collections::{HashMap, HashSet};
+
+/// The variable of KEY_IN without argument.
+pub(crate) const VAR_KEY: &str = "VAR_KEY";
+
+/// Every variable of a program.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Names {
+    pub(crate) variables: Vec<Variable>,
+    /// Where each variable is declared; `None` for VAR_KEY.
+    pub(crate) declared: Vec<Option<Span>>,
+    ids: HashMap<String, VariableId>,
+    /// Names whose declaration was refused: their uses are no news.
+    refused: HashSet<String>,
+    joints: usize,
+}
+
+/// What an operand stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Meant {
+    Constant(f64),
+    Scalar {
+        scalar: Scalar,
+        negative: bool,
+        member: bool,
+    },
+    Struct {
+        variable: VariableId,
+        kind: VariableKind,
+        negative: bool,
+    },
+}
+
+impl Meant {
+    /// The number, unless this is a struct.
+    pub(crate) fn number(self) -> Option<program::Operand> {
+        match self {
+            Meant::Constant(value) => Some(program::Operand::Constant(value)),
+            Meant::Scalar {
+                scalar, negative, ..
+            } => Some(program::Operand::Scalar { scalar, negative }),
+            Meant::Struct { .. } => None,
+        }
+    }
+}
+
+impl Names {
+    /// Reads every declaration.
+    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Vec<Diagnostic>) -> Self {
+        let mut names = Names {
+            joints: usize::from(robot.signature().joints),
+            ..Names::default()
+        };
+        names.insert(VAR_KEY, VariableKind::Var, None);
+        for statement in &module.statements {
+            if let StatementKind::Define {
+                kind,
+                keyword,
+                names: words,
+            } = &statement.kind
+            {
+                if words.is_empty() {
+                    let reason = "this declaration names no variable";
+                    let help = "write the names behind it, separated by blanks or commas";
+                    found.push(Diagnostic::new(Code::Argument, *keyword, reason).help(help));
+                }
+                for word in words {
+                    names.declare(*kind, word, found);
+                }
+            }
+        }
+        names
+    }
+
+    fn insert(&mut self, name: &str, kind: VariableKind, place: Option<Span>) {
+        let first = self
+            .variables
+            .last()
+            .map_or(0, |last| last.first + last.size());
+        self.ids.insert(name.to_owned(), self.variables.len());
+        self.declared.push(place);
+        self.variables.push(Variable {
+            name: name.to_owned(),
+            kind,
+            first,
+            joints: self.joints,
+        });
+    }
+
+    fn declare(&mut self, kind: VariableKind, word: &Word, found: &mut Vec<Diagnostic>) {
+        let name = word.node.as_str();
+        if let Some(fault) = self.refusal(word) {
+            found.push(fault);
+            self.refused.insert(name.to_owned());
+            return;
+        }
+        if MOTION_FLAGS.contains(&name) {
+            let reason = "motion commands read this word as their flag";
+            let warning = Diagnostic::new(Code::FlagName, word.span, reason);
+            found.push(warning.about(name).help("choose another name"));
+        }
+        self.insert(name, kind, Some(word.span));
+    }
+
+    fn refusal(&self, word: &Word) -> Option<Diagnostic> {
+        let name = word.node.as_str();
+        let fault = |reason: String| Diagnostic::new(Code::Argument, word.span, reason);
+        if !is_variable_name(name) {
+            let help = "a name is made of letters, digits and `_`, and does not start with a digit";
+            return Some(fault(format!("`{name}` is no name for a variable")).help(help));
+        }
+        if is_reserved(name) {
+            let help = "choose another name";
+            return Some(fault(format!("`{name}` is a word of the language")).help(help));
+        }
+        let first = *self.ids.get(name)?;
+        let again = fault(format!("`{name}` is declared again")).help("declare it once");
+        Some(match self.declared[first] {
+            Some(place) => again.label(place, "first declared here"),
+            None => again,
+        })
+    }
+
+    /// The variable of that name.
+    pub(crate) fn find(&self, name: &str) -> Option<VariableId> {
+        self.ids.get(name).copied()
+    }
+
+    /// What an operand stands for. `shape` is the code of a member that the variable lacks.
+    ///
+    /// `None` if the name's declaration was refused, which is reported already.
+    pub(crate) fn operand(
+        &self,
+        operand: &Operand,
+        shape: Code,
+    ) -> Result<Option<Meant>, Box<Diagnostic>> {
+        let (name, member) = match &operand.kind {
+            OperandKind::Number(value) => return Ok(Some(Meant::Constant(*value))),
+            OperandKind::Name { name, member } => (name, member.as_deref()),
+        };
+        if member.is_none()
+            && let Some(value) = constant(name)
+        {
+            let value = if operand.negative { -value } else { value };
+            return Ok(Some(Meant::Constant(value)));
+        }
+        let Some(variable) = self.find(name) else {
+            if self.refused.contains(name) {
+                return Ok(None);
+            }
+            return Err(Box::new(self.unknown(name, operand.span)));
+        };
+        let Some(member) = member else {
+            return Ok(Some(self.whole(variable, operand.negative)));
+        };
+        match self.member(variable, member) {
+            Some(index) => Ok(Some(Meant::Scalar {
+                scalar: Scalar {
+                    variable,
+                    member: index,
+                },
+                negative: operand.negative,
+                member: true,
+            })),
+            None => Err(Box::new(self.no_member(
+                variable,
+                member,
+                operand.span,
+                shape,
+            ))),
+        }
+    }
+
+    fn whole(&self, variable: VariableId, negative: bool) -> Meant {
+        match self.variables[variable].kind {
+            VariableKind::Var => Meant::Scalar {
+                scalar: Scalar {
+                    variable,
+                    member: 0,
+                },
+                negative,
+                member: false,
+            },
+            kind => Meant::Struct {
+                variable,
+                kind,
+                negative,
+            },
+        }
+    }
+
+    fn member(&self, variable: VariableId, member: &str) -> Option<usize> {
+        let variable = &self.variables[variable];
+        match variable.kind {
+            VariableKind::Var => None,
+            VariableKind::Pos => ["X", "Y", "Z"].iter().position(|name| *name == member),
+            VariableKind::Joint => {
+                (0..variable.size()).find(|index| member == format!("J{}", index + 1))
+            }
+        }
+    }
+
+    fn no_member(&self, id: VariableId, member: &str, span: Span, shape: Code) -> Diagnostic {
+        let variable = &self.variables[id];
+        let name = &variable.name;
+        let help = match variable.kind {
+            VariableKind::Var => format!("`{name}` is a VAR: it has no members"),
+            VariableKind::Pos => format!("`{name}` is a POS: it has the members X, Y, Z"),
+            VariableKind::Joint => format!(
+                "`{name}` is a JOINT: on this robot it has the members J1…J{}",
+                variable.size()
+            ),
+        };
+        let reason = format!("`{name}` has no member `{member}`");
+        Diagnostic::new(shape, span, reason).help(help)
+    }
+
+    fn unknown(&self, name: &str, span: Span) -> Diagnostic {
+        let known = self.variables.iter().map(|variable| variable.name.as_str());
+        let help = match nearest(name, known) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None if is_reserved(name) => {
+                format!("`{name}` is a word of the language and stands for no number")
+            }
+            None => format!("declare it: `DEF_VAR {name}`, `DEF_POS {name}` or `DEF_JOINT {name}`"),
+        };
+        Diagnostic::new(Code::UnknownVariable, span, "this name is not declared")
+            .about(name)
+            .help(help)
+    }
+}
+
+/// The ASCII constants CHAR_0…CHAR_9, CHAR_A…CHAR_Z, CHAR_SPC.
+pub(crate) fn constant(name: &str) -> Option<f64> {
+    match name.strip_prefix("CHAR_")?.as_bytes() {
+        b"SPC" => Some(32.0),
+        [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(f64::from(*char)),
+        _ => None,
+    }
+}
+
+/// Whether a word belongs to the language, so that nothing may bear it as a name.
+pub(crate) fn is_reserved(word: &str) -> bool {
+    let is_command = COMMANDS
+        .iter()
+        .any(|command| command.name == word || command.alias == Some(word));
+    let is_word = [FUNCTIONS, FLAGS, PARTICLES, PORTS]
+        .iter()
+        .any(|words| words.contains(&word));
+    is_command
+        || is_word
+        || word == VAR_KEY
+        || constant(word).is_some()
+        || is_target(word)
+        || FLAG_FAMILIES.iter().any(|family| {
+            word.strip_prefix(family).is_some_and(|rest| {
+                is_target(rest) && *family != "SPECIAL_FLAG"
+                    || *family == "SPECIAL_FLAG" && matches!(rest.as_bytes(), [b'0'..=b'9'])
+            })
+        })
+}
+
+/// Whether a word is ALL, FLOOR, F1…F9 or J11…J99, whatever the robot.
+pub(crate) fn is_target(word: &str) -> bool {
+    matches!(
+        word.as_bytes(),
+        b"ALL" | b"FLOOR" | [b'F', b'1'..=b'9'] | [b'J', b'1'..=b'9', b'1'..=b'9']
+    )
+}
+
+fn is_variable_name(name: &str) -> bool {
+    let starts_well = name.starts_with(|first: char| first.is_ascii_uppercase() || first == '_');
+    starts_well && is_label_name(&name.replace('_', "A"))
+}
+
+/// Whether a word can name a label.
+pub(crate) fn is_label_name(name: &str) -> bool {
+    let is_fit = |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_';
+    !name.is_empty() && name.bytes().all(is_fit)
+}

@@ -1,0 +1,64 @@
+//! Constants that a command refuses at run time.
+
+use super::resolve::Resolver;
+use crate::codes::Code;
+use crate::commands::Limit;
+use crate::diagnostic::Diagnostic;
+use crate::program::{Argument, Operand};
+use crate::robot::Robot;
+use crate::syntax::{self, Word};
+use tip_runtime::model::Range;
+
+impl Resolver<'_> {
+    /// Warns of each constant out of the command's range.
+    pub(super) fn warn_of_range(
+        &mut self,
+        name: &Word,
+        limit: Limit,
+        operands: &[syntax::Operand],
+        values: &[Argument],
+    ) {
+        for (operand, value) in operands.iter().zip(values) {
+            if let Operand::Constant(value) = value.operand
+                && let Some(range) = broken(limit, value, self.robot)
+            {
+                let help = format!("{} takes {range} on {}", name.node, self.robot.name());
+                let reason = "out of range";
+                self.report(Diagnostic::new(Code::OutOfRange, operand.span, reason).help(help));
+            }
+        }
+    }
+}
+
+/// The range that a value leaves, in words.
+fn broken(limit: Limit, value: f64, robot: Robot) -> Option<String> {
+    let outside =
+        |range: Range| (!range.contains(value)).then(|| format!("{} to {}", range.min, range.max));
+    match limit {
+        Limit::Any => None,
+        Limit::NotNegative => (value < 0.0).then(|| "0 or more".to_owned()),
+        Limit::Positive => (value <= 0.0).then(|| "more than 0".to_owned()),
+        Limit::Percent => {
+            (value <= 0.0 || value > 100.0).then(|| "more than 0, up to 100".to_owned())
+        }
+        Limit::Period => outside(robot.periods()),
+        Limit::Frequency => {
+            let Range { min, max } = robot.periods();
+            outside(Range::new(1000.0 / max, 1000.0 / min))
+        }
+        Limit::Lamp => {
+            let last = f64::from(robot.lamps()) - 1.0;
+            let fitted = Range::new(0.0, last).contains(value.trunc());
+            (!fitted).then(|| format!("0 to {last}"))
+        }
+        Limit::FloorType => {
+            let types = if robot == Robot::Hand { 2.0 } else { 3.0 };
+            let known = Range::new(1.0, types).contains(value.trunc());
+            (!known).then(|| format!("1 to {types}"))
+        }
+        Limit::ObjectType => {
+            let known = Range::new(1.0, 3.0).contains(value.trunc());
+            (!known).then(|| "1 to 3".to_owned())
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Targets and event flags of the robot at hand (T.I.P. 3.1 §6-2, §10-3-5).
+
+use super::resolve::Resolver;
+use super::suggest::nearest;
+use crate::codes::Code;
+use crate::commands::{FLAG_FAMILIES, FLAGS, Joints, Targets};
+use crate::diagnostic::Diagnostic;
+use crate::robot::Robot;
+use crate::syntax::{Operand, OperandKind, Word};
+use tip_runtime::command::{Flag, Target};
+use tip_runtime::model::Family;
+
+/// The target that a word names, whatever the robot.
+pub(super) fn target(word: &str) -> Option<Target> {
+    match word.as_bytes() {
+        b"ALL" => Some(Target::All),
+        b"FLOOR" => Some(Target::Floor),
+        [b'F', leg @ b'1'..=b'9'] => Some(Target::Foot(leg - b'0')),
+        [b'J', leg @ b'1'..=b'9', joint @ b'1'..=b'9'] => {
+            Some(Target::Joint(leg - b'0', joint - b'0'))
+        }
+        _ => None,
+    }
+}
+
+/// The word that an operand is, if it is one without sign and member.
+pub(super) fn word(operand: &Operand) -> Option<&str> {
+    match &operand.kind {
+        OperandKind::Name { name, member: None } if !operand.negative => Some(name),
+        _ => None,
+    }
+}
+
+impl Resolver<'_> {
+    /// The target that stands first among a command's arguments.
+    pub(super) fn target(
+        &mut self,
+        command: &Word,
+        targets: Targets,
+        arguments: &[Operand],
+    ) -> Option<Target> {
+        let wanted = targets.syntax();
+        let Some(first) = arguments.first() else {
+            let reason = format!("the target is missing: {wanted}");
+            return self.refuse_target(command.span, reason);
+        };
+        let Some(target) = word(first).and_then(target) else {
+            let reason = format!("a target belongs here: {wanted}");
+            return self.refuse_target(first.span, reason);
+        };
+        if !self.robot.has(target) {
+            let reason = format!("{} has no {target}", self.robot.name());
+            return self.refuse_target(first.span, reason);
+        }
+        if !takes(targets, target, self.robot) {
+            let reason = format!(
+                "{} takes no {target}: its targets are {wanted}",
+                command.node
+            );
+            return self.refuse_target(first.span, reason);
+        }
+        Some(target)
+    }
+
+    fn refuse_target<T>(&mut self, place: crate::syntax::Span, reason: String) -> Option<T> {
+        let fault = Diagnostic::new(Code::Argument, place, reason);
+        self.report(fault.help(self.robot.inventory()));
+        None
+    }
+
+    /// The event flag of a condition.
+    pub(super) fn flag(&mut self, name: &Word) -> Option<Flag> {
+        let word = name.node.as_str();
+        let found = match word {
+            "HALT_REQUEST" => Some(Flag::HaltRequest),
+            "KB_HIT" => Some(Flag::KbHit),
+            "ANTENNA_ON" => Some(Flag::Antenna).filter(|_| self.robot == Robot::Hand),
+            _ => self.numbered_flag(word),
+        };
+        if found.is_none() {
+            let robot = self.robot.name();
+            let reason = format!("{robot} has no event flag of this name");
+            let help = match nearest(word, FLAGS.iter().copied()) {
+                Some(near) if near != word => format!("did you mean `{near}`?"),
+                _ => format!(
+                    "flags are HALT_REQUEST, KB_HIT, INPOS_…, NEAR_… with a target, SPECIAL_FLAG0…9, ANTENNA_ON (hand); {}",
+                    self.robot.inventory()
+                ),
+            };
+            self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
+        }
+        found
+    }
+
+    fn numbered_flag(&self, word: &str) -> Option<Flag> {
+        let [inpos, near, special] = [FLAG_FAMILIES[0], FLAG_FAMILIES[1], FLAG_FAMILIES[2]];
+        if let Some([number @ b'0'..=b'9']) = word.strip_prefix(special).map(str::as_bytes) {
+            return Some(Flag::Special(number - b'0'));
+        }
+        let awaited = |rest: &str| {
+            target(rest).filter(|target| *target != Target::Floor && self.robot.has(*target))
+        };
+        if let Some(rest) = word.strip_prefix(inpos) {
+            return awaited(rest).map(Flag::Inpos);
+        }
+        word.strip_prefix(near).and_then(awaited).map(Flag::Near)
+    }
+}
+
+fn takes(targets: Targets, target: Target, robot: Robot) -> bool {
+    match target {
+        Target::None => false,
+        Target::All => targets.all,
+        Target::Floor => targets.floor,
+        Target::Foot(_) => targets.foot,
+        Target::Joint(_, joint) => match targets.joints {
+            Joints::None => false,
+            Joints::Every => true,
+            Joints::Second => joint == 2,
+            Joints::Third => joint == 3,
+            Joints::ThirdOfHand => joint == 3 && robot.signature().family == Family::Hand,
+        },
+    }
+}

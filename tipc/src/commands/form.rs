@@ -1,0 +1,332 @@
+//! Argument forms as data.
+
+use crate::robot::Robot;
+use tip_runtime::model::Family;
+
+/// A set of robot families.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Robots {
+    titan: bool,
+    hand: bool,
+    generic: bool,
+}
+
+impl Robots {
+    /// Every robot.
+    pub const ALL: Robots = Robots::new(true, true, true);
+    /// Robots that sense and give torque.
+    pub const FORCE: Robots = Robots::new(false, true, true);
+    /// TITAN VIII alone.
+    pub const TITAN: Robots = Robots::new(true, false, false);
+    /// TITAN VIII and the Hiroshima Hand.
+    pub const NAMED: Robots = Robots::new(true, true, false);
+    /// The Hiroshima Hand alone.
+    pub const HAND: Robots = Robots::new(false, true, false);
+
+    const fn new(titan: bool, hand: bool, generic: bool) -> Self {
+        Robots {
+            titan,
+            hand,
+            generic,
+        }
+    }
+
+    /// Whether the robot is in the set.
+    pub const fn contains(self, robot: Robot) -> bool {
+        match robot.signature().family {
+            Family::Titan => self.titan,
+            Family::Hand => self.hand,
+            Family::Generic => self.generic,
+        }
+    }
+
+    /// The letters T, H, G of the language reference.
+    pub fn letters(self) -> String {
+        let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];
+        let names: Vec<&str> = letters
+            .iter()
+            .filter(|(member, _)| *member)
+            .map(|(_, letter)| *letter)
+            .collect();
+        names.join(" ")
+    }
+}
+
+/// What may stand as a command's target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Targets {
+    /// `F`: a foot or finger.
+    pub foot: bool,
+    /// `J`: which joints.
+    pub joints: Joints,
+    /// `ALL`
+    pub all: bool,
+    /// `FLOOR`, on the hand.
+    pub floor: bool,
+}
+
+/// Which joints may stand as a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Joints {
+    /// None.
+    None,
+    /// Every joint.
+    Every,
+    /// The second joint of each leg.
+    Second,
+    /// The third joint of each leg.
+    Third,
+    /// The third joint of each finger of the hand; none on other robots.
+    ThirdOfHand,
+}
+
+impl Targets {
+    /// No target at all.
+    pub const NONE: Targets = Targets {
+        foot: false,
+        joints: Joints::None,
+        all: false,
+        floor: false,
+    };
+    /// `F`
+    pub const FOOT: Targets = Targets {
+        foot: true,
+        ..Targets::NONE
+    };
+    /// `F`, and on the hand `Jn3` and `FLOOR`.
+    pub const PLACE: Targets = Targets {
+        joints: Joints::ThirdOfHand,
+        floor: true,
+        ..Targets::FOOT
+    };
+    /// `F` or `J`
+    pub const FOOT_JOINT: Targets = Targets {
+        joints: Joints::Every,
+        ..Targets::FOOT
+    };
+    /// `F`, `J` or `ALL`
+    pub const ANY: Targets = Targets {
+        all: true,
+        ..Targets::FOOT_JOINT
+    };
+    /// `F` or `ALL`
+    pub const FEET: Targets = Targets {
+        all: true,
+        ..Targets::FOOT
+    };
+    /// `F`, `ALL`, and on the hand `FLOOR`.
+    pub const FEET_FLOOR: Targets = Targets {
+        floor: true,
+        ..Targets::FEET
+    };
+    /// `J` or `ALL`
+    pub const JOINTS: Targets = Targets {
+        joints: Joints::Every,
+        all: true,
+        ..Targets::NONE
+    };
+    /// `F` or `Jn3`
+    pub const TIP: Targets = Targets {
+        joints: Joints::Third,
+        ..Targets::FOOT
+    };
+    /// `F`, `Jn3` or `ALL`
+    pub const TIPS: Targets = Targets {
+        all: true,
+        ..Targets::TIP
+    };
+    /// `F` or `Jn2`
+    pub const CONTACT: Targets = Targets {
+        joints: Joints::Second,
+        ..Targets::FOOT
+    };
+}
+
+/// The operands behind a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Values {
+    /// None.
+    None,
+    /// One constant or VAR.
+    One,
+    /// Three constants or VARs.
+    Three,
+    /// A position: three scalars, or one POS.
+    Position,
+    /// Angles or torques: a scalar for each joint, or one JOINT; one scalar for a single joint.
+    Angles,
+    /// As `Angles`; one constant or VAR, or one JOINT, for ALL.
+    Tolerances,
+    /// As `Angles`; one constant or VAR for ALL.
+    TorqueLimits,
+}
+
+/// What the values of a command must be at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Anything.
+    Any,
+    /// Not below zero.
+    NotNegative,
+    /// Above zero.
+    Positive,
+    /// Above zero, up to 100.
+    Percent,
+    /// A sampling time of the robot in ms.
+    Period,
+    /// A sampling frequency of the robot in Hz.
+    Frequency,
+    /// A lamp or relay that the robot has.
+    Lamp,
+    /// A type of DETECT_FLOOR.
+    FloorType,
+    /// A type of DETECT_OBJECT.
+    ObjectType,
+}
+
+/// The arguments of a command that the robot carries out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Arguments {
+    /// `HS` may stand first.
+    pub hs: bool,
+    /// The target.
+    pub targets: Targets,
+    /// The operands behind it.
+    pub values: Values,
+    /// Whether `R` and `A` are flags here: motion commands only.
+    pub motion: bool,
+    /// Whether `R` and `A` may stand before operands.
+    pub relative: bool,
+    /// What the operands must be.
+    pub limit: Limit,
+}
+
+impl Arguments {
+    /// No arguments.
+    pub const BARE: Arguments = Arguments {
+        hs: false,
+        targets: Targets::NONE,
+        values: Values::None,
+        motion: false,
+        relative: false,
+        limit: Limit::Any,
+    };
+
+    /// A target alone.
+    pub const fn target(targets: Targets) -> Self {
+        Arguments {
+            targets,
+            ..Self::BARE
+        }
+    }
+
+    /// A target and values within a limit.
+    pub const fn setting(targets: Targets, values: Values, limit: Limit) -> Self {
+        Arguments {
+            targets,
+            values,
+            limit,
+            ..Self::BARE
+        }
+    }
+
+    /// A motion whose operands may be relative.
+    pub const fn motion(targets: Targets, values: Values) -> Self {
+        Arguments {
+            targets,
+            values,
+            motion: true,
+            relative: true,
+            ..Self::BARE
+        }
+    }
+
+    /// The same without `R` and `A`.
+    pub const fn plain(self) -> Self {
+        Arguments {
+            relative: false,
+            ..self
+        }
+    }
+
+    /// The same with `HS`.
+    pub const fn fast(self) -> Self {
+        Arguments { hs: true, ..self }
+    }
+}
+
+/// How a command is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// `[HS] target values`
+    Robot(Arguments),
+    /// `number [V] [V]`
+    Special,
+    /// A target and the variable that receives what is measured.
+    Teach(Targets),
+    /// `board channel VAR` or `id VAR`
+    AdIn,
+    /// `[VAR]`
+    KeyIn,
+    /// As this text says; the parser reads it.
+    Words(&'static str),
+}
+
+impl Form {
+    /// The arguments as the language reference writes them.
+    pub fn syntax(self) -> String {
+        match self {
+            Form::Robot(arguments) => arguments.syntax(),
+            Form::Special => "number [V] [V]".to_owned(),
+            Form::Teach(targets) => format!("{} variable", targets.syntax()),
+            Form::AdIn => "board channel VAR, or id VAR".to_owned(),
+            Form::KeyIn => "[VAR]".to_owned(),
+            Form::Words(text) => text.to_owned(),
+        }
+    }
+}
+
+impl Arguments {
+    fn syntax(self) -> String {
+        let mark = if self.relative { "†" } else { "" };
+        let values = match self.values {
+            Values::None => String::new(),
+            Values::One => "V".to_owned(),
+            Values::Three => "V V V".to_owned(),
+            Values::Position => format!("S³{mark}"),
+            Values::Angles if self.targets.joints == Joints::None => format!("Sⁿ{mark}"),
+            Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
+            Values::Tolerances => "Sⁿ, one V for J, V or Q for ALL".to_owned(),
+            Values::TorqueLimits => "Sⁿ, one V for J and ALL".to_owned(),
+        };
+        let hs = if self.hs { "[HS]" } else { "" };
+        let parts = [hs.to_owned(), self.targets.syntax(), values];
+        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        parts.join(" ")
+    }
+}
+
+impl Targets {
+    /// The targets as help texts write them.
+    pub fn syntax(self) -> String {
+        let joints = match self.joints {
+            Joints::None => "",
+            Joints::Every => "J",
+            Joints::Second => "Jn2",
+            Joints::Third => "Jn3",
+            Joints::ThirdOfHand => "Jn3 (H)",
+        };
+        let parts = [
+            (self.foot, "F"),
+            (!joints.is_empty(), joints),
+            (self.floor, "FLOOR (H)"),
+            (self.all, "ALL"),
+        ];
+        let names: Vec<&str> = parts
+            .iter()
+            .filter(|(member, _)| *member)
+            .map(|(_, name)| *name)
+            .collect();
+        names.join(" | ")
+    }
+}

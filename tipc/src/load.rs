@@ -1,0 +1,75 @@
+//! From the bytes of a file to a program, or to all that is wrong with it.
+
+use crate::check::check;
+use crate::codes::Level;
+use crate::diagnostic::Diagnostic;
+use crate::lower::lower;
+use crate::parse::parse;
+use crate::program::Program;
+use crate::robot::Robot;
+use crate::source::{Encoding, Source};
+
+/// What a program is read and checked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The robot.
+    pub robot: Robot,
+    /// The version that line 1 must name.
+    pub tip_version: f64,
+    /// The encoding of the file.
+    pub encoding: Encoding,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            robot: Robot::default(),
+            tip_version: 3.1,
+            encoding: Encoding::Auto,
+        }
+    }
+}
+
+/// What came of a file.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The decoded text, for rendering diagnostics.
+    pub source: Source,
+    /// The program, unless there is an error among the diagnostics.
+    pub program: Option<Program>,
+    /// All findings, in order of their places.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads, checks and lowers a program. `name` is how diagnostics call the file.
+pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+    let (source, undecodable) = Source::decode(name, bytes, options.encoding);
+    if let Some(fault) = undecodable {
+        return Loaded {
+            source,
+            program: None,
+            diagnostics: vec![fault],
+        };
+    }
+    let (module, mut diagnostics) = parse(&source, options.tip_version);
+    let wrong_version = module.statements.is_empty()
+        && diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.code == crate::codes::Code::Version);
+    let program = if wrong_version {
+        None
+    } else {
+        let (checked, found) = check(&source, &module, options.robot);
+        diagnostics.extend(found);
+        let loads = diagnostics
+            .iter()
+            .all(|diagnostic| diagnostic.level() == Level::Warning);
+        loads.then(|| lower(&source, &module, checked, options.robot))
+    };
+    diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
+    Loaded {
+        source,
+        program,
+        diagnostics,
+    }
+}
