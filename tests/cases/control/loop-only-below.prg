@@ -1,5 +1,5 @@
 3.1
-Loop as an ordinary label
+LOOP stands only below the jump
 GOTO LOOP:
 REM skipped
 LOOP: END
