@@ -1,0 +1,12 @@
+3.1
+Angle target beyond the limit with emergency off
+DEF_VAR V
+EMG_OFF
+PTP_ANGLE J11 80
+SLEEP 3000
+TEACH_ANGLE J11 V
+IF V < 58 GOTO BAD:
+IF V > 61 GOTO BAD:
+IF NEAR_J11 GOTO BAD:
+EXIT
+BAD: END
