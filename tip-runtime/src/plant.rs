@@ -70,6 +70,7 @@ pub struct SimulatedPlant<const L: usize, const J: usize> {
     legs: [LegLinks<J>; L],
     mass: Mass,
     body: Body,
+    at_rest: bool,
     loads: Contacts<f64, L>,
     stance: Stance<L>,
     falls: FallWatch,
@@ -92,6 +93,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             legs,
             mass: links::mass(model, &legs),
             body: Body::upright(-model.body.z.min),
+            at_rest: false,
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
             falls: FallWatch::new(),
@@ -206,8 +208,12 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     fn advance(&mut self, outputs: &Outputs<L, J>) {
         let steps = libm::ceil(outputs.period / LONGEST_STEP).clamp(1.0, 1000.0);
         for _ in 0..steps as u32 {
+            let before = self.angles();
             self.drive(&outputs.joints, outputs.period / steps / 1000.0);
-            self.settle();
+            // What lies still on unmoved legs stays as it is, to the bit.
+            if self.angles() != before || !self.at_rest {
+                self.settle();
+            }
         }
     }
 
@@ -236,7 +242,12 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             weight: self.mass.weight,
             gravity: self.floor.gravity(),
         };
-        let Support { normal, height } = support::rest(&points, &load, &self.body);
+        let Support {
+            normal,
+            height,
+            found,
+        } = support::rest(&points, &load, &self.body);
+        self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
         self.stance.follow(&points, &self.loads, &mut self.body);

@@ -44,6 +44,8 @@ pub(super) struct Support {
     pub(super) normal: Point,
     /// The body's origin above it: mm.
     pub(super) height: f64,
+    /// The rest was found; a body that tips is still on its way.
+    pub(super) found: bool,
 }
 
 /// Finds the rest nearest to how `body` was.
@@ -55,6 +57,7 @@ pub(super) fn rest<const L: usize>(
     let mut support = Support {
         normal: body.normal,
         height: body.height,
+        found: false,
     };
     for _ in 0..TURNS {
         let levelling = Body::levelling(support.normal);
@@ -69,6 +72,7 @@ pub(super) fn rest<const L: usize>(
         support.normal = levelling.inverse() * (tilted / length);
         support.height = plane.z / length;
         if length <= 1.0 {
+            support.found = true;
             break;
         }
     }

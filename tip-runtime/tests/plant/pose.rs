@@ -181,3 +181,17 @@ fn on_a_slope_to_the_side_the_lower_feet_carry_more_wherever_the_body_heads() {
         assert!(close(*turned, level, 0.2), "{turned} {level}");
     }
 }
+
+#[test]
+fn a_robot_at_rest_does_not_move_by_a_bit() {
+    let mut rig = Rig::standing();
+    let feet = rig.feet;
+    for _ in 0..50 {
+        rig.tell(&feet);
+    }
+    let (body, loads) = (rig.plant.body(), rig.loads());
+    for _ in 0..50 {
+        rig.tell(&feet);
+    }
+    assert_eq!((rig.plant.body(), rig.loads()), (body, loads));
+}
