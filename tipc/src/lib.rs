@@ -1,5 +1,6 @@
 //! Compiler for T.I.P. 3.1 robot programs.
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 mod check;
 pub mod codes;

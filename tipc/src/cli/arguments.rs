@@ -1,0 +1,229 @@
+//! The command line, and the help that teaches it.
+
+use super::script::{Keys, Sensor};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use tipc::source::Encoding;
+use tipc::{Options, Robot};
+
+/// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
+#[derive(Debug, Parser)]
+#[command(
+    name = "tipc",
+    version,
+    arg_required_else_help = true,
+    after_help = "A first session:
+  tipc check walk.prg                 what is wrong with it, all at once
+  tipc run walk.prg                   run it on the simulated TITAN VIII
+  tipc emit rust walk.prg -o walk.rs  the same program as Rust source
+
+'tipc help run' and its like show examples of each command.
+Exit status: 0 done, 1 the program does not load or a file cannot be written,
+2 wrong usage, 3 emergency stop, 130 interrupted."
+)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) verb: Verb,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(super) enum Verb {
+    /// Report everything that is wrong with programs
+    Check(Check),
+    /// Run a program on the simulated robot
+    Run(Run),
+    /// Write a program in another form
+    Emit(Emit),
+}
+
+/// How a source file is to be read. Every command takes these.
+#[derive(Debug, Args)]
+pub(super) struct SourceArguments {
+    /// The robot that the program is for
+    #[arg(long, value_enum, default_value = "titan8")]
+    pub(super) robot: RobotName,
+
+    /// The version of the language that line 1 must name
+    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
+    tip_version: f64,
+
+    /// How the file spells text; auto takes UTF-8 if it is valid, else Shift_JIS
+    #[arg(long, value_enum, default_value = "auto")]
+    encoding: EncodingName,
+
+    /// How findings are shown: snippets for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+}
+
+impl SourceArguments {
+    /// What the compiler is told.
+    pub(super) fn options(&self) -> Options {
+        Options {
+            robot: self.robot.robot(),
+            tip_version: self.tip_version,
+            encoding: match self.encoding {
+                EncodingName::Auto => Encoding::Auto,
+                EncodingName::Utf8 => Encoding::Utf8,
+                EncodingName::ShiftJis => Encoding::ShiftJis,
+            },
+        }
+    }
+}
+
+/// `tipc check`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tipc check walk.prg turn.prg
+  tipc check --robot hand grasp.prg
+  tipc check --message-format json walk.prg   one object a line, on standard output
+  tipc check --message-format short *.prg     FILE:LINE:COLUMN: error: TIP_ERR:...
+
+Exit status: 0 if every program loads (warnings do not count), 1 otherwise.")]
+pub(super) struct Check {
+    /// The programs
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) files: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+}
+
+/// `tipc run`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tipc run walk.prg                             until END; messages on standard output
+  tipc run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
+  tipc run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
+  tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
+  tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
+
+One cycle is one step of the program: 20 ms of the robot's time unless the program sets another
+sampling time. On a terminal keys reach the program as they are pressed, RETURN is the emergency
+stop and ESC the halt request; Ctrl-C ends the run and completes its trace.
+
+Exit status: 0 END, EXIT or --cycles used up, 1 the program does not load, 2 wrong usage,
+3 emergency stop, 130 interrupted.")]
+pub(super) struct Run {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    /// Stop after this many control cycles
+    #[arg(long, value_name = "N")]
+    pub(super) cycles: Option<u64>,
+
+    /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
+    #[arg(long, value_name = "OUT.jsonl|-")]
+    pub(super) trace: Option<PathBuf>,
+
+    /// End each record of the trace with a hash of what the robot was told and measured
+    #[arg(long)]
+    pub(super) trace_state: bool,
+
+    /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
+    #[arg(long, value_name = "CYCLE:CHAR,...")]
+    pub(super) keys: Option<Keys>,
+
+    /// Request a halt before the step of this cycle
+    #[arg(long, value_name = "CYCLE")]
+    pub(super) halt: Option<u64>,
+
+    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
+    #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
+    pub(super) sensors: Vec<Sensor>,
+
+    /// Write the log files of the language into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(super) out_dir: Option<PathBuf>,
+}
+
+/// `tipc emit`
+#[derive(Debug, Args)]
+#[command(after_help = "Forms:
+  rust     one state for each step, as the macros and build scripts compile it
+  formal   FORMAL.TMP: the program step by step, comments and layout gone
+  label    LABEL.TMP: every label and the number of its step
+
+Examples:
+  tipc emit rust walk.prg -o walk.rs
+  tipc emit label walk.prg")]
+pub(super) struct Emit {
+    /// Which form
+    #[arg(value_enum)]
+    pub(super) form: Form,
+
+    /// The program
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+}
+
+/// The robots by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum RobotName {
+    /// TITAN VIII, the quadruped
+    Titan8,
+    /// Hiroshima Hand
+    Hand,
+    /// Every generic command, on TITAN VIII's geometry
+    Generic,
+}
+
+impl RobotName {
+    fn robot(self) -> Robot {
+        match self {
+            RobotName::Titan8 => Robot::Titan8,
+            RobotName::Hand => Robot::Hand,
+            RobotName::Generic => Robot::Generic,
+        }
+    }
+}
+
+/// The encodings by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum EncodingName {
+    Auto,
+    #[value(name = "utf-8", alias = "utf8")]
+    Utf8,
+    #[value(name = "shift_jis", aliases = ["shift-jis", "sjis"])]
+    ShiftJis,
+}
+
+/// How findings are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// With the source line, help and colour
+    Human,
+    /// One line each
+    Short,
+    /// One JSON object a line
+    Json,
+}
+
+/// The forms of a program.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Form {
+    /// Rust source
+    Rust,
+    /// FORMAL.TMP
+    Formal,
+    /// LABEL.TMP
+    Label,
+}
+
+fn version_number(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if f64::is_finite(number) && number > 0.0 => Ok(number),
+        _ => Err("a version is a number such as 3.1".to_owned()),
+    }
+}

@@ -1,0 +1,44 @@
+//! `tipc emit`: a program in another form.
+
+use super::arguments::{Emit, Form};
+use super::error::Error;
+use super::{Status, input, output, report};
+use tipc::program::Program;
+use tipc::{emit as rust, listing};
+
+/// Writes one form of a program to a file or to standard output.
+pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
+    let loaded = input::load(&arguments.file, &arguments.source.options());
+    report::findings(&loaded, arguments.source.message_format);
+    let Some(program) = &loaded.program else {
+        return Ok(Status::Failure);
+    };
+    let text = match arguments.form {
+        Form::Rust => as_rust(program)?,
+        Form::Formal => listing::formal(program),
+        Form::Label => listing::label(program),
+    };
+    match &arguments.out {
+        Some(out) => {
+            output::refuse_source(out, &arguments.file)?;
+            output::replace(out, &text)?;
+        }
+        None => output::print(&text)?,
+    }
+    Ok(Status::Success)
+}
+
+/// A module with one public type.
+fn as_rust(program: &Program) -> Result<String, Error> {
+    let options = rust::Options {
+        visibility: quote::quote!(pub),
+        ..rust::Options::default()
+    };
+    let tokens = rust::emit(program, &options);
+    rust::pretty(program, tokens).map_err(|error| {
+        Error::Usage(format!(
+            "{} cannot be spelt in Rust: {error}",
+            program.source_name()
+        ))
+    })
+}

@@ -1,0 +1,60 @@
+//! What can keep a command from its work, beside a program that does not load.
+
+use super::Status;
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+use tipc::codes::Code;
+use tipc::diagnostic::Diagnostic;
+use tipc::syntax::Span;
+
+/// Why a command stopped.
+#[derive(Debug)]
+pub(super) enum Error {
+    /// The command line asks for something that does not exist.
+    Usage(String),
+    /// A file cannot be written.
+    CannotWrite {
+        /// Which one.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// A file that cannot be written.
+    pub(super) fn cannot_write(path: &Path, reason: impl fmt::Display) -> Self {
+        Error::CannotWrite {
+            path: path.to_owned(),
+            reason: reason.to_string(),
+        }
+    }
+
+    /// The exit status that belongs to it.
+    pub(super) fn status(&self) -> Status {
+        match self {
+            Error::Usage(_) => Status::Usage,
+            Error::CannotWrite { .. } => Status::Failure,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Usage(text) => f.write_str(text),
+            Error::CannotWrite { path, reason } => {
+                let diagnostic =
+                    Diagnostic::new(Code::CannotWrite, Span::default(), reason.as_str())
+                        .about(path.display().to_string());
+                write!(f, "{}: {reason}", diagnostic.title())
+            }
+        }
+    }
+}
+
+/// Whether the reader of a pipe went away, which is no fault of ours.
+pub(super) fn is_closed(error: &io::Error) -> bool {
+    error.kind() == io::ErrorKind::BrokenPipe
+}

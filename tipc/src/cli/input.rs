@@ -1,0 +1,28 @@
+//! Programs from files.
+
+use std::fs;
+use std::path::Path;
+use tipc::codes::Code;
+use tipc::diagnostic::Diagnostic;
+use tipc::source::{Encoding, Source};
+use tipc::syntax::Span;
+use tipc::{Loaded, Options};
+
+/// Loads the program at `path`; a file that cannot be read is a diagnostic like any other.
+pub(super) fn load(path: &Path, options: &Options) -> Loaded {
+    let name = path.display().to_string();
+    match fs::read(path) {
+        Ok(bytes) => tipc::load(&name, &bytes, options),
+        Err(error) => {
+            let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
+            let reason = error.to_string();
+            Loaded {
+                source,
+                program: None,
+                diagnostics: vec![
+                    Diagnostic::new(Code::FileNotFound, Span::default(), reason).about(name),
+                ],
+            }
+        }
+    }
+}

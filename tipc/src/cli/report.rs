@@ -1,0 +1,97 @@
+//! Findings and errors, for people on standard error and for tools on standard output.
+
+use super::arguments::Format;
+use super::error::Error;
+use super::output;
+use std::env;
+use std::io::{self, IsTerminal, Write};
+use tipc::Loaded;
+use tipc::codes::{Code, Level};
+use tipc::diagnostic::{Diagnostic, render_human, render_json, render_short};
+
+/// Where the findings about programs go: snippets for people to standard error, the forms for tools to standard output.
+pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
+    let text = render(loaded, format);
+    match format {
+        Format::Human => {
+            complain(&text);
+            complain(&summary(loaded));
+            Ok(())
+        }
+        Format::Short | Format::Json => output::print(&text),
+    }
+}
+
+/// The findings about a program that a command is going to use: all to standard error.
+pub(super) fn findings(loaded: &Loaded, format: Format) {
+    complain(&render(loaded, format));
+}
+
+/// An error that is about no program.
+pub(super) fn error(error: &Error) {
+    complain(&format!("error: {error}\n"));
+}
+
+/// Writes to standard error; one that is closed cannot be told so.
+pub(super) fn complain(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
+fn render(loaded: &Loaded, format: Format) -> String {
+    let colour = format == Format::Human && wants_colour();
+    let lines = loaded.diagnostics.iter().map(|diagnostic| {
+        let source = &loaded.source;
+        let line = match format {
+            Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic),
+            Format::Human => render_human(source, diagnostic, colour),
+            Format::Short => render_short(source, diagnostic),
+            Format::Json => render_json(source, diagnostic),
+        };
+        let end = if line.ends_with('\n') { "" } else { "\n" };
+        // A blank line keeps snippets apart.
+        let gap = if format == Format::Human { "\n" } else { "" };
+        format!("{line}{end}{gap}")
+    });
+    lines.collect()
+}
+
+/// A finding about a file that has no text.
+fn no_snippet(diagnostic: &Diagnostic) -> String {
+    format!("error: {}: {}", diagnostic.title(), diagnostic.reason)
+}
+
+fn summary(loaded: &Loaded) -> String {
+    let count = |level| {
+        let of_level = loaded.diagnostics.iter().filter(|d| d.level() == level);
+        of_level.count()
+    };
+    let (errors, warnings) = (count(Level::Error), count(Level::Warning));
+    let name = loaded.source.name();
+    match &loaded.program {
+        Some(program) => {
+            let (steps, robot) = (program.steps().len(), program.signature().robot);
+            let warnings = plural(warnings, "warning");
+            format!(
+                "{name}: {} for {robot}, {warnings}\n",
+                plural(steps, "step")
+            )
+        }
+        None => format!(
+            "{name}: {}, {}\n",
+            plural(errors, "error"),
+            plural(warnings, "warning")
+        ),
+    }
+}
+
+fn plural(count: usize, what: &str) -> String {
+    let end = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{end}")
+}
+
+/// Colour is for terminals, and for people who did not refuse it (https://no-color.org).
+fn wants_colour() -> bool {
+    let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
+    io::stderr().is_terminal() && !refused && !dumb
+}

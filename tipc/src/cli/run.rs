@@ -1,0 +1,116 @@
+//! `tipc run`: a program on the simulated robot, by the reference interpreter.
+
+mod emergency;
+mod interrupt;
+mod logs;
+mod progress;
+mod screen;
+mod simulation;
+mod trace;
+
+use super::arguments::{RobotName, Run};
+use super::error::Error;
+use super::script::Sensor;
+use super::{Status, input, report};
+use emergency::describe;
+use progress::Progress;
+use screen::Screen;
+use simulation::Simulation;
+use tip_runtime::console::{LogFiles, Scripted};
+use tip_runtime::model::{Model, generic, titan8};
+use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::record::Ending;
+use tipc::interp::Interpreter;
+use tipc::program::Program;
+use tipc::source::Source;
+use trace::Trace;
+
+/// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
+pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
+    let model = simulated(arguments.source.robot)?;
+    for sensor in &arguments.sensors {
+        check_sensor(model, sensor)?;
+    }
+    let loaded = input::load(&arguments.file, &arguments.source.options());
+    report::findings(&loaded, arguments.source.message_format);
+    let logs = match &arguments.out_dir {
+        Some(folder) => Some(logs::claim(folder, &loaded)?),
+        None => None,
+    };
+    match loaded.program {
+        Some(program) => simulate(model, arguments, &loaded.source, program, logs),
+        None => Ok(Status::Failure),
+    }
+}
+
+/// Runs a program that was loaded, and tells how it ended.
+fn simulate<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    arguments: &Run,
+    source: &Source,
+    program: Program,
+    logs: Option<LogFiles<()>>,
+) -> Result<Status, Error> {
+    let mut trace = match &arguments.trace {
+        Some(path) => Some(Trace::begin(path, arguments.trace_state, &arguments.file)?),
+        None => None,
+    };
+    interrupt::catch();
+    let messages = !Trace::takes_standard_output(arguments.trace.as_deref());
+    let screen = Screen::new(Progress::new(arguments.cycles), messages, logs);
+    let keys = arguments.keys.clone().unwrap_or_default().0;
+    let mut console = Scripted::around(keys, screen);
+    if let Some(cycle) = arguments.halt {
+        console = console.halt(cycle);
+    }
+    let mut simulation = Simulation::new(
+        Interpreter::new(program),
+        model,
+        console,
+        &arguments.sensors,
+    )?;
+    let ending = simulation.run(arguments.cycles, trace.as_mut());
+    let cycles = simulation.cycles();
+    let logged = simulation.close();
+    if let Some(trace) = trace {
+        trace.end(ending, cycles)?;
+    }
+    if let Ending::Emergency(emergency) = &ending {
+        report::complain(&describe(emergency, source, simulation.program()));
+    }
+    logged?;
+    Ok(status(&ending))
+}
+
+/// The exit status that belongs to an ending.
+fn status(ending: &Ending) -> Status {
+    match ending {
+        Ending::Program(_) | Ending::Limit => Status::Success,
+        Ending::Emergency(_) => Status::Emergency,
+        Ending::Interrupted => Status::Interrupted,
+    }
+}
+
+/// The robots that have a simulated plant.
+fn simulated(robot: RobotName) -> Result<&'static Model<4, 3>, Error> {
+    match robot {
+        RobotName::Titan8 => Ok(&titan8::MODEL),
+        RobotName::Generic => Ok(&generic::MODEL),
+        RobotName::Hand => Err(Error::Usage(
+            "the Hiroshima Hand has no simulated plant yet: run knows titan8 and generic, check and emit know hand"
+                .to_owned(),
+        )),
+    }
+}
+
+/// Refuses an input that the robot lacks.
+fn check_sensor<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    sensor: &Sensor,
+) -> Result<(), Error> {
+    if SimulatedPlant::new(model).set_sensor(sensor.port, sensor.volts) {
+        return Ok(());
+    }
+    let (name, robot) = (&sensor.name, model.name);
+    Err(Error::Usage(format!("{robot} has no input {name}")))
+}

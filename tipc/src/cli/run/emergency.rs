@@ -1,0 +1,32 @@
+//! An emergency stop, told with its place in the program.
+
+use std::fmt::Write as _;
+use tip_runtime::fault::Fault;
+use tip_runtime::machine::Emergency;
+use tip_runtime::program::Program as _;
+use tipc::interp::Interpreter;
+use tipc::source::Source;
+
+/// The classical line, the statement that ran, and what else is known.
+pub(super) fn describe(emergency: &Emergency, source: &Source, program: &Interpreter) -> String {
+    let Emergency { fault, step, cycle } = emergency;
+    let mut text = format!("TIP_ERR:{fault} ({})\n", fault.kind());
+    if let Some(place) = program.program().steps().get(*step as usize) {
+        let (line, column) = (place.line, place.column);
+        let gutter = " ".repeat(line.to_string().len());
+        let statement = source.line_text(line);
+        // Writing to a String cannot fail.
+        let _ = write!(
+            text,
+            "{gutter}--> {}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n",
+            source.name()
+        );
+    }
+    let _ = writeln!(text, "step {step}, cycle {cycle}");
+    if let Fault::Unassigned(index) = fault
+        && let Some((name, _)) = program.scalar(usize::from(*index))
+    {
+        let _ = writeln!(text, "{name} has no value yet");
+    }
+    text
+}

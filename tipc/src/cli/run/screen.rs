@@ -1,0 +1,102 @@
+//! The console of a simulated run: keys of the terminal, messages line by line, log files.
+
+use super::super::error::Error;
+use super::interrupt;
+use super::logs;
+use super::progress::Progress;
+use std::fmt::Display;
+use std::io::{self, IsTerminal, Sink, Write};
+use tip_runtime::console::{Console, LogFiles, Terminal};
+use tip_runtime::machine::Report;
+use tip_runtime::record::Sample;
+
+/// Messages go to standard output as a record of the run, one a line.
+#[derive(Debug)]
+pub(super) struct Screen {
+    keyboard: Option<Terminal<Sink>>,
+    progress: Progress,
+    shows_messages: bool,
+    silent: bool,
+    logs: Option<LogFiles<()>>,
+}
+
+impl Screen {
+    /// With keys if standard input is a terminal, and messages if standard output is free for them.
+    pub(super) fn new(
+        progress: Progress,
+        shows_messages: bool,
+        logs: Option<LogFiles<()>>,
+    ) -> Self {
+        let keyboard = io::stdin()
+            .is_terminal()
+            .then(|| Terminal::on(io::sink(), false).report_interrupts());
+        Screen {
+            keyboard,
+            progress,
+            shows_messages,
+            silent: false,
+            logs,
+        }
+    }
+
+    /// The run has come to `cycle`.
+    pub(super) fn at(&mut self, cycle: u64) {
+        self.progress.at(cycle);
+    }
+
+    /// Gives the terminal back, so that reports of the end stand where they should, and completes the log files.
+    pub(super) fn close(&mut self) -> Result<(), Error> {
+        self.progress.clear();
+        self.keyboard = None;
+        self.logs.as_mut().map_or(Ok(()), logs::finish)
+    }
+}
+
+impl Console for Screen {
+    fn key(&mut self, cycle: u64) -> Option<u8> {
+        let keyboard = self.keyboard.as_mut()?;
+        let key = keyboard.key(cycle);
+        if keyboard.interrupted() {
+            interrupt::request();
+        }
+        key
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        if !self.shows_messages || self.silent {
+            return;
+        }
+        let text = text.to_string();
+        if text.is_empty() {
+            return;
+        }
+        self.progress.clear();
+        let mut out = io::stdout().lock();
+        // Nobody reads the messages any more: the run has lost its audience.
+        if writeln!(out, "{text}").and_then(|()| out.flush()).is_err() {
+            interrupt::request();
+        }
+    }
+
+    fn silent(&mut self, on: bool) {
+        self.silent = on;
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        if let Some(logs) = &mut self.logs {
+            logs.sample(sample);
+        }
+    }
+
+    fn variables(&mut self, dump: &dyn Display) {
+        if let Some(logs) = &mut self.logs {
+            logs.variables(dump);
+        }
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        if let Some(logs) = &mut self.logs {
+            logs.emergency(report);
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The run itself: cycle after cycle until something ends it.
+
+use super::super::error::Error;
+use super::super::script::Sensor;
+use super::interrupt;
+use super::screen::Screen;
+use super::trace::Trace;
+use tip_runtime::console::Scripted;
+use tip_runtime::machine::{Machine, Status};
+use tip_runtime::model::Model;
+use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::record::Ending;
+use tipc::interp::Interpreter;
+
+/// The keys of the command line in front of the screen.
+type Console = Scripted<Screen>;
+
+/// A program on the simulated robot.
+pub(super) struct Simulation<'m, const L: usize, const J: usize> {
+    machine: Machine<'m, Interpreter, SimulatedPlant<L, J>, Console, (), L, J>,
+    /// What the inputs are going to read, the next one last.
+    sensors: Vec<Sensor>,
+}
+
+impl<'m, const L: usize, const J: usize> Simulation<'m, L, J> {
+    /// Puts the program on the robot.
+    pub(super) fn new(
+        program: Interpreter,
+        model: &'m Model<L, J>,
+        console: Console,
+        sensors: &[Sensor],
+    ) -> Result<Self, Error> {
+        let plant = SimulatedPlant::new(model);
+        let machine = Machine::new(program, model, plant, console, ())
+            .map_err(|mismatch| Error::Usage(mismatch.to_string()))?;
+        let mut sensors = sensors.to_vec();
+        // Of two for the same cycle the one that stands behind the other wins.
+        sensors.reverse();
+        sensors.sort_by_key(|sensor| std::cmp::Reverse(sensor.cycle));
+        Ok(Simulation { machine, sensors })
+    }
+
+    /// Runs until the program ends, `limit` cycles are used up, or the run is interrupted.
+    pub(super) fn run(&mut self, limit: Option<u64>, mut trace: Option<&mut Trace>) -> Ending {
+        loop {
+            let cycle = self.machine.cycles();
+            if limit.is_some_and(|limit| cycle >= limit) {
+                return Ending::Limit;
+            }
+            if interrupt::is_requested() {
+                return Ending::Interrupted;
+            }
+            self.set_sensors(cycle);
+            let status = match &mut trace {
+                Some(trace) => self.machine.cycle_traced(trace.sink()),
+                None => self.machine.cycle(),
+            };
+            if let Some(ending) = self.ending(status) {
+                return ending;
+            }
+            if trace.as_ref().is_some_and(|trace| !trace.is_open()) {
+                interrupt::request();
+            }
+            self.screen().at(cycle);
+        }
+    }
+
+    fn ending(&self, status: Status) -> Option<Ending> {
+        match status {
+            Status::Running => None,
+            Status::Finished(end) => Some(Ending::Program(end)),
+            Status::Emergency => self.machine.emergency().copied().map(Ending::Emergency),
+        }
+    }
+
+    fn set_sensors(&mut self, cycle: u64) {
+        while let Some(sensor) = self.sensors.pop_if(|sensor| sensor.cycle <= cycle) {
+            self.machine
+                .hardware_mut()
+                .set_sensor(sensor.port, sensor.volts);
+        }
+    }
+
+    /// Control cycles whose step ran without a fault.
+    pub(super) fn cycles(&self) -> u64 {
+        self.machine.cycles()
+    }
+
+    /// The program as the run left it.
+    pub(super) fn program(&self) -> &Interpreter {
+        self.machine.program()
+    }
+
+    /// Gives the terminal back and completes the log files.
+    pub(super) fn close(&mut self) -> Result<(), Error> {
+        self.screen().close()
+    }
+
+    fn screen(&mut self) -> &mut Screen {
+        self.machine.console_mut().inner_mut()
+    }
+}

@@ -1,0 +1,246 @@
+//! `tipc check`
+
+use crate::support::Folder;
+use serde_json::Value;
+
+/// Ten statements, each wrong in another way.
+const TEN: &str = "\
+DEF_VAR A
+A = 1
+  FOO 1
+PTP F9 0 0 0
+A = SQRT A + 1
+GOTO NOWHERE:
+A = B
+あ
+PTP F1 0 0
+MESSAGE 12345678901234567890123456789012345678901234567890123456789012345678901
+WEND
+TWICE:
+TWICE:
+END";
+
+// clauses: 8.1
+#[test]
+fn ten_errors_are_reported_each_at_its_place() {
+    let folder = Folder::new("ten").program("ten.prg", TEN);
+    let outcome = folder
+        .tipc(&["check", "--message-format", "short", "ten.prg"])
+        .expect(1);
+    let expected = [
+        ("5:3", "Unknown command \"FOO\" (SyntaxError)"),
+        ("6:5", "Wrong argument (SyntaxError)"),
+        ("7:", "Wrong equation format (PreprocessError)"),
+        ("8:6", "Label \"NOWHERE\" does not exist (SyntaxError)"),
+        ("9:5", "unknown variable \"B\" (SyntaxError)"),
+        ("10:1", "Format error (PreprocessError)"),
+        ("11:", "Wrong argument (SyntaxError)"),
+        // The first character beyond the 70 that fit.
+        ("12:79", "too much long string (PreprocessError)"),
+        ("13:1", "Control structure mismatch (SyntaxError)"),
+        ("15:1", "Duplicated label name (SyntaxError)"),
+    ];
+    let errors: Vec<_> = outcome
+        .lines()
+        .into_iter()
+        .filter(|line| line.contains(": error: "))
+        .collect();
+    assert_eq!(errors.len(), expected.len(), "{errors:#?}");
+    for (line, (place, message)) in errors.iter().zip(expected) {
+        assert!(
+            line.starts_with(&format!("ten.prg:{place}")),
+            "{line} is not at {place}"
+        );
+        assert!(
+            line.ends_with(&format!(": error: TIP_ERR:{message}")),
+            "{line}"
+        );
+    }
+}
+
+// clauses: 8.1 1.3
+#[test]
+fn json_has_one_object_a_line_with_the_keys_in_order() {
+    let folder = Folder::new("json").file("old.prg", "3.0\ntitle\nEND\n");
+    let outcome = folder
+        .tipc(&["check", "--message-format", "json", "old.prg"])
+        .expect(1);
+    let [line] = outcome.lines()[..] else {
+        panic!("{outcome:#?}")
+    };
+    assert!(
+        line.starts_with(r#"{"level":"error","kind":"PreprocessError","message":"Wrong version number","code":"E108","file":"old.prg","line":1,"column":1"#),
+        "{line}"
+    );
+    let object: Value = serde_json::from_str(line).expect("valid JSON");
+    assert_eq!(object["line"], 1);
+}
+
+#[test]
+fn json_warnings_have_no_kind_of_error() {
+    let folder = Folder::new("json-warning").program("w.prg", "DEF_VAR N\nEND");
+    let outcome = folder
+        .tipc(&["check", "--message-format", "json", "w.prg"])
+        .expect(0);
+    let object: Value = serde_json::from_str(outcome.lines()[0]).expect("valid JSON");
+    assert_eq!(object["level"], "warning");
+    assert_eq!(object["line"], 3);
+    assert_eq!(object["column"], 9);
+}
+
+#[test]
+fn a_good_program_passes_in_silence_for_tools() {
+    let folder = Folder::new("good").program("good.prg", "ALL_STOP\nEND");
+    for format in ["short", "json"] {
+        let outcome = folder
+            .tipc(&["check", "--message-format", format, "good.prg"])
+            .expect(0);
+        assert_eq!((outcome.out.as_str(), outcome.err.as_str()), ("", ""));
+    }
+    let outcome = folder.tipc(&["check", "good.prg"]).expect(0);
+    assert_eq!(outcome.out, "");
+    assert_eq!(outcome.err, "good.prg: 2 steps for titan8, 0 warnings\n");
+}
+
+// clauses: 8.1
+#[test]
+fn a_file_that_is_not_there_is_an_error_of_its_own() {
+    let folder = Folder::new("missing").program("good.prg", "END");
+    let arguments = ["check", "--message-format", "short", "nope.prg", "good.prg"];
+    let outcome = folder.tipc(&arguments).expect(1);
+    assert_eq!(
+        outcome.lines(),
+        ["nope.prg:1:1: error: TIP_ERR:File not found(nope.prg) (PreprocessError)"]
+    );
+    let outcome = folder.tipc(&["check", "nope.prg"]).expect(1);
+    assert!(
+        outcome
+            .err
+            .starts_with("error: TIP_ERR:File not found(nope.prg) (PreprocessError): "),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn one_bad_file_of_several_fails_the_command() {
+    let folder = Folder::new("several")
+        .program("good.prg", "END")
+        .program("bad.prg", "ALL_STOP");
+    folder.tipc(&["check", "good.prg", "bad.prg"]).expect(1);
+    folder.tipc(&["check", "bad.prg", "good.prg"]).expect(1);
+    folder.tipc(&["check", "good.prg", "good.prg"]).expect(0);
+}
+
+#[test]
+fn people_see_the_line_without_colour_in_a_pipe() {
+    let folder = Folder::new("human").program("bad.prg", "ALL_STOPP\nEND");
+    let outcome = folder.tipc(&["check", "bad.prg"]).expect(1);
+    assert_eq!(outcome.out, "");
+    for part in [
+        "bad.prg:3:1",
+        "ALL_STOPP",
+        "Unknown command \"ALL_STOPP\"",
+        "ALL_STOP",
+    ] {
+        assert!(outcome.err.contains(part), "{part} in {}", outcome.err);
+    }
+    assert!(!outcome.err.contains('\x1b'), "{}", outcome.err);
+    assert!(
+        outcome.err.ends_with("bad.prg: 1 error, 0 warnings\n"),
+        "{}",
+        outcome.err
+    );
+}
+
+// clauses: 7.1
+#[test]
+fn the_robot_decides_which_commands_exist() {
+    let folder = Folder::new("robot").program("torque.prg", "TORQUE J11 1\nEND");
+    folder.tipc(&["check", "torque.prg"]).expect(1);
+    folder
+        .tipc(&["check", "--robot", "hand", "torque.prg"])
+        .expect(0);
+    folder
+        .tipc(&["check", "--robot", "generic", "torque.prg"])
+        .expect(0);
+}
+
+// clauses: 1.1 1.6
+#[test]
+fn shift_jis_is_found_out_or_forced() {
+    // 全角 between full-width spaces, then an error behind them: MESSAGE 前; FOO in CP932.
+    let text = b"3.1\ntitle\n\x81\x40MESSAGE \x91\x4F ; FOO\nEND\n";
+    let folder = Folder::new("shift-jis").file("sj.prg", text);
+    let short = ["check", "--message-format", "short", "sj.prg"];
+    let outcome = folder.tipc(&short).expect(1);
+    assert_eq!(
+        outcome.lines(),
+        ["sj.prg:3:14: error: TIP_ERR:Unknown command \"FOO\" (SyntaxError)"]
+    );
+    let forced = folder
+        .tipc(&[&short[..], &["--encoding", "shift_jis"]].concat())
+        .expect(1);
+    assert_eq!(forced.out, outcome.out);
+    let wrong = folder
+        .tipc(&[&short[..], &["--encoding", "utf-8"]].concat())
+        .expect(1);
+    assert!(
+        wrong.out.contains("TIP_ERR:Format error (PreprocessError)"),
+        "{wrong:#?}"
+    );
+}
+
+// clauses: 1.3
+#[test]
+fn another_version_of_the_language_can_be_asked_for() {
+    let folder = Folder::new("version").file("v.prg", "2.5\ntitle\nEND\n");
+    folder.tipc(&["check", "v.prg"]).expect(1);
+    folder
+        .tipc(&["check", "--tip-version", "2.5", "v.prg"])
+        .expect(0);
+}
+
+#[test]
+fn wrong_usage_exits_with_two() {
+    let folder = Folder::new("usage").program("good.prg", "END");
+    let wrong: [&[&str]; 7] = [
+        &[],
+        &["check"],
+        &["chekc", "good.prg"],
+        &["check", "--robot", "asimo", "good.prg"],
+        &["check", "--encoding", "ebcdic", "good.prg"],
+        &["check", "--tip-version", "x", "good.prg"],
+        &["check", "--message-format", "xml", "good.prg"],
+    ];
+    for arguments in wrong {
+        folder.tipc(arguments).expect(2);
+    }
+}
+
+#[test]
+fn help_teaches_by_example() {
+    let folder = Folder::new("help");
+    let outcome = folder.tipc(&["--help"]).expect(0);
+    assert!(
+        outcome.out.contains("tipc check walk.prg"),
+        "{}",
+        outcome.out
+    );
+    let outcome = folder.tipc(&["run", "--help"]).expect(0);
+    for option in [
+        "--robot",
+        "--cycles",
+        "--trace",
+        "--keys",
+        "--halt",
+        "--sensor",
+        "--trace-state",
+        "--tip-version",
+        "--encoding",
+        "--out-dir",
+        "VR1=8@300",
+    ] {
+        assert!(outcome.out.contains(option), "{option} in {}", outcome.out);
+    }
+    folder.tipc(&["--version"]).expect(0);
+}

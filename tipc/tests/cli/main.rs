@@ -1,0 +1,8 @@
+//! The command `tipc`, run as users run it.
+
+mod check;
+mod emit;
+mod logs;
+mod run;
+mod script;
+mod support;

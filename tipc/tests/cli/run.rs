@@ -1,0 +1,218 @@
+//! `tipc run`: traces, messages and how runs end.
+
+use crate::support::{Folder, Outcome};
+use std::process::Stdio;
+
+// clauses: 2.18 7.39
+#[test]
+fn end_and_exit_succeed() {
+    let folder = Folder::new("run-end")
+        .program("end.prg", "END")
+        .program("exit.prg", "EXIT\nEND");
+    let outcome = folder.tipc(&["run", "end.prg", "--trace", "-"]).expect(0);
+    assert_eq!(
+        outcome.lines(),
+        [r#"{"cycle":0,"step":0}"#, r#"{"end":"END","cycles":1}"#]
+    );
+    let outcome = folder.tipc(&["run", "exit.prg", "--trace", "-"]).expect(0);
+    assert_eq!(outcome.lines()[1], r#"{"end":"EXIT","cycles":1}"#);
+}
+
+#[test]
+fn the_limit_counts_cycles() {
+    let folder = Folder::new("run-limit").program("loop.prg", "L1:\nGOTO L1:\nEND");
+    let outcome = folder
+        .tipc(&["run", "loop.prg", "--cycles", "3", "--trace", "-"])
+        .expect(0);
+    assert_eq!(
+        outcome.lines(),
+        [
+            r#"{"cycle":0,"step":0,"next":1}"#,
+            r#"{"cycle":1,"step":1,"next":0}"#,
+            r#"{"cycle":2,"step":0,"next":1}"#,
+            r#"{"end":"LIMIT","cycles":3}"#,
+        ]
+    );
+    let outcome = folder
+        .tipc(&["run", "loop.prg", "--cycles", "0", "--trace", "-"])
+        .expect(0);
+    assert_eq!(outcome.lines(), [r#"{"end":"LIMIT","cycles":0}"#]);
+}
+
+// clauses: 8.1
+#[test]
+fn an_emergency_names_its_place() {
+    let folder =
+        Folder::new("run-emergency").program("bad.prg", "DEF_VAR A\nA = 0\n  A = 1 / A\nEND");
+    let outcome = folder
+        .tipc(&["run", "bad.prg", "--trace", "t.jsonl"])
+        .expect(3);
+    assert_eq!(
+        folder.read("t.jsonl").lines().last(),
+        Some(
+            r#"{"end":"EMERGENCY","error":"Domain error","kind":"RuntimeError","step":1,"cycles":1}"#
+        )
+    );
+    for part in [
+        "TIP_ERR:Domain error (RuntimeError)",
+        "bad.prg:5:3",
+        "A = 1 / A",
+        "step 1, cycle 1",
+    ] {
+        assert!(outcome.err.contains(part), "{part} in {}", outcome.err);
+    }
+}
+
+// clauses: 3.4
+#[test]
+fn an_unassigned_variable_is_named() {
+    let program = "DEF_VAR A, B\nIF KB_HIT THEN\nA = 1\nENDIF\nB = A\nMESSAGE %B%\nEND";
+    let folder = Folder::new("run-unassigned").program("u.prg", program);
+    let outcome = folder.tipc(&["run", "u.prg"]).expect(3);
+    let expected = "TIP_ERR:Possible use of Variable before definition (RuntimeError)";
+    assert!(outcome.err.contains(expected), "{outcome:#?}");
+    assert!(outcome.err.contains("A has no value yet"), "{outcome:#?}");
+}
+
+#[test]
+fn messages_go_to_standard_output_unless_the_trace_does() {
+    let folder = Folder::new("run-messages")
+        .program("m.prg", "MESSAGE one\nMESSAGE_CLEAR\nMESSAGE Two\nEND");
+    let outcome = folder.tipc(&["run", "m.prg"]).expect(0);
+    assert_eq!(outcome.out, "one\nTwo\n");
+    assert_eq!(outcome.err, "");
+    let outcome = folder.tipc(&["run", "m.prg", "--trace", "-"]).expect(0);
+    assert!(
+        outcome.lines().iter().all(|line| line.starts_with('{')),
+        "{outcome:#?}"
+    );
+    let outcome = folder
+        .tipc(&["run", "m.prg", "--trace", "t.jsonl"])
+        .expect(0);
+    assert_eq!(outcome.out, "one\nTwo\n");
+    assert!(folder.read("t.jsonl").contains(r#""say":"Two""#));
+}
+
+#[test]
+fn states_are_hashed_on_request_only() {
+    let folder = Folder::new("run-state").program("p.prg", "PTP_ANGLE J11 5\nSLEEP 200\nEND");
+    let with = folder
+        .tipc(&["run", "p.prg", "--trace", "-", "--trace-state"])
+        .expect(0);
+    let without = folder.tipc(&["run", "p.prg", "--trace", "-"]).expect(0);
+    let cycles = without.lines().len() - 1;
+    for (with, without) in with.lines().iter().zip(&without.lines()[..cycles]) {
+        let (record, state) = with.split_once(r#","state":""#).expect("a state");
+        assert_eq!(format!("{record}}}"), **without);
+        assert_eq!(state.len(), 18, "{state}");
+    }
+    let again = folder
+        .tipc(&["run", "p.prg", "--trace", "-", "--trace-state"])
+        .expect(0);
+    assert_eq!(with.out, again.out);
+}
+
+#[test]
+fn the_generic_robot_runs_and_the_hand_does_not_yet() {
+    let folder = Folder::new("run-robots").program("p.prg", "END");
+    folder
+        .tipc(&["run", "--robot", "generic", "p.prg"])
+        .expect(0);
+    let outcome = folder.tipc(&["run", "--robot", "hand", "p.prg"]).expect(2);
+    assert!(outcome.err.contains("Hiroshima Hand"), "{outcome:#?}");
+}
+
+#[test]
+fn a_program_that_does_not_load_does_not_run() {
+    let folder = Folder::new("run-bad").program("bad.prg", "FOO\nEND");
+    let outcome = folder
+        .tipc(&["run", "bad.prg", "--trace", "t.jsonl"])
+        .expect(1);
+    assert!(
+        outcome.err.contains("Unknown command \"FOO\""),
+        "{outcome:#?}"
+    );
+    assert!(!folder.has("t.jsonl"));
+    let outcome = folder.tipc(&["run", "nope.prg"]).expect(1);
+    assert!(
+        outcome
+            .err
+            .contains("TIP_ERR:File not found(nope.prg) (PreprocessError)"),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn the_program_itself_is_never_the_trace() {
+    let folder = Folder::new("run-source").program("p.prg", "END");
+    folder.tipc(&["run", "p.prg", "--trace", "p.prg"]).expect(1);
+    assert!(folder.read("p.prg").starts_with("3.1"));
+}
+
+#[test]
+fn a_reader_of_messages_that_goes_away_ends_the_run() {
+    let folder =
+        Folder::new("run-pipe").program("talk.prg", "L1:\nMESSAGE still here\nGOTO L1:\nEND");
+    let mut child = folder
+        .command(&["run", "talk.prg", "--trace", "t.jsonl"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("tipc starts");
+    drop(child.stdout.take());
+    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    assert_eq!(outcome.err, "");
+    let trace = folder.read("t.jsonl");
+    assert!(
+        trace
+            .lines()
+            .last()
+            .is_some_and(|line| line.starts_with(r#"{"end":"INTERRUPTED","#))
+    );
+}
+
+#[test]
+fn a_reader_of_the_trace_that_goes_away_ends_the_run() {
+    let folder = Folder::new("run-trace-pipe").program("loop.prg", "L1:\nGOTO L1:\nEND");
+    let mut child = folder
+        .command(&["run", "loop.prg", "--trace", "-"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("tipc starts");
+    drop(child.stdout.take());
+    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    assert_eq!(outcome.err, "");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_the_run_and_completes_the_trace() {
+    use std::process::Command;
+    use std::time::Duration;
+
+    let folder = Folder::new("run-interrupt").program("loop.prg", "MESSAGE go\nL1:\nGOTO L1:\nEND");
+    let mut child = folder
+        .command(&["run", "loop.prg", "--trace", "t.jsonl"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("tipc starts");
+    // The first message proves that the run is under way, handlers and all.
+    let mut first = [0; 3];
+    let mut out = child.stdout.take().expect("piped");
+    std::io::Read::read_exact(&mut out, &mut first).expect("the message");
+    std::thread::sleep(Duration::from_millis(50));
+    let killed = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .expect("kill starts");
+    assert!(killed.success());
+    Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    let trace = folder.read("t.jsonl");
+    let records = trace.lines().count() - 1;
+    assert_eq!(
+        trace.lines().last(),
+        Some(format!(r#"{{"end":"INTERRUPTED","cycles":{records}}}"#).as_str())
+    );
+}
