@@ -3,6 +3,7 @@
 mod check;
 mod emit;
 mod logs;
+mod readme;
 mod run;
 mod script;
 mod support;
