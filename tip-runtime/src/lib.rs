@@ -1,8 +1,8 @@
-//! Run-time of compiled T.I.P. programs.
-//!
-//! Without features this crate is the vocabulary that compiler and robot share: [`command`],
-//! [`program`], [`ops`], [`fault`] and [`model`]. The feature `control` (default) adds the robot
-//! itself; `std` adds what a hosted controller needs.
+#![cfg_attr(feature = "control", doc = include_str!("../README.md"))]
+#![cfg_attr(
+    not(feature = "control"),
+    doc = "The vocabulary that the compiler and the run-time of T.I.P. programs share."
+)]
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]

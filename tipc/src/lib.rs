@@ -1,4 +1,4 @@
-//! Compiler for T.I.P. 3.1 robot programs.
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 

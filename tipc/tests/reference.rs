@@ -64,6 +64,26 @@ fn every_command_is_described_in_the_clause_that_its_row_names() {
     }
 }
 
+#[test]
+fn programs_of_the_reference_load() {
+    let text = reference();
+    let programs: Vec<_> = text
+        .split("```text\n")
+        .skip(1)
+        .filter_map(|rest| rest.split("```").next())
+        .filter(|block| block.starts_with("3.1\n"))
+        .collect();
+    assert!(!programs.is_empty());
+    for program in programs {
+        let loaded = tipc::load(
+            "reference.prg",
+            program.as_bytes(),
+            &tipc::Options::default(),
+        );
+        assert_eq!(loaded.diagnostics, [], "{program}");
+    }
+}
+
 /// Whether a clause names a command, be it as `…_SLOW` for a family that shares its endings.
 fn describes(clause: &str, name: &str) -> bool {
     let endings = [
