@@ -1,1 +1,30 @@
-//! `include_tip!` and `tip!`.
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod expand;
+mod file;
+mod literal;
+
+use proc_macro::{Span, TokenStream};
+
+/// Compiles a motion program that stands in a file:
+/// `include_tip!([visibility] "path" [as Name] [, option = value]…)`.
+///
+/// The path is looked up next to the invoking file, then from the folder of `Cargo.toml`. The type is
+/// named after the file, in UpperCamelCase, unless `as` names it. When the file changes, the crate is
+/// built again.
+#[proc_macro]
+pub fn include_tip(input: TokenStream) -> TokenStream {
+    let invoking = Span::call_site().local_file();
+    expand::include_tip(input.into(), invoking.as_deref()).into()
+}
+
+/// Compiles a motion program that stands in a string:
+/// `tip!([visibility] Name, r#"…"# [, option = value]…)`.
+///
+/// Line 1 of the program begins right behind the opening quote.
+#[proc_macro]
+pub fn tip(input: TokenStream) -> TokenStream {
+    expand::tip(input.into()).into()
+}

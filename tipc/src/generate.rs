@@ -1,1 +1,268 @@
-//! Placeholder of the first slices; see ARCHITECTURE.md.
+//! Compiling motion programs in a build script.
+//!
+//! Three steps, as for any code generator. `Cargo.toml` names the run-time and, for the build
+//! script, the compiler:
+//!
+//! ```toml
+//! [dependencies]
+//! tip-runtime = "0.1"
+//!
+//! [build-dependencies]
+//! tipc = "0.1"
+//! ```
+//!
+//! `build.rs` compiles `motions/walk.prg` to `$OUT_DIR/walk.rs`:
+//!
+//! ```no_run
+//! fn main() -> Result<(), tipc::BuildError> {
+//!     tipc::compile("motions/walk.prg")
+//! }
+//! ```
+//!
+//! `lib.rs` takes it in; the program is the type `Walk`:
+//!
+//! ```ignore
+//! include!(concat!(env!("OUT_DIR"), "/walk.rs"));
+//! ```
+//!
+//! A program with errors fails the build, each error shown with its line. The script runs again
+//! when a `.prg` file changes, and only then.
+
+mod error;
+mod files;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::BuildError;
+
+use crate::codes::{Code, Level};
+use crate::diagnostic::{Diagnostic, render_human, render_short};
+use crate::Robot;
+use crate::load::{self, Loaded, load};
+use crate::source::{Encoding, Source};
+use crate::syntax::Span;
+use crate::{emit, program::Program};
+use proc_macro2::TokenStream;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+/// Compiles one motion program with the standard settings: TITAN VIII, TIP 3.1, a `pub` type named
+/// after the file, in `$OUT_DIR/<file's stem>.rs`.
+///
+/// # Errors
+/// The program's errors, or a file that could not be read or written.
+pub fn compile(path: impl AsRef<Path>) -> Result<(), BuildError> {
+    Config::new().compile(&[path])
+}
+
+/// Settings of a compilation.
+///
+/// ```no_run
+/// # fn main() -> Result<(), tipc::BuildError> {
+/// tipc::Config::new()
+///     .robot(tipc::Robot::Generic)
+///     .visibility("pub(crate)")
+///     .compile(&["motions/walk.prg", "motions/wave.prg"])
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Config {
+    load: load::Options,
+    out_dir: Option<PathBuf>,
+    runtime_path: String,
+    type_name: Option<String>,
+    visibility: String,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Config {
+            load: load::Options::default(),
+            out_dir: None,
+            runtime_path: "::tip_runtime".to_owned(),
+            type_name: None,
+            visibility: "pub".to_owned(),
+        }
+    }
+}
+
+impl Config {
+    /// The standard settings.
+    pub fn new() -> Self {
+        Config::default()
+    }
+
+    /// The robot that programs are checked for; TITAN VIII if not called.
+    pub fn robot(&mut self, robot: Robot) -> &mut Self {
+        self.load.robot = robot;
+        self
+    }
+
+    /// The folder for generated files; Cargo's `OUT_DIR` if not called.
+    pub fn out_dir(&mut self, folder: impl Into<PathBuf>) -> &mut Self {
+        self.out_dir = Some(folder.into());
+        self
+    }
+
+    /// The version number that programs must have on their first line; 3.1 if not called.
+    pub fn tip_version(&mut self, version: f64) -> &mut Self {
+        self.load.tip_version = version;
+        self
+    }
+
+    /// How sources are encoded; found out by looking if not called.
+    pub fn encoding(&mut self, encoding: Encoding) -> &mut Self {
+        self.load.encoding = encoding;
+        self
+    }
+
+    /// The path under which generated code finds the crate `tip-runtime`; `::tip_runtime` if not called.
+    pub fn runtime_path(&mut self, path: impl Into<String>) -> &mut Self {
+        self.runtime_path = path.into();
+        self
+    }
+
+    /// The name of the generated type; the file's name in UpperCamelCase if not called. For one program only.
+    pub fn type_name(&mut self, name: impl Into<String>) -> &mut Self {
+        self.type_name = Some(name.into());
+        self
+    }
+
+    /// The visibility of the generated type, such as `pub(crate)` or nothing; `pub` if not called.
+    pub fn visibility(&mut self, visibility: impl Into<String>) -> &mut Self {
+        self.visibility = visibility.into();
+        self
+    }
+
+    /// Compiles each program to a file of its own and tells Cargo about inputs, warnings and errors.
+    ///
+    /// # Errors
+    /// The errors of every program that has some; a setting or file that cannot be used.
+    #[expect(clippy::disallowed_macros, reason = "this is how Cargo is told")]
+    pub fn compile(&self, paths: &[impl AsRef<Path>]) -> Result<(), BuildError> {
+        let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
+        let mut report = Report::default();
+        let outcome = self.generate(&paths, &mut report);
+        for line in &report.lines {
+            println!("cargo::{line}");
+        }
+        outcome
+    }
+
+    fn generate(&self, paths: &[&Path], report: &mut Report) -> Result<(), BuildError> {
+        let spelling = self.spelling(paths.len())?;
+        let folder = files::out_dir(self.out_dir.as_deref())?;
+        let outputs = outputs(paths, &folder)?;
+        for (output, input) in outputs {
+            report
+                .lines
+                .push(format!("rerun-if-changed={}", input.display()));
+            let Some(program) = self.program(input, report) else {
+                continue;
+            };
+            let tokens = emit::emit(&program, &spelling);
+            let text = emit::pretty(&program, tokens).map_err(BuildError::setting)?;
+            files::write_if_changed(&output, &text)?;
+        }
+        match report.errors.is_empty() {
+            true => Ok(()),
+            false => Err(BuildError::programs(&report.errors)),
+        }
+    }
+
+    fn spelling(&self, programs: usize) -> Result<emit::Options, BuildError> {
+        if self.type_name.is_some() && programs > 1 {
+            return Err(BuildError::setting(
+                "type_name names the type of one program, and there are several",
+            ));
+        }
+        let name = self.type_name.as_deref().map(|name| {
+            syn::parse_str(name)
+                .map_err(|error| BuildError::setting(format!("\"{name}\": {error}")))
+        });
+        Ok(emit::Options {
+            name: name.transpose()?,
+            visibility: tokens::<syn::Visibility>(&self.visibility)?,
+            runtime: tokens::<syn::Path>(&self.runtime_path)?,
+        })
+    }
+
+    fn program(&self, input: &Path, report: &mut Report) -> Option<Program> {
+        let name = input.display().to_string();
+        let Loaded {
+            source,
+            program,
+            diagnostics,
+        } = match files::read(input) {
+            Ok(bytes) => load(&name, &bytes, &self.load),
+            Err(error) => not_found(&name, &error),
+        };
+        for diagnostic in &diagnostics {
+            report.add(&source, diagnostic);
+        }
+        program
+    }
+}
+
+/// What Cargo is told.
+#[derive(Default)]
+struct Report {
+    lines: Vec<String>,
+    /// Each error, rendered for people.
+    errors: Vec<String>,
+}
+
+impl Report {
+    fn add(&mut self, source: &Source, diagnostic: &Diagnostic) {
+        let level = match diagnostic.level() {
+            Level::Warning => "warning",
+            Level::Error => {
+                self.errors.push(render_human(source, diagnostic, false));
+                "error"
+            }
+        };
+        let line = render_short(source, diagnostic);
+        self.lines.push(format!("{level}={line}"));
+    }
+}
+
+/// Each program with the file that it compiles to.
+fn outputs<'a>(
+    paths: &[&'a Path],
+    folder: &Path,
+) -> Result<BTreeMap<PathBuf, &'a Path>, BuildError> {
+    let mut outputs = BTreeMap::new();
+    for path in paths {
+        let stem = path
+            .file_stem()
+            .ok_or_else(|| BuildError::setting(format!("{} names no file", path.display())))?;
+        let output = folder.join(stem).with_extension("rs");
+        if let Some(other) = outputs.insert(output, *path) {
+            let (other, path) = (other.display(), path.display());
+            return Err(BuildError::setting(format!(
+                "{other} and {path} would compile to the same file: give them different names or folders"
+            )));
+        }
+    }
+    Ok(outputs)
+}
+
+/// The tokens of a setting that must be a `T`.
+fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
+    let wrong = |error: &dyn Display| BuildError::setting(format!("\"{text}\": {error}"));
+    syn::parse_str::<T>(text).map_err(|error| wrong(&error))?;
+    text.parse().map_err(|error| wrong(&error))
+}
+
+fn not_found(name: &str, error: &std::io::Error) -> Loaded {
+    let (source, _) = Source::decode(name, b"", Encoding::Utf8);
+    Loaded {
+        source,
+        program: None,
+        diagnostics: vec![
+            Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string()).about(name),
+        ],
+    }
+}

@@ -6,6 +6,7 @@ mod check;
 pub mod codes;
 pub mod commands;
 pub mod diagnostic;
+pub mod embed;
 pub mod emit;
 #[cfg(test)]
 pub(crate) mod fixture;
@@ -23,5 +24,7 @@ mod robot;
 pub mod source;
 pub mod syntax;
 
+#[cfg(feature = "build")]
+pub use generate::{BuildError, Config, compile};
 pub use load::{Loaded, Options, load};
 pub use robot::Robot;

@@ -1,75 +1,16 @@
 //! One program of each kind of step, against a scripted robot.
 
+mod script;
+
 use super::Interpreter;
 use crate::fixture::{argument, compare, constant, member, program, read, scalar};
 use crate::program::{
     Action, Arithmetic, Axis, Condition, End, Flag, Function, MessagePart, Op, Operand, Port,
     Relation, ScalarExpression, StructExpression, Target, Teach, VariableKind,
 };
-use std::collections::VecDeque;
-use std::fmt::Display;
-use tip_runtime::command::{Command, MAX, Poll};
+use script::Script;
 use tip_runtime::fault::Fault;
-use tip_runtime::program::{Context, Flow, Program, Robot};
-
-/// A robot that answers from a script and remembers what it was asked.
-#[derive(Default)]
-struct Script {
-    keys: VecDeque<u8>,
-    /// How often the next command answers that it is pending.
-    pending: u32,
-    flags: bool,
-    fault: Option<Fault>,
-    said: Vec<String>,
-    commands: Vec<String>,
-}
-
-impl Robot for Script {
-    fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        if let Some(fault) = self.fault {
-            return Err(fault);
-        }
-        if self.pending > 0 {
-            self.pending -= 1;
-            return Ok(Poll::Pending);
-        }
-        let values: Vec<f64> = command.values.iter().map(|value| value.v).collect();
-        let name = command.op.name();
-        self.commands
-            .push(format!("{name} {} {values:?}", command.target));
-        Ok(Poll::Done)
-    }
-
-    fn teach(&self, _: Teach, _: Target) -> Result<[f64; MAX], Fault> {
-        Ok([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
-    }
-
-    fn analog(&self, _: Port) -> Result<f64, Fault> {
-        Ok(2.5)
-    }
-
-    fn flag(&self, _: Flag) -> bool {
-        self.flags
-    }
-
-    fn set_special_flag(&mut self, _: u8, _: bool) {}
-
-    fn period(&self) -> f64 {
-        20.0
-    }
-}
-
-impl Context for Script {
-    fn key(&mut self) -> Option<u8> {
-        let key = self.keys.pop_front();
-        self.keys.clear();
-        key
-    }
-
-    fn message(&mut self, text: &dyn Display) {
-        self.said.push(text.to_string());
-    }
-}
+use tip_runtime::program::{Flow, Program};
 
 const A: usize = 1;
 const B: usize = 2;

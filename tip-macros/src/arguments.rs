@@ -1,0 +1,287 @@
+//! What stands between the parentheses of the macros.
+
+use crate::literal::{self, Text};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use std::iter::Peekable;
+use tipc::source::Encoding;
+use tipc::{Robot, emit};
+
+/// Something wrong with the invocation itself.
+#[derive(Debug)]
+pub(crate) struct Misuse {
+    pub(crate) span: Span,
+    pub(crate) message: String,
+}
+
+impl Misuse {
+    pub(crate) fn new(span: Span, message: impl Into<String>) -> Self {
+        Misuse {
+            span,
+            message: message.into(),
+        }
+    }
+}
+
+/// An invocation, understood.
+#[derive(Debug)]
+pub(crate) struct Arguments {
+    /// The path of `include_tip!`, the program of `tip!`.
+    pub(crate) text: Text,
+    pub(crate) load: tipc::Options,
+    pub(crate) spelling: emit::Options,
+}
+
+const INCLUDE_TIP: &str =
+    "expected include_tip!([visibility] \"path\" [as Name] [, option = value]…)";
+const TIP: &str = "expected tip!([visibility] Name, r#\"program\"# [, option = value]…)";
+const OPTIONS: &str = "the options are `robot`, `tip_version`, `encoding` and `runtime`";
+
+/// `[visibility] "path" [as Name] [, option = value]…`
+pub(crate) fn include_tip(input: TokenStream) -> Result<Arguments, Misuse> {
+    let mut input = Input::new(input, INCLUDE_TIP);
+    let visibility = input.visibility();
+    let text = input.string()?;
+    let mut arguments = Arguments::new(text, visibility);
+    if input.keyword("as") {
+        arguments.spelling.name = Some(input.name()?);
+    }
+    input.options(&mut arguments)?;
+    Ok(arguments)
+}
+
+/// `[visibility] Name, "program" [, option = value]…`
+pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
+    let mut input = Input::new(input, TIP);
+    let visibility = input.visibility();
+    let name = input.name()?;
+    input.comma()?;
+    let text = input.string()?;
+    let mut arguments = Arguments::new(text, visibility);
+    arguments.spelling.name = Some(name);
+    input.options(&mut arguments)?;
+    Ok(arguments)
+}
+
+impl Arguments {
+    fn new(text: Text, visibility: TokenStream) -> Self {
+        Arguments {
+            text,
+            load: tipc::Options::default(),
+            spelling: emit::Options {
+                visibility,
+                ..emit::Options::default()
+            },
+        }
+    }
+
+    fn set(&mut self, option: &Ident, value: Vec<TokenTree>) -> Result<(), Misuse> {
+        let name = option.to_string();
+        let word = literal::word(&value);
+        let value_span = value.first().map_or(option.span(), TokenTree::span);
+        let wrong = |expected: &str| Err(Misuse::new(value_span, format!("expected {expected}")));
+        match name.as_str() {
+            "robot" => match word.as_deref().and_then(Robot::from_name) {
+                Some(robot) => self.load.robot = robot,
+                None => return wrong("`titan8`, `hand` or `generic`"),
+            },
+            "tip_version" => match word.and_then(|word| word.parse().ok()) {
+                Some(version) => self.load.tip_version = version,
+                None => return wrong("a version number, such as 3.1"),
+            },
+            "encoding" => match word.as_deref().and_then(encoding) {
+                Some(encoding) => self.load.encoding = encoding,
+                None => return wrong("`auto`, `utf8` or `shift_jis`"),
+            },
+            "runtime" if value.is_empty() => return wrong("a path, such as ::tip_runtime"),
+            "runtime" => self.spelling.runtime = value.into_iter().collect(),
+            _ => {
+                let message = format!("unknown option `{name}`: {OPTIONS}");
+                return Err(Misuse::new(option.span(), message));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn encoding(word: &str) -> Option<Encoding> {
+    match word {
+        "auto" => Some(Encoding::Auto),
+        "utf8" => Some(Encoding::Utf8),
+        "shift_jis" => Some(Encoding::ShiftJis),
+        _ => None,
+    }
+}
+
+/// The tokens not yet read.
+struct Input {
+    tokens: Peekable<proc_macro2::token_stream::IntoIter>,
+    expected: &'static str,
+}
+
+impl Input {
+    fn new(input: TokenStream, expected: &'static str) -> Self {
+        Input {
+            tokens: ungrouped(input).into_iter().peekable(),
+            expected,
+        }
+    }
+
+    /// The invocation does not have its form, here.
+    fn misuse<T>(&mut self) -> Result<T, Misuse> {
+        let span = self
+            .tokens
+            .peek()
+            .map_or(Span::call_site(), TokenTree::span);
+        Err(Misuse::new(span, self.expected))
+    }
+
+    fn keyword(&mut self, word: &str) -> bool {
+        let is_word = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident == word);
+        self.tokens.next_if(is_word).is_some()
+    }
+
+    /// `pub`, `pub(…)` or nothing.
+    fn visibility(&mut self) -> TokenStream {
+        let is_pub = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident == "pub");
+        let Some(public) = self.tokens.next_if(is_pub) else {
+            return TokenStream::new();
+        };
+        let scope = self.tokens.next_if(|token| {
+            matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
+        });
+        [public].into_iter().chain(scope).collect()
+    }
+
+    fn name(&mut self) -> Result<Ident, Misuse> {
+        match self.tokens.peek() {
+            Some(TokenTree::Ident(name)) => {
+                let name = name.clone();
+                self.tokens.next();
+                Ok(name)
+            }
+            _ => self.misuse(),
+        }
+    }
+
+    fn string(&mut self) -> Result<Text, Misuse> {
+        match self.tokens.peek().and_then(literal::string) {
+            Some(text) => {
+                self.tokens.next();
+                Ok(text)
+            }
+            None => self.misuse(),
+        }
+    }
+
+    fn comma(&mut self) -> Result<(), Misuse> {
+        match self.tokens.next_if(|token| is_punct(token, ',')) {
+            Some(_) => Ok(()),
+            None => self.misuse(),
+        }
+    }
+
+    /// Everything behind path or program: `, option = value` as often as one likes, and a last comma.
+    fn options(&mut self, arguments: &mut Arguments) -> Result<(), Misuse> {
+        while self.tokens.peek().is_some() {
+            self.comma()?;
+            if self.tokens.peek().is_none() {
+                break;
+            }
+            let option = self.name()?;
+            if self.tokens.next_if(|token| is_punct(token, '=')).is_none() {
+                return self.misuse();
+            }
+            let mut value = Vec::new();
+            while let Some(token) = self.tokens.next_if(|token| !is_punct(token, ',')) {
+                value.push(token);
+            }
+            arguments.set(&option, value)?;
+        }
+        Ok(())
+    }
+}
+
+fn is_punct(token: &TokenTree, c: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == c)
+}
+
+/// The tokens without the invisible groups that surround what another macro passes on.
+fn ungrouped(input: TokenStream) -> TokenStream {
+    input
+        .into_iter()
+        .flat_map(|token| match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+                ungrouped(group.stream())
+            }
+            token => token.into(),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tokens(text: &str) -> TokenStream {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_path_is_enough() {
+        let arguments = include_tip(tokens("\"walk.prg\"")).unwrap();
+        assert_eq!(arguments.text.value, "walk.prg");
+        assert_eq!(arguments.load, tipc::Options::default());
+        assert!(arguments.spelling.name.is_none());
+        assert!(arguments.spelling.visibility.is_empty());
+    }
+
+    #[test]
+    fn every_option_is_taken() {
+        let input = "pub(crate) \"x.prg\" as Afc, robot = hand, tip_version = 2.0,
+            encoding = shift_jis, runtime = crate::robot,";
+        let Arguments { load, spelling, .. } = include_tip(tokens(input)).unwrap();
+        assert_eq!(load.robot, Robot::Hand);
+        assert_eq!(load.tip_version, 2.0);
+        assert_eq!(load.encoding, Encoding::ShiftJis);
+        assert_eq!(spelling.name.unwrap(), "Afc");
+        assert_eq!(spelling.visibility.to_string(), "pub (crate)");
+        assert_eq!(spelling.runtime.to_string(), "crate :: robot");
+    }
+
+    #[test]
+    fn a_program_has_a_name_first() {
+        let arguments = tip(tokens(
+            "pub Wave, r#\"3.1\nwave\nEND\"#, robot = \"generic\"",
+        ))
+        .unwrap();
+        assert_eq!(arguments.text.value, "3.1\nwave\nEND");
+        assert_eq!(arguments.spelling.name.unwrap(), "Wave");
+        assert_eq!(arguments.load.robot, Robot::Generic);
+    }
+
+    #[test]
+    fn misuse_names_what_was_expected() {
+        for (input, message) in [
+            ("", "expected include_tip!"),
+            ("walk", "expected include_tip!"),
+            ("b\"walk.prg\"", "expected include_tip!"),
+            ("\"a.prg\" as", "expected include_tip!"),
+            ("\"a.prg\" robot = hand", "expected include_tip!"),
+            ("\"a.prg\", robot hand", "expected include_tip!"),
+            ("\"a.prg\", robot = arm", "expected `titan8`"),
+            ("\"a.prg\", robot = ", "expected `titan8`"),
+            ("\"a.prg\", tip_version = new", "expected a version number"),
+            ("\"a.prg\", encoding = ebcdic", "expected `auto`"),
+            ("\"a.prg\", runtime =", "expected a path"),
+            ("\"a.prg\", robots = hand", "unknown option `robots`"),
+        ] {
+            let misuse = include_tip(tokens(input)).unwrap_err();
+            assert!(
+                misuse.message.contains(message),
+                "{input}: {}",
+                misuse.message
+            );
+        }
+        assert!(tip(tokens("Wave r\"\"")).is_err());
+    }
+}

@@ -1,0 +1,37 @@
+//! The files of a build script.
+#![expect(
+    clippy::disallowed_methods,
+    reason = "a build script is where files are read and written"
+)]
+
+use super::BuildError;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+/// Where generated files go.
+pub(super) fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
+    match (chosen, env::var_os("OUT_DIR")) {
+        (Some(folder), _) => Ok(folder.to_owned()),
+        (None, Some(folder)) => Ok(folder.into()),
+        (None, None) => Err(BuildError::setting(
+            "OUT_DIR is not set: call this from a build script, or choose an out_dir",
+        )),
+    }
+}
+
+pub(super) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    fs::read(path)
+}
+
+/// Leaves a file with this very text alone, so that nothing is rebuilt because of it.
+pub(super) fn write_if_changed(path: &Path, text: &str) -> Result<(), BuildError> {
+    if fs::read(path).is_ok_and(|old| old == text.as_bytes()) {
+        return Ok(());
+    }
+    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+    folder
+        .and_then(|()| fs::write(path, text))
+        .map_err(|error| {
+            BuildError::setting(format!("File can not write({}): {error}", path.display()))
+        })
+}
