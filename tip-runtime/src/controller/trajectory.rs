@@ -14,6 +14,9 @@ use course::Course;
 /// A remaining time below this is rounding: s.
 const INSTANT: f64 = 1e-9;
 
+/// Limits above this one are as good as none; its square is still finite.
+const UNBOUNDED: f64 = 1e100;
+
 /// The most that a set point may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
@@ -118,6 +121,10 @@ impl<const N: usize> Track<N> {
     }
 
     fn in_force(&self, limits: Limits) -> Limits {
+        let limits = Limits {
+            speed: limits.speed.min(UNBOUNDED),
+            acceleration: limits.acceleration.min(UNBOUNDED),
+        };
         match self.goal {
             Goal::Point { hs: true, .. } => Limits {
                 acceleration: f64::INFINITY,
