@@ -1,0 +1,66 @@
+//! `cargo run --release -p custom-hardware`: see the README beside it.
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    reason = "an example talks to people"
+)]
+
+use custom_hardware::Feet;
+use custom_hardware::description::Description;
+use custom_hardware::options::{HELP, Options};
+use custom_hardware::record::Recorded;
+use custom_hardware::workshop::bench;
+use std::env;
+use std::error::Error;
+use std::fs::{self, File};
+use std::io::BufWriter;
+use std::process::ExitCode;
+use tip_runtime::machine::Machine;
+use tip_runtime::realtime::run_realtime;
+
+fn main() -> ExitCode {
+    let options = match Options::parse(env::args().skip(1)) {
+        Ok(options) => options,
+        Err(problem) => {
+            eprintln!("custom-hardware: {problem}\n\n{HELP}");
+            return ExitCode::from(2);
+        }
+    };
+    if options.help {
+        print!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    match run(&options) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("custom-hardware: {problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let description = match &options.robot {
+        Some(file) => Description::parse(&fs::read_to_string(file)?)?,
+        None => Description::parse(include_str!("../robot.toml"))?,
+    };
+    let model = description.model();
+    let table = BufWriter::new(File::create(&options.csv)?);
+    let robot = Recorded::new(bench(&description, &model), table)?;
+    let mut machine = Machine::new(Feet::new(), &model, robot, (), ())?;
+
+    println!("{}: every {} ms", description.name, machine.period());
+    if options.fast {
+        while machine.cycle().is_running() {}
+    } else {
+        let (_, pace) = run_realtime(&mut machine);
+        let worst = pace.worst().as_secs_f64() * 1000.0;
+        println!("{} overruns, the worst {worst:.3} ms late", pace.overruns());
+    }
+    println!("{} cycles; {}", machine.cycles(), options.csv.display());
+    machine.hardware_mut().finish()?;
+    match machine.emergency() {
+        Some(emergency) => Err(emergency.to_string().into()),
+        None => Ok(()),
+    }
+}

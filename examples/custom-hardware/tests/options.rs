@@ -1,0 +1,26 @@
+//! The command line.
+
+use custom_hardware::options::Options;
+
+fn parsed(words: &str) -> Result<Options, String> {
+    Options::parse(words.split_whitespace().map(str::to_owned))
+}
+
+#[test]
+fn files_and_switches_are_understood() {
+    let options = parsed("--robot r.toml --csv t.csv --fast").unwrap();
+    assert_eq!(options.robot, Some("r.toml".into()));
+    assert_eq!(options.csv.to_str(), Some("t.csv"));
+    assert!(options.fast && !options.help);
+}
+
+#[test]
+fn real_time_is_the_default() {
+    assert!(!parsed("").unwrap().fast);
+}
+
+#[test]
+fn an_unknown_word_or_a_missing_file_is_named() {
+    assert_eq!(parsed("--slow").unwrap_err(), "unknown option --slow");
+    assert_eq!(parsed("--csv").unwrap_err(), "--csv needs a file name");
+}

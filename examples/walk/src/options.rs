@@ -1,0 +1,94 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+/// What `--help` prints.
+pub const HELP: &str = "\
+Walks the simulated TITAN VIII and compares the compiled program with the reference interpreter.
+
+Usage: walk [OPTIONS]
+
+Options:
+  --cycles N     stop after N control cycles (default: when the program ends)
+  --trace FILE   write the compiled program's trace, one JSON object a line
+  --trace-state  add a hash of joint commands and angles to each record
+  --realtime     walk in real time: F faster, S slower, Q stop, RETURN emergency stop
+  --help         this text
+
+Exit status: 0 if the body came 1 m forward without a fall and both engines agree, 1 if not,
+2 for a wrong command line.
+";
+
+/// The command line, understood.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The most cycles to run.
+    pub cycles: Option<u64>,
+    /// Where the trace goes.
+    pub trace: Option<PathBuf>,
+    /// Records end with a hash of the robot's state.
+    pub trace_state: bool,
+    /// Paced, with the keyboard, and without the interpreter.
+    pub realtime: bool,
+    /// Only print the help text.
+    pub help: bool,
+}
+
+impl Options {
+    /// Understands the words behind the program's name.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn parse(words: impl IntoIterator<Item = String>) -> Result<Self, String> {
+        let mut options = Options::default();
+        let mut words = words.into_iter();
+        while let Some(word) = words.next() {
+            let mut value = || words.next().ok_or(format!("{word} needs a value"));
+            match word.as_str() {
+                "--cycles" => options.cycles = Some(number(&value()?)?),
+                "--trace" => options.trace = Some(value()?.into()),
+                "--trace-state" => options.trace_state = true,
+                "--realtime" => options.realtime = true,
+                "--help" | "-h" => options.help = true,
+                _ => return Err(format!("unknown option {word}")),
+            }
+        }
+        if options.realtime && (options.trace.is_some() || options.cycles.is_some()) {
+            return Err("--realtime goes with neither --trace nor --cycles".into());
+        }
+        Ok(options)
+    }
+}
+
+fn number(word: &str) -> Result<u64, String> {
+    word.parse()
+        .map_err(|_| format!("{word} is no number of cycles"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(words: &str) -> Result<Options, String> {
+        Options::parse(words.split_whitespace().map(str::to_owned))
+    }
+
+    #[test]
+    fn values_and_switches_are_understood() {
+        let options = parsed("--cycles 20000 --trace-state --trace a.jsonl").unwrap();
+        assert_eq!(options.cycles, Some(20000));
+        assert_eq!(options.trace, Some("a.jsonl".into()));
+        assert!(options.trace_state && !options.realtime && !options.help);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        assert_eq!(parsed("--fast").unwrap_err(), "unknown option --fast");
+        assert_eq!(parsed("--trace").unwrap_err(), "--trace needs a value");
+        assert_eq!(
+            parsed("--cycles many").unwrap_err(),
+            "many is no number of cycles"
+        );
+        assert!(parsed("--realtime --trace a").is_err());
+    }
+}
