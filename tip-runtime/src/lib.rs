@@ -25,6 +25,7 @@ pub mod kinematics;
 #[cfg(feature = "control")]
 pub mod machine;
 pub mod model;
+#[cfg(feature = "ops")]
 pub mod ops;
 #[cfg(feature = "control")]
 pub mod plant;
