@@ -1,0 +1,4 @@
+3.1
+Detect object elsewhere
+DETECT_OBJECT 1
+END

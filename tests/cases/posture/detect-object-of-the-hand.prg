@@ -1,0 +1,8 @@
+3.1
+Detect object of the hand
+DEF_VAR V
+V = 3
+DETECT_OBJECT 1
+DETECT_OBJECT 2
+DETECT_OBJECT V
+END
