@@ -2,12 +2,14 @@
 
 use crate::arguments::{self, Arguments, Misuse};
 use crate::file;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use std::path::Path;
 use tipc::codes::Code;
+use tipc::diagnostic::Diagnostic;
 use tipc::embed::embed;
 use tipc::emit;
+use tipc::syntax::Span;
 
 /// `invoking` is the file that the invocation stands in, if the compiler knows one.
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
@@ -40,8 +42,10 @@ fn include(arguments: &Arguments, invoking: Option<&Path>) -> TokenStream {
             }
         }
         Err(reason) => {
-            let message = Code::FileNotFound.template().replace("{}", &text.value);
-            let error = error(text.span, &format!("TIP_ERR:{message}: {reason}"));
+            let missing = Diagnostic::new(Code::FileNotFound, Span::default(), "");
+            let title = missing.about(&text.value).title();
+            let code = Code::FileNotFound.id();
+            let error = error(text.span, &format!("{code}: {title}: {reason}"));
             let skeleton = emit::skeleton(&text.value, spelling);
             quote!(#error #skeleton)
         }
@@ -73,7 +77,7 @@ fn complaint(misuse: &Misuse) -> TokenStream {
 }
 
 /// An error at `span`.
-fn error(span: Span, text: &str) -> TokenStream {
+fn error(span: proc_macro2::Span, text: &str) -> TokenStream {
     let text = text.trim_end();
     quote_spanned!(span=> ::core::compile_error! { #text })
 }
@@ -119,7 +123,7 @@ mod tests {
     fn a_missing_file_is_an_error_with_a_skeleton() {
         let items = include_tip(tokens("\"gone.prg\""), None).to_string();
         assert!(
-            items.contains("TIP_ERR:File not found(gone.prg): looked for"),
+            items.contains("E103: TIP_ERR:File not found(gone.prg) (PreprocessError): looked for"),
             "{items}"
         );
         assert!(items.contains("struct Gone"), "{items}");

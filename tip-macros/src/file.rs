@@ -23,14 +23,19 @@ pub(crate) fn find(path: &str, invoking: Option<&Path>) -> Result<Found, String>
 }
 
 fn search(path: &Path, folders: impl Iterator<Item = PathBuf>) -> Result<Found, String> {
-    let mut tried = Vec::new();
+    let mut tried: Vec<PathBuf> = Vec::new();
     for candidate in folders.map(|folder| folder.join(path)) {
         match fs::read(&candidate) {
             Ok(bytes) => {
                 let path = std::path::absolute(&candidate).unwrap_or(candidate);
                 return Ok(Found { path, bytes });
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => tried.push(candidate),
+            // An absolute path is the same below every folder.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                if !tried.contains(&candidate) {
+                    tried.push(candidate);
+                }
+            }
             Err(error) => return Err(format!("{}: {error}", candidate.display())),
         }
     }
@@ -61,5 +66,8 @@ mod tests {
         let folders = ["one", "two"].map(PathBuf::from).into_iter();
         let message = search(Path::new("gone.prg"), folders).unwrap_err();
         assert!(message.contains("gone.prg and "), "{message}");
+        let folders = ["one", "two"].map(PathBuf::from).into_iter();
+        let message = search(Path::new("/gone.prg"), folders).unwrap_err();
+        assert_eq!(message, "looked for /gone.prg");
     }
 }

@@ -36,9 +36,9 @@ mod tests;
 
 pub use error::BuildError;
 
+use crate::Robot;
 use crate::codes::{Code, Level};
 use crate::diagnostic::{Diagnostic, render_human, render_short};
-use crate::Robot;
 use crate::load::{self, Loaded, load};
 use crate::source::{Encoding, Source};
 use crate::syntax::Span;

@@ -220,8 +220,7 @@ fn kind_of(meant: Meant) -> Option<VariableKind> {
     }
 }
 
-/// A type in words; `None` is a number.
-pub(super) fn type_name(kind: Option<VariableKind>) -> &'static str {
+fn type_name(kind: Option<VariableKind>) -> &'static str {
     match kind {
         Some(VariableKind::Pos) => "a POS",
         Some(VariableKind::Joint) => "a JOINT",

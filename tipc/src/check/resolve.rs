@@ -40,7 +40,6 @@ pub(crate) fn statements(
     let mut resolver = Resolver {
         robot,
         names,
-        source,
         usage: Usage::new(names.variables.len()),
         found,
     };
@@ -62,7 +61,6 @@ pub(crate) fn statements(
 pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
-    source: &'a Source,
     pub(super) usage: Usage,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
@@ -89,8 +87,7 @@ impl Resolver<'_> {
                 None => Some(Resolved::Plain),
             },
             StatementKind::Message { text } => {
-                let shown = self.source.slice(text.span);
-                Some(Resolved::Action(self.message(shown, text.span)))
+                Some(Resolved::Action(self.message(&text.node, text.span)))
             }
             StatementKind::Command {
                 name,

@@ -64,7 +64,7 @@ impl Emitter<'_> {
     /// What a function's body mentions: no name of the surrounding scope can get in between.
     fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
         let runtime = self.runtime;
-        let option = import(quote!(::core::option::Option), words, &["None", "Some"]);
+        let option = import(quote!(::core::option::Option), words, &["Some"]);
         let result = import(quote!(::core::result::Result), words, &["Err", "Ok"]);
         let command = ["Flag", "Op", "Port", "Target", "Teach", "Value"];
         let command = import(quote!(#runtime::command), words, &command);
@@ -257,12 +257,11 @@ impl Emitter<'_> {
             Action::KeyIn { into } => {
                 let place = self.place(*into);
                 let go = self.go(next);
-                quote!(match cx.key() {
-                    Some(key) => {
-                        #place = Some(key as f64);
-                        #go
-                    }
-                    None => Flow::Wait,
+                quote!(if let Some(key) = cx.key() {
+                    #place = Some(key as f64);
+                    #go
+                } else {
+                    Flow::Wait
                 },)
             }
             Action::Message { parts } => {
