@@ -1,0 +1,120 @@
+//! Compiles every language case and a batch of random programs to Rust, for the tests to run.
+#![expect(
+    clippy::disallowed_methods,
+    clippy::disallowed_macros,
+    reason = "a build script reads and writes files and talks to Cargo"
+)]
+
+#[path = "src/random.rs"]
+#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
+mod random;
+#[path = "src/seek.rs"]
+#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
+mod seek;
+#[path = "src/settings.rs"]
+#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
+mod settings;
+
+use settings::Settings;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+use tipc::{Options, emit};
+
+fn main() {
+    let root = env::var("CARGO_MANIFEST_DIR").expect("Cargo sets it");
+    let out = env::var("OUT_DIR").expect("Cargo sets it");
+    let (root, out) = (Path::new(&root), Path::new(&out));
+    println!("cargo::rerun-if-changed=cases");
+    println!("cargo::rerun-if-changed=src");
+    write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
+    write(&out.join("random.rs"), &random_programs());
+    write(&out.join("random_tests.rs"), &random_tests());
+}
+
+/// A module for each case that runs, the function that finds it, and a test for each case.
+fn cases(folder: &Path, out: &Path) -> String {
+    let mut programs = Programs::default();
+    let mut tests = String::new();
+    for case in seek::cases(folder) {
+        let function = case.replace(['/', '-', '.'], "_");
+        let runs = folder.join(format!("{case}.trace")).exists();
+        let test = if runs { "traced" } else { "checked" };
+        writeln!(
+            tests,
+            "#[test]\nfn {function}() {{ tip_tests::{test}({case:?}); }}"
+        )
+        .unwrap();
+        if runs {
+            let text = fs::read_to_string(folder.join(format!("{case}.trace"))).unwrap_or_default();
+            let options = Settings::of_header(&text).map(|settings| settings.load);
+            let source = fs::read(folder.join(format!("{case}.prg"))).unwrap_or_default();
+            // A case that does not load has no program; its test says so.
+            programs.add(&case, &source, options.unwrap_or_default());
+        }
+    }
+    write(&out.join("case_tests.rs"), &tests);
+    programs.finish("case")
+}
+
+fn random_programs() -> String {
+    let mut programs = Programs::default();
+    for seed in 0..random::PROGRAMS {
+        let source = random::program(seed);
+        programs.add(&seed.to_string(), source.as_bytes(), Options::default());
+    }
+    programs.finish("random")
+}
+
+fn random_tests() -> String {
+    (0..random::PROGRAMS)
+        .map(|seed| format!("#[test]\nfn seed_{seed}() {{ tip_tests::differential({seed}); }}\n"))
+        .collect()
+}
+
+/// Generated programs on their way to a file.
+#[derive(Default)]
+struct Programs {
+    modules: String,
+    arms: String,
+    count: usize,
+}
+
+impl Programs {
+    fn add(&mut self, name: &str, source: &[u8], options: Options) {
+        let loaded = tipc::load(&format!("{name}.prg"), source, &options);
+        let Some(program) = loaded.program else {
+            return;
+        };
+        let spelling = emit::Options {
+            visibility: "pub(super)".parse().expect("a visibility"),
+            ..emit::Options::default()
+        };
+        let module = format!("program_{}", self.count);
+        let kind = spelling.name_for(program.source_name());
+        let items = emit::emit(&program, &spelling);
+        writeln!(self.modules, "mod {module} {{ {items} }}").unwrap();
+        let arm = format!("{name:?} => Box::new({module}::{kind}::new()),");
+        writeln!(self.arms, "{arm}").unwrap();
+        self.count += 1;
+    }
+
+    fn finish(self, function: &str) -> String {
+        let Programs { modules, arms, .. } = self;
+        format!(
+            "{modules}
+/// The generated code of a program; `None` if it does not load.
+pub fn {function}(name: &str) -> Option<Box<dyn tip_runtime::program::Program>> {{
+    Some(match name {{
+        {arms}
+        _ => return None,
+    }})
+}}
+"
+        )
+    }
+}
+
+fn write(path: &Path, text: &str) {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}

@@ -1,0 +1,3 @@
+3.1
+The shortest program
+END

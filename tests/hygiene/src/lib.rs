@@ -1,0 +1,53 @@
+//! Generated code has to compile here: without prelude, without the standard library, with every
+//! warning denied, the run-time under another name, and the names that it might lean on taken.
+#![no_std]
+#![no_implicit_prelude]
+#![forbid(unsafe_code)]
+#![deny(warnings, missing_docs, unused_qualifications, unreachable_pub)]
+#![deny(missing_debug_implementations, clippy::all, clippy::pedantic)]
+
+/// What a build script generated.
+pub mod generated {
+    ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/ok.rs"));
+    ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/option.rs"));
+}
+
+/// What the macros make.
+pub mod included {
+    ::motion_macros::include_tip!(pub "../motions/option.prg" as Some, runtime = ::robot);
+    ::motion_macros::tip!(pub Flow, "3.1\nflow\nLOOP:\nGOTO\nEND", runtime = ::robot);
+}
+
+/// A scope in which other things bear the names of Rust's and of the run-time's.
+pub mod hostile {
+    /// Not the crate.
+    pub mod core {}
+    /// Not the crate.
+    pub mod robot {}
+    /// Not the module.
+    pub mod ops {}
+    /// Not the type.
+    #[derive(::core::fmt::Debug)]
+    pub struct Option;
+    /// Not the type.
+    #[derive(::core::fmt::Debug)]
+    pub struct Result;
+    /// Not the variant.
+    #[derive(::core::fmt::Debug)]
+    pub struct None;
+    /// Not the type.
+    #[derive(::core::fmt::Debug)]
+    pub struct Value;
+    /// Not the trait.
+    pub trait Program {}
+    ::motion_macros::include_tip!(pub "../motions/option.prg" as Walk, runtime = ::robot);
+}
+
+/// The program types are programs, and constructible where nothing runs.
+pub const PROGRAMS: [&dyn ::robot::program::Program; 5] = [
+    &generated::Ok::new(),
+    &generated::Option::new(),
+    &included::Some::new(),
+    &included::Flow::new(),
+    &hostile::Walk::new(),
+];

@@ -1,0 +1,81 @@
+//! A run on the simulated robot, written down.
+
+use crate::engine::Boxed;
+use crate::settings::Settings;
+use tip_runtime::command::Port;
+use tip_runtime::console::Scripted;
+use tip_runtime::machine::{Machine, Status};
+use tip_runtime::model::{Model, generic, titan8};
+use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::program::Program;
+use tip_runtime::record::{Ending, JsonLines};
+use tipc::Robot;
+
+/// No case needs more cycles; one that has not ended by then never will.
+const ENDLESS: u64 = 100_000;
+
+/// The trace of a run, with the state in each record.
+///
+/// # Errors
+/// The program is for another robot, an input has no such name, or the program never ends.
+pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
+    let model: &Model<4, 3> = match settings.load.robot {
+        Robot::Titan8 => &titan8::MODEL,
+        Robot::Generic => &generic::MODEL,
+        Robot::Hand => return Err("the hand has no simulated plant".to_owned()),
+    };
+    let keys = Scripted::new(settings.keys.clone());
+    let console = match settings.halt {
+        Some(cycle) => keys.halt(cycle),
+        None => keys,
+    };
+    let plant = SimulatedPlant::new(model);
+    let mut machine = Machine::new(Boxed(program), model, plant, console, ())
+        .map_err(|mismatch| mismatch.to_string())?;
+    let mut trace = JsonLines::new(String::new(), true);
+    let ending = loop {
+        let cycle = machine.cycles();
+        if settings.cycles == Some(cycle) {
+            break Ending::Limit;
+        }
+        if cycle == ENDLESS {
+            return Err(format!("it runs for more than {ENDLESS} cycles"));
+        }
+        for (name, volts, _) in settings
+            .sensors
+            .iter()
+            .filter(|(_, _, from)| *from == cycle)
+        {
+            let port = port(name).ok_or_else(|| format!("no input is called {name}"))?;
+            if !machine.hardware_mut().set_sensor(port, *volts) {
+                return Err(format!("the robot has no input {name}"));
+            }
+        }
+        match machine.cycle_traced(&mut trace) {
+            Status::Running => {}
+            Status::Finished(end) => break Ending::Program(end),
+            Status::Emergency => {
+                let emergency = machine.emergency().copied();
+                break Ending::Emergency(emergency.ok_or("an emergency without a report")?);
+            }
+        }
+    };
+    trace.end(ending, machine.cycles());
+    trace.result().map_err(|error| error.to_string())?;
+    Ok(trace.into_inner())
+}
+
+/// An input by the name that AD_IN has for it.
+fn port(name: &str) -> Option<Port> {
+    let digit = |text: &str| text.parse::<u8>().ok().filter(|digit| *digit < 10);
+    if name == "ANTENNA" {
+        Some(Port::Antenna)
+    } else if let Some(n) = name.strip_prefix("VR") {
+        digit(n).map(Port::Knob)
+    } else if let Some(n) = name.strip_prefix("PAW") {
+        digit(n).map(Port::Paw)
+    } else {
+        let (leg, joint) = name.strip_prefix('J')?.split_at_checked(1)?;
+        Some(Port::Joint(digit(leg)?, digit(joint)?))
+    }
+}

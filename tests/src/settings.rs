@@ -1,0 +1,120 @@
+//! What happens around a program while it runs: the options of the command line, as a case's header has them.
+
+use tipc::source::Encoding;
+use tipc::{Options, Robot};
+
+/// How a program is loaded and run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// How the program is loaded.
+    pub load: Options,
+    /// The most cycles.
+    pub cycles: Option<u64>,
+    /// Bytes typed, each before the step of its cycle.
+    pub keys: Vec<(u64, u8)>,
+    /// The cycle from which HALT_REQUEST is true.
+    pub halt: Option<u64>,
+    /// Inputs by name, their volts, and the cycle from which they read so.
+    pub sensors: Vec<(String, f64, u64)>,
+}
+
+impl Settings {
+    /// The options in the header of an expectation.
+    ///
+    /// # Errors
+    /// An option that does not exist, or a value that is none.
+    pub fn of_header(expectation: &str) -> Result<Self, String> {
+        let mut settings = Settings::default();
+        for line in expectation.lines().take_while(|line| line.starts_with('#')) {
+            if let Some(args) = line.strip_prefix("# args:") {
+                settings.read(args)?;
+            }
+        }
+        Ok(settings)
+    }
+
+    fn read(&mut self, args: &str) -> Result<(), String> {
+        let mut words = args.split_whitespace();
+        while let Some(option) = words.next() {
+            let value = words.next().map(|word| word.trim_matches('\''));
+            let value = value.ok_or_else(|| format!("{option} lacks its value"))?;
+            let known = match option {
+                "--robot" => Robot::from_name(value).map(|robot| self.load.robot = robot),
+                "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
+                "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
+                "--cycles" => value.parse().ok().map(|n| self.cycles = Some(n)),
+                "--halt" => value.parse().ok().map(|n| self.halt = Some(n)),
+                "--keys" => keys(value).map(|keys| self.keys.extend(keys)),
+                "--sensor" => sensor(value).map(|sensor| self.sensors.push(sensor)),
+                _ => return Err(format!("unknown option {option}")),
+            };
+            known.ok_or_else(|| format!("{option} cannot be {value}"))?;
+        }
+        Ok(())
+    }
+}
+
+fn encoding(name: &str) -> Option<Encoding> {
+    match name {
+        "auto" => Some(Encoding::Auto),
+        "utf-8" => Some(Encoding::Utf8),
+        "shift_jis" => Some(Encoding::ShiftJis),
+        _ => None,
+    }
+}
+
+/// `CYCLE:CHAR,…`
+fn keys(list: &str) -> Option<Vec<(u64, u8)>> {
+    list.split(',')
+        .map(|key| {
+            let (cycle, byte) = key.split_once(':')?;
+            let byte = match (byte.strip_prefix("0x"), byte.as_bytes()) {
+                (Some(code), _) => u8::from_str_radix(code, 16).ok()?,
+                (None, [byte]) => *byte,
+                (None, _) => return None,
+            };
+            Some((cycle.parse().ok()?, byte))
+        })
+        .collect()
+}
+
+/// `NAME=VALUE@CYCLE`
+fn sensor(text: &str) -> Option<(String, f64, u64)> {
+    let (name, rest) = text.split_once('=')?;
+    let (volts, cycle) = rest.split_once('@')?;
+    Some((name.to_owned(), volts.parse().ok()?, cycle.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_option_is_read() {
+        let header = "# clauses: 2.4\n# args: --robot generic --keys 3:a,4:0x1B --halt 5 --cycles 100\n\
+            # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis\n{\"end\":\"END\"}\n# args: --no\n";
+        let settings = Settings::of_header(header).unwrap();
+        assert_eq!(settings.load.robot, Robot::Generic);
+        assert_eq!(settings.load.tip_version, 2.5);
+        assert_eq!(settings.load.encoding, Encoding::ShiftJis);
+        assert_eq!(settings.keys, [(3, b'a'), (4, 0x1B)]);
+        assert_eq!((settings.halt, settings.cycles), (Some(5), Some(100)));
+        assert_eq!(settings.sensors, [("VR1".to_owned(), 8.0, 3)]);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for args in [
+            "--robot arm",
+            "--cycles",
+            "--speed 3",
+            "--keys 3",
+            "--sensor VR1=8",
+        ] {
+            assert!(
+                Settings::of_header(&format!("# args: {args}")).is_err(),
+                "{args}"
+            );
+        }
+    }
+}

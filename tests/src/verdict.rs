@@ -1,0 +1,167 @@
+//! Whether a case holds.
+#![expect(clippy::disallowed_methods, reason = "tests read their cases")]
+
+use crate::compare::matches;
+use crate::generated;
+use crate::run::run;
+use crate::seek::root;
+use crate::settings::Settings;
+use crate::{clauses, random};
+use std::fs;
+use tip_runtime::program::Program;
+use tipc::codes::Level;
+use tipc::diagnostic::render_short;
+use tipc::interp::Interpreter;
+
+/// Runs a case on both engines: each gives the expected trace, and both give the same one.
+///
+/// # Panics
+/// They do not, or the case is not what a case has to be.
+pub fn traced(case: &str) {
+    let expectation = Expectation::read(case, "trace");
+    let loaded = expectation.load(case);
+    let told: Vec<String> = loaded
+        .diagnostics
+        .iter()
+        .filter(|diagnostic| diagnostic.level() == Level::Error)
+        .map(|diagnostic| render_short(&loaded.source, diagnostic))
+        .collect();
+    let program = loaded
+        .program
+        .unwrap_or_else(|| panic!("it does not load:\n{}", told.join("\n")));
+    let compiled = generated::case(case).expect("a case that loads was compiled");
+    let trace = both(program, compiled, &expectation.settings);
+    let records: Vec<String> = trace.lines().map(without_state).collect();
+    let records: Vec<&str> = records.iter().map(String::as_str).collect();
+    if let Err(difference) = matches(&expectation.body(), &records) {
+        panic!("{difference}\n\nthe whole trace:\n{}", records.join("\n"));
+    }
+}
+
+/// Compiles a case: it gives the expected diagnostics and no others.
+///
+/// # Panics
+/// It does not, or the case is not what a case has to be.
+pub fn checked(case: &str) {
+    let expectation = Expectation::read(case, "check");
+    let loaded = expectation.load(case);
+    let prefix = format!("{}:", loaded.source.name());
+    let told: Vec<String> = loaded
+        .diagnostics
+        .iter()
+        .map(|diagnostic| render_short(&loaded.source, diagnostic))
+        .map(|line| line.strip_prefix(&prefix).unwrap_or(&line).to_owned())
+        .collect();
+    let expected = match expectation.body().as_slice() {
+        ["ok"] => Vec::new(),
+        lines => lines.to_vec(),
+    };
+    assert_eq!(told, expected);
+}
+
+/// Runs a random program on both engines.
+///
+/// # Panics
+/// Their traces differ, or the program does not load.
+pub fn differential(seed: u64) {
+    let source = random::program(seed);
+    let name = format!("{seed}.prg");
+    let loaded = tipc::load(&name, source.as_bytes(), &tipc::Options::default());
+    let told: Vec<String> = loaded
+        .diagnostics
+        .iter()
+        .map(|diagnostic| render_short(&loaded.source, diagnostic))
+        .collect();
+    let program = loaded
+        .program
+        .unwrap_or_else(|| panic!("{}\n\n{source}", told.join("\n")));
+    let compiled = generated::random(&seed.to_string()).expect("a program that loads was compiled");
+    let settings = Settings {
+        cycles: Some(1500),
+        keys: random::keys(seed),
+        halt: Some(300),
+        ..Settings::default()
+    };
+    both(program, compiled, &settings);
+}
+
+/// The trace of both engines, states included.
+fn both(
+    program: tipc::program::Program,
+    compiled: Box<dyn Program>,
+    settings: &Settings,
+) -> String {
+    let interpreter = Box::new(Interpreter::new(program));
+    let same = |a: &dyn Program, b: &dyn Program| {
+        assert_eq!(a.signature(), b.signature());
+        assert_eq!((a.name(), a.title()), (b.name(), b.title()));
+        let lines = |program: &dyn Program| -> Vec<u32> {
+            (0..)
+                .map(|step| program.line(step))
+                .take_while(|line| *line > 0)
+                .collect()
+        };
+        assert_eq!(lines(a), lines(b), "the source lines of the steps");
+    };
+    same(interpreter.as_ref(), compiled.as_ref());
+    let interpreted = run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
+    let compiled = run(compiled, settings).unwrap_or_else(|error| panic!("{error}"));
+    let (a, b): (Vec<&str>, Vec<&str>) =
+        (interpreted.lines().collect(), compiled.lines().collect());
+    if let Err(difference) = matches(&a, &b) {
+        panic!("interpreter (expected) and generated code (found) differ {difference}");
+    }
+    interpreted
+}
+
+/// A record without the hash of commands and measurements.
+fn without_state(record: &str) -> String {
+    match record.split_once(",\"state\":") {
+        Some((before, _)) => format!("{before}}}"),
+        None => record.to_owned(),
+    }
+}
+
+/// What a case expects.
+struct Expectation {
+    text: String,
+    settings: Settings,
+}
+
+impl Expectation {
+    /// Reads the file beside a case and insists on what makes it one: it is the only one, it names
+    /// clauses that exist, and it says something.
+    fn read(case: &str, extension: &str) -> Self {
+        let path = |extension: &str| root().join("cases").join(format!("{case}.{extension}"));
+        let text = fs::read_to_string(path(extension)).unwrap_or_else(|error| {
+            panic!("neither a .trace nor a .check is beside the program: {error}")
+        });
+        let both = path("trace").exists() && path("check").exists();
+        assert!(!both, "a case has a .trace or a .check, not both");
+        let named = clauses::of_header(&text);
+        assert!(!named.is_empty(), "the header names no clause");
+        let known = clauses::of_reference();
+        for clause in &named {
+            assert!(
+                known.contains(clause),
+                "the reference has no clause {clause}"
+            );
+        }
+        let settings = Settings::of_header(&text).unwrap_or_else(|error| panic!("{error}"));
+        let expectation = Expectation { text, settings };
+        let says = expectation.body().iter().any(|line| *line != "...");
+        assert!(says, "the case expects nothing");
+        expectation
+    }
+
+    fn body(&self) -> Vec<&str> {
+        let lines = self.text.lines().skip_while(|line| line.starts_with('#'));
+        lines.filter(|line| !line.is_empty()).collect()
+    }
+
+    fn load(&self, case: &str) -> tipc::Loaded {
+        let path = root().join("cases").join(format!("{case}.prg"));
+        let bytes = fs::read(path).unwrap_or_else(|error| panic!("{error}"));
+        tipc::load(&format!("{case}.prg"), &bytes, &self.settings.load)
+    }
+}

@@ -1,0 +1,3 @@
+//! Random programs on both engines, one test each.
+
+include!(concat!(env!("OUT_DIR"), "/random_tests.rs"));
