@@ -3,7 +3,9 @@
 //! Every pass reports all that it finds; none stops another.
 
 mod arguments;
+mod blocks;
 mod conditions;
+mod entries;
 mod equations;
 mod inputs;
 mod jumps;
@@ -22,9 +24,9 @@ use crate::program::Variable;
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::syntax::Module;
+pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
 pub(crate) use resolve::Resolved;
-pub(crate) use structure::Blocks;
 
 /// What the passes found out about a module, statement by statement.
 #[derive(Debug)]
@@ -50,7 +52,7 @@ pub(crate) fn check(source: &Source, module: &Module, robot: Robot) -> (Checked,
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(module, &mut found);
     let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
-    structure::warn_of_entries(module, &mut found);
+    entries::warn_of_entries(module, &mut found);
     let checked = Checked {
         variables: names.variables,
         labels,

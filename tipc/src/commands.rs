@@ -57,6 +57,17 @@ pub fn find(name: &str) -> Option<&'static Command> {
         .find(|command| command.name == name || command.alias == Some(name))
 }
 
+/// What an older version's command is called now (T.I.P. 3.1 §1-1).
+pub fn renamed(word: &str) -> Option<&'static str> {
+    let name = match word {
+        "SET_INPOS" => "SET_JUST_POSITION".to_owned(),
+        "SET_NEAR" => "SET_NEAR_POSITION".to_owned(),
+        "COMPLIANCE" => "COMPLIANCE_ANGLE".to_owned(),
+        _ => format!("SET_{word}"),
+    };
+    find(&name).map(|command| command.name)
+}
+
 /// The event flags without a number in their names.
 pub const FLAGS: &[&str] = &["HALT_REQUEST", "KB_HIT", "ANTENNA_ON"];
 

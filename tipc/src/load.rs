@@ -1,7 +1,7 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 
 use crate::check::check;
-use crate::codes::Level;
+use crate::codes::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::lower::lower;
 use crate::parse::parse;
@@ -55,7 +55,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let wrong_version = module.statements.is_empty()
         && diagnostics
             .iter()
-            .any(|diagnostic| diagnostic.code == crate::codes::Code::Version);
+            .any(|diagnostic| diagnostic.code == Code::Version);
     let program = if wrong_version {
         None
     } else {
@@ -67,6 +67,11 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         loads.then(|| lower(&source, &module, checked, options.robot))
     };
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
+    // One mistake is told once, however many passes stumble over it.
+    diagnostics.dedup_by(|later, first| {
+        let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
+        later.span == first.span && is_mistake(later) && is_mistake(first)
+    });
     Loaded {
         source,
         program,

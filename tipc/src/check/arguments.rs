@@ -1,5 +1,6 @@
 //! Arguments of commands against their forms in the command table.
 
+use super::equations::type_name;
 use super::names::Meant;
 use super::resolve::Resolver;
 use super::suggest::nearest;
@@ -8,7 +9,7 @@ use crate::codes::Code;
 use crate::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Argument, Scalar};
-use crate::syntax::{Operand, Span, VariableKind, Word};
+use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
 use tip_runtime::command::{Op, Target};
 
 impl Resolver<'_> {
@@ -47,9 +48,9 @@ impl Resolver<'_> {
         if !command.robots.contains(self.robot) {
             let reason = format!("{} lacks this command", self.robot.name());
             let help = format!(
-                "`{}` is for robots {} (T: titan8, H: hand, G: generic)",
+                "{} is a command of {}",
                 command.name,
-                command.robots.letters()
+                command.robots.names()
             );
             self.report(
                 Diagnostic::new(Code::UnknownCommand, name.span, reason)
@@ -62,13 +63,16 @@ impl Resolver<'_> {
     }
 
     fn unknown_command<T>(&mut self, name: &Word) -> Option<T> {
-        let fault = Diagnostic::new(Code::UnknownCommand, name.span, "this is no command");
-        let names = COMMANDS.iter().map(|command| command.name);
-        let help = match nearest(&name.node, names) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "a label ends with a colon, an equation has `=` behind its variable".to_owned(),
+        let word = name.node.as_str();
+        let (reason, help) = match self.names.find(word) {
+            Some(_) => (
+                "this is a variable, not a command",
+                format!("an equation has an operator behind its variable: `{word} = 0`"),
+            ),
+            None => ("this is no command", meant_by(word)),
         };
-        self.report(fault.about(&name.node).help(help));
+        let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
+        self.report(fault.about(word).help(help));
         None
     }
 
@@ -91,7 +95,7 @@ impl Resolver<'_> {
         };
         let operands = &arguments[usize::from(has_target)..];
         let values = self.values(name, form, target, operands)?;
-        self.warn_of_range(name, form.limit, operands, &values);
+        self.warn_of_range(name, form, operands, &values);
         Some(Action::Command {
             op,
             hs,
@@ -109,25 +113,21 @@ impl Resolver<'_> {
     ) -> Option<Vec<Argument>> {
         let joints = usize::from(self.robot.signature().joints);
         let single = matches!(target, Target::Joint(..));
-        let all = target == Target::All;
+        let one_for_all = match (form.values, target) {
+            (Values::Tolerances, Target::All) => !self.is_joint(operands),
+            (Values::TorqueLimits, Target::All) => true,
+            _ => false,
+        };
         match form.values {
             Values::None => self.no_more(name, operands).map(|()| Vec::new()),
             Values::One => self.plain_values(name, operands, 1),
             Values::Three => self.plain_values(name, operands, 3),
             Values::Position => self.vector(name, form, operands, VariableKind::Pos, 3),
             Values::Angles if single => self.scalars(name, form, operands, 1),
-            Values::Angles => self.vector(name, form, operands, VariableKind::Joint, joints),
-            Values::Tolerances | Values::TorqueLimits if single => {
+            Values::Tolerances | Values::TorqueLimits if single || one_for_all => {
                 self.plain_values(name, operands, 1)
             }
-            Values::Tolerances if all && !self.is_joint(operands) => {
-                self.plain_values(name, operands, 1)
-            }
-            Values::TorqueLimits if all => self.plain_values(name, operands, 1),
-            Values::Tolerances if all => {
-                self.vector(name, form, operands, VariableKind::Joint, joints)
-            }
-            Values::Tolerances | Values::TorqueLimits => {
+            Values::Angles | Values::Tolerances | Values::TorqueLimits => {
                 self.vector(name, form, operands, VariableKind::Joint, joints)
             }
         }
@@ -156,8 +156,20 @@ impl Resolver<'_> {
             .and_then(word)
             .filter(|name| !is_flag(form, name));
         let id = whole.and_then(|name| self.names.find(name));
-        let Some(id) = id.filter(|id| self.names.variables[*id].kind == kind) else {
-            return self.scalars(name, form, operands, count);
+        let id = match id.map(|id| (id, self.names.variables[id].kind)) {
+            None | Some((_, VariableKind::Var)) => {
+                return self.scalars(name, form, operands, count);
+            }
+            Some((id, of)) if of == kind => id,
+            Some((_, of)) => {
+                let reason = format!(
+                    "{} wants {} here, not {}",
+                    name.node,
+                    numbers(count, Some(kind)),
+                    type_name(Some(of))
+                );
+                return self.refuse(Code::Argument, operands[flagged].span, reason);
+            }
         };
         self.no_more(name, &operands[flagged + 1..])?;
         let relative = self.relative(form, operands)?;
@@ -191,27 +203,19 @@ impl Resolver<'_> {
             let flag = rest.first().filter(|_| self.flag_of(form, rest).is_some());
             rest = &rest[usize::from(flag.is_some())..];
             let Some((operand, behind)) = rest.split_first() else {
-                let reason = format!(
-                    "{} wants {count} value(s) here, not {}",
-                    name.node,
-                    values.len()
-                );
-                return self.refuse(
-                    Code::Argument,
-                    flag.map_or(name.span, |flag| flag.span),
-                    reason,
-                );
+                let place = flag.map_or(name.span, |flag| flag.span);
+                return self.too_few(name, form, place, count, values.len());
             };
-            if let Some(flag) = word(operand).filter(|name| is_flag(form, name)) {
-                let reason = format!("{flag} stands before a number, and once");
+            if let Some(flag) = flag_name(form, operand) {
+                let reason = format!("{flag} is a flag here: it stands before a number, and once");
                 return self.refuse(Code::Argument, operand.span, reason);
             }
-            let operand = self.number(operand, Code::Argument)?;
-            values.push(Argument { operand, relative });
+            let number = self.number(operand, Code::Argument);
+            values.push(number.map(|operand| Argument { operand, relative }));
             rest = behind;
         }
         self.no_more(name, rest)?;
-        Some(values)
+        values.into_iter().collect()
     }
 
     /// So many constants or VARs.
@@ -222,16 +226,11 @@ impl Resolver<'_> {
         count: usize,
     ) -> Option<Vec<Argument>> {
         if operands.len() < count {
-            let reason = format!(
-                "{} wants {count} value(s) here, not {}",
-                name.node,
-                operands.len()
-            );
-            return self.refuse(Code::Argument, name.span, reason);
+            return self.too_few(name, Arguments::BARE, name.span, count, operands.len());
         }
         let (values, extra) = operands.split_at(count);
         self.no_more(name, extra)?;
-        values
+        let values: Vec<Option<Argument>> = values
             .iter()
             .map(|operand| {
                 let operand = self.variable_or_constant(operand, Code::Argument)?;
@@ -240,7 +239,38 @@ impl Resolver<'_> {
                     relative: false,
                 })
             })
-            .collect()
+            .collect();
+        values.into_iter().collect()
+    }
+
+    fn too_few<T>(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        place: Span,
+        wanted: usize,
+        found: usize,
+    ) -> Option<T> {
+        let whole = match form.values {
+            Values::Position => Some(VariableKind::Pos),
+            Values::Angles | Values::Tolerances | Values::TorqueLimits if wanted > 1 => {
+                Some(VariableKind::Joint)
+            }
+            _ => None,
+        };
+        let stand = match found {
+            0 => "none stands".to_owned(),
+            1 => "one stands".to_owned(),
+            _ => format!("{found} stand"),
+        };
+        let wanted = numbers(wanted, whole);
+        let reason = format!("{} wants {wanted} here; {stand} here", name.node);
+        let fault = Diagnostic::new(Code::Argument, place, reason);
+        self.report(match usage(name) {
+            Some(usage) => fault.help(usage),
+            None => fault,
+        });
+        None
     }
 
     /// A constant or VAR; a member is neither.
@@ -267,11 +297,8 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                let form = commands::find(&name.node).map(|command| command.form.syntax());
-                let help = match form.filter(|form| !form.is_empty()) {
-                    Some(form) => format!("write `{} {form}`", name.node),
-                    None => format!("{} takes no arguments", name.node),
-                };
+                let help =
+                    usage(name).unwrap_or_else(|| format!("{} takes no arguments", name.node));
                 let reason = "this argument is one too many";
                 self.report(Diagnostic::new(Code::Argument, operand.span, reason).help(help));
                 None
@@ -305,4 +332,42 @@ impl Resolver<'_> {
 /// Whether a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && commands::MOTION_FLAGS.contains(&word)
+}
+
+/// The flag that stands in the place of a number, be it behind a sign.
+fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
+    match &operand.kind {
+        OperandKind::Name { name, member: None } if is_flag(form, name) => Some(name),
+        _ => None,
+    }
+}
+
+/// So many numbers, or a struct in their place, in words.
+fn numbers(count: usize, whole: Option<VariableKind>) -> String {
+    let numbers = match count {
+        1 => "one number".to_owned(),
+        _ => format!("{count} numbers"),
+    };
+    match whole {
+        Some(kind) => format!("{numbers} or {}", type_name(Some(kind))),
+        None => numbers,
+    }
+}
+
+/// How a command is written, unless it stands alone.
+fn usage(name: &Word) -> Option<String> {
+    let form = commands::find(&name.node)?.form.syntax();
+    let usage = format!("write `{} {form}`", name.node);
+    (!form.is_empty()).then_some(usage)
+}
+
+/// What an unknown word may have been meant to be.
+fn meant_by(word: &str) -> String {
+    if let Some(renamed) = commands::renamed(word) {
+        return format!("this language calls it `{renamed}`");
+    }
+    match nearest(word, COMMANDS.iter().map(|command| command.name)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "a label ends with a colon, an equation has `=` behind its variable".to_owned(),
+    }
 }

@@ -220,7 +220,8 @@ fn kind_of(meant: Meant) -> Option<VariableKind> {
     }
 }
 
-fn type_name(kind: Option<VariableKind>) -> &'static str {
+/// A type in words; `None` is a number.
+pub(super) fn type_name(kind: Option<VariableKind>) -> &'static str {
     match kind {
         Some(VariableKind::Pos) => "a POS",
         Some(VariableKind::Joint) => "a JOINT",

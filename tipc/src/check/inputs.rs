@@ -151,10 +151,12 @@ impl Resolver<'_> {
             return self.refuse(Code::Argument, number.span, reason);
         }
         self.no_more(name, values.get(2..).unwrap_or_default())?;
+        let values: Vec<Option<program::Operand>> = values
+            .iter()
+            .map(|value| self.variable_or_constant(value, Code::Argument))
+            .collect();
         let mut operands = vec![program::Operand::Constant(code + 0.0)];
-        for value in values {
-            operands.push(self.variable_or_constant(value, Code::Argument)?);
-        }
+        operands.extend(values.into_iter().collect::<Option<Vec<_>>>()?);
         let argument = |operand| Argument {
             operand,
             relative: false,

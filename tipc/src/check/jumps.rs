@@ -1,7 +1,8 @@
 //! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
+use super::blocks::{BlockKind, Blocks};
 use super::labels::{LOOP, Labels};
-use super::structure::{BlockKind, Blocks, keyword};
+use super::structure::keyword;
 use super::suggest::nearest;
 use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
@@ -120,40 +121,42 @@ impl Jumps<'_> {
 
     /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
     fn check(&mut self, from: usize, to: usize, kind: Kind, place: Span) {
-        let around: Vec<usize> = self.blocks.chain(from).collect();
+        let blocks = self.blocks;
         let called = kind != Kind::Goto && self.is_subroutine(to);
-        let entered = self
-            .blocks
+        let entered = blocks
             .chain(to)
-            .filter(|block| !around.contains(block));
-        let mut entered: Vec<usize> = entered
-            .filter(|block| !(called && self.blocks.blocks[*block].opener == to))
-            .collect();
-        let closed = entered
-            .iter()
-            .rposition(|block| self.blocks.blocks[*block].kind != BlockKind::For);
-        if let Some(closed) = closed {
-            let block = entered[closed];
+            .take_while(|block| !blocks.blocks[*block].contains(from))
+            .filter(|block| {
+                let block = &blocks.blocks[*block];
+                let is_called = called && block.opener == to;
+                !block.broken && !is_called
+            });
+        let mut entered_for = None;
+        let mut refused = None;
+        for block in entered {
+            match blocks.blocks[block].kind {
+                BlockKind::For => entered_for = Some(block),
+                _ => refused = Some(block),
+            }
+        }
+        if let Some(block) = refused {
             return self.refuse_entry(block, to, place);
         }
         if kind == Kind::Goto
-            && let Some(left) = self.left_subroutine(&around, to)
+            && let Some(left) = self.left_subroutine(from, to)
         {
             return self.refuse_leaving(left, to, place);
         }
-        if let Some(block) = entered.pop() {
+        if let Some(block) = entered_for {
             self.warn_of_for(block, to, place);
         }
     }
 
-    fn left_subroutine(&self, around: &[usize], to: usize) -> Option<usize> {
-        let target: Vec<usize> = self.blocks.chain(to).collect();
-        let is_subroutine =
-            |block: &usize| self.blocks.blocks[*block].kind == BlockKind::Subroutine;
-        around
-            .iter()
-            .copied()
-            .find(|block| is_subroutine(block) && !target.contains(block))
+    fn left_subroutine(&self, from: usize, to: usize) -> Option<usize> {
+        let blocks = &self.blocks.blocks;
+        let routine = blocks[self.blocks.around[from]?].routine?;
+        let left = !blocks[routine].broken && !blocks[routine].contains(to);
+        left.then_some(routine)
     }
 
     fn refuse_entry(&mut self, block: usize, to: usize, place: Span) {

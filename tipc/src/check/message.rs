@@ -5,7 +5,7 @@ use crate::program::{Action, MessagePart, Scalar};
 use crate::syntax::{Span, VariableKind};
 
 impl Resolver<'_> {
-    /// Splits a text into what stands as it is and the values between.
+    /// Splits a text as it stands in the source at `place` into what is shown as it is and the values between.
     pub(super) fn message(&mut self, text: &str, place: Span) -> Action {
         let mut parts = Vec::new();
         let mut plain = String::new();
@@ -15,7 +15,8 @@ impl Resolver<'_> {
                 if !plain.is_empty() {
                     parts.push(MessagePart::Text(std::mem::take(&mut plain)));
                 }
-                self.usage.read(variable, place);
+                let start = place.end - rest.len();
+                self.usage.read(variable, Span::new(start, start + length));
                 parts.push(MessagePart::Value {
                     scalar: Scalar {
                         variable,
@@ -24,12 +25,9 @@ impl Resolver<'_> {
                     decimals,
                 });
                 rest = &rest[length..];
-            } else if let Some((escaped, length)) = escape(rest) {
-                plain.push(escaped);
-                rest = &rest[length..];
             } else {
-                plain.push(first);
-                rest = &rest[first.len_utf8()..];
+                let length = shown(rest, first, &mut plain);
+                rest = &rest[length..];
             }
         }
         if !plain.is_empty() {
@@ -55,16 +53,26 @@ impl Resolver<'_> {
     }
 }
 
-/// `\a` or `\t` at the start, the backslash perhaps a yen sign: the character and the escape's length.
-fn escape(text: &str) -> Option<(char, usize)> {
-    let mut chars = text.chars();
-    let sign = chars
-        .next()
-        .filter(|sign| matches!(sign, '\\' | '\u{A5}'))?;
-    let escaped = match chars.next()? {
-        'a' => '\u{7}',
-        't' => '\t',
-        _ => return None,
-    };
-    Some((escaped, sign.len_utf8() + 1))
+/// Adds what the start of a text, whose first character is `first`, shows; returns its length in the source.
+///
+/// A doubled backslash stays as it is, so that the second one escapes nothing.
+fn shown(text: &str, first: char, plain: &mut String) -> usize {
+    let length = first.len_utf8();
+    match (first, text[length..].chars().next()) {
+        ('\\' | '\u{A5}', Some('a')) => plain.push('\u{7}'),
+        ('\\' | '\u{A5}', Some('t')) => plain.push('\t'),
+        ('\\' | '\u{A5}', Some(second @ ('\\' | '\u{A5}'))) => {
+            plain.extend([first, second]);
+            return length + second.len_utf8();
+        }
+        ('\u{3000}', _) => {
+            plain.push_str("  ");
+            return length;
+        }
+        _ => {
+            plain.push(first);
+            return length;
+        }
+    }
+    length + 1
 }

@@ -2,7 +2,7 @@
 
 use super::resolve::Resolver;
 use crate::codes::Code;
-use crate::commands::Limit;
+use crate::commands::{Arguments, Limit, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{Argument, Operand};
 use crate::robot::Robot;
@@ -14,13 +14,18 @@ impl Resolver<'_> {
     pub(super) fn warn_of_range(
         &mut self,
         name: &Word,
-        limit: Limit,
+        form: Arguments,
         operands: &[syntax::Operand],
         values: &[Argument],
     ) {
-        for (operand, value) in operands.iter().zip(values) {
+        let judged = match form.values {
+            // The z of a finger is ignored.
+            Values::Three | Values::Position if self.robot == Robot::Hand => 2,
+            _ => values.len(),
+        };
+        for (operand, value) in operands.iter().zip(values).take(judged) {
             if let Operand::Constant(value) = value.operand
-                && let Some(range) = broken(limit, value, self.robot)
+                && let Some(range) = broken(form.limit, value, self.robot)
             {
                 let help = format!("{} takes {range} on {}", name.node, self.robot.name());
                 let reason = "out of range";

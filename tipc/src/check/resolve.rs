@@ -40,6 +40,7 @@ pub(crate) fn statements(
     let mut resolver = Resolver {
         robot,
         names,
+        source,
         usage: Usage::new(names.variables.len()),
         found,
     };
@@ -61,6 +62,7 @@ pub(crate) fn statements(
 pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
+    source: &'a Source,
     pub(super) usage: Usage,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
@@ -87,7 +89,8 @@ impl Resolver<'_> {
                 None => Some(Resolved::Plain),
             },
             StatementKind::Message { text } => {
-                Some(Resolved::Action(self.message(&text.node, text.span)))
+                let shown = self.source.slice(text.span);
+                Some(Resolved::Action(self.message(shown, text.span)))
             }
             StatementKind::Command {
                 name,

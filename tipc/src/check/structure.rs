@@ -1,74 +1,9 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
+use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::{Module, Operand, OperandKind, Shape, Span, Statement, StatementKind};
-
-/// What a block is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BlockKind {
-    /// One branch of an IF.
-    If,
-    While,
-    Repeat,
-    For,
-    Subroutine,
-}
-
-impl BlockKind {
-    const fn opener(self) -> &'static str {
-        match self {
-            BlockKind::If => "IF",
-            BlockKind::While => "WHILE",
-            BlockKind::Repeat => "REPEAT",
-            BlockKind::For => "FOR",
-            BlockKind::Subroutine => "SUBROUTINE",
-        }
-    }
-
-    const fn closer(self) -> &'static str {
-        match self {
-            BlockKind::If => "ENDIF",
-            BlockKind::While => "WEND",
-            BlockKind::Repeat => "UNTIL",
-            BlockKind::For => "NEXT",
-            BlockKind::Subroutine => "SUBEND",
-        }
-    }
-}
-
-/// A block, by the index of the statement that opens it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Block {
-    pub(crate) kind: BlockKind,
-    pub(crate) opener: usize,
-    pub(crate) parent: Option<usize>,
-}
-
-/// How a control word is tied to others, by the indices of statements.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Link {
-    /// Of IF, ELSEIF: the next ELSEIF, ELSE or ENDIF. Of ELSE: ENDIF. Of WHILE, FOR: the closer.
-    /// Of WEND, UNTIL, NEXT: the opener.
-    pub(crate) partner: Option<usize>,
-}
-
-/// The block structure of a module.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Blocks {
-    pub(crate) blocks: Vec<Block>,
-    /// The innermost block around each statement.
-    pub(crate) around: Vec<Option<usize>>,
-    /// The ties of each statement.
-    pub(crate) links: Vec<Link>,
-}
-
-impl Blocks {
-    /// The blocks around a statement, innermost first.
-    pub(crate) fn chain(&self, statement: usize) -> impl Iterator<Item = usize> {
-        std::iter::successors(self.around[statement], |block| self.blocks[*block].parent)
-    }
-}
 
 /// Ties every control word to its partner and reports those without one.
 pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
@@ -81,6 +16,7 @@ pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
             links: vec![Link::default(); count],
         },
         open: Vec::new(),
+        owed: Vec::new(),
         found,
     };
     for index in 0..count {
@@ -100,31 +36,33 @@ struct Open {
     has_else: bool,
     /// The block of the current branch.
     block: usize,
+    /// The SUBROUTINEs that stand right inside, which none may.
+    nested: Vec<usize>,
+}
+
+/// A closer still to come of a construct that another one has cut off: it is no second mistake.
+struct Owed {
+    kind: BlockKind,
+    /// The diagnostic of the construct.
+    fault: usize,
 }
 
 struct Matcher<'a> {
     module: &'a Module,
     result: Blocks,
     open: Vec<Open>,
+    owed: Vec<Owed>,
     found: &'a mut Vec<Diagnostic>,
 }
 
 impl Matcher<'_> {
     fn statement(&mut self, index: usize) {
         use BlockKind::{For, If, Repeat, Subroutine, While};
-        let statement = &self.module.statements[index];
-        let opened = match opening(&statement.kind) {
-            Some(kind) => {
-                if kind == Subroutine {
-                    self.refuse_nested(index);
-                }
-                self.result.around[index] = self.current();
-                self.open(kind, index);
-                (kind == Subroutine).then(|| self.current())
-            }
-            None => None,
-        };
-        match &statement.kind {
+        let kind = &self.module.statements[index].kind;
+        if let Some(opened) = opening(kind) {
+            return self.open(opened, index);
+        }
+        match kind {
             StatementKind::ElseIf { .. } | StatementKind::Broken(Shape::ElseIf) => {
                 self.branch(index, "ELSEIF");
             }
@@ -140,15 +78,7 @@ impl Matcher<'_> {
             StatementKind::SubEnd | StatementKind::Broken(Shape::SubEnd) => {
                 self.close(index, Subroutine, "SUBEND");
             }
-            _ => {
-                if opening(&statement.kind).is_none() {
-                    self.result.around[index] = self.current();
-                }
-            }
-        }
-        if let Some(inside) = opened {
-            // A SUBROUTINE's own step lies inside it: only calls reach it from outside.
-            self.result.around[index] = inside;
+            _ => self.result.around[index] = self.current(),
         }
     }
 
@@ -157,51 +87,67 @@ impl Matcher<'_> {
     }
 
     fn new_block(&mut self, kind: BlockKind, opener: usize, parent: Option<usize>) -> usize {
-        self.result.blocks.push(Block {
+        let blocks = &mut self.result.blocks;
+        let block = blocks.len();
+        let routine = match kind {
+            BlockKind::Subroutine => Some(block),
+            _ => parent.and_then(|parent| blocks[parent].routine),
+        };
+        blocks.push(Block {
             kind,
             opener,
             parent,
+            routine,
+            end: usize::MAX,
+            broken: false,
         });
-        self.result.blocks.len() - 1
+        block
     }
 
     fn open(&mut self, kind: BlockKind, index: usize) {
+        let is_subroutine = kind == BlockKind::Subroutine;
+        if is_subroutine {
+            self.owed.clear();
+            if let Some(outer) = self.open.last_mut() {
+                outer.nested.push(index);
+            }
+        }
         let parent = self.current();
         let block = self.new_block(kind, index, parent);
+        self.result.around[index] = if is_subroutine { Some(block) } else { parent };
         self.open.push(Open {
             kind,
             first: index,
             branch: index,
             has_else: false,
             block,
+            nested: Vec::new(),
         });
     }
 
-    fn refuse_nested(&mut self, index: usize) {
-        let Some(open) = self.open.last() else {
-            return;
-        };
-        let outer = open.kind.opener();
-        let reason = match open.kind {
-            BlockKind::Subroutine => "a SUBROUTINE stands inside a SUBROUTINE".to_owned(),
-            _ => format!("a SUBROUTINE stands inside {outer}"),
-        };
-        let help = format!("close {outer} with {} before it", open.kind.closer());
-        let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-            .label(
-                self.place(open.first),
-                format!("this {outer} is still open"),
-            )
-            .help(help);
-        self.found.push(fault);
+    /// Reports the SUBROUTINEs inside a construct that is closed.
+    fn refuse_nested(&mut self, open: &Open) {
+        let (opener, closer) = (open.kind.opener(), open.kind.closer());
+        for index in &open.nested {
+            let inside = self.result.around[*index];
+            if let Some(outer) = inside.and_then(|block| self.result.blocks[block].parent) {
+                self.result.blocks[outer].broken = true;
+            }
+            let reason = format!("this SUBROUTINE stands inside {opener}");
+            let fault = Diagnostic::new(Code::Structure, self.place(*index), reason)
+                .label(
+                    self.place(open.first),
+                    format!("this {opener} is still open"),
+                )
+                .help(format!("close {opener} with {closer} before it"));
+            self.found.push(fault);
+        }
     }
 
     fn branch(&mut self, index: usize, name: &str) {
-        let Some(depth) = self.unwind(index, BlockKind::If, name) else {
-            self.result.around[index] = self.current();
+        let Some(mut open) = self.unwind(index, BlockKind::If, name) else {
             return;
         };
-        let open = &self.open[depth];
         if open.has_else {
             let reason = format!("{name} stands behind the ELSE of its IF");
             let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
@@ -209,38 +155,29 @@ impl Matcher<'_> {
                 .help("ELSE is the last branch of an IF");
             self.found.push(fault);
         }
-        let (first, branch) = (open.first, open.branch);
-        let parent = self.result.blocks[open.block].parent;
-        self.result.links[branch].partner = Some(index);
-        self.result.around[index] = parent;
-        let block = self.new_block(BlockKind::If, index, parent);
-        let has_else = name == "ELSE" || self.open[depth].has_else;
-        self.open[depth] = Open {
-            kind: BlockKind::If,
-            first,
-            branch: index,
-            has_else,
-            block,
-        };
+        self.result.links[open.branch].partner = Some(index);
+        self.result.blocks[open.block].end = index;
+        open.block = self.new_block(BlockKind::If, index, self.current());
+        open.branch = index;
+        open.has_else |= name == "ELSE";
+        self.open.push(open);
     }
 
     fn close(&mut self, index: usize, kind: BlockKind, name: &str) {
-        let Some(depth) = self.unwind(index, kind, name) else {
-            self.result.around[index] = self.current();
+        let Some(open) = self.unwind(index, kind, name) else {
             return;
         };
-        let Open { branch, first, .. } = self.open[depth];
-        self.open.truncate(depth);
-        self.result.around[index] = self.current();
-        self.result.links[branch].partner = Some(index);
-        self.result.links[index].partner = Some(first);
+        self.result.blocks[open.block].end = index;
+        self.refuse_nested(&open);
+        self.result.links[open.branch].partner = Some(index);
+        self.result.links[index].partner = Some(open.first);
         if kind == BlockKind::For {
-            self.check_counter(first, index);
+            self.check_counter(open.first, index);
         }
     }
 
-    /// Finds the construct that a word belongs to, and reports the open ones that it leaves behind.
-    fn unwind(&mut self, index: usize, kind: BlockKind, name: &str) -> Option<usize> {
+    /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
+    fn unwind(&mut self, index: usize, kind: BlockKind, name: &str) -> Option<Open> {
         let depth = self.open.iter().rposition(|open| open.kind == kind);
         // A block that leaves a SUBROUTINE open would take all of its rest along.
         let barrier = self
@@ -249,6 +186,10 @@ impl Matcher<'_> {
             .rposition(|open| open.kind == BlockKind::Subroutine);
         let reachable = depth.filter(|depth| barrier.is_none_or(|barrier| *depth >= barrier));
         let Some(depth) = reachable else {
+            self.result.around[index] = self.current();
+            if self.is_owed(index, kind, name) {
+                return None;
+            }
             let reason = format!("no {} is open for this {name}", kind.opener());
             let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason).help(
                 format!("{} opens what {} closes", kind.opener(), kind.closer()),
@@ -263,26 +204,56 @@ impl Matcher<'_> {
         while self.open.len() > depth + 1 {
             self.leave_open(Some((index, name)));
         }
-        Some(depth)
+        let open = self.open.pop();
+        self.result.around[index] = self.current();
+        open
     }
 
+    /// Whether a construct that was cut off waits for this word. It closes only that.
+    fn is_owed(&mut self, index: usize, kind: BlockKind, name: &str) -> bool {
+        let Some(at) = self.owed.iter().rposition(|owed| owed.kind == kind) else {
+            return false;
+        };
+        if name == kind.closer() {
+            let owed = self.owed.remove(at);
+            let label = (self.place(index), format!("its {name} stands here"));
+            let fault = &mut self.found[owed.fault];
+            *fault = fault.clone().label(label.0, label.1);
+        }
+        true
+    }
+
+    /// Reports the innermost construct, which lacks its closer. `met` is the word that comes before it.
     fn leave_open(&mut self, met: Option<(usize, &str)>) {
         let Some(open) = self.open.pop() else {
             return;
         };
         let (opener, closer) = (open.kind.opener(), open.kind.closer());
+        let block = &mut self.result.blocks[open.block];
+        block.broken = true;
+        block.end = met.map_or(usize::MAX, |(index, _)| index);
         let reason = format!("this {opener} is not closed");
         let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
             .help(format!("close it with {closer}"));
-        fault = match met {
-            Some((index, name)) => {
+        if let Some(nested) = open.nested.first() {
+            let text = format!("this SUBROUTINE comes before {closer}");
+            fault = fault.label(self.place(*nested), text);
+        }
+        fault = match (met, self.module.statements.last()) {
+            (Some((index, name)), _) => {
                 fault.label(self.place(index), format!("{name} comes before {closer}"))
             }
-            None => match self.module.statements.last() {
-                Some(last) => fault.label(last.span, format!("the program ends before {closer}")),
-                None => fault,
-            },
+            (None, Some(last)) => {
+                fault.label(last.span, format!("the program ends before {closer}"))
+            }
+            (None, None) => fault,
         };
+        if met.is_some() {
+            self.owed.push(Owed {
+                kind: open.kind,
+                fault: self.found.len(),
+            });
+        }
         self.found.push(fault);
     }
 
@@ -359,31 +330,5 @@ fn opening(kind: &StatementKind) -> Option<BlockKind> {
             Some(BlockKind::Subroutine)
         }
         _ => None,
-    }
-}
-
-/// Warns of each SUBROUTINE that the step above it runs into.
-pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
-    let mut open_above = true;
-    for statement in &module.statements {
-        match &statement.kind {
-            StatementKind::Define { .. } => continue,
-            StatementKind::Subroutine { keyword, name } if open_above => {
-                let reason = "its SUBEND stops a program that comes this way";
-                let help = "put GOTO, RETURN or EXIT above it";
-                let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
-                found.push(warning.about(&name.node).help(help));
-            }
-            _ => {}
-        }
-        open_above = !matches!(
-            statement.kind,
-            StatementKind::Goto(_)
-                | StatementKind::Return
-                | StatementKind::SubEnd
-                | StatementKind::Exit
-                | StatementKind::End
-                | StatementKind::Broken(_)
-        );
     }
 }

@@ -1,5 +1,8 @@
 //! The nearest known name for a misspelt one.
 
+/// How many candidates are looked at: a suggestion must not cost more than the check.
+const CANDIDATES: usize = 500;
+
 /// The candidate nearest to `word`, if it is near enough to be meant.
 pub(crate) fn nearest<'a>(
     word: &str,
@@ -8,11 +11,22 @@ pub(crate) fn nearest<'a>(
     let allowed = 1 + word.len() / 5;
     candidates
         .into_iter()
+        .take(CANDIDATES)
         .filter(|candidate| candidate.len().abs_diff(word.len()) <= allowed)
+        .filter(|candidate| differing(word, candidate) <= 2 * allowed as u32)
         .map(|candidate| (distance(word.as_bytes(), candidate.as_bytes()), candidate))
         .filter(|(distance, _)| *distance <= allowed)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)
+}
+
+/// How many letters stand in only one of the words: a cheap lower bound of twice their distance.
+fn differing(a: &str, b: &str) -> u32 {
+    (letters(a) ^ letters(b)).count_ones()
+}
+
+fn letters(word: &str) -> u64 {
+    word.bytes().fold(0, |set, byte| set | 1 << (byte % 64))
 }
 
 /// The Levenshtein distance, an exchange of neighbours counted once.

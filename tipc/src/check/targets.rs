@@ -78,18 +78,42 @@ impl Resolver<'_> {
             _ => self.numbered_flag(word),
         };
         if found.is_none() {
-            let robot = self.robot.name();
-            let reason = format!("{robot} has no event flag of this name");
-            let help = match nearest(word, FLAGS.iter().copied()) {
-                Some(near) if near != word => format!("did you mean `{near}`?"),
-                _ => format!(
-                    "flags are HALT_REQUEST, KB_HIT, INPOS_…, NEAR_… with a target, SPECIAL_FLAG0…9, ANTENNA_ON (hand); {}",
-                    self.robot.inventory()
-                ),
-            };
-            self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
+            self.refuse_flag(name);
         }
         found
+    }
+
+    fn refuse_flag(&mut self, name: &Word) {
+        let word = name.node.as_str();
+        let robot = self.robot.name();
+        let (reason, help) = match self.names.find(word) {
+            Some(_) => (
+                format!("`{word}` is a variable; alone it is no condition"),
+                format!("compare it with something: `{word} <> 0`"),
+            ),
+            None => (
+                format!("{robot} has no event flag of this name"),
+                self.flag_help(word),
+            ),
+        };
+        self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
+    }
+
+    fn flag_help(&self, word: &str) -> String {
+        match nearest(word, FLAGS.iter().copied()).filter(|near| *near != word) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => {
+                let palm = if self.robot == Robot::Hand {
+                    ", ANTENNA_ON"
+                } else {
+                    ""
+                };
+                format!(
+                    "flags are HALT_REQUEST, KB_HIT, INPOS_F1 and NEAR_F1 (or another target), SPECIAL_FLAG0…9{palm}; {}",
+                    self.robot.inventory()
+                )
+            }
+        }
     }
 
     fn numbered_flag(&self, word: &str) -> Option<Flag> {

@@ -40,6 +40,16 @@ impl Robots {
         }
     }
 
+    /// The robots' names in words.
+    pub fn names(self) -> String {
+        let names: Vec<&str> = Robot::ALL
+            .iter()
+            .filter(|robot| self.contains(**robot))
+            .map(|robot| robot.name())
+            .collect();
+        names.join(" and ")
+    }
+
     /// The letters T, H, G of the language reference.
     pub fn letters(self) -> String {
         let letters = [(self.titan, "T"), (self.hand, "H"), (self.generic, "G")];

@@ -1,0 +1,19 @@
+3.1
+comparisons
+DEF_VAR A
+DEF_POS P
+A = 1
+P.X = 2
+IF A == 1 THEN
+ELSEIF A <> -P.X THEN
+ELSEIF 1 < A THEN
+ENDIF
+WHILE P.X > A
+A += 1
+WEND
+REPEAT
+A += 1
+UNTIL A >= CHAR_A
+WHILE A <= 3
+WEND
+END

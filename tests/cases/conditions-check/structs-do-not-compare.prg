@@ -1,0 +1,17 @@
+3.1
+structs do not compare
+DEF_VAR A
+DEF_POS P
+DEF_JOINT Q
+A = 1
+P.X = 1
+Q.J1 = 1
+IF P == 1 THEN
+ENDIF
+WHILE A > Q
+WEND
+REPEAT
+UNTIL P < Q
+IF Q.J1 == P.X THEN
+ENDIF
+END

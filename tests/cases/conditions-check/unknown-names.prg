@@ -1,0 +1,9 @@
+3.1
+unknown names
+IF A == B THEN
+ENDIF
+WHILE 1 > C
+WEND
+REPEAT
+UNTIL D.X < 1
+END

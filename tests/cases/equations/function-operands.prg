@@ -1,0 +1,31 @@
+3.1
+function operands
+DEF_VAR A
+DEF_POS P
+DEF_JOINT Q
+A = 1
+P.X = 1
+Q.J1 = 1
+A = SIN
+A = SIN A A
+A = SIN P
+A = ATAN2 A
+A = ATAN2 A A A
+A = ATAN2 A Q
+A = NORM
+A = NORM A
+A = NORM P.X
+A = NORM P Q
+P = UNIT_VECT Q
+P = UNIT_VECT A
+A = UNIT_VECT P
+P = NORM P
+P = SIN A
+P = ROT_X P
+P = ROT_X Q A
+P = ROT_X P P
+P = ROT_X P P.X
+P = ROT_X P A A
+A = ROT_Z P A
+Q = ROT_Y P A
+END

@@ -1,0 +1,13 @@
+3.1
+declared names
+A = 1
+P.X = A
+Q.J3 = P.X
+DEF_VAR A, B
+DEF_POS P
+DEF_JOINT Q _Q1 LOOP2
+_Q1 = Q
+LOOP2 = _Q1
+B = LOOP2.J1
+SLEEP B
+END

@@ -1,0 +1,17 @@
+3.1
+flag names in motion
+DEF_VAR R A X
+DEF_POS P
+R = 1
+A = R
+X = 2
+P.X = 391
+P.Y = 201
+P.Z = -200
+PTP F1 R X A X R X
+PTP F1 R P
+PTP F1 A P
+SET_V_MAX F1 R
+SET_JUST_ANGLE F1 R A X
+SLEEP A
+END

@@ -1,0 +1,17 @@
+3.1
+key variable and characters
+DEF_VAR A
+KEY_IN
+IF VAR_KEY == CHAR_Q GOTO OUT:
+A = CHAR_0 + CHAR_9
+A = -CHAR_SPC
+SLEEP A
+KEY_IN A
+VAR_KEY = A
+CHAR_A = 1
+KEY_IN CHAR_B
+A = CHAR_AB
+A = CHAR_10
+A = CHAR_C.X
+OUT:
+END

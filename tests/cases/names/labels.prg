@@ -1,0 +1,17 @@
+3.1
+labels
+DEF_VAR A
+A: A = 1
+1: SLEEP A
+_L: 2B: 007:
+LOOP: R: HS:
+PTP:
+F1:
+SIN:
+THEN:
+CHAR_A:
+VAR_KEY:
+KB_HIT:
+L#:
+P.X:
+END

@@ -1,0 +1,27 @@
+3.1
+members
+DEF_VAR A
+DEF_POS P
+DEF_JOINT Q
+A = 1
+P.X = A
+P.Y = A
+P.Z = -P.X
+Q.J1 = P.Z
+Q.J2 = Q.J1
+Q.J3 = -Q.J2
+P.J1 = 1
+Q.X = 1
+Q.J4 = 1
+Q.J0 = 1
+A.X = 1
+A = P.W
+A = A.X
+PTP F1 P.W 0 0
+IF Q.J4 > 1 THEN
+ENDIF
+PTP F1 P.X Q.J2 -P.Z
+FOR A = A.X TO Q.J3
+NEXT
+B.X = 1
+END

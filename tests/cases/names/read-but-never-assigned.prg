@@ -1,0 +1,17 @@
+3.1
+read but never assigned
+DEF_VAR A B C
+DEF_POS P S
+DEF_JOINT Q T
+B = A
+SLEEP A
+SLEEP B
+SLEEP C
+C = 1
+PTP F1 P
+PTP F1 S
+S.Y = 1
+B = NORM Q
+PTP_ANGLE F1 T
+TEACH_ANGLE F1 T
+END

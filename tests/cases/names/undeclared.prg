@@ -1,0 +1,13 @@
+3.1
+undeclared
+DEF_VAR A
+B = 1
+A = C + D
+IF E > A THEN
+ENDIF
+SLEEP G
+PTP F1 X Y Z
+FOR A = 1 TO H
+NEXT
+P.X = A
+END

@@ -1,0 +1,13 @@
+3.1
+usage warnings
+DEF_VAR A B C D
+DEF_POS P S
+DEF_JOINT Q T
+B = 1
+C = 2
+D = 3
+SLEEP C
+MESSAGE %D.2%
+S.X = 1
+TEACH_ANGLE F1 T
+END

@@ -1,0 +1,31 @@
+//! SUBROUTINEs that a program runs into (T.I.P. 3.1 §7-6-5).
+
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::{Module, StatementKind};
+
+/// Warns of each SUBROUTINE that the step above it runs into.
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
+    let mut open_above = true;
+    for statement in &module.statements {
+        match &statement.kind {
+            StatementKind::Define { .. } => continue,
+            StatementKind::Subroutine { keyword, name } if open_above => {
+                let reason = "its SUBEND stops a program that comes this way";
+                let help = "put GOTO, RETURN or EXIT above it";
+                let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
+                found.push(warning.about(&name.node).help(help));
+            }
+            _ => {}
+        }
+        open_above = !matches!(
+            statement.kind,
+            StatementKind::Goto(_)
+                | StatementKind::Return
+                | StatementKind::SubEnd
+                | StatementKind::Exit
+                | StatementKind::End
+                | StatementKind::Broken(_)
+        );
+    }
+}
