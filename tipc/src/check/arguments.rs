@@ -203,6 +203,10 @@ impl Resolver<'_> {
             let flag = rest.first().filter(|_| self.flag_of(form, rest).is_some());
             rest = &rest[usize::from(flag.is_some())..];
             let Some((operand, behind)) = rest.split_first() else {
+                if values.contains(&None) {
+                    // An unknown name may stand for a struct.
+                    return None;
+                }
                 let place = flag.map_or(name.span, |flag| flag.span);
                 return self.too_few(name, form, place, count, values.len());
             };
@@ -225,12 +229,8 @@ impl Resolver<'_> {
         operands: &[Operand],
         count: usize,
     ) -> Option<Vec<Argument>> {
-        if operands.len() < count {
-            return self.too_few(name, Arguments::BARE, name.span, count, operands.len());
-        }
-        let (values, extra) = operands.split_at(count);
-        self.no_more(name, extra)?;
-        let values: Vec<Option<Argument>> = values
+        let judged = &operands[..count.min(operands.len())];
+        let values: Vec<Option<Argument>> = judged
             .iter()
             .map(|operand| {
                 let operand = self.variable_or_constant(operand, Code::Argument)?;
@@ -240,7 +240,12 @@ impl Resolver<'_> {
                 })
             })
             .collect();
-        values.into_iter().collect()
+        let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
+        if values.len() < count {
+            return self.too_few(name, Arguments::BARE, name.span, count, values.len());
+        }
+        self.no_more(name, &operands[count..])?;
+        Some(values)
     }
 
     fn too_few<T>(
@@ -264,7 +269,7 @@ impl Resolver<'_> {
             _ => format!("{found} stand"),
         };
         let wanted = numbers(wanted, whole);
-        let reason = format!("{} wants {wanted} here; {stand} here", name.node);
+        let reason = format!("{} wants {wanted}; {stand} here", name.node);
         let fault = Diagnostic::new(Code::Argument, place, reason);
         self.report(match usage(name) {
             Some(usage) => fault.help(usage),
