@@ -1,0 +1,16 @@
+3.1
+unknown words
+DEF_VAR V
+V = 1
+PPT F1 1 2 3
+SET_INPOS F1 1
+V_MAX F1 1
+V 1
+SIN V
+KB_HIT
+THEN
+F1
+TO 1
+12
+SLEEP V
+END

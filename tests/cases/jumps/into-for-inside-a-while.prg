@@ -1,0 +1,11 @@
+3.1
+into for inside a while
+DEF_VAR I
+GOTO L1:
+WHILE KB_HIT
+GOTO L1:
+FOR I = 1 TO 3
+L1:
+NEXT
+WEND
+END

@@ -1,0 +1,11 @@
+3.1
+loop in a closed block
+LOOP:
+WHILE KB_HIT
+LOOP:
+IF KB_HIT GOTO
+WEND
+GOTO
+LOOP:
+IF KB_HIT GOTO
+END

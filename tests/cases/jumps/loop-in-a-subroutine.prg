@@ -1,0 +1,11 @@
+3.1
+loop in a subroutine
+LOOP:
+IF KB_HIT GOTO
+EXIT
+SUBROUTINE S1:
+GOTO
+LOOP:
+GOTO
+SUBEND
+END

@@ -1,0 +1,14 @@
+3.1
+unknown labels
+DEF_VAR N
+N = 1
+SLEEP N
+GOTO L1:
+GOSUB L2:
+CALL S1:
+IF KB_HIT GOTO L3:
+IF KB_HIT GOSUB L4:
+GOTO N:
+GOTO l0:
+L0:
+END

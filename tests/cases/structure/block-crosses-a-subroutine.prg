@@ -1,0 +1,10 @@
+3.1
+block crosses a subroutine
+EXIT
+SUBROUTINE S1:
+WHILE KB_HIT
+SUBEND
+SUBROUTINE S2:
+WEND
+SUBEND
+END

@@ -1,0 +1,10 @@
+3.1
+closers without opener
+ENDIF
+WEND
+UNTIL KB_HIT
+NEXT
+SUBEND
+ELSE
+ELSEIF KB_HIT THEN
+END

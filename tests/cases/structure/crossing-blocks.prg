@@ -1,0 +1,7 @@
+3.1
+crossing blocks
+IF KB_HIT THEN
+WHILE KB_HIT
+ENDIF
+WEND
+END

@@ -1,0 +1,12 @@
+3.1
+for step zero warns
+DEF_VAR I
+FOR I = 1 TO 2 STEP 0
+NEXT
+FOR I = 1 TO 2 STEP -0.0
+NEXT
+FOR I = 1 TO 2 STEP -1
+NEXT
+FOR I = 1 TO 2 STEP 0.001
+NEXT
+END

@@ -1,0 +1,20 @@
+3.1
+for variable is a var
+DEF_VAR I
+DEF_POS P
+DEF_JOINT Q
+P.X = 1
+Q.J1 = 1
+FOR I = P.X TO Q.J1 STEP -P.X
+NEXT I
+FOR P.X = 1 TO 2
+NEXT
+FOR P = 1 TO 2
+NEXT
+FOR CHAR_A = 1 TO 2
+NEXT
+FOR I = P TO Q STEP P
+NEXT
+FOR I = 1 TO 2
+NEXT P.X
+END

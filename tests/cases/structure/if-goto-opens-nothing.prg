@@ -1,0 +1,8 @@
+3.1
+if goto opens nothing
+IF KB_HIT GOTO L1:
+IF KB_HIT GOSUB L1:
+ENDIF
+L1:
+RETURN
+END

@@ -1,0 +1,18 @@
+3.1
+next names its for
+DEF_VAR I J
+FOR I = 1 TO 2
+FOR J = 1 TO 2
+NEXT J
+NEXT I
+FOR I = 1 TO 2
+FOR J = 1 TO 2
+NEXT
+NEXT
+FOR I = 1 TO 2
+FOR J = 1 TO 2
+NEXT I
+NEXT J
+FOR I = J TO 2
+NEXT K
+END

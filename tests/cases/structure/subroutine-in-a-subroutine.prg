@@ -1,0 +1,10 @@
+3.1
+subroutine in a subroutine
+EXIT
+SUBROUTINE S1:
+GOTO L1:
+SUBROUTINE S2:
+SUBEND
+L1:
+SUBEND
+END

@@ -1,0 +1,8 @@
+3.1
+two stray closers
+IF KB_HIT THEN
+WHILE KB_HIT
+ENDIF
+WEND
+WEND
+END

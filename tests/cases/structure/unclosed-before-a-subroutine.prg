@@ -1,0 +1,10 @@
+3.1
+unclosed before a subroutine
+CALL S1:
+IF KB_HIT THEN
+EXIT
+SUBROUTINE S1:
+SUBEND
+SUBROUTINE S2:
+SUBEND
+END
