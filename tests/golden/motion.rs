@@ -90,12 +90,7 @@ impl Motion {
             }
             /// motion.prg:13: REL_PTP F2 THERE
             7 => {
-                let values = [
-                    ops::get(self.v_there[0], 4)?,
-                    ops::get(self.v_there[1], 5)?,
-                    ops::get(self.v_there[2], 6)?,
-                ]
-                    .map(Value::absolute);
+                let values = ops::get_each(&self.v_there, 4)?.map(Value::absolute);
                 self.command(cx, Op::RelPtp, Target::Foot(2), &values, 8)?
             }
             /// motion.prg:14: WAIT_INPOS ALL

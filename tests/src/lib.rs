@@ -21,4 +21,4 @@ pub use generated::{case, random as random_program};
 pub use run::run;
 pub use seek::{cases, root};
 pub use settings::Settings;
-pub use verdict::{checked, differential, traced};
+pub use verdict::{checked, differential, random_settings, traced};

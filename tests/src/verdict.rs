@@ -76,13 +76,17 @@ pub fn differential(seed: u64) {
         .program
         .unwrap_or_else(|| panic!("{}\n\n{source}", told.join("\n")));
     let compiled = generated::random(&seed.to_string()).expect("a program that loads was compiled");
-    let settings = Settings {
-        cycles: Some(1500),
+    both(program, compiled, &random_settings(seed));
+}
+
+/// What happens around a random program while it runs.
+pub fn random_settings(seed: u64) -> Settings {
+    Settings {
+        cycles: Some(800),
         keys: random::keys(seed),
         halt: Some(300),
         ..Settings::default()
-    };
-    both(program, compiled, &settings);
+    }
 }
 
 /// The trace of both engines, states included.

@@ -4,6 +4,7 @@
 //! length of the program. Every path goes through `::core` or the run-time's root; nothing is
 //! expected from the prelude or from the scope that the code lands in.
 
+mod command;
 mod expression;
 mod ident;
 #[cfg(feature = "build")]

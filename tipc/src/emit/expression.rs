@@ -33,7 +33,7 @@ impl Emitter<'_> {
     }
 
     /// The members of a struct, or the fault of the first one without a value.
-    fn read_struct(&self, variable: VariableId) -> TokenStream {
+    pub(super) fn read_struct(&self, variable: VariableId) -> TokenStream {
         let variable = &self.program.variables[variable];
         let name = field(variable);
         let first = Literal::usize_unsuffixed(variable.first);

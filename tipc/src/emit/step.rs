@@ -3,7 +3,7 @@
 use super::ident::{chunk, field, identifier};
 use super::word;
 use super::{CHUNK, Emitter, Steps};
-use crate::program::{Action, Argument, End, MessagePart, Step, StepId};
+use crate::program::{Action, End, Step, StepId};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
@@ -307,57 +307,6 @@ impl Emitter<'_> {
             Err(_) => {
                 let step = Literal::u32_unsuffixed(step);
                 quote!(#step)
-            }
-        }
-    }
-
-    fn values(&self, arguments: &[Argument]) -> TokenStream {
-        let numbers = arguments
-            .iter()
-            .map(|argument| self.operand(argument.operand));
-        let relative = arguments
-            .iter()
-            .filter(|argument| argument.relative)
-            .count();
-        if relative == 0 {
-            quote!([#(#numbers),*].map(Value::absolute))
-        } else {
-            let kinds = arguments.iter().map(|argument| match argument.relative {
-                true => quote!(Value::relative),
-                false => quote!(Value::absolute),
-            });
-            quote!([#(#kinds(#numbers)),*])
-        }
-    }
-
-    fn message(&self, parts: &[MessagePart]) -> TokenStream {
-        let mut plain = String::new();
-        let mut format = String::new();
-        let mut values = TokenStream::new();
-        let mut names = Vec::new();
-        for part in parts {
-            match part {
-                MessagePart::Text(text) => {
-                    plain.push_str(text);
-                    format.push_str(&text.replace('{', "{{").replace('}', "}}"));
-                }
-                MessagePart::Value { scalar, decimals } => {
-                    let name = format_ident!("shown{}", names.len() + 1);
-                    let (value, decimals) = (self.read(*scalar), word::small(*decimals));
-                    values.extend(quote! {
-                        let #name = ops::Shown { value: #value, decimals: #decimals };
-                    });
-                    names.push(name);
-                    format.push_str("{}");
-                }
-            }
-        }
-        if names.is_empty() {
-            quote!(cx.message(&#plain);)
-        } else {
-            quote! {
-                #values
-                cx.message(&::core::format_args!(#format, #(#names),*));
             }
         }
     }

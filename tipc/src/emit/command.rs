@@ -1,0 +1,77 @@
+//! How Rust spells what commands and messages are given.
+
+use super::Emitter;
+use super::word;
+use crate::program::{Argument, MessagePart, Operand, Scalar, VariableKind};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+impl Emitter<'_> {
+    /// The operands of a command, as an array of values.
+    pub(super) fn values(&self, arguments: &[Argument]) -> TokenStream {
+        if let Some(members) = self.whole_struct(arguments) {
+            return quote!(#members.map(Value::absolute));
+        }
+        let numbers = arguments
+            .iter()
+            .map(|argument| self.operand(argument.operand));
+        if arguments.iter().all(|argument| !argument.relative) {
+            return quote!([#(#numbers),*].map(Value::absolute));
+        }
+        let kinds = arguments.iter().map(|argument| match argument.relative {
+            true => quote!(Value::relative),
+            false => quote!(Value::absolute),
+        });
+        quote!([#(#kinds(#numbers)),*])
+    }
+
+    /// The members of a struct, if they are the operands, all and in order.
+    fn whole_struct(&self, arguments: &[Argument]) -> Option<TokenStream> {
+        let variable = match arguments.first()?.operand {
+            Operand::Scalar { scalar, .. } => scalar.variable,
+            Operand::Constant(_) => return None,
+        };
+        let members = (0..self.program.variables[variable].size()).map(|member| Argument {
+            operand: Operand::Scalar {
+                scalar: Scalar { variable, member },
+                negative: false,
+            },
+            relative: false,
+        });
+        let is_struct = self.program.variables[variable].kind != VariableKind::Var;
+        let is_whole = arguments.iter().copied().eq(members);
+        (is_struct && is_whole).then(|| self.read_struct(variable))
+    }
+
+    pub(super) fn message(&self, parts: &[MessagePart]) -> TokenStream {
+        let mut plain = String::new();
+        let mut format = String::new();
+        let mut values = TokenStream::new();
+        let mut names = Vec::new();
+        for part in parts {
+            match part {
+                MessagePart::Text(text) => {
+                    plain.push_str(text);
+                    format.push_str(&text.replace('{', "{{").replace('}', "}}"));
+                }
+                MessagePart::Value { scalar, decimals } => {
+                    let name = format_ident!("shown{}", names.len() + 1);
+                    let (value, decimals) = (self.read(*scalar), word::small(*decimals));
+                    values.extend(quote! {
+                        let #name = ops::Shown { value: #value, decimals: #decimals };
+                    });
+                    names.push(name);
+                    format.push_str("{}");
+                }
+            }
+        }
+        if names.is_empty() {
+            quote!(cx.message(&#plain);)
+        } else {
+            quote! {
+                #values
+                cx.message(&::core::format_args!(#format, #(#names),*));
+            }
+        }
+    }
+}
