@@ -5,6 +5,7 @@
 
 mod form;
 mod table;
+mod usage;
 
 pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
 pub use table::COMMANDS;

@@ -5,7 +5,7 @@ use super::names::Meant;
 use super::resolve::Resolver;
 use super::suggest::nearest;
 use super::targets::word;
-use crate::codes::Code;
+use crate::codes::{Code, Level};
 use crate::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Argument, Scalar};
@@ -24,6 +24,23 @@ impl Resolver<'_> {
             self.report(fault.clone());
             return None;
         }
+        let told = self.found.len();
+        let action = self.action(command, name, arguments);
+        self.say_usage(told, command);
+        action
+    }
+
+    /// Gives the faults of a command that say no way out its usage.
+    fn say_usage(&mut self, told: usize, command: &Command) {
+        let silent =
+            |fault: &&mut Diagnostic| fault.help.is_none() && fault.level() == Level::Error;
+        for fault in self.found[told..].iter_mut().filter(silent) {
+            let usage = command.usage(self.robot).join("`, or `");
+            fault.help = Some(format!("write `{usage}`"));
+        }
+    }
+
+    fn action(&mut self, command: &Command, name: &Word, arguments: &[Operand]) -> Option<Action> {
         match (command.form, command.meaning) {
             (Form::Robot(form), Meaning::Robot(op)) => self.robot(name, op, form, arguments),
             (Form::Robot(_), _) => {
@@ -270,12 +287,7 @@ impl Resolver<'_> {
         };
         let wanted = numbers(wanted, whole);
         let reason = format!("{} wants {wanted}; {stand} here", name.node);
-        let fault = Diagnostic::new(Code::Argument, place, reason);
-        self.report(match usage(name) {
-            Some(usage) => fault.help(usage),
-            None => fault,
-        });
-        None
+        self.refuse(Code::Argument, place, reason)
     }
 
     /// A constant or VAR; a member is neither.
@@ -302,11 +314,8 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                let help =
-                    usage(name).unwrap_or_else(|| format!("{} takes no arguments", name.node));
-                let reason = "this argument is one too many";
-                self.report(Diagnostic::new(Code::Argument, operand.span, reason).help(help));
-                None
+                let reason = format!("one argument too many for {}", name.node);
+                self.refuse(Code::Argument, operand.span, reason)
             }
         }
     }
@@ -357,13 +366,6 @@ fn numbers(count: usize, whole: Option<VariableKind>) -> String {
         Some(kind) => format!("{numbers} or {}", type_name(Some(kind))),
         None => numbers,
     }
-}
-
-/// How a command is written, unless it stands alone.
-fn usage(name: &Word) -> Option<String> {
-    let form = commands::find(&name.node)?.form.syntax();
-    let usage = format!("write `{} {form}`", name.node);
-    (!form.is_empty()).then_some(usage)
 }
 
 /// What an unknown word may have been meant to be.

@@ -31,7 +31,9 @@ impl Resolver<'_> {
         let place = equation.target.span;
         match (target, value) {
             (Meant::Constant(_), _) => {
-                self.refuse(Code::Equation, place, "a constant cannot be assigned")
+                let fault = Diagnostic::new(Code::Equation, place, "a constant cannot be assigned");
+                self.report(fault.help("the left side is a variable or a member"));
+                None
             }
             (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
                 self.refuse(Code::Equation, place, "the left side has no sign")
@@ -59,8 +61,9 @@ impl Resolver<'_> {
                     type_name(value.kind())
                 );
                 let fault =
-                    Diagnostic::new(Code::Equation, expression_span(&equation.value), reason);
-                self.report(fault.label(place, "the left side"));
+                    Diagnostic::new(Code::Equation, expression_span(&equation.value), reason)
+                        .label(place, "the left side");
+                self.report(fault.help(ONE_TYPE));
                 None
             }
         }
@@ -110,7 +113,10 @@ impl Resolver<'_> {
                                 type_name(kind_of(first)),
                                 type_name(kind_of(second))
                             );
-                            self.refuse(Code::Equation, left.span.to(right.span), reason)
+                            let place = left.span.to(right.span);
+                            let fault = Diagnostic::new(Code::Equation, place, reason);
+                            self.report(fault.help(ONE_TYPE));
+                            None
                         }
                     },
                 }
@@ -126,12 +132,15 @@ impl Resolver<'_> {
         };
         if operands.len() != wanted {
             let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
-            let reason = format!(
-                "{} takes {wanted} operand(s), not {}",
-                name.node,
-                operands.len()
-            );
-            return self.refuse(Code::Equation, place, reason);
+            let number = if wanted == 1 {
+                "one operand"
+            } else {
+                "two operands"
+            };
+            let reason = format!("{} takes {number}, not {}", name.node, operands.len());
+            let fault = Diagnostic::new(Code::Equation, place, reason);
+            self.report(fault.help(usage(&name.node)));
+            return None;
         }
         match name.node.as_str() {
             "ATAN2" => {
@@ -188,7 +197,9 @@ impl Resolver<'_> {
             _ => {
                 let wanted = kind.map_or("a POS or JOINT", |kind| type_name(Some(kind)));
                 let reason = format!("{wanted} belongs here");
-                self.refuse(Code::Equation, operand.span, reason)
+                let fault = Diagnostic::new(Code::Equation, operand.span, reason);
+                self.report(fault.help("a whole variable, as `P`; a member is a number"));
+                None
             }
         }
     }
@@ -198,9 +209,25 @@ impl Resolver<'_> {
         let meant = self.meant(operand, Code::Equation)?;
         self.read(meant, operand.span);
         if let Meant::Struct { negative: true, .. } = meant {
-            return self.refuse(Code::Equation, operand.span, "a struct has no sign");
+            let fault = Diagnostic::new(Code::Equation, operand.span, "a struct has no sign");
+            self.report(fault.help("change the sign of each member, as `P.X = -P.X`"));
+            return None;
         }
         Some(meant)
+    }
+}
+
+const ONE_TYPE: &str =
+    "all of an equation is numbers, or POS, or JOINT; members, as `P.X`, are numbers";
+
+/// How a function is written.
+fn usage(name: &str) -> String {
+    match name {
+        "ATAN2" => "write `A = ATAN2 y x`".to_owned(),
+        "NORM" => "write `A = NORM P`, P a POS or JOINT".to_owned(),
+        "UNIT_VECT" => "write `P = UNIT_VECT P`".to_owned(),
+        "ROT_X" | "ROT_Y" | "ROT_Z" => format!("write `P = {name} P angle`"),
+        _ => format!("write `A = {name} a`, a a number"),
     }
 }
 

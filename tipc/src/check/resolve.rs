@@ -161,7 +161,9 @@ impl Resolver<'_> {
             } => Some(scalar),
             _ => {
                 let reason = "the variable of a FOR is a VAR";
-                self.refuse(Code::Argument, operand.span, reason)
+                let fault = Diagnostic::new(Code::Argument, operand.span, reason);
+                self.report(fault.help("count a VAR, as `FOR I = 1 TO 10`"));
+                None
             }
         }
     }

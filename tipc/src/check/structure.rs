@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::codes::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Label};
 use crate::syntax::{Module, Operand, OperandKind, Shape, Span, Statement, StatementKind};
 
 /// Ties every control word to its partner and reports those without one.
@@ -178,13 +178,13 @@ impl Matcher<'_> {
 
     /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
     fn unwind(&mut self, index: usize, kind: BlockKind, name: &str) -> Option<Open> {
-        let depth = self.open.iter().rposition(|open| open.kind == kind);
         // A block that leaves a SUBROUTINE open would take all of its rest along.
-        let barrier = self
+        let fits = |open: &Open| open.kind == kind || open.kind == BlockKind::Subroutine;
+        let reachable = self
             .open
             .iter()
-            .rposition(|open| open.kind == BlockKind::Subroutine);
-        let reachable = depth.filter(|depth| barrier.is_none_or(|barrier| *depth >= barrier));
+            .rposition(fits)
+            .filter(|depth| self.open[*depth].kind == kind);
         let Some(depth) = reachable else {
             self.result.around[index] = self.current();
             if self.is_owed(index, kind, name) {
@@ -216,9 +216,11 @@ impl Matcher<'_> {
         };
         if name == kind.closer() {
             let owed = self.owed.remove(at);
-            let label = (self.place(index), format!("its {name} stands here"));
-            let fault = &mut self.found[owed.fault];
-            *fault = fault.clone().label(label.0, label.1);
+            let label = Label {
+                span: self.place(index),
+                text: format!("its {name} stands here"),
+            };
+            self.found[owed.fault].labels.push(label);
         }
         true
     }

@@ -1,0 +1,105 @@
+//! How a command is written, in the words of an example for the robot at hand.
+
+use super::{Arguments, Command, Form, Joints, Meaning, Targets, Values};
+use crate::robot::Robot;
+use tip_runtime::command::Teach;
+use tip_runtime::model::Family;
+
+impl Command {
+    /// Every way to write it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    pub fn usage(&self, robot: Robot) -> Vec<String> {
+        let behind = match self.form {
+            Form::Robot(arguments) => arguments.usage(robot),
+            Form::Special => vec!["0…255 [number] [number]".to_owned()],
+            Form::Teach(targets) => teaching(self.meaning, targets, robot),
+            Form::AdIn => vec!["VR1 VAR".to_owned(), "0 13 VAR".to_owned()],
+            Form::KeyIn => vec![String::new(), "VAR".to_owned()],
+            Form::Words(text) => vec![text.to_owned()],
+        };
+        let written = |arguments: &String| format!("{} {arguments}", self.name);
+        behind
+            .iter()
+            .map(|arguments| written(arguments).trim_end().to_owned())
+            .collect()
+    }
+}
+
+fn teaching(meaning: Meaning, targets: Targets, robot: Robot) -> Vec<String> {
+    match meaning {
+        Meaning::Teach(Teach::Angle | Teach::Torque) => {
+            vec!["F1 JOINT".to_owned(), "J11 VAR".to_owned()]
+        }
+        _ => vec![format!("{} POS", targets.examples(robot))],
+    }
+}
+
+impl Arguments {
+    fn usage(self, robot: Robot) -> Vec<String> {
+        let hs = if self.hs { "[HS] " } else { "" };
+        let all = self.targets.examples(robot);
+        let legs = Targets {
+            joints: Joints::None,
+            ..self.targets
+        };
+        let several = |targets: &str, names: &[String], whole: &str| {
+            let flag = if self.relative { "[R] " } else { "" };
+            let names: Vec<String> = names.iter().map(|name| format!("{flag}{name}")).collect();
+            vec![
+                format!("{hs}{targets} {}", names.join(" ")),
+                format!("{hs}{targets} {flag}{whole}"),
+            ]
+        };
+        let joints = usize::from(robot.signature().joints);
+        let angles: Vec<String> = (1..=joints).map(|joint| format!("j{joint}")).collect();
+        let mut forms = match self.values {
+            Values::None => vec![format!("{hs}{all}")],
+            Values::One => vec![format!("{all} number")],
+            Values::Three => vec![format!("{all} x y z")],
+            Values::Position => several(&all, &["x", "y", "z"].map(str::to_owned), "POS"),
+            Values::Angles => several(&legs.examples(robot), &angles, "JOINT"),
+            Values::Tolerances | Values::TorqueLimits => several("F1", &angles, "JOINT"),
+        };
+        match self.values {
+            Values::Angles if self.targets.joints != Joints::None => {
+                let flag = if self.relative { "[R] " } else { "" };
+                forms.push(format!("{hs}J11 {flag}number"));
+            }
+            Values::Tolerances => {
+                forms.push("J11|ALL number".to_owned());
+                forms.push("ALL JOINT".to_owned());
+            }
+            Values::TorqueLimits => forms.push("J11|ALL number".to_owned()),
+            _ => {}
+        }
+        forms
+            .iter()
+            .map(|form| form.trim_start().to_owned())
+            .collect()
+    }
+}
+
+impl Targets {
+    /// One target of each sort that the robot has.
+    fn examples(self, robot: Robot) -> String {
+        let is_hand = robot.signature().family == Family::Hand;
+        let joint = match self.joints {
+            Joints::Every => "J11",
+            Joints::Second => "J12",
+            Joints::Third => "J13",
+            Joints::ThirdOfHand if is_hand => "J13",
+            Joints::ThirdOfHand | Joints::None => "",
+        };
+        let sorts = [
+            (self.foot, "F1"),
+            (!joint.is_empty(), joint),
+            (self.floor && is_hand, "FLOOR"),
+            (self.all, "ALL"),
+        ];
+        let examples: Vec<&str> = sorts
+            .iter()
+            .filter(|(stands, _)| *stands)
+            .map(|(_, example)| *example)
+            .collect();
+        examples.join("|")
+    }
+}

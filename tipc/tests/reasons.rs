@@ -1,0 +1,221 @@
+//! What people read: the places that a mistake points at, the reason and the way out.
+
+use tipc::diagnostic::Diagnostic;
+use tipc::{Loaded, Options, Robot, load};
+
+fn check(statements: &str, robot: Robot) -> Loaded {
+    let text = format!("3.1\nreasons\n{statements}\nEND\n");
+    let options = Options {
+        robot,
+        ..Options::default()
+    };
+    load("reasons.prg", text.as_bytes(), &options)
+}
+
+/// The only finding.
+fn only(loaded: &Loaded) -> &Diagnostic {
+    match loaded.diagnostics.as_slice() {
+        [only] => only,
+        found => panic!("{found:#?}"),
+    }
+}
+
+/// The lines that a finding points at: its own, then its labels'.
+fn lines(loaded: &Loaded) -> Vec<u32> {
+    let diagnostic = only(loaded);
+    let labels = diagnostic.labels.iter().map(|label| label.span);
+    [diagnostic.span]
+        .into_iter()
+        .chain(labels)
+        .map(|span| loaded.source.line_column(span.start).0)
+        .collect()
+}
+
+fn help(statements: &str, robot: Robot) -> String {
+    let loaded = check(statements, robot);
+    only(&loaded).help.clone().unwrap_or_default()
+}
+
+// clauses: 6.5
+#[test]
+fn broken_blocks_are_shown_with_both_ends() {
+    let shown = |statements| lines(&check(statements, Robot::Titan8));
+    assert_eq!(shown("WHILE KB_HIT\nREM"), [3, 5]);
+    assert_eq!(
+        shown("IF KB_HIT THEN\nWHILE KB_HIT\nENDIF\nWEND"),
+        [4, 5, 6]
+    );
+    assert_eq!(
+        shown("IF KB_HIT THEN\nREPEAT\nELSE\nUNTIL KB_HIT\nENDIF"),
+        [4, 5, 6]
+    );
+    assert_eq!(shown("IF KB_HIT THEN\nELSE\nELSE\nENDIF"), [5, 4]);
+    assert_eq!(shown("IF KB_HIT THEN\nWEND\nENDIF"), [4, 3]);
+    assert_eq!(shown("DEF_VAR I J\nJ = 1\nFOR I = J TO 3\nNEXT J"), [6, 5]);
+    assert_eq!(
+        shown("EXIT\nSUBROUTINE A:\nEXIT\nSUBROUTINE B:\nSUBEND\nSUBEND"),
+        [6, 4]
+    );
+    assert_eq!(
+        shown("EXIT\nSUBROUTINE A:\nEXIT\nSUBROUTINE B:\nSUBEND"),
+        [4, 6, 8]
+    );
+}
+
+// clauses: 6.4 6.5
+#[test]
+fn forbidden_jumps_show_the_block_and_the_label() {
+    let shown = |statements| lines(&check(statements, Robot::Titan8));
+    assert_eq!(shown("GOTO L1:\nWHILE KB_HIT\nL1:\nWEND"), [3, 4, 5]);
+    assert_eq!(
+        shown("IF KB_HIT THEN\nELSE\nL1:\nENDIF\nGOTO L1:"),
+        [7, 4, 5]
+    );
+    assert_eq!(
+        shown("L1:\nEXIT\nSUBROUTINE S:\nGOTO L1:\nSUBEND"),
+        [6, 5, 3]
+    );
+    assert_eq!(shown("GOTO S:\nSUBROUTINE S:\nSUBEND"), [3, 4]);
+    assert_eq!(
+        shown("DEF_VAR I\nGOTO L1:\nFOR I = 1 TO 2\nL1:\nNEXT"),
+        [4, 5, 6]
+    );
+}
+
+// clauses: 3.1 6.1 6.6
+#[test]
+fn second_declarations_show_the_first() {
+    let shown = |statements| lines(&check(statements, Robot::Titan8));
+    assert_eq!(shown("L1:\nREM\nL1:"), [5, 3]);
+    assert_eq!(shown("DEF_VAR N\nN = 1\nSLEEP N\nDEF_POS N"), [6, 3]);
+    assert_eq!(shown("CALL L1:\nL1:"), [3, 4]);
+    assert_eq!(shown("DEF_VAR N\nSLEEP N"), [4, 3]);
+}
+
+// clauses: 8.1 7.1
+#[test]
+fn what_a_robot_lacks_is_told_with_its_name() {
+    let force = check("FORCE F1 1 2 3", Robot::Titan8);
+    assert!(only(&force).reason.contains("titan8"));
+    assert_eq!(
+        only(&force).help.as_deref(),
+        Some("FORCE is a command of hand and generic")
+    );
+    let leg = check("WAIT_INPOS F4", Robot::Hand);
+    assert!(only(&leg).reason.contains("hand has no F4"));
+    assert!(help("WAIT_INPOS F4", Robot::Hand).contains("F1…F3, J11…J33, FLOOR"));
+    assert!(help("WAIT_INPOS F5", Robot::Generic).contains("generic has F1…F4, J11…J43"));
+    assert!(help("DEF_VAR N\nN = 1\nAD_IN PAW1 N", Robot::Hand).contains("VR1…VR3"));
+    assert!(help("SET_SAMPLING_TIME 500", Robot::Hand).contains("1 to 100 on hand"));
+}
+
+// clauses: 8.1
+#[test]
+fn misspelt_words_are_recognized() {
+    let titan = |statements| help(statements, Robot::Titan8);
+    assert_eq!(titan("WAIT_INPSO ALL"), "did you mean `WAIT_INPOS`?");
+    assert_eq!(titan("A_MAX ALL 500"), "this language calls it `SET_A_MAX`");
+    assert_eq!(
+        titan("SET_INPOS F1 2"),
+        "this language calls it `SET_JUST_POSITION`"
+    );
+    assert_eq!(titan("START:\nGOTO SATRT:"), "did you mean `START:`?");
+    assert_eq!(
+        titan("DEF_VAR SPEED\nSPEED = 1\nSLEEP SPEED\nSLEEP SPED"),
+        "did you mean `SPEED`?"
+    );
+    assert_eq!(
+        titan("IF HALT_REQEST GOTO L:\nL:"),
+        "did you mean `HALT_REQUEST`?"
+    );
+    assert!(titan("DEF_VAR N\nN = 1\nSLEEP N\nIF N GOTO L:\nL:").contains("N <> 0"));
+    assert!(titan("DEF_VAR N\nN = 1\nSLEEP N\nN 5").contains("N = 0"));
+}
+
+// clauses: 7.1
+#[test]
+fn missing_and_wrong_operands_are_named() {
+    let reason = |statements| only(&check(statements, Robot::Titan8)).reason.clone();
+    assert_eq!(
+        reason("PTP F1 1 2"),
+        "PTP wants 3 numbers or a POS; 2 stand here"
+    );
+    assert_eq!(reason("SLEEP"), "SLEEP wants one number; none stands here");
+    assert_eq!(
+        reason("PTP_ANGLE J11"),
+        "PTP_ANGLE wants one number; none stands here"
+    );
+    let wrong = "DEF_JOINT Q\nTEACH_ANGLE F1 Q\nPTP F1 Q";
+    assert_eq!(
+        reason(wrong),
+        "PTP wants 3 numbers or a POS here, not a JOINT"
+    );
+}
+
+// clauses: 7.1 8.1
+#[test]
+fn the_usage_is_that_of_the_robot() {
+    let short = "PTP F1 1 2";
+    let titan = "write `PTP [HS] F1 [R] x [R] y [R] z`, or `PTP [HS] F1 [R] POS`";
+    assert_eq!(help(short, Robot::Titan8), titan);
+    let hand =
+        "write `PTP [HS] F1|J13|FLOOR [R] x [R] y [R] z`, or `PTP [HS] F1|J13|FLOOR [R] POS`";
+    assert_eq!(help(short, Robot::Hand), hand);
+    assert_eq!(
+        help("SET_A_MAX F1", Robot::Titan8),
+        "write `SET_A_MAX F1|ALL number`"
+    );
+    assert_eq!(help("ALL_STOP ALL", Robot::Titan8), "write `ALL_STOP`");
+}
+
+// clauses: 8.1
+#[test]
+fn every_error_says_a_way_out() {
+    let broken = [
+        "SLEEP",
+        "PTP F1 1 2",
+        "PTP F1 1 2 3 4",
+        "WAIT_INPOS F9",
+        "TEACH_ANGLE F1",
+        "AD_IN VR9 VAR_KEY",
+        "AD_IN 0 16 VAR_KEY",
+        "AD_IN 1 1 VAR_KEY",
+        "SPECIAL 256",
+        "SPECIAL",
+        "SLEEP N",
+        "N = 1",
+        "CHAR_A = 1",
+        "VAR_KEY = SIN",
+        "VAR_KEY = SIN 1 2",
+        "GOTO L1:",
+        "GOSUB LOOP:",
+        "GOTO",
+        "ENDIF",
+        "WHILE KB_HIT",
+        "FOO",
+        "IF FOO THEN\nENDIF",
+        "KEY_IN 1",
+        "DEF_VAR 1",
+        "DEF_VAR",
+        "DEF_VAR SIN",
+        "SIN:",
+        "REL_PTP F1 R 1 1 1",
+        "PTP F1 R R 1 1 1",
+        "FOR CHAR_A = 1 TO 2\nNEXT",
+        "GOTO L1:\nWHILE KB_HIT\nL1:\nWEND",
+        "DEF_POS P\nP = 1",
+        "DEF_POS P\nP.X = 1\nP = -P",
+        "DEF_POS P\nP.X = 1\nSLEEP P.X",
+        "TEACH_ANGLE F1 VAR_KEY",
+        "KEY_IN\nVAR_KEY = NORM VAR_KEY",
+        "FORCE F1 1 1 1",
+    ];
+    let mut silent = Vec::new();
+    for statements in broken {
+        let loaded = check(statements, Robot::Titan8);
+        assert!(loaded.program.is_none(), "{statements}");
+        let lacking = loaded.diagnostics.iter().filter(|one| one.help.is_none());
+        silent.extend(lacking.map(|one| format!("{statements}: {}", one.reason)));
+    }
+    assert!(silent.is_empty(), "{silent:#?}");
+}
