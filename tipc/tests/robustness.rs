@@ -1,0 +1,354 @@
+//! Whatever the bytes: no panic, places inside the text, a program exactly when nothing is wrong, linear time.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use std::{env, fs};
+use tipc::codes::Level;
+use tipc::diagnostic::{render_human, render_json, render_short};
+use tipc::{Options, Robot, listing, load};
+
+/// A small generator of numbers (Marsaglia's xorshift), so that every run tries the same texts.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        usize::try_from(self.0 >> 33).expect("31 bits") % count
+    }
+
+    fn pick<'a>(&mut self, words: &[&'a str]) -> &'a str {
+        words[self.below(words.len())]
+    }
+}
+
+fn examine(bytes: &[u8]) {
+    for robot in Robot::ALL {
+        let options = Options {
+            robot: *robot,
+            ..Options::default()
+        };
+        let loaded = load("random.prg", bytes, &options);
+        let text = loaded.source.text();
+        let seen = String::from_utf8_lossy(bytes);
+        let mut last = 0;
+        for diagnostic in &loaded.diagnostics {
+            assert!(diagnostic.span.start >= last, "order: {seen}");
+            last = diagnostic.span.start;
+            let labels = diagnostic.labels.iter().map(|label| label.span);
+            for span in [diagnostic.span].into_iter().chain(labels) {
+                assert!(text.get(span.start..span.end).is_some(), "{span:?}: {seen}");
+            }
+            assert!(!render_short(&loaded.source, diagnostic).is_empty());
+            assert!(!render_json(&loaded.source, diagnostic).is_empty());
+            assert!(!render_human(&loaded.source, diagnostic, false).is_empty());
+        }
+        let wrong = loaded
+            .diagnostics
+            .iter()
+            .any(|one| one.level() == Level::Error);
+        assert_eq!(loaded.program.is_none(), wrong, "{seen}");
+        if let Some(program) = loaded.program {
+            let lines = listing::formal(&program).lines().count();
+            assert_eq!(lines, program.steps().len(), "{seen}");
+        }
+    }
+}
+
+const WORDS: &[&str] = &[
+    "A",
+    "B",
+    "P",
+    "Q",
+    "R",
+    "HS",
+    "P.X",
+    "Q.J2",
+    "-A",
+    "-P",
+    "1",
+    "-2.5",
+    "1E3",
+    "F1",
+    "F4",
+    "J11",
+    "J43",
+    "ALL",
+    "FLOOR",
+    "PTP",
+    "REL_PTP",
+    "PTP_ANGLE",
+    "FORCE",
+    "SLEEP",
+    "WAIT_INPOS",
+    "TEACH_ANGLE",
+    "SET_JUST_ANGLE",
+    "SET_POSITION_STIFFNESS",
+    "AD_IN",
+    "VR1",
+    "KEY_IN",
+    "SPECIAL",
+    "MESSAGE %A.2% \\a",
+    "REM x",
+    "DEF_VAR",
+    "DEF_POS",
+    "DEF_JOINT",
+    "IF",
+    "THEN",
+    "ELSEIF",
+    "ELSE",
+    "ENDIF",
+    "WHILE",
+    "WEND",
+    "REPEAT",
+    "UNTIL",
+    "FOR",
+    "TO",
+    "STEP",
+    "NEXT",
+    "GOTO",
+    "GOSUB",
+    "CALL",
+    "RETURN",
+    "SUBROUTINE",
+    "SUBEND",
+    "L1:",
+    "L2:",
+    "LOOP:",
+    "S1:",
+    "KB_HIT",
+    "!KB_HIT",
+    "INPOS_F1",
+    "=",
+    "+=",
+    "==",
+    "<",
+    ">=",
+    "+",
+    "*",
+    "SIN",
+    "ATAN2",
+    "NORM",
+    "UNIT_VECT",
+    "ROT_X",
+    "END",
+    "EXIT",
+    ";",
+    ",",
+    "//",
+    "\u{3000}",
+    "Ａ",
+    "ｱ",
+    "\u{A5}",
+    ":",
+    "!",
+    "CHAR_A",
+    "VAR_KEY",
+    "OUTPUT_VARIABLES",
+];
+
+// clauses: 8.1
+#[test]
+fn random_words() {
+    let mut random = Random(0x5EED_0001);
+    for _ in 0..600 {
+        let mut text = String::from("3.1\nrandom\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\n");
+        for _ in 0..random.below(30) {
+            for _ in 0..=random.below(6) {
+                text.push_str(random.pick(WORDS));
+                text.push_str(random.pick(&[" ", " ", " ", "", "\t"]));
+            }
+            text.push_str(random.pick(&["\n", "\n", "\n", "\r\n", " ; "]));
+        }
+        text.push_str("END\n");
+        examine(text.as_bytes());
+    }
+}
+
+/// Statements that are right alone, in an order that is not.
+const STATEMENTS: &[&str] = &[
+    "A = B + 1",
+    "P = P - P",
+    "Q.J1 += A",
+    "IF A > 1 THEN",
+    "ELSEIF KB_HIT THEN",
+    "ELSE",
+    "ENDIF",
+    "WHILE A < B",
+    "WEND",
+    "REPEAT",
+    "UNTIL INPOS_ALL",
+    "FOR A = 1 TO B",
+    "NEXT A",
+    "NEXT",
+    "SUBROUTINE S1:",
+    "SUBROUTINE S2:",
+    "SUBEND",
+    "CALL S1:",
+    "GOSUB S2:",
+    "GOTO L1:",
+    "IF KB_HIT GOTO L2:",
+    "IF KB_HIT GOTO",
+    "GOSUB L1:",
+    "L1:",
+    "L2:",
+    "LOOP:",
+    "GOTO",
+    "RETURN",
+    "EXIT",
+    "PTP F1 P",
+    "MESSAGE %A%",
+    "SLEEP A",
+];
+
+// clauses: 6.5
+#[test]
+fn random_order() {
+    let mut random = Random(0x5EED_0002);
+    for _ in 0..1500 {
+        let mut text = String::from("3.1\norder\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\nB = 1\n");
+        for _ in 0..random.below(25) {
+            text.push_str(random.pick(STATEMENTS));
+            text.push('\n');
+        }
+        text.push_str("END\n");
+        examine(text.as_bytes());
+    }
+}
+
+fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return; // The package alone has no cases.
+    };
+    for entry in entries {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            cases(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "prg") {
+            found.push(path);
+        }
+    }
+}
+
+// clauses: 1.1 8.1
+#[test]
+fn mutated_programs() {
+    let mut random = Random(0x5EED_0003);
+    let mut paths = Vec::new();
+    cases(
+        &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/cases"),
+        &mut paths,
+    );
+    paths.sort();
+    for path in paths {
+        let bytes = fs::read(&path).expect("a readable case");
+        if bytes.len() > 4000 {
+            continue;
+        }
+        examine(&bytes);
+        for _ in 0..3 {
+            examine(&mutated(&bytes, &mut random));
+        }
+    }
+}
+
+/// The text behind its version line with some bytes lost, doubled or replaced.
+fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
+    let mut changed = bytes.to_vec();
+    for _ in 0..=random.below(4) {
+        if changed.len() < 6 {
+            return changed;
+        }
+        let at = 4 + random.below(changed.len() - 4);
+        match random.below(4) {
+            0 => {
+                changed.remove(at);
+            }
+            1 => changed.insert(at, changed[at]),
+            2 => changed[at] = b"A1.-+=:;, \n\t%\\/<!\x81\xE3\x00"[random.below(20)],
+            _ => {
+                let word = random.pick(WORDS).as_bytes();
+                changed.splice(at..at, word.iter().copied());
+            }
+        }
+    }
+    changed
+}
+
+fn time(text: &str) -> Duration {
+    let begin = Instant::now();
+    let loaded = load("long.prg", text.as_bytes(), &Options::default());
+    let taken = begin.elapsed();
+    assert!(loaded.program.is_some() || !loaded.diagnostics.is_empty());
+    taken
+}
+
+/// Twenty times the lines take about twenty times as long; a quadratic pass would take four hundred times.
+/// A busy machine may spoil a run, so that the best of some counts.
+fn grows_linearly(name: &str, text: impl Fn(usize) -> String) {
+    let (short, long) = (text(1_000), text(20_000));
+    let base = (0..3).map(|_| time(&short)).min().expect("three runs");
+    let limit = base.max(Duration::from_millis(2)) * 120;
+    let linear = (0..3).any(|_| time(&long) < limit);
+    assert!(
+        linear,
+        "{name}: {base:?} for 1,000 lines, over {limit:?} for 20,000"
+    );
+}
+
+fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
+    let body: String = (0..count).map(|n| line(n) + "\n").collect();
+    format!("3.1\nlong\nDEF_VAR A\nA = 1\n{body}END\n")
+}
+
+// clauses: 8.1
+#[test]
+fn long_programs_take_linear_time() {
+    grows_linearly("commands", |count| {
+        lines(count, |_| "PTP F1 1 R 2 3".to_owned())
+    });
+    grows_linearly("variables", |count| {
+        lines(count / 2, |n| format!("DEF_VAR V{n}\nV{n} = A"))
+    });
+    grows_linearly("labels", |count| {
+        lines(count / 2, |n| {
+            format!("L{n}:\nGOTO L{}:", count / 2 - 1 - n)
+        })
+    });
+    grows_linearly("one line", |count| {
+        format!("3.1\nlong\n{}\nEND\n", "LOOP: ;".repeat(count))
+    });
+    grows_linearly("nested blocks", |count| {
+        let open = "L:\nIF KB_HIT THEN\nGOTO\nWHILE KB_HIT\n"
+            .replace("L:", "LOOP:")
+            .repeat(count / 8);
+        let close = "WEND\nENDIF\n".repeat(count / 8);
+        format!("3.1\nlong\n{open}{close}END\n")
+    });
+}
+
+// clauses: 8.1
+#[test]
+fn long_wrong_programs_take_linear_time() {
+    grows_linearly("unknown commands", |count| {
+        lines(count, |n| format!("PTPX{n} 1"))
+    });
+    grows_linearly("unknown variables", |count| {
+        lines(count / 2, |n| format!("DEF_VAR V{n}\nA = W{n}"))
+    });
+    grows_linearly("unknown labels", |count| {
+        lines(count / 2, |n| format!("L{n}:\nGOTO M{n}:"))
+    });
+    grows_linearly("stray closers", |count| {
+        lines(count, |_| "ENDIF\nWEND".to_owned())
+    });
+    grows_linearly("unclosed", |count| {
+        lines(count, |_| "WHILE KB_HIT".to_owned())
+    });
+    grows_linearly("crossing", |count| {
+        let open = "IF KB_HIT THEN\nWHILE KB_HIT\n".repeat(count / 4);
+        let close = "ENDIF\nWEND\n".repeat(count / 4);
+        format!("3.1\nlong\n{open}{close}END\n")
+    });
+}
