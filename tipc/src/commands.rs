@@ -28,6 +28,8 @@ pub struct Command {
     pub form: Form,
     /// The robots that have it.
     pub robots: Robots,
+    /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
+    pub unit: &'static str,
     /// Whether it can take more than one control cycle.
     pub waits: bool,
     /// One line for the reference.

@@ -131,15 +131,16 @@ fn codes() -> String {
 
 fn commands() -> String {
     let mut table = String::from(
-        "\n| command | arguments | robots | values that stop the program | cycles | what it does | section | clause |\n\
-         |---|---|---|---|---|---|---|---|\n",
+        "\n| command | arguments | unit | robots | values that stop the program | cycles | what it does | section | clause |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
     );
     for command in COMMANDS {
         let _ = writeln!(
             table,
-            "| {} | {} | {} | {} | {} | {} | {} | [{}] |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | [{}] |",
             names(command),
             code(&command.form.syntax()),
+            dash(command.unit),
             command.robots.letters(),
             limit(command.form),
             cycles(command),
@@ -156,6 +157,10 @@ fn names(command: &Command) -> String {
         Some(alias) => format!("`{}`, `{alias}`", command.name),
         None => format!("`{}`", command.name),
     }
+}
+
+fn dash(text: &str) -> &str {
+    if text.is_empty() { "–" } else { text }
 }
 
 fn code(syntax: &str) -> String {
