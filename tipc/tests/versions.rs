@@ -107,14 +107,14 @@ fn detect_object_is_for_the_hand_and_warns_of_its_missing_ways() {
     for robot in [Robot::Titan8, Robot::Generic] {
         assert_eq!(errors(robot, "DETECT_OBJECT 1"), [Code::UnknownCommand]);
     }
-    for wrong in [
-        "DETECT_OBJECT",
-        "DETECT_OBJECT F1 1",
-        "DETECT_OBJECT 1 2",
-        "DETECT_OBJECT P.X",
-    ] {
+    for wrong in ["DETECT_OBJECT", "DETECT_OBJECT 1 2", "DETECT_OBJECT P.X"] {
         assert_eq!(errors(Robot::Hand, wrong), [Code::Argument], "{wrong}");
     }
+    // It takes no target: F1 stands where its operand belongs.
+    assert_eq!(
+        errors(Robot::Hand, "DETECT_OBJECT F1 1"),
+        [Code::UnknownVariable]
+    );
     for (way, warned) in [("3", false), ("3.9", false), ("4", true), ("0", true)] {
         let loaded = load(Robot::Hand, "3.1", &format!("DETECT_OBJECT {way}"));
         let warns = loaded

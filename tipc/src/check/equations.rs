@@ -16,7 +16,7 @@ enum Value {
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
         let target = self.meant(&equation.target, Code::Equation);
-        let value = self.expression(&equation.value);
+        let value = self.expression(&equation.value, target);
         let (target, value) = (target?, value?);
         let place = equation.target.span;
         let action = self.assignment(equation, target, value)?;
@@ -69,7 +69,8 @@ impl Resolver<'_> {
         }
     }
 
-    fn expression(&mut self, expression: &Expression) -> Option<Value> {
+    /// The right side; `target` is the left one, if it is known.
+    fn expression(&mut self, expression: &Expression, target: Option<Meant>) -> Option<Value> {
         match expression {
             Expression::Operand(operand) => match self.value(operand)? {
                 Meant::Struct { variable, kind, .. } => {
@@ -113,7 +114,10 @@ impl Resolver<'_> {
                                 type_name(kind_of(first)),
                                 type_name(kind_of(second))
                             );
-                            let place = left.span.to(right.span);
+                            let place = match target.map(kind_of) {
+                                Some(wanted) if wanted == kind_of(first) => right.span,
+                                _ => left.span.to(right.span),
+                            };
                             let fault = Diagnostic::new(Code::Equation, place, reason);
                             self.report(fault.help(ONE_TYPE));
                             None

@@ -265,7 +265,7 @@ pub(crate) fn is_reserved(word: &str) -> bool {
         || is_target(word)
         || FLAG_FAMILIES.iter().any(|family| {
             word.strip_prefix(family).is_some_and(|rest| {
-                is_target(rest) && *family != "SPECIAL_FLAG"
+                is_target(rest) && rest != "FLOOR" && *family != "SPECIAL_FLAG"
                     || *family == "SPECIAL_FLAG" && matches!(rest.as_bytes(), [b'0'..=b'9'])
             })
         })

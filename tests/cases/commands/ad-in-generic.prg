@@ -1,0 +1,17 @@
+3.1
+ad in generic
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+AD_IN 0 13 V
+AD_IN 0 0 V
+AD_IN 0 15 V
+AD_IN VR1 V
+AD_IN VR3 V
+AD_IN J11 V
+AD_IN J43 V
+END

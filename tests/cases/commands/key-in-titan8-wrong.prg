@@ -1,0 +1,17 @@
+3.1
+key in titan8 wrong
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+KEY_IN P.X
+KEY_IN P
+KEY_IN 5
+KEY_IN V V
+KEY_IN -V
+KEY_IN CHAR_A
+KEY_IN NOPE
+END

@@ -1,0 +1,12 @@
+3.1
+key in titan8
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+KEY_IN
+KEY_IN V
+END

@@ -1,0 +1,20 @@
+3.1
+ptp generic
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+PTP F1 1 2 3
+PTP F4 P
+PTP F1 V P.X -V
+PTP F1 -1.5 +2 .5
+PTP F1 1,2,3
+PTP F1 R 1 A 2 3
+PTP F1 R P
+PTP F1 A P
+PTP F1 1 2 R -V
+PTP HS F1 1 2 3
+END

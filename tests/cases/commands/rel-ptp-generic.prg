@@ -1,0 +1,16 @@
+3.1
+rel ptp generic
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+REL_PTP F1 1 2 3
+REL_PTP F4 P
+REL_PTP F1 V P.X -V
+REL_PTP F1 -1.5 +2 .5
+REL_PTP F1 1,2,3
+REL_PTP HS F1 1 2 3
+END

@@ -1,0 +1,12 @@
+3.1
+silent hand
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+SILENT_ON
+SILENT_OFF
+END

@@ -1,0 +1,13 @@
+3.1
+teach force generic
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+TEACH_FORCE F1 P
+TEACH_FORCE F4 P
+TEACH_FORCE J12 P
+END

@@ -1,0 +1,23 @@
+3.1
+comparisons
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+L:
+IF V == 1 GOTO L:
+IF 1 <> V GOTO L:
+IF -V < -P.X GOTO L:
+IF P.X > Q.J1 GOTO L:
+IF CHAR_A <= V GOTO L:
+IF V >= -5 THEN
+ELSEIF 1 == 1 THEN
+ENDIF
+WHILE V <> 2
+WEND
+REPEAT
+UNTIL V == Q.J3
+END

@@ -1,0 +1,18 @@
+3.1
+flags are no numbers
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+IF KB_HIT == 1 THEN
+ENDIF
+IF 5 THEN
+ENDIF
+IF P.X THEN
+ENDIF
+IF -V THEN
+ENDIF
+END

@@ -1,0 +1,19 @@
+3.1
+scalars only
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+IF P == V THEN
+ELSEIF V == Q THEN
+ENDIF
+WHILE P == 1
+WEND
+REPEAT
+UNTIL 1 < -P
+IF P.W == 1 THEN
+ENDIF
+END

@@ -1,0 +1,31 @@
+3.1
+functions count their operands
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+DEF_VAR W
+DEF_POS O
+DEF_JOINT T
+W = 2
+O = P
+T = Q
+V = W
+W = NORM O
+W = NORM T
+V = SIN
+V = ATAN2 1
+V = ATAN2
+V = NORM
+P = UNIT_VECT
+P = ROT_X O
+V = SIN V W
+V = SQRT 4 5 6
+V = ATAN2 1 2 3
+V = NORM P O
+P = UNIT_VECT O P
+P = ROT_X O 5 6
+END

@@ -1,0 +1,39 @@
+3.1
+functions have types
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+DEF_VAR W
+DEF_POS O
+DEF_JOINT T
+W = 2
+O = P
+T = Q
+V = W
+W = NORM O
+W = NORM T
+V = SIN P
+V = INT Q
+V = NORM V
+V = NORM 5
+V = NORM P.X
+V = UNIT_VECT P
+V = ROT_X P 90
+P = SIN V
+P = NORM O
+P = ATAN2 V W
+Q = UNIT_VECT P
+Q = ROT_Y P 5
+P = UNIT_VECT Q
+P = UNIT_VECT V
+P = ROT_X Q 5
+P = ROT_X 5 5
+P = ROT_X O P
+P = ROT_Z O P.X
+V = ATAN2 P 1
+V = ATAN2 1 Q
+END

@@ -1,0 +1,21 @@
+3.1
+generic joints
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+DEF_VAR W
+DEF_POS O
+DEF_JOINT T
+W = 2
+O = P
+T = Q
+V = W
+W = NORM O
+W = NORM T
+V = Q.J4
+Q.J3 = 1
+END

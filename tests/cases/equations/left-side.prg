@@ -1,0 +1,26 @@
+3.1
+left side
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+DEF_VAR W
+DEF_POS O
+DEF_JOINT T
+W = 2
+O = P
+T = Q
+V = W
+W = NORM O
+W = NORM T
+-V = 5
+5 = V
+CHAR_A = V
+V.X = 1
+P.J1 = 1
+NOPE = 1
+NOPE.X = 1
+END

@@ -1,0 +1,26 @@
+3.1
+undeclared beside a fault
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+V = Q.J1
+DEF_VAR W
+DEF_POS O
+DEF_JOINT T
+W = 2
+O = P
+T = Q
+V = W
+W = NORM O
+W = NORM T
+P = NOPE
+P = O + NOPE
+V = NOPE + NADA
+V = P + NOPE
+V = ATAN2 NOPE P
+NOPE = P + NADA
+V = SIN NOPE 5
+END

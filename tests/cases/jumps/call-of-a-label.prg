@@ -1,0 +1,8 @@
+3.1
+call of a label
+L1: CALL L1:
+CALL S1:
+EXIT
+SUBROUTINE S1:
+SUBEND
+END

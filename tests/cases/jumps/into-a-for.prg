@@ -1,0 +1,22 @@
+3.1
+into a for
+DEF_VAR I, J, V
+V = 1
+SLEEP V
+GOTO L1:
+IF V == 1 GOSUB L2:
+GOTO L3:
+FOR I = 1 TO 2
+L1:
+FOR J = 1 TO 2
+L2: GOTO L1:
+GOTO L4:
+NEXT
+FOR J = 1 TO 2
+L4:
+NEXT
+IF V == 1 THEN
+L3: GOTO L1:
+ENDIF
+NEXT
+END

@@ -1,0 +1,15 @@
+3.1
+within and out of blocks
+DEF_VAR V
+V = 1
+SLEEP V
+IF V == 1 THEN
+IN: WHILE V == 1
+IF V == 2 GOTO IN:
+GOSUB IN:
+GOTO OUT:
+WEND
+GOTO IN:
+ENDIF
+OUT:
+END

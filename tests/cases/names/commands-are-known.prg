@@ -1,0 +1,12 @@
+3.1
+commands are known
+PTTP F1 1 2 3
+WAIT 5
+A_MAX ALL 100
+COMPLIANCE F1 1 2 3
+THEN
+SIN 5
+ALL
+F1
+GO TO L1:
+END

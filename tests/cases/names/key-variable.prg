@@ -1,0 +1,7 @@
+3.1
+key variable
+KEY_IN
+IF VAR_KEY == CHAR_A THEN
+ENDIF
+VAR_KEY = 1
+END

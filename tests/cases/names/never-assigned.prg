@@ -1,0 +1,16 @@
+3.1
+never assigned
+DEF_VAR M, B, C, D
+DEF_POS P, O
+DEF_JOINT Q
+B = M
+M += B
+P.X = 1
+PTP F1 P
+PTP F1 O
+PTP F1 O
+C = B + D
+SLEEP C
+MESSAGE d %D%
+PTP_ANGLE F1 Q
+END

@@ -1,0 +1,12 @@
+3.1
+unused
+DEF_VAR M, B, C
+DEF_POS P, O
+DEF_JOINT Q
+M = 1
+C = M
+TEACH_POSITION F1 P
+Q.J1 = 1
+FOR M = 1 TO 2
+NEXT
+END

@@ -1,0 +1,16 @@
+3.1
+else twice
+DEF_VAR I, J, V
+V = 1
+I = V
+J = I
+V = J
+IF V == 1 THEN
+ELSE
+ELSE
+ENDIF
+IF V == 1 THEN
+ELSE
+ELSEIF V == 2 THEN
+ENDIF
+END

@@ -1,0 +1,21 @@
+3.1
+for counts a var
+DEF_VAR V
+DEF_POS P
+DEF_JOINT Q
+P.X = 1
+Q.J1 = P.X
+V = Q.J1
+FOR P.X = 1 TO 2
+NEXT
+FOR Q = 1 TO 2
+NEXT
+FOR V = P.X TO -Q.J1 STEP P.Y
+NEXT
+FOR V = P TO 2
+NEXT
+FOR V = 1 TO Q
+NEXT
+FOR V = 1 TO 2 STEP P
+NEXT
+END

@@ -1,0 +1,18 @@
+3.1
+subroutine inside blocks
+DEF_VAR I, J, V
+V = 1
+I = V
+J = I
+V = J
+IF V == 1 THEN
+EXIT
+SUBROUTINE S1:
+SUBEND
+ENDIF
+FOR I = 1 TO 2
+EXIT
+SUBROUTINE S2:
+SUBEND
+NEXT
+END

@@ -1,0 +1,15 @@
+3.1
+subroutine inside subroutine
+DEF_VAR I, J, V
+V = 1
+I = V
+J = I
+V = J
+EXIT
+SUBROUTINE S1:
+RETURN
+SUBROUTINE S2:
+SUBEND
+SUBROUTINE S3:
+SUBEND
+END
