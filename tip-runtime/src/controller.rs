@@ -36,6 +36,7 @@ use motion::Base;
 use params::{JointParams, Params};
 use stop::Hold;
 use task::Task;
+use trajectory::Track;
 
 /// The controller of a robot with `L` legs of `J` joints.
 #[derive(Clone, Debug)]
@@ -44,6 +45,8 @@ pub struct Controller<'m, const L: usize, const J: usize> {
     params: Params<L, J>,
     drives: [LegDrive<J>; L],
     measured: Sensors<L, J>,
+    /// Where the slider is to stand: mm.
+    slider: Track<3>,
     /// Measured joint rates: deg/s.
     rates: [[f64; J]; L],
     /// Whether joint angles have been measured yet.
@@ -59,14 +62,17 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
         let initial = model.legs.map(|leg| leg.initial);
+        let slider = model.slider.map_or([0.0; 3], |slider| slider.initial);
         Controller {
             model,
             params: Params::standard(&model.standards),
             drives: initial.map(LegDrive::free),
             measured: Sensors {
                 angles: initial,
+                slider,
                 ..Sensors::ZERO
             },
+            slider: Track::resting(slider),
             rates: [[0.0; J]; L],
             sensed: false,
             hold: Hold::Off,
@@ -94,6 +100,12 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
             let angles = self.drives.get(leg).map_or([0.0; J], |drive| drive.angles);
             angles.map(JointCommand::Angle)
         })
+    }
+
+    /// Where the slider is told to stand: mm; zeros where there is none.
+    #[must_use]
+    pub const fn slider(&self) -> [f64; 3] {
+        self.slider.position()
     }
 
     /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,

@@ -7,7 +7,8 @@ use crate::fault::Fault;
 pub struct Sensors<const L: usize, const J: usize> {
     /// Joint angles: deg.
     pub angles: [[f64; J]; L],
-    /// Joint torques in the robot's torque unit; zeros where nothing senses them.
+    /// What each joint drives its link with, in the robot's torque unit; zeros where nothing
+    /// senses it.
     pub torques: [[f64; J]; L],
     /// `VR1…VR3`: V.
     pub knobs: [f64; 3],
@@ -15,6 +16,8 @@ pub struct Sensors<const L: usize, const J: usize> {
     pub paws: [f64; L],
     /// `ANTENNA`: V of the feeler, or 1 while the palm touches.
     pub antenna: f64,
+    /// Where the slider (`FLOOR`) stands: mm; zeros where there is none.
+    pub slider: [f64; 3],
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
@@ -25,6 +28,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
         knobs: [0.0; 3],
         paws: [0.0; L],
         antenna: 0.0,
+        slider: [0.0; 3],
     };
 }
 
@@ -51,6 +55,8 @@ impl JointCommand {
 pub struct Outputs<const L: usize, const J: usize> {
     /// One command for each joint.
     pub joints: [[JointCommand; J]; L],
+    /// Where the slider (`FLOOR`) is to stand: mm; zeros where there is none.
+    pub slider: [f64; 3],
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub lamps: [u32; 8],
     /// The sampling time for which the commands hold: ms.

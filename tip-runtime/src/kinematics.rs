@@ -6,9 +6,11 @@
 
 mod chain;
 mod inverse;
+mod resolved_rate;
 
 pub use chain::Chain;
 pub use inverse::inverse;
+pub use resolved_rate::{Point, resolve};
 
 use crate::model::Leg;
 

@@ -221,6 +221,7 @@ where
         devices.controller.advance();
         devices.outputs = Outputs {
             joints: devices.controller.outputs(),
+            slider: devices.controller.slider(),
             lamps: devices.lamps,
             period,
         };

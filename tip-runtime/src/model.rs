@@ -1,9 +1,11 @@
 //! Robots as data: legs, joints, axes, limits, standard parameters, what they sense and can do.
 //!
-//! Lengths are in mm, angles in degrees, masses in kg, torques in N·m, times in ms. The robot
-//! frame has x to the right, y forward, z up, its origin at the body's centre.
+//! Lengths are in mm, angles in degrees, masses in kg, motor torques in N·m, times in ms; torques
+//! of commands and sensors in the robot's own [`TorqueUnit`]. The robot frame has x to the right, y
+//! forward, z up, its origin at the body's centre; of the hand y is the height.
 
 pub mod generic;
+pub mod hand;
 pub mod titan8;
 
 use crate::program::Signature;
@@ -115,6 +117,64 @@ pub struct Standards {
 pub enum Inverse {
     /// Closed form of a yaw joint followed by two parallel pitch joints; the knee bends downwards.
     YawPitchPitch,
+    /// All joints turn about z, and only x and y of a position count: resolved rate with the
+    /// least-norm inverse of the Jacobian (Whitney, 1969).
+    Planar,
+}
+
+/// What torques are counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TorqueUnit {
+    /// N·m.
+    NewtonMetre,
+    /// mN·m, which is N·mm.
+    MillinewtonMetre,
+}
+
+impl TorqueUnit {
+    /// How many of this unit one N·m is.
+    pub const fn per_newton_metre(self) -> f64 {
+        match self {
+            TorqueUnit::NewtonMetre => 1.0,
+            TorqueUnit::MillinewtonMetre => 1000.0,
+        }
+    }
+}
+
+/// What a robot that senses and gives torques needs for commands of torque, force and compliance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Forces {
+    /// The unit of every torque that is commanded or sensed.
+    pub unit: TorqueUnit,
+    /// `TORQUE_MAX` at its standard value, in that unit.
+    pub torque_max: f64,
+    /// `ANGLE_STIFFNESS` at its standard value: torque per degree.
+    pub angle_stiffness: f64,
+    /// `POSITION_STIFFNESS` at its standard value, along each axis: N/mm.
+    pub position_stiffness: f64,
+    /// The torque with which DETECT_FLOOR closes a joint.
+    pub search_torque: f64,
+    /// The force with which DETECT_OBJECT closes the fingers of one side: N.
+    pub search_force: f64,
+    /// The torque from which a joint that stands still presses on something.
+    pub contact_torque: f64,
+}
+
+/// A slider that carries the floor under a hand (`FLOOR`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slider {
+    /// Where it stands at first: mm.
+    pub initial: [f64; 3],
+    /// How far it goes along x, y and z: mm.
+    pub travel: [Range; 3],
+}
+
+impl Slider {
+    /// Whether it can go there.
+    pub fn reaches(&self, position: [f64; 3]) -> bool {
+        let axes = self.travel.iter().zip(position);
+        axes.into_iter().all(|(travel, at)| travel.contains(at))
+    }
 }
 
 /// A robot of `L` legs with `J` joints each.
@@ -138,6 +198,10 @@ pub struct Model<const L: usize, const J: usize> {
     pub contact: f64,
     /// Lamps and relays: devices 0 up to, but not including, this number.
     pub lamps: u8,
+    /// What it can do with torques and forces, if anything.
+    pub forces: Option<Forces>,
+    /// Its slider, if it has one.
+    pub slider: Option<Slider>,
 }
 
 impl<const L: usize, const J: usize> Model<L, J> {

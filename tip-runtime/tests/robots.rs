@@ -23,6 +23,8 @@ fn robot<const L: usize, const J: usize>(legs: [Leg<J>; L]) -> Model<L, J> {
         periods: titan.periods,
         contact: titan.contact,
         lamps: titan.lamps,
+        forces: titan.forces,
+        slider: titan.slider,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The robots that a program can be checked for.
 
 use tip_runtime::command::Target;
-use tip_runtime::model::{Family, Range, generic, titan8};
+use tip_runtime::model::{Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
 
 /// A robot that the compiler knows by name.
@@ -37,12 +37,7 @@ impl Robot {
     pub const fn signature(self) -> Signature {
         match self {
             Robot::Titan8 => titan8::MODEL.signature(),
-            Robot::Hand => Signature {
-                robot: "hand",
-                family: Family::Hand,
-                legs: 3,
-                joints: 3,
-            },
+            Robot::Hand => hand::MODEL.signature(),
             Robot::Generic => generic::MODEL.signature(),
         }
     }
@@ -51,7 +46,7 @@ impl Robot {
     pub(crate) const fn periods(self) -> Range {
         match self {
             Robot::Titan8 => titan8::MODEL.periods,
-            Robot::Hand => Range::new(1.0, 100.0),
+            Robot::Hand => hand::MODEL.periods,
             Robot::Generic => generic::MODEL.periods,
         }
     }
@@ -60,7 +55,7 @@ impl Robot {
     pub(crate) const fn lamps(self) -> u8 {
         match self {
             Robot::Titan8 => titan8::MODEL.lamps,
-            Robot::Hand => 2,
+            Robot::Hand => hand::MODEL.lamps,
             Robot::Generic => generic::MODEL.lamps,
         }
     }

@@ -1,9 +1,10 @@
 //! Where the joints of a leg are, and how they move its foot.
 
+use super::Point;
 use crate::model::Leg;
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
-const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
+pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
 
 /// A leg in one posture: the place and axis of each joint, and the foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +63,24 @@ impl<const J: usize> Chain<J> {
     #[must_use]
     pub fn joint_jacobian(&self, m: usize) -> Option<SMatrix<f64, 3, J>> {
         self.places.get(m).map(|place| self.jacobian(*place, m))
+    }
+
+    /// The position of a point: mm.
+    #[must_use]
+    pub fn point(&self, point: Point) -> Option<[f64; 3]> {
+        match point {
+            Point::Tip => Some(self.foot()),
+            Point::Joint(m) => self.joint(m),
+        }
+    }
+
+    /// Velocity of a point for each joint's angular velocity: mm/rad.
+    #[must_use]
+    pub fn point_jacobian(&self, point: Point) -> Option<SMatrix<f64, 3, J>> {
+        match point {
+            Point::Tip => Some(self.foot_jacobian()),
+            Point::Joint(m) => self.joint_jacobian(m),
+        }
     }
 
     fn jacobian(&self, point: Vector3<f64>, moved_by: usize) -> SMatrix<f64, 3, J> {

@@ -1,5 +1,6 @@
-//! Joint angles from a foot's position, in closed form.
+//! Joint angles from a foot's position.
 
+use super::{Point, resolve};
 use crate::model::{Inverse, Joint, Leg};
 use nalgebra::Vector3;
 
@@ -8,8 +9,9 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 /// How far beyond full stretch rounding alone can put a foot, as a cosine.
 const STRETCH: f64 = 1e-12;
 
-/// The joint angles (deg) that put the foot of `leg` at `foot` (mm), whatever the joints' limits;
-/// `None` if the links do not reach it. See [`within_limits`](super::within_limits) for the limits.
+/// The joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do not
+/// reach it. A closed form asks nothing of the joints' limits; a planar finger is resolved within
+/// them, from the initial posture. See [`within_limits`](super::within_limits) for the limits.
 #[must_use]
 pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> Option<[f64; J]> {
     match kind {
@@ -24,6 +26,7 @@ pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> O
             }
             Some(angles)
         }
+        Inverse::Planar => resolve(leg, &leg.initial, Point::Tip, foot),
     }
 }
 

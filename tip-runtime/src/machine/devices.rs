@@ -41,6 +41,7 @@ impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
             sensors: Sensors::ZERO,
             outputs: Outputs {
                 joints: [[JointCommand::Angle(0.0); J]; L],
+                slider: [0.0; 3],
                 lamps: [0; 8],
                 period: model.standards.period,
             },

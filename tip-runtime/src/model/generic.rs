@@ -1,11 +1,20 @@
 //! The generic robot when no description is given: TITAN VIII's geometry under another name.
 
-use super::{Family, Model, titan8};
+use super::{Family, Forces, Model, TorqueUnit, titan8};
 
 /// The robot.
 pub const MODEL: Model<4, 3> = Model {
     name: "generic",
     family: Family::Generic,
     lamps: 16,
+    forces: Some(Forces {
+        unit: TorqueUnit::NewtonMetre,
+        torque_max: 40.0,
+        angle_stiffness: 2.0,
+        position_stiffness: 1.0,
+        search_torque: 5.0,
+        search_force: 20.0,
+        contact_torque: 1.0,
+    }),
     ..titan8::MODEL
 };

@@ -40,6 +40,8 @@ pub const MODEL: Model<4, 3> = Model {
     periods: Range::new(1.0, 1000.0),
     contact: 0.25,
     lamps: 8,
+    forces: None,
+    slider: None,
 };
 
 /// A leg whose hip stands on the `side` (−1 left, +1 right) and towards the `end` (−1 rear, +1 front).

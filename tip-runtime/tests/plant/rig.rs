@@ -81,6 +81,7 @@ impl Rig {
             .write(&Outputs {
                 joints,
                 lamps: [0; 8],
+                slider: [0.0; 3],
                 period,
             })
             .expect("a plant never fails");

@@ -70,6 +70,7 @@ fn lamps_are_what_was_written() {
     let outputs = Outputs {
         joints,
         lamps,
+        slider: [0.0; 3],
         period: 20.0,
     };
     rig.plant.write(&outputs).expect("a plant never fails");
