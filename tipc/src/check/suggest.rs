@@ -8,7 +8,8 @@ pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let allowed = 1 + word.len() / 5;
+    // A word of which every letter may differ is near to nothing.
+    let allowed = (1 + word.len() / 5).min(word.len().saturating_sub(1));
     candidates
         .into_iter()
         .take(CANDIDATES)
@@ -59,5 +60,7 @@ mod tests {
         assert_eq!(nearest("SLEP", known), Some("SLEEP"));
         assert_eq!(nearest("PPT", known), Some("PTP"));
         assert_eq!(nearest("GRASP", known), None);
+        assert_eq!(nearest("B", ["A", "C"]), None);
+        assert_eq!(nearest("N2", ["N1"]), Some("N1"));
     }
 }
