@@ -107,6 +107,18 @@ fn standing_up_too_high_fails_before_anything_moves() {
     rig.cycles(Op::StandUp, NONE, &[140.0]);
 }
 
+// clauses: 7.44 2.22
+#[test]
+fn standing_up_while_the_feet_may_hardly_brake_fails_for_want_of_reach() {
+    for op in [Op::StandUp, Op::SitDown] {
+        let mut rig = Rig::titan();
+        rig.done(Op::RelPtp, F1, &[0.0, 60.0, 0.0]);
+        rig.idle(5);
+        rig.done(Op::SetAMax, Target::All, &[1e-308]);
+        assert_eq!(rig.fault(op, NONE, &[10.0]), Fault::OutOfReach(F1));
+    }
+}
+
 /// Soles that feel the floor below `floor`.
 fn feel(rig: &mut Rig, floor: f64) {
     for leg in 0..4 {

@@ -97,12 +97,13 @@ impl<const N: usize> Track<N> {
         self.velocity.iter().all(|speed| *speed == 0.0)
     }
 
-    /// Where the set point comes to rest when it brakes as hard as it may.
+    /// Where the set point comes to rest when it brakes as hard as it may; a point farther than
+    /// any robot reaches, but finite, if it may hardly brake.
     pub(crate) fn rest_point(&self, limits: Limits) -> [f64; N] {
         let acceleration = self.in_force(limits).acceleration;
         let speed = vector::norm(self.velocity);
         let per_speed = if acceleration > 0.0 {
-            speed / (2.0 * acceleration)
+            (speed / (2.0 * acceleration)).min(UNBOUNDED)
         } else {
             0.0
         };

@@ -276,6 +276,14 @@ fn the_rest_point_is_where_braking_ends() {
 }
 
 #[test]
+fn who_may_hardly_brake_rests_far_away_at_a_finite_place() {
+    let track = Track::moving(ORIGIN, [0.0, 120.0, 50.0]);
+    let [x, y, z] = track.rest_point(limits(300.0, 1e-308));
+    assert_eq!(x, 0.0);
+    assert!(y > 1e9 && z > 1e9 && y.is_finite() && z.is_finite());
+}
+
+#[test]
 fn a_velocity_is_reached_under_the_acceleration_limit() {
     let mut track = Track::resting(ORIGIN).towards(Goal::Speed([30.0, 40.0, 0.0]));
     track.advance(limits(1.0, 500.0), 0.02, false);
