@@ -26,3 +26,9 @@ pub(super) fn load(path: &Path, options: &Options) -> Loaded {
         }
     }
 }
+
+/// Whether there was a file to load, be it good or bad.
+pub(super) fn was_read(loaded: &Loaded) -> bool {
+    let mut codes = loaded.diagnostics.iter().map(|diagnostic| diagnostic.code);
+    codes.all(|code| code != Code::FileNotFound)
+}

@@ -34,8 +34,8 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     let loaded = input::load(&arguments.file, &arguments.source.options());
     report::findings(&loaded, arguments.source.message_format);
     let logs = match &arguments.out_dir {
-        Some(folder) => Some(logs::claim(folder, &loaded)?),
-        None => None,
+        Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
+        _ => None,
     };
     match loaded.program {
         Some(program) => simulate(model, arguments, &loaded.source, program, logs),

@@ -12,7 +12,7 @@ fn sampled_rows_make_titan_log() {
         .expect(0);
     let log = folder.read("logs/TITAN.LOG");
     let lines: Vec<_> = log.lines().collect();
-    assert_eq!(lines[0], "# TITAN.LOG of p.prg");
+    assert_eq!(lines[0], "# TITAN.LOG of ../p.prg");
     let headings: Vec<_> = lines[1].split('\t').collect();
     assert_eq!(headings[..3], ["cycle", "time", "J11"]);
     assert!(headings.contains(&"C43") && headings.contains(&"PAW4") && headings.contains(&"VR3"));
@@ -39,7 +39,7 @@ fn variables_are_dumped_each_time_they_are_asked_for() {
         .expect(0);
     assert_eq!(
         folder.read("logs/VARIABLES.LOG"),
-        "# VARIABLES.LOG of p.prg\n\
+        "# VARIABLES.LOG of ../p.prg\n\
          # cycle 0, step 0, line 5\nVAR_KEY\tunassigned\nA\tunassigned\nP.X\tunassigned\nP.Y\tunassigned\nP.Z\tunassigned\n\
          # cycle 5, step 5, line 10\nVAR_KEY\tunassigned\nA\t0.5\nP.X\t0.5\nP.Y\t0.5\nP.Z\t0.5\n"
     );
@@ -54,7 +54,7 @@ fn an_emergency_leaves_a_report() {
         .expect(3);
     let log = folder.read("logs/EMG.log");
     let lines: Vec<_> = log.lines().collect();
-    assert_eq!(lines[0], "# EMG.log of p.prg");
+    assert_eq!(lines[0], "# EMG.log of ../p.prg");
     assert_eq!(lines[1], "TIP_ERR:Invalid Return command (RuntimeError)");
     assert!(
         lines.contains(&"step\t0") && lines.contains(&"line\t3") && lines.contains(&"cycle\t0"),
@@ -71,7 +71,7 @@ fn warnings_are_kept() {
         .expect(0);
     assert_eq!(
         folder.read("logs/WARNING.LOG"),
-        "# WARNING.LOG of p.prg\np.prg:3:9: warning: variable \"N\" is declared but never used\n"
+        "# WARNING.LOG of ../p.prg\np.prg:3:9: warning: variable \"N\" is declared but never used\n"
     );
     let files = folder.names();
     assert_eq!(files, ["logs", "p.prg"]);
@@ -119,6 +119,34 @@ fn files_of_another_program_are_never_replaced() {
     assert!(outcome.err.contains("(PreprocessError)"), "{outcome:#?}");
     assert_eq!(outcome.out, "", "the program must not have run");
     assert_eq!(folder.read("logs/TITAN.LOG"), before);
+}
+
+#[test]
+fn programs_of_the_same_name_in_other_folders_are_others() {
+    let folder = Folder::new("logs-namesake")
+        .program("a/p.prg", "LOG_ONE_SHOT\nEND")
+        .program("b/p.prg", "LOG_ONE_SHOT\nEND");
+    folder
+        .tipc(&["run", "a/p.prg", "--out-dir", "logs"])
+        .expect(0);
+    let before = folder.read("logs/TITAN.LOG");
+    folder
+        .tipc(&["run", "b/p.prg", "--out-dir", "logs"])
+        .expect(1);
+    assert_eq!(folder.read("logs/TITAN.LOG"), before);
+    // The same program by another path is no other.
+    folder
+        .tipc(&["run", "a/../a/p.prg", "--out-dir", "logs/../logs"])
+        .expect(0);
+}
+
+#[test]
+fn a_program_that_is_not_there_takes_no_folder() {
+    let folder = Folder::new("logs-ghost");
+    folder
+        .tipc(&["run", "p.prg", "--out-dir", "logs"])
+        .expect(1);
+    assert!(!folder.has("logs"));
 }
 
 #[test]

@@ -18,9 +18,11 @@ impl Folder {
         Folder(path)
     }
 
-    /// Writes a file.
+    /// Writes a file, and the folders on the way to it.
     pub(crate) fn file(self, name: &str, content: impl AsRef<[u8]>) -> Self {
-        fs::write(self.0.join(name), content).expect("the folder is writable");
+        let path = self.0.join(name);
+        path.parent().map(fs::create_dir_all);
+        fs::write(path, content).expect("the folder is writable");
         self
     }
 
