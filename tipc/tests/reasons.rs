@@ -145,6 +145,10 @@ fn missing_and_wrong_operands_are_named() {
         reason("PTP_ANGLE J11"),
         "PTP_ANGLE wants one number; none stands here"
     );
+    assert_eq!(reason("SET_A_MAX"), "SET_A_MAX wants a target, as F1, ALL");
+    assert_eq!(reason("SET_A_MAX 5"), "a target belongs here, as F1, ALL");
+    let refused = "PTP takes no J13; its targets are such as F1";
+    assert_eq!(reason("PTP J13 1 2 3"), refused);
     let wrong = "DEF_JOINT Q\nTEACH_ANGLE F1 Q\nPTP F1 Q";
     assert_eq!(
         reason(wrong),

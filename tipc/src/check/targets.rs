@@ -39,13 +39,13 @@ impl Resolver<'_> {
         targets: Targets,
         arguments: &[Operand],
     ) -> Option<Target> {
-        let wanted = targets.syntax();
+        let wanted = targets.examples(self.robot).replace('|', ", ");
         let Some(first) = arguments.first() else {
-            let reason = format!("the target is missing: {wanted}");
+            let reason = format!("{} wants a target, as {wanted}", command.node);
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(target) else {
-            let reason = format!("a target belongs here: {wanted}");
+            let reason = format!("a target belongs here, as {wanted}");
             return self.refuse_target(first.span, reason);
         };
         if !self.robot.has(target) {
@@ -54,7 +54,7 @@ impl Resolver<'_> {
         }
         if !takes(targets, target, self.robot) {
             let reason = format!(
-                "{} takes no {target}: its targets are {wanted}",
+                "{} takes no {target}; its targets are such as {wanted}",
                 command.node
             );
             return self.refuse_target(first.span, reason);

@@ -80,7 +80,7 @@ impl Arguments {
 
 impl Targets {
     /// One target of each sort that the robot has.
-    fn examples(self, robot: Robot) -> String {
+    pub(crate) fn examples(self, robot: Robot) -> String {
         let is_hand = robot.signature().family == Family::Hand;
         let joint = match self.joints {
             Joints::Every => "J11",
