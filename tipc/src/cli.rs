@@ -5,6 +5,7 @@ mod check;
 mod emit;
 mod error;
 mod input;
+mod migrate;
 mod output;
 mod report;
 mod run;
@@ -47,6 +48,7 @@ pub(crate) fn main() -> ExitCode {
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
+        Verb::Migrate(arguments) => migrate::migrate(arguments),
     };
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error);

@@ -18,6 +18,7 @@ mod lex;
 pub mod listing;
 mod load;
 mod lower;
+pub mod migrate;
 pub mod parse;
 pub mod program;
 mod robot;

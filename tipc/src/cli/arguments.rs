@@ -35,6 +35,8 @@ pub(super) enum Verb {
     Run(Run),
     /// Write a program in another form
     Emit(Emit),
+    /// Turn a program of an older version into one of version 3.1
+    Migrate(Migrate),
 }
 
 /// How a source file is to be read. Every command takes these.
@@ -63,11 +65,7 @@ impl SourceArguments {
         Options {
             robot: self.robot.robot(),
             tip_version: self.tip_version,
-            encoding: match self.encoding {
-                EncodingName::Auto => Encoding::Auto,
-                EncodingName::Utf8 => Encoding::Utf8,
-                EncodingName::ShiftJis => Encoding::ShiftJis,
-            },
+            encoding: self.encoding.encoding(),
         }
     }
 }
@@ -168,6 +166,38 @@ pub(super) struct Emit {
     pub(super) source: SourceArguments,
 }
 
+/// `tipc migrate`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
+renamed commands, changed forms. Comments, layout, encoding and the order of the steps are kept.
+Every change is reported with its line. What the text does not decide is asked; then nothing is written.
+
+Examples:
+  tipc migrate old.prg -o new.prg
+  tipc migrate old.prg > new.prg                        the new program on standard output
+  tipc migrate --message-format short old.prg -o new.prg   FILE:LINE:COLUMN: change: ...
+
+Exit status: 0 if the new program is written, 1 if there is a question or a file cannot be read or written."
+)]
+pub(super) struct Migrate {
+    /// The older program
+    #[arg(value_name = "OLD")]
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "NEW")]
+    pub(super) out: Option<PathBuf>,
+
+    /// How the file spells text; auto takes UTF-8 if it is valid, else Shift_JIS
+    #[arg(long, value_enum, default_value = "auto")]
+    pub(super) encoding: EncodingName,
+
+    /// How the report on standard error is written: for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+}
+
 /// The robots by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum RobotName {
@@ -191,12 +221,22 @@ impl RobotName {
 
 /// The encodings by name.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum EncodingName {
+pub(super) enum EncodingName {
     Auto,
     #[value(name = "utf-8", alias = "utf8")]
     Utf8,
     #[value(name = "shift_jis", aliases = ["shift-jis", "sjis"])]
     ShiftJis,
+}
+
+impl EncodingName {
+    pub(super) fn encoding(self) -> Encoding {
+        match self {
+            EncodingName::Auto => Encoding::Auto,
+            EncodingName::Utf8 => Encoding::Utf8,
+            EncodingName::ShiftJis => Encoding::ShiftJis,
+        }
+    }
 }
 
 /// How findings are shown.

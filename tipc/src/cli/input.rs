@@ -1,9 +1,10 @@
 //! Programs from files.
 
-use std::fs;
 use std::path::Path;
+use std::{fs, io};
 use tipc::codes::Code;
 use tipc::diagnostic::Diagnostic;
+use tipc::migrate::Migration;
 use tipc::source::{Encoding, Source};
 use tipc::syntax::Span;
 use tipc::{Loaded, Options};
@@ -13,17 +14,26 @@ pub(super) fn load(path: &Path, options: &Options) -> Loaded {
     let name = path.display().to_string();
     match fs::read(path) {
         Ok(bytes) => tipc::load(&name, &bytes, options),
-        Err(error) => {
-            let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
-            let reason = error.to_string();
-            Loaded {
-                source,
-                program: None,
-                diagnostics: vec![
-                    Diagnostic::new(Code::FileNotFound, Span::default(), reason).about(name),
-                ],
-            }
-        }
+        Err(error) => unreadable(name, &error),
+    }
+}
+
+/// Migrates the program at `path`.
+pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
+    let name = path.display().to_string();
+    match fs::read(path) {
+        Ok(bytes) => tipc::migrate::migrate(&name, &bytes, encoding),
+        Err(error) => Err(Box::new(unreadable(name, &error))),
+    }
+}
+
+fn unreadable(name: String, error: &io::Error) -> Loaded {
+    let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
+    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string());
+    Loaded {
+        source,
+        program: None,
+        diagnostics: vec![finding.about(name)],
     }
 }
 

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use std::{fs, process};
 
 /// Gives the file at `path` a new content: it is written beside its place, then renamed.
-pub(super) fn replace(path: &Path, text: &str) -> Result<(), Error> {
+pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
     let temporary = beside(path);
-    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    let written = fs::write(&temporary, content).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|error| {
         // What is left of a failed attempt is of no use; that it may not exist is fine.
         let _ = fs::remove_file(&temporary);
@@ -25,10 +25,10 @@ fn beside(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// Writes `text` to standard output; a reader that went away has seen enough.
-pub(super) fn print(text: &str) -> Result<(), Error> {
+/// Writes to standard output; a reader that went away has seen enough.
+pub(super) fn print(content: impl AsRef<[u8]>) -> Result<(), Error> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(content.as_ref()).and_then(|()| out.flush()) {
         Err(error) if !is_closed(&error) => {
             Err(Error::cannot_write(Path::new("standard output"), error))
         }

@@ -25,19 +25,22 @@ pub fn render_json(source: &Source, diagnostic: &Diagnostic) -> String {
     out
 }
 
-fn push_member(out: &mut String, key: &str, value: &str) {
+/// Another member of an object, a string.
+pub(crate) fn push_member(out: &mut String, key: &str, value: &str) {
     out.push(',');
     push_string(out, key);
     out.push(':');
     push_string(out, value);
 }
 
-fn push_number(out: &mut String, key: &str, value: u32) {
+/// Another member of an object, a number.
+pub(crate) fn push_number(out: &mut String, key: &str, value: u32) {
     // Writing to a string cannot fail.
     let _ = write!(out, ",\"{key}\":{value}");
 }
 
-fn push_string(out: &mut String, text: &str) {
+/// A string in quotes.
+pub(crate) fn push_string(out: &mut String, text: &str) {
     out.push('"');
     for char in text.chars() {
         match char {

@@ -3,6 +3,7 @@
 mod check;
 mod emit;
 mod logs;
+mod migrate;
 mod readme;
 mod run;
 mod script;

@@ -1,0 +1,74 @@
+//! The DEF lines that version 3.0 asks for, and names that became words of the language.
+
+use super::Migrator;
+use super::header::Title;
+use super::lines::Statement;
+use super::variables::Variables;
+use crate::check::is_reserved;
+use crate::commands::MOTION_FLAGS;
+use crate::syntax::VariableKind;
+
+/// How many names a line declares at most.
+const NAMES_PER_LINE: usize = 8;
+
+impl Migrator<'_> {
+    /// Declares every variable behind the title, which is put in if it is missing.
+    pub(super) fn declare(&mut self, variables: &Variables, title: Title) {
+        let above = self.source.line_span(title.first_line() - 1);
+        let mut lines = Vec::new();
+        if title == Title::Missing {
+            lines.push(String::new());
+            self.change(
+                above,
+                "put in an empty line 2: since 1.1 it holds the title",
+            );
+        }
+        for (kind, keyword) in [
+            (VariableKind::Var, "DEF_VAR"),
+            (VariableKind::Pos, "DEF_POS"),
+            (VariableKind::Joint, "DEF_JOINT"),
+        ] {
+            let names = variables.of_kind(kind);
+            for names in names.chunks(NAMES_PER_LINE) {
+                let line = format!("{keyword} {}", names.join(", "));
+                self.change(above, format!("put in `{line}`{}", reason(kind)));
+                lines.push(line);
+            }
+        }
+        let end = self.line_end();
+        let text: String = lines.iter().map(|line| format!("{end}{line}")).collect();
+        if !text.is_empty() {
+            self.edits.insert(above.end, text);
+        }
+    }
+
+    /// How the program ends its lines.
+    fn line_end(&self) -> &'static str {
+        let behind = &self.source.text()[self.source.line_span(1).end..];
+        match behind.as_bytes() {
+            [b'\r', b'\n', ..] => "\r\n",
+            [b'\r', ..] => "\r",
+            _ => "\n",
+        }
+    }
+
+    /// A variable whose name is a word of the language now.
+    pub(super) fn clashes(&mut self, statement: &Statement) {
+        for name in statement.words().skip(1) {
+            let word = self.slice(name).to_ascii_uppercase();
+            if is_reserved(&word) && !MOTION_FLAGS.contains(&word.as_str()) {
+                let text = format!(
+                    "{word} is a word of the language in 3.1: what shall the variable be called?"
+                );
+                self.question(name, text);
+            }
+        }
+    }
+}
+
+fn reason(kind: VariableKind) -> &'static str {
+    match kind {
+        VariableKind::Joint => ": variables are declared since 3.0, AGL and TRQ as one type",
+        _ => ": variables are declared since 3.0",
+    }
+}

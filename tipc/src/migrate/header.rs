@@ -1,0 +1,151 @@
+//! Line 1: which version the program was written for, and what that says about its style.
+
+use super::Migrator;
+use super::commands::is_statement_word;
+use super::lines;
+use crate::lex::BLANKS;
+use crate::syntax::Span;
+
+/// The version that a migration leads to.
+const CURRENT: f64 = 3.1;
+/// The first version with declared variables, and with several statements on a line.
+const DECLARED: f64 = 3.0;
+/// The first version with a title in line 2.
+const TITLED: f64 = 1.1;
+/// A version that older programs name, although the language never came so far.
+const ODD: f64 = 4.0;
+
+/// How a program is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    /// Variables typed by their names, one statement a line: before 3.0.
+    Typed,
+    /// Variables declared: 3.0.
+    Declared,
+}
+
+impl Style {
+    /// Whether `VAR01` and its like need no declaration.
+    pub(super) fn typed(self) -> bool {
+        self == Style::Typed
+    }
+
+    /// Whether `;` is an ordinary character of texts.
+    pub(super) fn single(self) -> bool {
+        self.typed()
+    }
+}
+
+/// What stands in line 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Title {
+    /// The title.
+    Present,
+    /// A statement already.
+    Missing,
+}
+
+impl Title {
+    /// The first line that holds statements.
+    pub(super) fn first_line(self) -> u32 {
+        match self {
+            Title::Present => 3,
+            Title::Missing => 2,
+        }
+    }
+}
+
+/// What line 1 says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) style: Style,
+    pub(super) title: Title,
+}
+
+impl Migrator<'_> {
+    /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
+    pub(super) fn header(&mut self) -> Option<Header> {
+        let place = self.version_word();
+        let word = self.slice(place).to_owned();
+        let Some(version) = number(&word) else {
+            self.question(
+                place,
+                "line 1 names no version: which version of the language is this program written for?",
+            );
+            return None;
+        };
+        if version == CURRENT {
+            return None;
+        }
+        let known = (1.0..CURRENT).contains(&version) || version == ODD;
+        if !known {
+            let text = format!(
+                "no version {word} of the language is known (1.0 to 3.1, and 4.0 in some programs of the time of 2.1): \
+                 which one is this program written for?"
+            );
+            self.question(place, text);
+            return None;
+        }
+        self.edits.replace(place, "3.1");
+        self.change(place, format!("version {word} becomes 3.1"));
+        let style = self.style(version);
+        Some(Header {
+            style,
+            title: self.title(version),
+        })
+    }
+
+    /// The version number's place in line 1.
+    fn version_word(&self) -> Span {
+        let line = self.source.line_span(1);
+        let text = self.slice(line);
+        let code = text.split_once("//").map_or(text, |(code, _)| code);
+        let word = code.trim_end_matches(BLANKS);
+        let start = line.start + word.len() - word.trim_start_matches(BLANKS).len();
+        Span::new(start, line.start + word.len())
+    }
+
+    /// A program that says 4.0 shows by its declarations what it is.
+    fn style(&self, version: f64) -> Style {
+        let declares = || {
+            let pieces = lines::read(self.source, 3, false);
+            let mut statements = pieces.iter().filter_map(lines::Piece::statement);
+            statements.any(|statement| statement.keyword.starts_with("DEF_"))
+        };
+        let declared = if version == ODD {
+            declares()
+        } else {
+            version >= DECLARED
+        };
+        if declared {
+            Style::Declared
+        } else {
+            Style::Typed
+        }
+    }
+
+    /// Version 1.0 had no title: its line 2 is a statement if it looks like one.
+    fn title(&self, version: f64) -> Title {
+        if version >= TITLED {
+            return Title::Present;
+        }
+        let pieces = lines::read(self.source, 2, true);
+        let first = pieces.first().filter(|piece| piece.line() == 2);
+        let is_statement = first.is_some_and(|piece| match piece {
+            lines::Piece::Label { .. } => true,
+            lines::Piece::Statement(statement) => {
+                statement.is_equation() || is_statement_word(&statement.keyword)
+            }
+        });
+        if is_statement {
+            Title::Missing
+        } else {
+            Title::Present
+        }
+    }
+}
+
+fn number(word: &str) -> Option<f64> {
+    let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+    starts_like_one.then(|| word.parse().ok())?
+}

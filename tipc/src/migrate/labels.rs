@@ -1,0 +1,43 @@
+//! Labels whose names became words of the language.
+
+use super::Migrator;
+use super::lines::Piece;
+use crate::check::is_reserved;
+use crate::syntax::Span;
+use std::collections::HashSet;
+
+/// The one word that may be a label all the same.
+const LOOP: &str = "LOOP";
+
+impl Migrator<'_> {
+    /// Gives such labels another name, wherever they stand.
+    pub(super) fn labels(&mut self, pieces: &[Piece]) {
+        let upper = |span: Span| self.source.slice(span).to_ascii_uppercase();
+        let declared: Vec<Span> = pieces.iter().filter_map(Piece::label).collect();
+        let names: HashSet<String> = declared.iter().map(|span| upper(*span)).collect();
+        let statements = pieces.iter().filter_map(Piece::statement);
+        let jumps: Vec<Span> = statements.flat_map(|statement| statement.jumps()).collect();
+        for label in &declared {
+            let name = upper(*label);
+            if name == LOOP || !is_reserved(&name) {
+                continue;
+            }
+            let new = free_name(&name, &names);
+            let text =
+                format!("the label {name} becomes {new}: {name} is a word of the language in 3.1");
+            self.edits.replace(*label, new.as_str());
+            self.change(*label, text);
+            for jump in jumps.iter().filter(|jump| upper(**jump) == name) {
+                self.edits.replace(*jump, new.as_str());
+                self.change(*jump, format!("the label {name} becomes {new}"));
+            }
+        }
+    }
+}
+
+/// A name that no label bears.
+fn free_name(name: &str, names: &HashSet<String>) -> String {
+    let candidates = (1..).map(|number| format!("{name}_{number}"));
+    let mut free = candidates.filter(|candidate| !names.contains(candidate));
+    free.next().unwrap_or_default()
+}

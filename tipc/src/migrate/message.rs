@@ -1,0 +1,112 @@
+//! Values in MESSAGE: a VAR by its number before 3.0, by its name since.
+
+use super::Migrator;
+use super::lines::Statement;
+use super::variables::Variables;
+use crate::syntax::Span;
+
+/// How many decimals `%fnn%` shows: as C's `%f`, whose letter it is.
+const DECIMALS: u8 = 6;
+
+/// `%fnn%` or `%dnn%`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Placeholder {
+    /// Where it starts in the text.
+    pub(super) start: usize,
+    /// Where it ends.
+    pub(super) end: usize,
+    /// With decimals.
+    pub(super) real: bool,
+    /// The number of the VAR.
+    pub(super) digits: String,
+}
+
+/// The old placeholders of a text, from left to right.
+pub(super) fn old_placeholders(text: &str) -> Vec<Placeholder> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    while let Some(percent) = text[start..].find('%') {
+        start += percent;
+        match placeholder(&text[start..]) {
+            Some((real, digits)) => {
+                let end = start + "%f%".len() + digits.len();
+                found.push(Placeholder {
+                    start,
+                    end,
+                    real,
+                    digits: digits.to_owned(),
+                });
+                start = end;
+            }
+            None => start += 1,
+        }
+    }
+    found
+}
+
+fn placeholder(text: &str) -> Option<(bool, &str)> {
+    let (word, _) = text.strip_prefix('%')?.split_once('%')?;
+    let (real, digits) = match (word.strip_prefix('f'), word.strip_prefix('d')) {
+        (Some(digits), _) => (true, digits),
+        (None, Some(digits)) => (false, digits),
+        (None, None) => return None,
+    };
+    let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then_some((real, digits))
+}
+
+impl Migrator<'_> {
+    /// Placeholders of today, and what would be read otherwise today.
+    pub(super) fn message(&mut self, statement: &Statement, variables: &Variables) {
+        let text = self.slice(statement.text).to_owned();
+        let place =
+            |start, end| Span::new(statement.text.start + start, statement.text.start + end);
+        if let Some(at) = text.find(';') {
+            let asked = "`;` ends a MESSAGE since 3.0: which character shall stand here instead?";
+            self.question(place(at, at + 1), asked);
+        }
+        let old = old_placeholders(&text);
+        let behind = old
+            .iter()
+            .map(|placeholder| placeholder.start)
+            .chain([text.len()]);
+        let before = [0]
+            .into_iter()
+            .chain(old.iter().map(|placeholder| placeholder.end));
+        for (start, end) in before.zip(behind) {
+            if let Some(name) = names_a_variable(&text[start..end], variables) {
+                let asked = format!(
+                    "`%{name}%` was plain text and shows a value since 3.0: which one is meant?"
+                );
+                self.question(place(start, end), asked);
+            }
+        }
+        for placeholder in &old {
+            let span = place(placeholder.start, placeholder.end);
+            let name = variables.var(&placeholder.digits).unwrap_or_default();
+            let new = if placeholder.real {
+                format!("%{name}.{DECIMALS}%")
+            } else {
+                format!("%{name}%")
+            };
+            let old = &text[placeholder.start..placeholder.end];
+            self.change(span, format!("{old} is {new} since 3.0"));
+            self.edits.replace(span, new);
+        }
+    }
+}
+
+/// A variable that plain text would show today.
+fn names_a_variable(text: &str, variables: &Variables) -> Option<String> {
+    let words = text.split('%').skip(1);
+    let closed = text.matches('%').count().saturating_sub(1);
+    words
+        .take(closed)
+        .map(|word| {
+            word.split('.')
+                .next()
+                .unwrap_or_default()
+                .to_ascii_uppercase()
+        })
+        .find(|name| variables.is_var(name))
+}

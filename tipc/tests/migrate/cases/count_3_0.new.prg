@@ -1,0 +1,10 @@
+3.1
+Count down
+DEF_VAR N, FIRST ; FIRST = 5
+FOR N = FIRST TO 9    // up, in truth
+  MESSAGE %N%, not %f01% ; SLEEP 100
+NEXT N
+REM a step
+SET_NEAR_POSITION ALL 5.0
+SET_NEAR_ANGLE J11 3.0 ; WAIT_NEAR J11
+END
