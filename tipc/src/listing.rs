@@ -1,6 +1,13 @@
-//! The classical listing files (T.I.P. 3.1 §10-4).
+//! The classical listing files (T.I.P. 3.1 §4-2, §10-4, §11).
 
+mod object;
+
+pub use object::object;
+
+use crate::codes::Level;
+use crate::diagnostic::{Diagnostic, render_short};
 use crate::program::Program;
+use crate::source::Source;
 
 /// FORMAL.TMP: one line a step, fields separated by tabs.
 pub fn formal(program: &Program) -> String {
@@ -15,4 +22,12 @@ pub fn label(program: &Program) -> String {
         format!("{kind}\t{}:\t{}\n", label.name, label.step)
     };
     program.labels().iter().map(line).collect()
+}
+
+/// WARNING.LOG: the warnings among the findings about a source, one a line.
+pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
+    let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
+    warnings
+        .map(|warning| render_short(source, warning) + "\n")
+        .collect()
 }

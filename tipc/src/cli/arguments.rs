@@ -146,6 +146,8 @@ pub(super) struct Run {
   rust     one state for each step, as the macros and build scripts compile it
   formal   FORMAL.TMP: the program step by step, comments and layout gone
   label    LABEL.TMP: every label and the number of its step
+  obj      TIP.OBJ: every step as command, target and arguments with their types
+  warning  WARNING.LOG: the warnings, one a line
 
 Examples:
   tipc emit rust walk.prg -o walk.rs
@@ -259,6 +261,10 @@ pub(super) enum Form {
     Formal,
     /// LABEL.TMP
     Label,
+    /// TIP.OBJ
+    Obj,
+    /// WARNING.LOG
+    Warning,
 }
 
 fn version_number(text: &str) -> Result<f64, String> {

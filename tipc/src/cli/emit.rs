@@ -17,6 +17,8 @@ pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
         Form::Rust => as_rust(program)?,
         Form::Formal => listing::formal(program),
         Form::Label => listing::label(program),
+        Form::Obj => listing::object(program),
+        Form::Warning => listing::warnings(&loaded.source, &loaded.diagnostics),
     };
     match &arguments.out {
         Some(out) => {

@@ -39,6 +39,34 @@ fn label_lists_names_and_steps() {
     assert_eq!(outcome.out, "L\tSTART:\t0\nS\tSUB:\t6\n");
 }
 
+// clauses: 9.3
+#[test]
+fn warning_lists_the_warnings() {
+    let folder = Folder::new("warning").program("p.prg", "DEF_VAR N\nEND");
+    let outcome = folder.tipc(&["emit", "warning", "p.prg"]).expect(0);
+    assert_eq!(
+        outcome.out,
+        "p.prg:3:9: warning: variable \"N\" is declared but never used\n"
+    );
+}
+
+// clauses: 9.4
+#[test]
+fn obj_lists_the_memory_of_each_step() {
+    let folder = Folder::new("obj").program("p.prg", "PTP F1 -391 201 -170\nEND");
+    let outcome = folder
+        .tipc(&["emit", "obj", "p.prg", "-o", "TIP.OBJ"])
+        .expect(0);
+    assert_eq!(outcome.out, "");
+    let text = folder.read("TIP.OBJ");
+    assert!(
+        text.starts_with("[0Line]\nCmd      = PTP\nTarget   = TARGET_F1\n"),
+        "{text}"
+    );
+    assert!(text.contains("ArgValue1 = -391.000000\n"), "{text}");
+    assert_eq!(text.matches("Line]").count(), 2, "{text}");
+}
+
 #[test]
 fn rust_comes_with_a_header_and_a_public_type() {
     let folder = Folder::new("rust").program("front_lift.prg", &program());

@@ -5,16 +5,14 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use tip_runtime::console::{LogError, LogFiles};
-use tipc::Loaded;
-use tipc::codes::Level;
-use tipc::diagnostic::render_short;
+use tipc::{Loaded, listing};
 
 /// Takes `folder` for the files of one program and writes its warnings.
 pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Error> {
     fs::create_dir_all(folder).map_err(|reason| Error::cannot_write(folder, reason))?;
     let name = seen_from(folder, Path::new(loaded.source.name()));
     let mut files = LogFiles::claim(folder, &name, ()).map_err(error)?;
-    files.warnings(&warnings(loaded));
+    files.warnings(&listing::warnings(&loaded.source, &loaded.diagnostics));
     finish(&mut files)?;
     Ok(files)
 }
@@ -55,15 +53,4 @@ pub(super) fn finish(files: &mut LogFiles<()>) -> Result<(), Error> {
 
 fn error(LogError { path, reason }: LogError) -> Error {
     Error::cannot_write(&path, reason)
-}
-
-/// The content of WARNING.LOG.
-fn warnings(loaded: &Loaded) -> String {
-    let warnings = loaded
-        .diagnostics
-        .iter()
-        .filter(|diagnostic| diagnostic.level() == Level::Warning);
-    warnings
-        .map(|warning| render_short(&loaded.source, warning).trim_end().to_owned() + "\n")
-        .collect()
 }

@@ -1,0 +1,290 @@
+//! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
+
+mod record;
+mod slot;
+
+use crate::commands::find;
+use crate::program::{
+    Action, Argument, Arithmetic, Axis, Condition, Function, Operand, Program, Relation,
+    ScalarExpression, Step, StepId, StructExpression,
+};
+use record::Record;
+use slot::{Slot, Variables, flag_name, port_name, target_name};
+use tip_runtime::command::{Port, Target};
+
+/// TIP.OBJ: for each step its command, its target, and the types and values of its arguments.
+///
+/// There are five arguments, or as many as a leg has joints if that is more.
+pub fn object(program: &Program) -> String {
+    let count = usize::from(program.signature().joints).max(5);
+    let mut listing = Listing {
+        variables: Variables::new(program),
+        texts: 0,
+    };
+    let records = program.steps().iter().enumerate();
+    records
+        .map(|(number, step)| listing.record(step).text(number, count))
+        .collect()
+}
+
+/// What the records so far mean for the next ones.
+struct Listing<'a> {
+    variables: Variables<'a>,
+    /// How many MESSAGE texts there were.
+    texts: u32,
+}
+
+impl Listing<'_> {
+    fn record(&mut self, step: &Step) -> Record {
+        let mut fields = step.formal.split('\t');
+        let word = fields.next().unwrap_or_default();
+        let name = find(word).map_or(word, |command| command.name);
+        let last = fields.next_back();
+        match &step.action {
+            Action::Nothing if word.ends_with(':') => Record::new("LABEL_CMD"),
+            Action::Message { .. } if word == "MESSAGE" => self.message(),
+            Action::KeyIn { into } => {
+                // Without argument it names none, although VAR_KEY receives the key.
+                let into = last.map(|_| self.variables.scalar(*into, false));
+                Record::new(name).with(into.unwrap_or(Slot::NONE))
+            }
+            Action::AdIn { port, into } => self.ad_in(*port, self.variables.scalar(*into, false)),
+            Action::TeachStruct { target, into, .. } => Record::new(name)
+                .to(target_name(*target))
+                .with(self.variables.whole(*into)),
+            Action::TeachScalar { target, into, .. } => Record::new(name)
+                .to(target_name(*target))
+                .with(self.variables.scalar(*into, false)),
+            Action::Command {
+                hs,
+                target,
+                arguments,
+                ..
+            } => {
+                let fast = if *hs { "_HS" } else { "" };
+                let record = Record::new(format!("{name}{fast}")).to(target_name(*target));
+                let slots = self.arguments(arguments, last.unwrap_or_default());
+                slots.into_iter().fold(record, Record::with)
+            }
+            Action::SetScalar {
+                target,
+                update,
+                value,
+            } => {
+                let left = self.variables.scalar(*target, false);
+                equation(self.scalar_value(value), *update, left)
+            }
+            Action::SetStruct {
+                target,
+                update,
+                value,
+            } => {
+                let left = self.variables.whole(*target);
+                equation(self.struct_value(value), *update, left)
+            }
+            action => self.control(action, name),
+        }
+    }
+
+    /// The text's place among all texts.
+    fn message(&mut self) -> Record {
+        let text = Slot::new("STRING", f64::from(self.texts));
+        self.texts += 1;
+        Record::new("MESSAGE").with(text)
+    }
+
+    fn ad_in(&self, port: Port, into: Slot) -> Record {
+        let record = Record::new("AD_IN");
+        match port {
+            Port::Channel(channel) => record
+                .with(Slot::constant(0.0))
+                .with(Slot::constant(f64::from(channel)))
+                .with(into),
+            _ => record
+                .to(port_name(port))
+                .with(Slot::NONE)
+                .with(Slot::NONE)
+                .with(into),
+        }
+    }
+
+    /// A struct is one argument if it was written as one: as `last`.
+    fn arguments(&self, arguments: &[Argument], last: &str) -> Vec<Slot> {
+        if let Some(whole) = self.variables.written_whole(arguments, last) {
+            return vec![whole];
+        }
+        let slot = |argument: &Argument| {
+            let operand = self.variables.operand(argument.operand);
+            operand.relative(argument.relative)
+        };
+        arguments.iter().map(slot).collect()
+    }
+
+    fn scalar_value(&self, value: &ScalarExpression) -> (&'static str, Vec<Slot>) {
+        let slot = |operand: &Operand| self.variables.operand(*operand);
+        match value {
+            ScalarExpression::Operand(operand) => ("EQUAL", vec![slot(operand)]),
+            ScalarExpression::Binary {
+                left,
+                operation,
+                right,
+            } => (binary_name(*operation), vec![slot(left), slot(right)]),
+            ScalarExpression::Function { function, operand } => {
+                (function_name(*function), vec![slot(operand)])
+            }
+            ScalarExpression::Atan2 { y, x } => ("EQUAL_ATAN2", vec![slot(y), slot(x)]),
+            ScalarExpression::Norm(variable) => {
+                ("EQUAL_NORM", vec![self.variables.whole(*variable)])
+            }
+        }
+    }
+
+    fn struct_value(&self, value: &StructExpression) -> (&'static str, Vec<Slot>) {
+        let whole = |variable: &usize| self.variables.whole(*variable);
+        match value {
+            StructExpression::Copy(variable) => ("EQUAL", vec![whole(variable)]),
+            StructExpression::Binary {
+                left,
+                operation,
+                right,
+            } => (binary_name(*operation), vec![whole(left), whole(right)]),
+            StructExpression::UnitVect(variable) => ("EQUAL_UNIT_VECT", vec![whole(variable)]),
+            StructExpression::Rotate {
+                axis,
+                operand,
+                angle,
+            } => {
+                let name = match axis {
+                    Axis::X => "EQUAL_ROT_X",
+                    Axis::Y => "EQUAL_ROT_Y",
+                    Axis::Z => "EQUAL_ROT_Z",
+                };
+                (name, vec![whole(operand), self.variables.operand(*angle)])
+            }
+        }
+    }
+
+    /// Control words, and what has no argument.
+    fn control(&self, action: &Action, name: &str) -> Record {
+        match action {
+            Action::If {
+                condition,
+                otherwise,
+            } => self.conditional("IF_THEN", condition, *otherwise),
+            // The fourth argument is the cell that the block before writes.
+            Action::ElseIf {
+                condition,
+                otherwise,
+            } => self
+                .conditional("ELSEIF", condition, *otherwise)
+                .with(Slot::constant(0.0)),
+            Action::While { condition, exit } => self.conditional("WHILE", condition, *exit),
+            Action::Until { condition, back } => self.conditional("UNTIL", condition, *back),
+            Action::IfGoto { condition, to } => self.conditional("IF_GOTO", condition, *to),
+            Action::IfGosub { condition, to } => self.conditional("IF_GOSUB", condition, *to),
+            Action::Else { end } => Record::new("ELSE")
+                .with(label(*end))
+                .with(Slot::constant(0.0)),
+            Action::Goto { to } | Action::Gosub { to } => Record::new(name).with(label(*to)),
+            Action::For {
+                variable,
+                from,
+                to,
+                step,
+                exit,
+            } => Record::new("FOR")
+                .with(self.variables.scalar(*variable, false))
+                .with(self.variables.operand(*from))
+                .with(self.variables.operand(*to))
+                .with(label(*exit))
+                .with(self.variables.operand(*step)),
+            Action::Next { variable, body, .. } => Record::new("NEXT")
+                .with(self.variables.scalar(*variable, false))
+                .with(label(body.saturating_sub(1))),
+            _ => Record::new(name),
+        }
+    }
+
+    fn conditional(&self, name: &str, condition: &Condition, to: StepId) -> Record {
+        let (kind, left, right) = match condition {
+            Condition::Compare {
+                left,
+                relation,
+                right,
+            } => (
+                relation_name(*relation),
+                self.variables.operand(*left),
+                self.variables.operand(*right),
+            ),
+            Condition::Flag { flag, negated } => {
+                let sign = if *negated { -1.0 } else { 1.0 };
+                ("EVENT", Slot::new(flag_name(*flag), sign), Slot::NONE)
+            }
+        };
+        Record::new(format!("{name}_{kind}"))
+            .with(left)
+            .with(right)
+            .with(label(to))
+    }
+}
+
+fn equation(
+    (name, right): (&'static str, Vec<Slot>),
+    update: Option<Arithmetic>,
+    left: Slot,
+) -> Record {
+    let record = Record::new(name).to(left_name(update)).with(left);
+    right.into_iter().fold(record, Record::with)
+}
+
+fn label(step: StepId) -> Slot {
+    Slot::new("LABEL", f64::from(step))
+}
+
+/// How the right side meets the left one.
+fn left_name(update: Option<Arithmetic>) -> String {
+    let name = match update {
+        None => return target_name(Target::None),
+        Some(Arithmetic::Add) => "CAL_LEFT_ADD",
+        Some(Arithmetic::Sub) => "CAL_LEFT_SUB",
+        Some(Arithmetic::Mul) => "CAL_LEFT_MULT",
+        Some(Arithmetic::Div) => "CAL_LEFT_DIV",
+    };
+    name.to_owned()
+}
+
+const fn binary_name(operation: Arithmetic) -> &'static str {
+    match operation {
+        Arithmetic::Add => "EQUAL_ADD",
+        Arithmetic::Sub => "EQUAL_SUB",
+        Arithmetic::Mul => "EQUAL_MULT",
+        Arithmetic::Div => "EQUAL_DIV",
+    }
+}
+
+const fn function_name(function: Function) -> &'static str {
+    match function {
+        Function::Int => "EQUAL_INT",
+        Function::Abs => "EQUAL_ABS",
+        Function::Sqrt => "EQUAL_SQRT",
+        Function::Sin => "EQUAL_SIN",
+        Function::Cos => "EQUAL_COS",
+        Function::Tan => "EQUAL_TAN",
+        Function::Asin => "EQUAL_ASIN",
+        Function::Acos => "EQUAL_ACOS",
+        Function::Atan => "EQUAL_ATAN",
+        Function::Deg2Rad => "EQUAL_DEG2RAD",
+        Function::Rad2Deg => "EQUAL_RAD2DEG",
+    }
+}
+
+const fn relation_name(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Eq => "EQ",
+        Relation::Ne => "NE",
+        Relation::Gt => "GT",
+        Relation::Lt => "LT",
+        Relation::Ge => "GE",
+        Relation::Le => "LE",
+    }
+}

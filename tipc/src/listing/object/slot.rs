@@ -1,0 +1,132 @@
+//! One argument of a step, and the names of TIP.OBJ.
+
+use crate::program::{Argument, Operand, Program, Scalar, VariableId, VariableKind};
+use std::borrow::Cow;
+use tip_runtime::command::{Flag, Port, Target};
+
+/// The type and the value of an argument.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Slot {
+    pub(super) kind: Cow<'static, str>,
+    pub(super) value: f64,
+}
+
+impl Slot {
+    /// No argument.
+    pub(super) const NONE: Slot = Slot {
+        kind: Cow::Borrowed("ARG_NONE"),
+        value: 0.0,
+    };
+
+    pub(super) fn new(kind: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Slot {
+            kind: kind.into(),
+            value,
+        }
+    }
+
+    pub(super) fn constant(value: f64) -> Self {
+        Slot::new("CONSTANT", value)
+    }
+
+    /// The same, behind `R` if that is so.
+    pub(super) fn relative(self, relative: bool) -> Self {
+        if !relative {
+            return self;
+        }
+        Slot::new(format!("REL_{}", self.kind), self.value)
+    }
+}
+
+/// Where each variable stands among those of its type.
+pub(super) struct Variables<'a> {
+    program: &'a Program,
+    places: Vec<u32>,
+}
+
+impl<'a> Variables<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        let mut counts = [0; 3];
+        let places = program.variables().iter().map(|variable| {
+            let count = &mut counts[variable.kind as usize];
+            let place = *count;
+            *count += 1;
+            place
+        });
+        Variables {
+            places: places.collect(),
+            program,
+        }
+    }
+
+    /// A struct as a whole; of a VAR, the VAR.
+    pub(super) fn whole(&self, variable: VariableId) -> Slot {
+        let kind = match self.program.variables()[variable].kind {
+            VariableKind::Var => "VAR",
+            VariableKind::Pos => "POS",
+            VariableKind::Joint => "JNT",
+        };
+        Slot::new(kind, f64::from(self.places[variable]))
+    }
+
+    /// A VAR or member, perhaps with a minus before it.
+    pub(super) fn scalar(&self, scalar: Scalar, negative: bool) -> Slot {
+        let Slot { kind, value } = self.whole(scalar.variable);
+        let sign = if negative { "MINUS_" } else { "" };
+        let member = match self.program.variables()[scalar.variable].kind {
+            VariableKind::Var => String::new(),
+            VariableKind::Pos => format!("_{}", ["X", "Y", "Z"][scalar.member]),
+            VariableKind::Joint => format!("_{}", scalar.member + 1),
+        };
+        Slot::new(format!("{sign}{kind}{member}"), value)
+    }
+
+    pub(super) fn operand(&self, operand: Operand) -> Slot {
+        match operand {
+            Operand::Constant(value) => Slot::constant(value),
+            Operand::Scalar { scalar, negative } => self.scalar(scalar, negative),
+        }
+    }
+
+    /// The struct that was written as `word` in the place of these arguments.
+    pub(super) fn written_whole(&self, arguments: &[Argument], word: &str) -> Option<Slot> {
+        let first = arguments.first()?;
+        let Operand::Scalar { scalar, .. } = first.operand else {
+            return None;
+        };
+        let variable = &self.program.variables()[scalar.variable];
+        let is_struct = variable.kind != VariableKind::Var && variable.name == word;
+        is_struct.then(|| self.whole(scalar.variable).relative(first.relative))
+    }
+}
+
+/// A target's name; `NO_TARGET` for none.
+pub(super) fn target_name(target: Target) -> String {
+    match target {
+        Target::None => "NO_TARGET".to_owned(),
+        target => format!("TARGET_{target}"),
+    }
+}
+
+/// An input's name.
+pub(super) fn port_name(port: Port) -> String {
+    match port {
+        Port::Channel(_) => target_name(Target::None),
+        Port::Knob(number) => format!("TARGET_VR{number}"),
+        Port::Joint(leg, joint) => target_name(Target::Joint(leg, joint)),
+        Port::Paw(number) => format!("TARGET_PAW{number}"),
+        Port::Antenna => "TARGET_ANTENNA".to_owned(),
+    }
+}
+
+/// An event flag's name.
+pub(super) fn flag_name(flag: Flag) -> String {
+    match flag {
+        Flag::HaltRequest => "HALT_REQUEST".to_owned(),
+        Flag::KbHit => "KB_HIT".to_owned(),
+        Flag::Inpos(target) => format!("INPOS_{target}"),
+        Flag::Near(target) => format!("NEAR_{target}"),
+        Flag::Special(number) => format!("SPECIAL_FLAG{number}"),
+        Flag::Antenna => "ANTENNA_ON".to_owned(),
+    }
+}
