@@ -1,4 +1,53 @@
 //! Native code behind the command SPECIAL (T.I.P. 3.1 §7-10-11).
+//!
+//! A program says `SPECIAL 14 TIMES`; what that means is up to whoever builds the machine. This
+//! handler blinks a lamp: it takes an argument and several cycles, and sets a flag that the
+//! program can ask for with `IF SPECIAL_FLAG0`.
+//!
+//! ```
+//! use tip_runtime::command::{Command, Op, Poll, Target, Value};
+//! use tip_runtime::fault::Fault;
+//! use tip_runtime::machine::{Machine, Mismatch};
+//! use tip_runtime::program::{Program, Robot};
+//! use tip_runtime::special::{Call, Special};
+//! use tip_runtime::{model::titan8, plant::SimulatedPlant};
+//!
+//! struct Blink {
+//!     left: f64,
+//! }
+//!
+//! impl Special for Blink {
+//!     fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault> {
+//!         let (14, [Some(times), None]) = (call.number, call.arguments) else {
+//!             return Err(Fault::Domain);
+//!         };
+//!         if call.first {
+//!             self.left = 2.0 * times;
+//!         }
+//!         if self.left < 1.0 {
+//!             robot.set_special_flag(0, true);
+//!             return Ok(Poll::Done);
+//!         }
+//!         self.left -= 1.0;
+//!         let on = self.left % 2.0 >= 1.0;
+//!         robot.command(&Command {
+//!             op: if on { Op::LampOn } else { Op::LampOff },
+//!             hs: false,
+//!             target: Target::None,
+//!             values: &[Value::absolute(1.0)],
+//!         })?;
+//!         Ok(Poll::Pending)
+//!     }
+//! }
+//!
+//! fn simulate(program: impl Program) -> Result<(), Mismatch> {
+//!     let plant = SimulatedPlant::new(&titan8::MODEL);
+//!     let blink = Blink { left: 0.0 };
+//!     let mut machine = Machine::new(program, &titan8::MODEL, plant, (), blink)?;
+//!     while machine.cycle().is_running() {}
+//!     Ok(())
+//! }
+//! ```
 
 use crate::command::Poll;
 use crate::fault::Fault;
