@@ -16,6 +16,7 @@ use tipc::{Options, Robot};
   tipc check walk.prg                 what is wrong with it, all at once
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc emit rust walk.prg -o walk.rs  the same program as Rust source
+  tipc migrate old.prg -o walk.prg    a program of version 1 or 2 as one of 3.1
 
 'tipc help run' and its like show examples of each command.
 Exit status: 0 done, 1 the program does not load or a file cannot be written,

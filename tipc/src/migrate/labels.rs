@@ -16,20 +16,17 @@ impl Migrator<'_> {
         let declared: Vec<Span> = pieces.iter().filter_map(Piece::label).collect();
         let names: HashSet<String> = declared.iter().map(|span| upper(*span)).collect();
         let statements = pieces.iter().filter_map(Piece::statement);
-        let jumps: Vec<Span> = statements.flat_map(|statement| statement.jumps()).collect();
-        for label in &declared {
-            let name = upper(*label);
-            if name == LOOP || !is_reserved(&name) {
-                continue;
-            }
-            let new = free_name(&name, &names);
-            let text =
-                format!("the label {name} becomes {new}: {name} is a word of the language in 3.1");
-            self.edits.replace(*label, new.as_str());
-            self.change(*label, text);
-            for jump in jumps.iter().filter(|jump| upper(**jump) == name) {
-                self.edits.replace(*jump, new.as_str());
-                self.change(*jump, format!("the label {name} becomes {new}"));
+        let jumps = statements.flat_map(|statement| statement.jumps());
+        for span in jumps.chain(declared).collect::<Vec<Span>>() {
+            let name = self.source.slice(span).to_ascii_uppercase();
+            let clashes = names.contains(&name) && name != LOOP && is_reserved(&name);
+            if clashes {
+                let new = free_name(&name, &names);
+                self.rename(span, &new);
+                let text = format!(
+                    "the label {name} becomes {new}: {name} is a word of the language in 3.1"
+                );
+                self.change(span, text);
             }
         }
     }

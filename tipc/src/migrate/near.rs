@@ -3,7 +3,7 @@
 use super::Migrator;
 use super::lines::{Piece, Statement};
 use super::variables::Variables;
-use crate::lex::Kind;
+use crate::lex::{Kind, Token};
 use crate::syntax::Span;
 
 /// Commands that put their target under position control.
@@ -13,6 +13,8 @@ const POSITIONS: &[&str] = &[
     "COMPLIANCE_POSITION",
     "REL_COMPLIANCE_POSITION",
 ];
+/// Commands that put every foot there.
+const WHOLE_BODY: &[&str] = &["INITIAL_POSTURE", "STAND_UP", "SIT_DOWN"];
 /// Commands that put it under angle control.
 const ANGLES: &[&str] = &[
     "PTP_ANGLE",
@@ -44,7 +46,12 @@ impl Migrator<'_> {
         let [word, target, values @ ..] = statement.tokens.as_slice() else {
             return;
         };
-        let [value] = values else {
+        let [
+            value @ Token {
+                kind: Kind::Word, ..
+            },
+        ] = values
+        else {
             if !values.is_empty() {
                 let place = values[0].span;
                 self.question(
@@ -55,9 +62,22 @@ impl Migrator<'_> {
             return;
         };
         let name = self.slice(target.span).to_ascii_uppercase();
+        let is_plain = self.slice(value.span).is_ascii();
+        if target.kind != Kind::Word || !is_target(&name) || !is_plain {
+            return;
+        }
         let measure = self.measure(&name, pieces);
-        if value.kind != Kind::Word || measure == Measure::Both {
+        if measure == Measure::Both {
             return self.ask_measure(value.span, &name);
+        }
+        if measure == Measure::Position
+            && let Some(leg) = leg_of_joint(&name)
+        {
+            let text = format!(
+                "{name} is moved to positions, and a tolerance in mm is set for a whole leg: \
+                 may it be SET_NEAR_POSITION F{leg}?"
+            );
+            return self.question(value.span, text);
         }
         let setting = match measure {
             Measure::Angle => "SET_NEAR_ANGLE",
@@ -69,9 +89,7 @@ impl Migrator<'_> {
             let spelt = variables.spelt(self.slice(value.span));
             behind = format!(" {spelt} {spelt}");
         }
-        let waiting = self
-            .slice(Span::new(word.span.start, target.span.end))
-            .to_owned();
+        let waiting = format!("{} {}", self.slice(word.span), self.slice(target.span));
         self.edits
             .insert(statement.end(), format!("{behind} ; {waiting}"));
         self.rename(word.span, setting);
@@ -91,23 +109,54 @@ impl Migrator<'_> {
 
     /// How the program moves what WAIT_NEAR waits for; where it does not, by the kind of the target.
     fn measure(&self, target: &str, pieces: &[Piece]) -> Measure {
-        let moved = |commands: &[&str]| {
-            let mut statements = pieces.iter().filter_map(Piece::statement);
-            statements.any(|statement| {
-                let mut words = statement.words().skip(1);
-                let named = |word: Span| {
-                    let word = self.slice(word).to_ascii_uppercase();
-                    target == "ALL" || word == target
-                };
-                commands.contains(&statement.keyword.as_str()) && words.any(named)
-            })
-        };
-        match (moved(POSITIONS), moved(ANGLES)) {
+        let is_joint = target.starts_with('J');
+        let itself = |word: &str| target == "ALL" || word == target;
+        let positions =
+            self.moved(POSITIONS, pieces, itself) || (!is_joint && self.runs(WHOLE_BODY, pieces));
+        match (positions, self.moved(ANGLES, pieces, itself)) {
             (true, true) => Measure::Both,
             (true, false) => Measure::Position,
             (false, true) => Measure::Angle,
-            (false, false) if target.starts_with('J') => Measure::Angle,
-            (false, false) => Measure::Position,
+            (false, false) if is_joint => Measure::Angle,
+            (false, false) => {
+                let joints = target.replacen('F', "J", 1);
+                let of_leg = |word: &str| word.starts_with(&joints);
+                match self.moved(ANGLES, pieces, of_leg) {
+                    true => Measure::Angle,
+                    false => Measure::Position,
+                }
+            }
         }
+    }
+
+    /// Whether one of these commands stands in the program with such a word behind it.
+    fn moved(&self, commands: &[&str], pieces: &[Piece], word: impl Fn(&str) -> bool) -> bool {
+        let mut statements = pieces.iter().filter_map(Piece::statement);
+        statements.any(|statement| {
+            let mut words = statement.words().skip(1);
+            commands.contains(&statement.keyword.as_str())
+                && words.any(|span| word(&self.slice(span).to_ascii_uppercase()))
+        })
+    }
+
+    /// Whether one of these commands stands in the program.
+    fn runs(&self, commands: &[&str], pieces: &[Piece]) -> bool {
+        let mut statements = pieces.iter().filter_map(Piece::statement);
+        statements.any(|statement| commands.contains(&statement.keyword.as_str()))
+    }
+}
+
+/// The leg of a joint's name.
+fn leg_of_joint(target: &str) -> Option<&str> {
+    target.strip_prefix('J')?.get(..1)
+}
+
+/// Whether WAIT_NEAR can wait for this.
+fn is_target(name: &str) -> bool {
+    let is_number = |digits: &str| digits.bytes().all(|byte| matches!(byte, b'1'..=b'9'));
+    match (name.strip_prefix('F'), name.strip_prefix('J')) {
+        (Some(leg), _) => leg.len() == 1 && is_number(leg),
+        (_, Some(joint)) => joint.len() == 2 && is_number(joint),
+        (None, None) => name == "ALL",
     }
 }

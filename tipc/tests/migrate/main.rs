@@ -3,6 +3,7 @@
 mod cases;
 mod encodings;
 mod questions;
+mod random;
 mod rules;
 
 use tipc::migrate::{Migration, Note, migrate};

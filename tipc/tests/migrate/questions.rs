@@ -32,9 +32,23 @@ fn a_tolerance_of_a_target_moved_in_both_ways() {
         "{text}"
     );
     assert_eq!(about(&format!("{moves}WAIT_NEAR ALL 5")).0, 5);
+    // The initial posture is one of positions.
+    let moves_all = "PTP_ANGLE F1 1 2 3\nINITIAL_POSTURE\n";
+    assert_eq!(about(&format!("{moves_all}WAIT_NEAR ALL 5")).0, 5);
     // F2 is not moved at all.
     let decided = format!("2.1\nt\n{moves}WAIT_NEAR F2 5\nEND\n");
     assert!(result(&decided).contains("SET_NEAR_POSITION F2 5 ; WAIT_NEAR F2"));
+}
+
+// clauses: 10.1 7.21
+#[test]
+fn a_tolerance_in_mm_for_a_joint() {
+    let (line, text) = about("PTP J13 1 2 3\nWAIT_NEAR J13 5");
+    assert_eq!(line, 4);
+    assert!(text.contains("SET_NEAR_POSITION F1"), "{text}");
+    // Other joints turn.
+    let decided = "2.1\nt\nPTP J13 1 2 3\nWAIT_NEAR J23 5\nEND\n";
+    assert!(result(decided).contains("SET_NEAR_ANGLE J23 5 ; WAIT_NEAR J23"));
 }
 
 // clauses: 10.1

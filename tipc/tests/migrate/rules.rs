@@ -178,14 +178,15 @@ fn the_tolerance_is_measured_as_the_program_moves_the_target() {
         near("PTP_ANGLE J11 1", "WAIT_NEAR ALL 5"),
         "SET_NEAR_ANGLE ALL 5 ; WAIT_NEAR ALL"
     );
+    // A leg that only turns joints is measured in degrees.
+    assert_eq!(
+        near("PTP_ANGLE J12 1", "WAIT_NEAR F1 5"),
+        "SET_NEAR_ANGLE F1 5 5 5 ; WAIT_NEAR F1"
+    );
     // Another leg's motion does not matter.
     assert_eq!(
         near("PTP_ANGLE F2 1 2 3", "WAIT_NEAR F1 5"),
         "SET_NEAR_POSITION F1 5 ; WAIT_NEAR F1"
-    );
-    assert_eq!(
-        near("PTP J13 1 2 3", "WAIT_NEAR J13 5"),
-        "SET_NEAR_POSITION J13 5 ; WAIT_NEAR J13"
     );
 }
 
@@ -250,11 +251,14 @@ fn rem_was_no_step() {
 // clauses: 10.1 3.2
 #[test]
 fn labels_that_became_words_get_another_name() {
-    let new = result("2.0\nt\nNEXT :\nNEXT_1:\nIF KB_HIT GOTO next:\nGOSUB NEXT_1:\nEND\n");
+    let new = result("2.0\nt\nNEXT :\nNEXT_1:\nIF KB_HIT GOTO NEXT:\nGOSUB NEXT_1:\nEND\n");
     assert_eq!(
         new,
         "3.1\nt\nNEXT_2 :\nNEXT_1:\nIF KB_HIT GOTO NEXT_2:\nGOSUB NEXT_1:\nEND\n"
     );
+    // Small letters stay small; a label declared twice is renamed twice.
+    let new = result("2.0\nt\nwend:\nwend:\ngoto wend:\nEND\n");
+    assert_eq!(new, "3.1\nt\nwend_1:\nwend_1:\ngoto wend_1:\nEND\n");
     let text = "2.0\nt\nLOOP:\nVR1_ORG :\nGOTO LOOP:\nGOTO VR1_ORG:\nEND\n";
     assert_eq!(result(text), text.replace("2.0", "3.1"));
 }
