@@ -12,8 +12,10 @@ use custom_hardware::record::Recorded;
 use custom_hardware::workshop::bench;
 use std::env;
 use std::error::Error;
+use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::BufWriter;
+use std::path::Path;
 use std::process::ExitCode;
 use tip_runtime::machine::Machine;
 use tip_runtime::realtime::run_realtime;
@@ -41,11 +43,12 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let description = match &options.robot {
-        Some(file) => Description::parse(&fs::read_to_string(file)?)?,
+        Some(file) => read(file)?,
         None => Description::parse(include_str!("../robot.toml"))?,
     };
     let model = description.model();
-    let table = BufWriter::new(File::create(&options.csv)?);
+    let table = File::create(&options.csv).map_err(|error| about(&options.csv, &error))?;
+    let table = BufWriter::new(table);
     let robot = Recorded::new(bench(&description, &model), table)?;
     let mut machine = Machine::new(Feet::new(), &model, robot, (), ())?;
 
@@ -63,4 +66,13 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         Some(emergency) => Err(emergency.to_string().into()),
         None => Ok(()),
     }
+}
+
+fn read(file: &Path) -> Result<Description, String> {
+    let text = fs::read_to_string(file).map_err(|error| about(file, &error))?;
+    Description::parse(&text).map_err(|error| about(file, &error))
+}
+
+fn about(file: &Path, error: &dyn Display) -> String {
+    format!("{}: {error}", file.display())
 }

@@ -24,3 +24,16 @@ fn an_unknown_word_or_a_missing_file_is_named() {
     assert_eq!(parsed("--slow").unwrap_err(), "unknown option --slow");
     assert_eq!(parsed("--csv").unwrap_err(), "--csv needs a file name");
 }
+
+#[test]
+fn a_file_that_cannot_be_used_is_named() {
+    for option in ["--robot", "--csv"] {
+        let outcome = std::process::Command::new(env!("CARGO_BIN_EXE_custom-hardware"))
+            .args(["--fast", option, "no/such/folder/file"])
+            .output()
+            .expect("it starts");
+        assert_eq!(outcome.status.code(), Some(1));
+        let told = String::from_utf8_lossy(&outcome.stderr);
+        assert!(told.contains("no/such/folder/file"), "{told}");
+    }
+}

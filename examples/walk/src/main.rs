@@ -9,6 +9,7 @@ use std::env;
 use std::error::Error;
 use std::fs::File;
 use std::io::{BufWriter, Write};
+use std::path::Path;
 use std::process::ExitCode;
 use tip_runtime::console::Terminal;
 use tip_runtime::plant::SimulatedPlant;
@@ -55,18 +56,21 @@ fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
     let interpreted = Engine::new(interpreted, (), options.trace_state)?;
     let mut progress = Progress {
         due: REPORT_EVERY,
-        trace: options
-            .trace
-            .as_ref()
-            .map(File::create)
-            .transpose()?
-            .map(BufWriter::new),
+        trace: match &options.trace {
+            Some(path) => Some(create(path)?),
+            None => None,
+        },
         failure: None,
     };
     let outcome = Race::new(compiled, interpreted).run(options.cycles, &mut progress);
     progress.finish()?;
     report(&outcome);
     Ok(outcome.is_good())
+}
+
+fn create(path: &Path) -> Result<BufWriter<File>, String> {
+    let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(BufWriter::new(file))
 }
 
 /// Prints where the body is now and then, and keeps the trace.

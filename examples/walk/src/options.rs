@@ -12,7 +12,7 @@ Options:
   --cycles N     stop after N control cycles (default: when the program ends)
   --trace FILE   write the compiled program's trace, one JSON object a line
   --trace-state  add a hash of joint commands and angles to each record
-  --realtime     walk in real time: F faster, S slower, Q stop, RETURN emergency stop
+  --realtime     walk in real time: F faster, S slower, Q stop, ESC halt request, RETURN emergency stop
   --help         this text
 
 Exit status: 0 if the body came 1 m forward without a fall and both engines agree, 1 if not,

@@ -175,3 +175,14 @@ fn too_few_strides_are_too_short_a_way() {
     );
     assert!(!outcome.is_good());
 }
+
+#[test]
+fn a_trace_that_cannot_be_written_is_named() {
+    let outcome = std::process::Command::new(env!("CARGO_BIN_EXE_walk"))
+        .args(["--cycles", "1", "--trace", "no/such/folder/walk.jsonl"])
+        .output()
+        .expect("it starts");
+    assert_eq!(outcome.status.code(), Some(1));
+    let told = String::from_utf8_lossy(&outcome.stderr);
+    assert!(told.contains("no/such/folder/walk.jsonl"), "{told}");
+}
