@@ -1,4 +1,5 @@
 //! INPOS, NEAR and the commands that wait for them.
+#![cfg(feature = "control")]
 
 mod rig;
 

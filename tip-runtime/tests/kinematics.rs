@@ -1,4 +1,5 @@
 //! Forward and inverse kinematics and Jacobians of TITAN VIII's legs.
+#![cfg(feature = "control")]
 
 mod rig;
 

@@ -1,4 +1,5 @@
 //! What a robot cannot do, and what it says then.
+#![cfg(feature = "control")]
 
 mod rig;
 

@@ -1,4 +1,5 @@
 //! What each command puts under control, joint by joint.
+#![cfg(feature = "control")]
 
 mod rig;
 

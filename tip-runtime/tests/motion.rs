@@ -1,4 +1,5 @@
 //! Moves of feet and joints on ideal servos.
+#![cfg(feature = "control")]
 
 mod rig;
 

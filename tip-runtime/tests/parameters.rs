@@ -1,4 +1,5 @@
 //! Parameter commands, judged by what the robot does afterwards.
+#![cfg(feature = "control")]
 
 mod rig;
 

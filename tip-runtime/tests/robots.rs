@@ -1,4 +1,5 @@
 //! Robots of other shapes: the controller and the kinematics know no number of legs or joints.
+#![cfg(feature = "control")]
 
 mod rig;
 

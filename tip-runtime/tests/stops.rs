@@ -1,4 +1,5 @@
 //! Everything that brings the robot to rest.
+#![cfg(feature = "control")]
 
 mod rig;
 

@@ -1,4 +1,5 @@
 //! Commands that take several cycles, and teaching.
+#![cfg(feature = "control")]
 
 mod rig;
 

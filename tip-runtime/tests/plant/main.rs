@@ -1,4 +1,5 @@
 //! The simulated plant against closed forms and invariants.
+#![cfg(feature = "control")]
 
 mod falls;
 mod gait;
