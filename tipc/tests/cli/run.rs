@@ -171,6 +171,24 @@ fn a_reader_of_messages_that_goes_away_ends_the_run() {
     );
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn messages_that_cannot_be_written_end_the_run_with_a_reason() {
+    let folder = Folder::new("run-full").program("talk.prg", "L1:\nMESSAGE hello\nGOTO L1:\nEND");
+    let full = std::fs::File::options()
+        .write(true)
+        .open("/dev/full")
+        .expect("the device that is always full");
+    let output = folder
+        .command(&["run", "talk.prg"])
+        .stdout(full)
+        .output()
+        .expect("tipc starts");
+    let outcome = Outcome::of(output).expect(1);
+    let reason = "TIP_ERR:File can not write(standard output) (PreprocessError)";
+    assert!(outcome.err.contains(reason), "{outcome:#?}");
+}
+
 #[test]
 fn a_reader_of_the_trace_that_goes_away_ends_the_run() {
     let folder = Folder::new("run-trace-pipe").program("loop.prg", "L1:\nGOTO L1:\nEND");

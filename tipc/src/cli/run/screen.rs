@@ -1,11 +1,12 @@
 //! The console of a simulated run: keys of the terminal, messages line by line, log files.
 
-use super::super::error::Error;
+use super::super::error::{Error, is_closed};
 use super::interrupt;
 use super::logs;
 use super::progress::Progress;
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Sink, Write};
+use std::path::Path;
 use tip_runtime::console::{Console, LogFiles, Terminal};
 use tip_runtime::machine::Report;
 use tip_runtime::record::Sample;
@@ -18,6 +19,8 @@ pub(super) struct Screen {
     shows_messages: bool,
     silent: bool,
     logs: Option<LogFiles<()>>,
+    /// Why messages could not be shown.
+    failure: Option<Error>,
 }
 
 impl Screen {
@@ -36,6 +39,7 @@ impl Screen {
             shows_messages,
             silent: false,
             logs,
+            failure: None,
         }
     }
 
@@ -48,7 +52,8 @@ impl Screen {
     pub(super) fn close(&mut self) -> Result<(), Error> {
         self.progress.clear();
         self.keyboard = None;
-        self.logs.as_mut().map_or(Ok(()), logs::finish)
+        self.logs.as_mut().map_or(Ok(()), logs::finish)?;
+        self.failure.take().map_or(Ok(()), Err)
     }
 }
 
@@ -73,8 +78,11 @@ impl Console for Screen {
         self.progress.clear();
         let mut out = io::stdout().lock();
         // Nobody reads the messages any more: the run has lost its audience.
-        if writeln!(out, "{text}").and_then(|()| out.flush()).is_err() {
+        if let Err(error) = writeln!(out, "{text}").and_then(|()| out.flush()) {
             interrupt::request();
+            if !is_closed(&error) {
+                self.failure = Some(Error::cannot_write(Path::new("standard output"), error));
+            }
         }
     }
 
