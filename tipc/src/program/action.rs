@@ -1,0 +1,185 @@
+//! What a step does.
+
+use super::{
+    Arithmetic, Condition, End, Op, Operand, Port, Scalar, ScalarExpression, StepId,
+    StructExpression, Target, Teach, VariableId,
+};
+
+/// What a step does. Next steps are resolved; where none is named it is the one behind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Nothing: a label, REM, ENDIF, REPEAT or SUBROUTINE.
+    Nothing,
+    /// An equation whose left side is a scalar.
+    SetScalar {
+        /// The left side.
+        target: Scalar,
+        /// `x op= rhs`: how the right side meets the old value.
+        update: Option<Arithmetic>,
+        /// The right side.
+        value: ScalarExpression,
+    },
+    /// An equation whose left side is a POS or JOINT.
+    SetStruct {
+        /// The left side.
+        target: VariableId,
+        /// `x op= rhs`: how the right side meets the old value, member by member.
+        update: Option<Arithmetic>,
+        /// The right side.
+        value: StructExpression,
+    },
+    /// IF … THEN: false leads to `otherwise`, "not taken".
+    If {
+        /// The condition.
+        condition: Condition,
+        /// The matching ELSEIF, ELSE or ENDIF.
+        otherwise: StepId,
+    },
+    /// ELSEIF: as IF when reached "not taken", else on to `otherwise`, "taken".
+    ElseIf {
+        /// The condition.
+        condition: Condition,
+        /// The next ELSEIF, ELSE or ENDIF.
+        otherwise: StepId,
+    },
+    /// ELSE: "not taken" falls through, "taken" leads to `end`.
+    Else {
+        /// The ENDIF.
+        end: StepId,
+    },
+    /// WHILE: false leads to `exit`.
+    While {
+        /// The condition.
+        condition: Condition,
+        /// The step behind WEND.
+        exit: StepId,
+    },
+    /// WEND and GOTO: on to `to`.
+    Goto {
+        /// The step to run next.
+        to: StepId,
+    },
+    /// UNTIL: false leads back.
+    Until {
+        /// The condition.
+        condition: Condition,
+        /// The REPEAT.
+        back: StepId,
+    },
+    /// FOR.
+    For {
+        /// The loop variable.
+        variable: Scalar,
+        /// Its initial value.
+        from: Operand,
+        /// Its last value.
+        to: Operand,
+        /// The increment; 1 if omitted.
+        step: Operand,
+        /// The step behind NEXT.
+        exit: StepId,
+    },
+    /// NEXT; limit and increment are FOR's, read anew.
+    Next {
+        /// The loop variable.
+        variable: Scalar,
+        /// Its last value.
+        to: Operand,
+        /// The increment.
+        step: Operand,
+        /// The step behind FOR.
+        body: StepId,
+    },
+    /// IF … GOTO.
+    IfGoto {
+        /// The condition.
+        condition: Condition,
+        /// Where true leads.
+        to: StepId,
+    },
+    /// GOSUB and CALL.
+    Gosub {
+        /// The label or SUBROUTINE.
+        to: StepId,
+    },
+    /// IF … GOSUB.
+    IfGosub {
+        /// The condition.
+        condition: Condition,
+        /// Where true leads.
+        to: StepId,
+    },
+    /// RETURN and SUBEND.
+    Return,
+    /// END and EXIT.
+    Finish(End),
+    /// A command of the robot.
+    Command {
+        /// Which one.
+        op: Op,
+        /// `HS` stands behind its name.
+        hs: bool,
+        /// Its target.
+        target: Target,
+        /// Its operands; a struct stands as its members.
+        arguments: Vec<Argument>,
+    },
+    /// A TEACH_ command that fills a struct.
+    TeachStruct {
+        /// What is measured.
+        what: Teach,
+        /// Where on the robot.
+        target: Target,
+        /// The POS or JOINT that receives it.
+        into: VariableId,
+    },
+    /// A TEACH_ command that fills a scalar.
+    TeachScalar {
+        /// What is measured.
+        what: Teach,
+        /// Which joint.
+        target: Target,
+        /// The scalar that receives it.
+        into: Scalar,
+    },
+    /// AD_IN.
+    AdIn {
+        /// The input.
+        port: Port,
+        /// The scalar that receives its volts.
+        into: Scalar,
+    },
+    /// KEY_IN: waits for a key.
+    KeyIn {
+        /// The scalar that receives its code.
+        into: Scalar,
+    },
+    /// MESSAGE; MESSAGE_CLEAR and an empty text have no parts.
+    Message {
+        /// What to show, in order.
+        parts: Vec<MessagePart>,
+    },
+}
+
+/// An operand of a command.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Argument {
+    /// The number.
+    pub operand: Operand,
+    /// `R` stands before it.
+    pub relative: bool,
+}
+
+/// A piece of a MESSAGE.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MessagePart {
+    /// Text, with `\a` and `\t` already characters.
+    Text(String),
+    /// The value of a VAR.
+    Value {
+        /// Which one.
+        scalar: Scalar,
+        /// Digits behind the point, 0…7; 0 truncates.
+        decimals: u8,
+    },
+}

@@ -1,0 +1,147 @@
+//! What steps read, compare and calculate.
+
+use super::{Arithmetic, Flag, Relation};
+
+/// A variable, by its place in [`Program::variables`].
+pub type VariableId = usize;
+
+/// One scalar: a VAR, or a member of a struct.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Scalar {
+    /// The variable.
+    pub variable: VariableId,
+    /// The member, from 0; 0 for a VAR.
+    pub member: usize,
+}
+
+/// A number that a step reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operand {
+    /// A constant.
+    Constant(f64),
+    /// A scalar, its sign changed if `negative`.
+    Scalar {
+        /// Which scalar.
+        scalar: Scalar,
+        /// `-` stands before it.
+        negative: bool,
+    },
+}
+
+/// A condition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Condition {
+    /// Two numbers compared.
+    Compare {
+        /// The left one.
+        left: Operand,
+        /// How.
+        relation: Relation,
+        /// The right one.
+        right: Operand,
+    },
+    /// An event flag.
+    Flag {
+        /// Which one.
+        flag: Flag,
+        /// `!` stands before it.
+        negated: bool,
+    },
+}
+
+/// The right side of a scalar equation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ScalarExpression {
+    /// `a`
+    Operand(Operand),
+    /// `a + b` and its like.
+    Binary {
+        /// The left operand.
+        left: Operand,
+        /// The operation.
+        operation: Arithmetic,
+        /// The right operand.
+        right: Operand,
+    },
+    /// A function of one scalar.
+    Function {
+        /// Which one.
+        function: Function,
+        /// Its operand.
+        operand: Operand,
+    },
+    /// `ATAN2 a b`
+    Atan2 {
+        /// The first operand.
+        y: Operand,
+        /// The second one.
+        x: Operand,
+    },
+    /// `NORM s`
+    Norm(VariableId),
+}
+
+/// A function of one scalar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Function {
+    /// `INT`
+    Int,
+    /// `ABS`
+    Abs,
+    /// `SQRT`
+    Sqrt,
+    /// `SIN`
+    Sin,
+    /// `COS`
+    Cos,
+    /// `TAN`
+    Tan,
+    /// `ASIN`
+    Asin,
+    /// `ACOS`
+    Acos,
+    /// `ATAN`
+    Atan,
+    /// `DEG2RAD`
+    Deg2Rad,
+    /// `RAD2DEG`
+    Rad2Deg,
+}
+
+/// The right side of a struct equation; all structs in it are of one type.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StructExpression {
+    /// `a`
+    Copy(VariableId),
+    /// `a + b` and its like, member by member.
+    Binary {
+        /// The left operand.
+        left: VariableId,
+        /// The operation.
+        operation: Arithmetic,
+        /// The right operand.
+        right: VariableId,
+    },
+    /// `UNIT_VECT p`
+    UnitVect(VariableId),
+    /// `ROT_X p angle` and its like.
+    Rotate {
+        /// The axis.
+        axis: Axis,
+        /// What is turned.
+        operand: VariableId,
+        /// By how many degrees.
+        angle: Operand,
+    },
+}
+
+/// An axis of the robot frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Forward.
+    Y,
+    /// Up.
+    Z,
+}
