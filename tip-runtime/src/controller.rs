@@ -10,13 +10,20 @@
 //! emergency under EMG_ON; under EMG_OFF it stays there until it is sent elsewhere.
 //!
 //! Modes are kept per leg and joint. Nothing is controlled at the start: the servos hold the
-//! initial posture. Commands of torque, force and compliance are not carried out yet; on a robot
-//! that has them they answer [`Fault::InvalidMode`].
+//! initial posture.
+//!
+//! A robot whose model has [`Forces`](crate::model::Forces) takes commands of torque, force and
+//! compliance as well: joints are then told torques in place of angles. A spring's set point moves
+//! as that of a move does; what it pulls goes where the forces lead it. ALL_STOP holds such joints by
+//! angle where they are. No joint is pushed beyond its working limit.
 
 mod arrival;
 mod detect;
 mod drive;
+mod feel;
+mod force;
 mod motion;
+mod operands;
 mod params;
 mod posture;
 mod stand;
@@ -30,10 +37,10 @@ mod watch;
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
-use crate::model::Model;
+use crate::model::{Family, Model};
 use drive::{Going, LegDrive};
-use motion::Base;
-use params::{JointParams, Params};
+use operands::Base;
+use params::Params;
 use stop::Hold;
 use task::Task;
 use trajectory::Track;
@@ -65,7 +72,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         let slider = model.slider.map_or([0.0; 3], |slider| slider.initial);
         Controller {
             model,
-            params: Params::standard(&model.standards),
+            params: Params::standard(model),
             drives: initial.map(LegDrive::free),
             measured: Sensors {
                 angles: initial,
@@ -96,10 +103,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// What every joint is told.
     #[must_use]
     pub fn outputs(&self) -> [[JointCommand; J]; L] {
-        core::array::from_fn(|leg| {
-            let angles = self.drives.get(leg).map_or([0.0; J], |drive| drive.angles);
-            angles.map(JointCommand::Angle)
-        })
+        self.drives.each_ref().map(LegDrive::outputs)
     }
 
     /// Where the slider is told to stand: mm; zeros where there is none.
@@ -116,26 +120,39 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// # Errors
     /// The fault of the command, which then had no effect.
     pub fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        if is_of_force(command.op) && self.model.forces.is_none() {
+            return Err(Fault::Domain);
+        }
         if let Some(set) = self.set_parameter(command) {
             return set.map(|()| Poll::Done);
         }
         match command.op {
-            Op::Ptp => self.move_foot(command, Base::Operand)?,
-            Op::RelPtp => self.move_foot(command, Base::Target)?,
+            Op::Ptp => self.move_point(command, Base::Operand)?,
+            Op::RelPtp => self.move_point(command, Base::Target)?,
             Op::PtpAngle => self.move_joints(command, Base::Operand)?,
             Op::RelPtpAngle => self.move_joints(command, Base::Target)?,
             Op::VelControl => self.drive_foot(command)?,
             Op::OmegaControl => self.drive_joints(command)?,
+            Op::Torque => self.torque(command)?,
+            Op::Force => self.force(command)?,
+            Op::ComplianceAngle => self.soften_joints(command, Base::Operand)?,
+            Op::RelComplianceAngle => self.soften_joints(command, Base::Target)?,
+            Op::CompliancePosition => self.soften_point(command, Base::Operand)?,
+            Op::RelCompliancePosition => self.soften_point(command, Base::Target)?,
+            Op::NoCompliance => self.stiffen(command.target)?,
             Op::AllStop => self.hold(),
             Op::AllStopRelease => self.release(),
             Op::InitialPosture => return Ok(self.initial_posture()),
             Op::StandUp => return self.stand(command, -1.0),
             Op::SitDown => return self.stand(command, 1.0),
-            Op::DetectFloor => return self.detect_floor(command),
+            Op::DetectFloor if self.model.family == Family::Hand => {
+                return self.feel(command, Self::floor_search);
+            }
+            Op::DetectFloor => return self.detect_floor_by_soles(command),
+            Op::DetectObject => return self.feel(command, Self::object_search),
             Op::Sleep => return self.sleep(command),
             Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
             Op::WaitNear => return self.wait_near(command.target),
-            op if is_of_force(op) => return Err(Fault::InvalidMode),
             _ => return Err(Fault::Domain),
         }
         Ok(Poll::Done)
@@ -144,21 +161,28 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// Moves every joint command on by one sampling time. What goes wrong is reported by the next
     /// [`sense`](Self::sense).
     pub fn advance(&mut self) {
+        let dt = self.params.period / 1000.0;
+        let forces = self.model.forces.as_ref();
         let legs = self.model.legs.iter().zip(&mut self.drives);
         let params = self.params.feet.iter().zip(&self.params.joints);
-        for (n, ((leg, drive), (foot, joints))) in legs.zip(params).enumerate() {
+        let states = params.zip(&self.measured.angles);
+        for (n, ((leg, drive), ((foot, joints), measured))) in legs.zip(states).enumerate() {
             let going = Going {
                 inverse: self.model.inverse,
+                torque_unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 number: targets::number(n),
-                dt: self.params.period / 1000.0,
+                dt,
                 held: self.hold.is_on(),
+                measured,
+                foot,
+                joints,
             };
-            let joints = joints.each_ref().map(JointParams::limits);
-            let moved = drive.advance(leg, foot.limits(), &joints, &going);
-            if let (Err(fault), true) = (moved, self.params.emg) {
+            if let (Err(fault), true) = (drive.advance(leg, &going), self.params.emg) {
                 self.pending.get_or_insert(fault);
             }
         }
+        self.slider
+            .advance(self.params.slider.limits(), dt, self.hold.is_on());
         self.end_if_finished();
     }
 }

@@ -7,6 +7,7 @@
 mod chain;
 mod inverse;
 mod resolved_rate;
+mod statics;
 
 pub use chain::Chain;
 pub use inverse::inverse;

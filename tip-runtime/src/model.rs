@@ -122,6 +122,22 @@ pub enum Inverse {
     Planar,
 }
 
+impl Inverse {
+    /// Whether only x and y count.
+    pub const fn is_planar(self) -> bool {
+        matches!(self, Inverse::Planar)
+    }
+
+    /// A position, velocity or force as the robot knows it: without z, if that does not count.
+    #[must_use]
+    pub const fn flat(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Inverse::YawPitchPitch => [x, y, z],
+            Inverse::Planar => [x, y, 0.0],
+        }
+    }
+}
+
 /// What torques are counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TorqueUnit {

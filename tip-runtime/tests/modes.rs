@@ -249,12 +249,28 @@ fn velocities_are_reached_under_the_acceleration_limit() {
     assert!((rig.commanded()[1][0] - 0.072).abs() < 1e-9);
 }
 
-// clauses: 7.1
+// clauses: 7.1 7.9 7.11 7.26
 #[test]
-fn commands_of_force_are_refused_for_now() {
+fn a_robot_without_torques_has_no_commands_of_force() {
+    let mut rig = Rig::titan();
+    for op in [Op::Torque, Op::ComplianceAngle, Op::SetTorqueMax] {
+        assert_eq!(rig.fault(op, J11, &[1.0]), Fault::Domain);
+        rig.done(Op::Ptp, F1, &[-391.0, 201.0, -190.0]);
+        Rig::generic().done(op, J11, &[1.0]);
+    }
+}
+
+// clauses: 7.44
+#[test]
+fn nobody_stands_up_on_legs_that_give_force() {
     let mut rig = Rig::generic();
-    assert_eq!(rig.fault(Op::Torque, J11, &[1.0]), Fault::InvalidMode);
-    rig.done(Op::Ptp, F1, &[-391.0, 201.0, -190.0]);
+    rig.done(Op::Torque, J13, &[1.0]);
+    assert_eq!(
+        rig.fault(Op::StandUp, Target::None, &[10.0]),
+        Fault::InvalidMode
+    );
+    rig.done(Op::NoCompliance, J13, &[]);
+    rig.cycles(Op::StandUp, Target::None, &[10.0]);
 }
 
 // clauses: 7.1

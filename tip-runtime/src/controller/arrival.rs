@@ -1,11 +1,11 @@
 //! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4).
 
-use super::drive::Drive;
 use super::params::{FootParams, JointParams};
-use super::trajectory::Goal;
+use super::trajectory::Track;
 use super::{Controller, targets};
 use crate::command::{Poll, Target};
 use crate::fault::Fault;
+use crate::kinematics::Point;
 
 /// How close counts.
 #[derive(Clone, Copy)]
@@ -63,7 +63,8 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             Target::All => {
                 let legs = (1..=targets::number(L.wrapping_sub(1)))
                     .filter_map(|n| self.leg_arrived(n, tolerance));
-                legs.reduce(|all, leg| all && leg)
+                let all = legs.chain(self.slider_arrived(tolerance));
+                all.reduce(|all, one| all && one)
             }
             Target::Foot(n) => self.leg_arrived(n, tolerance),
             Target::Joint(n, m) => self.joint_arrived(n, m, tolerance),
@@ -71,44 +72,61 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
     }
 
-    /// Joints under angle control decide; else the foot.
+    /// Joints under angle control, and a third joint under position control, decide; else the foot.
     fn leg_arrived(&self, n: u8, tolerance: Tolerance) -> Option<bool> {
-        match targets::leg(&self.drives, n).ok()?.drive {
-            Drive::Foot(_) => self.foot_arrived(n, tolerance),
-            Drive::Joints(_) => (1..=targets::number(J.wrapping_sub(1)))
-                .filter_map(|m| self.joint_arrived(n, m, tolerance))
-                .reduce(|all, joint| all && joint),
+        (1..=targets::number(J.wrapping_sub(1)))
+            .filter_map(|m| self.joint_arrived(n, m, tolerance))
+            .reduce(|all, joint| all && joint)
+    }
+
+    /// A joint that serves a point has arrived when the point has.
+    fn joint_arrived(&self, n: u8, m: u8, tolerance: Tolerance) -> Option<bool> {
+        let drive = targets::leg(&self.drives, n).ok()?;
+        let at = targets::index(m);
+        let point = match drive.point_of_joint(at) {
+            Some((point, track)) => self.point_arrived(n, (point, track), tolerance),
+            None => None,
+        };
+        let (first, tracks) = drive.own_joints();
+        let angle = match at.checked_sub(first).and_then(|own| tracks.get(own)) {
+            Some(track) => self.angle_arrived(n, m, track, tolerance),
+            None => None,
+        };
+        match (point, angle) {
+            (Some(point), Some(angle)) => Some(point && angle),
+            (point, angle) => point.or(angle),
         }
     }
 
-    /// A joint that serves its foot has arrived when the foot has.
-    fn joint_arrived(&self, n: u8, m: u8, tolerance: Tolerance) -> Option<bool> {
+    fn angle_arrived(&self, n: u8, m: u8, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
+        let [target] = track.goal().target()?;
         let params = targets::joint(&self.params.joints, n, m).ok()?;
-        let Drive::Joints(tracks) = &targets::leg(&self.drives, n).ok()?.drive else {
-            return self.foot_arrived(n, tolerance);
-        };
-        let Goal::Point {
-            target: [target], ..
-        } = tracks.get(targets::index(m))?.goal()
-        else {
-            return None;
-        };
         let measured = targets::joint(&self.measured.angles, n, m).ok()?;
         Some(libm::fabs(target - measured) <= tolerance.of_joint(params))
     }
 
-    fn foot_arrived(&self, n: u8, tolerance: Tolerance) -> Option<bool> {
-        let Drive::Foot(foot) = &targets::leg(&self.drives, n).ok()?.drive else {
-            return None;
-        };
-        let Goal::Point { target, .. } = foot.goal() else {
-            return None;
-        };
-        let measured = self.measured_foot(n).ok()?;
-        let squares = target.iter().zip(measured).map(|(a, b)| (a - b) * (a - b));
-        let distance = libm::sqrt(squares.sum());
-        Some(distance <= tolerance.of_foot(targets::leg(&self.params.feet, n).ok()?))
+    fn point_arrived(
+        &self,
+        n: u8,
+        (point, track): (Point, &Track<3>),
+        tolerance: Tolerance,
+    ) -> Option<bool> {
+        let target = track.goal().target()?;
+        let measured = self.measured_point(n, point).ok()?;
+        let params = targets::leg(&self.params.feet, n).ok()?;
+        Some(distance(target, measured) <= tolerance.of_foot(params))
     }
+
+    fn slider_arrived(&self, tolerance: Tolerance) -> Option<bool> {
+        let target = self.slider.goal().target()?;
+        let gap = distance(target, self.measured.slider);
+        Some(gap <= tolerance.of_foot(&self.params.slider))
+    }
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    libm::sqrt(squares.sum())
 }
 
 pub(super) fn done_if(done: bool) -> Poll {

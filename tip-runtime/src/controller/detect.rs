@@ -1,12 +1,12 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
-use super::drive::Drive;
 use super::task::Task;
 use super::trajectory::Goal;
 use super::{Controller, targets};
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
+use crate::kinematics::Point;
 
 /// The search under way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ impl Way {
 }
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
-    pub(super) fn detect_floor(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+    pub(super) fn detect_floor_by_soles(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let mut search = match self.task {
             Task::Detect(search) => search,
             _ => Self::new_search(command)?,
@@ -53,7 +53,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             }
             if self.touches(n)? != (search.way == Way::Up) {
                 // The floor has stopped the foot already: its set point follows at once.
-                self.send_foot(n, self.measured_foot(n)?, true)?;
+                self.send_foot(n, self.measured_point(n, Point::Tip)?, true)?;
                 *looking = false;
             } else {
                 self.set_off(n, search.way)?;
@@ -102,9 +102,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             Way::DownInTurn | Way::DownTogether => [0.0, 0.0, -slow],
             Way::Up => [0.0, 0.0, slow],
         };
-        let leg = targets::leg(&self.model.legs, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        drive.drive = Drive::Foot(drive.foot(leg).towards(Goal::Speed(velocity)));
-        Ok(())
+        let foot = self.foot_track(n)?.towards(Goal::Speed(velocity));
+        self.take_point(n, Point::Tip, foot)
     }
 }

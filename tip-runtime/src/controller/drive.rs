@@ -1,27 +1,39 @@
-//! What moves the joints of one leg: their own set points, or that of the foot.
+//! What moves the joints of one leg: their own set points, or that of a point of the leg.
 
-use super::targets::number;
-use super::trajectory::{Goal, Limits, Track};
-use crate::command::Target;
-use crate::fault::Fault;
-use crate::kinematics::{self, Chain, ROUNDING};
+mod advance;
+mod law;
+
+pub(super) use advance::{Going, name, reach};
+
+use super::trajectory::{Goal, Track};
+use crate::hardware::JointCommand;
+use crate::kinematics::{Chain, Point};
 use crate::model::{Inverse, Leg};
 
+/// The joint whose position can be controlled (`Jn3`), counted from 0. It is moved by the joints
+/// before it.
+pub(super) const THIRD: usize = 2;
+
 /// Who decides about a leg's joints.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box it on")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drive<const J: usize> {
-    /// Each joint for itself: free (it stays where it is), at an angle, or at an angular velocity.
+    /// Each joint for itself: free (it stays where it is), at an angle, at an angular velocity, or
+    /// by torque.
     Joints([Track<1>; J]),
-    /// The foot, for all joints: at a position or at a velocity.
+    /// The foot, for all joints: at a position, at a velocity, or by force.
     Foot(Track<3>),
+    /// The third joint's position, for the joints before it; it and those behind it go for
+    /// themselves.
+    Third(Track<3>, [Track<1>; J]),
 }
 
 /// A leg's joint commands and what makes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LegDrive<const J: usize> {
-    /// The angles commanded: deg.
+    /// The angles commanded, or where torques led: deg.
     pub(super) angles: [f64; J],
+    /// The torques commanded in place of angles.
+    torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
 }
 
@@ -30,7 +42,29 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn free(angles: [f64; J]) -> Self {
         LegDrive {
             angles,
+            torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
+        }
+    }
+
+    /// What each joint is told.
+    pub(super) fn outputs(&self) -> [JointCommand; J] {
+        let mut outputs = self.angles.map(JointCommand::Angle);
+        for (output, torque) in outputs.iter_mut().zip(self.torques) {
+            if let Some(torque) = torque {
+                *output = JointCommand::Torque(torque);
+            }
+        }
+        outputs
+    }
+
+    /// Joints that were told a torque are where it led them.
+    pub(super) fn follow(&mut self, measured: &[f64; J]) {
+        let states = self.torques.iter().zip(measured);
+        for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
+            if torque.is_some() {
+                *angle = *measured;
+            }
         }
     }
 
@@ -38,124 +72,159 @@ impl<const J: usize> LegDrive<J> {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
             Drive::Foot(foot) => foot.is_at_rest(),
+            Drive::Third(third, joints) => {
+                third.is_at_rest() && joints.iter().skip(THIRD).all(Track::is_at_rest)
+            }
         }
     }
 
-    /// The foot's set point, in the motion that the leg is commanded now.
-    pub(super) fn foot(&self, leg: &Leg<J>) -> Track<3> {
+    /// Whether a torque, force or spring decides about any joint.
+    pub(super) fn is_soft(&self) -> bool {
         match &self.drive {
-            Drive::Foot(foot) => *foot,
-            Drive::Joints(joints) => {
-                let mut rates = [0.0; J];
-                for (rate, joint) in rates.iter_mut().zip(joints) {
-                    *rate = joint.velocity().iter().sum();
-                }
-                let chain = Chain::new(leg, &self.angles);
-                Track::moving(chain.foot(), chain.foot_velocity(&rates))
+            Drive::Joints(joints) => joints.iter().any(|joint| joint.goal().is_soft()),
+            Drive::Foot(foot) => foot.goal().is_soft(),
+            Drive::Third(third, joints) => {
+                third.goal().is_soft()
+                    || joints
+                        .iter()
+                        .skip(THIRD)
+                        .any(|joint| joint.goal().is_soft())
             }
         }
+    }
+
+    /// The set point that decides about joint `m`'s position, counted from 0, if one does.
+    pub(super) fn point_of_joint(&self, m: usize) -> Option<(Point, &Track<3>)> {
+        match &self.drive {
+            Drive::Joints(_) => None,
+            Drive::Foot(foot) => Some((Point::Tip, foot)),
+            Drive::Third(third, _) if m <= THIRD => Some((Point::Joint(THIRD), third)),
+            Drive::Third(..) => None,
+        }
+    }
+
+    /// The set point of a point of the leg, if that is what decides.
+    pub(super) fn own_point(&self, point: Point) -> Option<&Track<3>> {
+        match (&self.drive, point) {
+            (Drive::Foot(foot), Point::Tip) => Some(foot),
+            (Drive::Third(third, _), Point::Joint(THIRD)) => Some(third),
+            _ => None,
+        }
+    }
+
+    /// The set points of the joints that go for themselves: the first one's number, from 0.
+    pub(super) fn own_joints(&self) -> (usize, &[Track<1>]) {
+        match &self.drive {
+            Drive::Joints(joints) => (0, joints),
+            Drive::Foot(_) => (J, &[]),
+            Drive::Third(_, joints) => (THIRD, joints.get(THIRD..).unwrap_or(&[])),
+        }
+    }
+
+    /// A point's set point, in the motion that the leg is commanded now. Where torques decide, the
+    /// leg starts from where it is.
+    pub(super) fn point(&self, point: Point, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
+        if let Some(own) = self.own_point(point)
+            && !own.goal().is_soft()
+        {
+            return *own;
+        }
+        let chain = Chain::new(leg, &self.angles);
+        let place = chain.point(point).unwrap_or([0.0; 3]);
+        let velocity = chain.point_velocity(point, &self.rates(leg, inverse));
+        Track::moving(
+            inverse.flat(place),
+            inverse.flat(velocity.unwrap_or([0.0; 3])),
+        )
+    }
+
+    /// As [`point`](Self::point), but a spring that pulls at the point already stays strained.
+    pub(super) fn strained_point(&self, point: Point, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
+        match self.own_point(point) {
+            Some(own) if matches!(own.goal(), Goal::Spring { .. }) => *own,
+            _ => self.point(point, leg, inverse),
+        }
+    }
+
+    /// Puts a point under control. Joints behind it keep their modes; those that served another
+    /// point hold the angles `measured`.
+    pub(super) fn take_point(
+        &mut self,
+        point: Point,
+        track: Track<3>,
+        leg: &Leg<J>,
+        measured: &[f64; J],
+        inverse: Inverse,
+    ) {
+        self.drive = match point {
+            Point::Tip => Drive::Foot(track),
+            Point::Joint(_) => Drive::Third(track, self.joints(leg, measured, inverse)),
+        };
     }
 
     /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// the foot are to stay at the angles `measured`.
-    pub(super) fn joints(&self, leg: &Leg<J>, measured: &[f64; J]) -> [Track<1>; J] {
-        match &self.drive {
-            Drive::Joints(joints) => *joints,
-            Drive::Foot(foot) => {
-                let chain = Chain::new(leg, &self.angles);
-                let rates = chain.joint_rates(foot.velocity()).unwrap_or([0.0; J]);
-                let mut joints = self.angles.map(|angle| Track::resting([angle]));
-                let states = self.angles.iter().zip(rates).zip(measured);
-                for (joint, ((angle, rate), measured)) in joints.iter_mut().zip(states) {
-                    *joint = Track::moving([*angle], [rate]).towards(Goal::Point {
-                        target: [*measured],
-                        hs: false,
-                    });
-                }
-                joints
-            }
-        }
-    }
-}
-
-/// What holds while a leg moves on.
-pub(super) struct Going {
-    /// Which inverse kinematics the robot has.
-    pub(super) inverse: Inverse,
-    /// The leg, from 1.
-    pub(super) number: u8,
-    /// The sampling time: s.
-    pub(super) dt: f64,
-    /// Whether every motion brakes and waits.
-    pub(super) held: bool,
-}
-
-impl<const J: usize> LegDrive<J> {
-    /// Moves on by one sampling time. At the border of what the leg can do it stops there.
-    ///
-    /// # Errors
-    /// What stopped it: the way to a foot's target is out of reach, or a joint is at its limit.
-    pub(super) fn advance(
-        &mut self,
+    /// a point are to stay at the angles `measured`.
+    pub(super) fn joints(
+        &self,
         leg: &Leg<J>,
-        foot: Limits,
-        joints: &[Limits; J],
-        going: &Going,
-    ) -> Result<(), Fault> {
-        match &mut self.drive {
-            Drive::Foot(track) => {
-                let before = *track;
-                track.advance(foot, going.dt, going.held);
-                match reach(going.inverse, leg, track.position(), going.number) {
-                    Ok(angles) => {
-                        self.angles = angles;
-                        Ok(())
-                    }
-                    Err(fault) => {
-                        *track = before.stopped_at(before.position());
-                        Err(match track.goal() {
-                            Goal::Point { .. } => Fault::OutOfReach(Target::Foot(going.number)),
-                            Goal::Rest | Goal::Speed(_) => fault,
-                        })
-                    }
-                }
-            }
-            Drive::Joints(tracks) => {
-                let mut result = Ok(());
-                let each = tracks.iter_mut().zip(&mut self.angles);
-                let limits = leg.joints.iter().zip(joints);
-                for (m, ((track, angle), (joint, limits))) in each.zip(limits).enumerate() {
-                    let from = *angle;
-                    track.advance(*limits, going.dt, going.held);
-                    *angle = track.position().iter().sum();
-                    // A joint that is beyond its limits already may come back, not go on.
-                    let (low, high) = (joint.limits.min.min(from), joint.limits.max.max(from));
-                    if *angle < low - ROUNDING || *angle > high + ROUNDING {
-                        *angle = angle.max(low).min(high);
-                        *track = track.stopped_at([*angle]);
-                        result = result.and(Err(Fault::JointLimit(going.number, number(m))));
-                    }
-                }
-                result
-            }
+        measured: &[f64; J],
+        inverse: Inverse,
+    ) -> [Track<1>; J] {
+        let (served, own) = match &self.drive {
+            Drive::Joints(joints) => return *joints,
+            Drive::Foot(_) => (J, None),
+            Drive::Third(_, joints) => (THIRD, Some(joints)),
+        };
+        let mut joints = self.angles.map(|angle| Track::resting([angle]));
+        let states = self
+            .angles
+            .iter()
+            .zip(self.rates(leg, inverse))
+            .zip(measured);
+        for (joint, ((angle, rate), measured)) in joints.iter_mut().zip(states).take(served) {
+            *joint = Track::moving([*angle], [rate]).towards(Goal::Point {
+                target: [*measured],
+                hs: false,
+            });
         }
+        let behind = joints.iter_mut().skip(served);
+        for (joint, own) in behind.zip(own.into_iter().flatten().skip(served)) {
+            *joint = *own;
+        }
+        joints
     }
-}
 
-/// The joint angles for a foot's position.
-///
-/// # Errors
-/// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
-pub(super) fn reach<const J: usize>(
-    inverse: Inverse,
-    leg: &Leg<J>,
-    foot: [f64; 3],
-    number_of_leg: u8,
-) -> Result<[f64; J], Fault> {
-    let angles = kinematics::inverse(inverse, leg, foot)
-        .ok_or(Fault::OutOfReach(Target::Foot(number_of_leg)))?;
-    match kinematics::first_beyond_limits(leg, &angles) {
-        None => Ok(angles),
-        Some(m) => Err(Fault::JointLimit(number_of_leg, number(m))),
+    /// The rates at which the joints are commanded to turn: deg/s. Torques command none.
+    fn rates(&self, leg: &Leg<J>, inverse: Inverse) -> [f64; J] {
+        let mut rates = match &self.drive {
+            Drive::Joints(_) => [0.0; J],
+            Drive::Foot(foot) => self.rates_of_point(Point::Tip, foot, leg, inverse),
+            Drive::Third(third, _) => self.rates_of_point(Point::Joint(THIRD), third, leg, inverse),
+        };
+        let (first, own) = self.own_joints();
+        for (rate, joint) in rates.iter_mut().skip(first).zip(own) {
+            *rate = if joint.goal().is_soft() {
+                0.0
+            } else {
+                joint.velocity().iter().sum()
+            };
+        }
+        rates
+    }
+
+    fn rates_of_point(
+        &self,
+        point: Point,
+        track: &Track<3>,
+        leg: &Leg<J>,
+        inverse: Inverse,
+    ) -> [f64; J] {
+        if track.goal().is_soft() {
+            return [0.0; J];
+        }
+        let chain = Chain::new(leg, &self.angles);
+        chain
+            .point_rates(point, track.velocity(), inverse.is_planar())
+            .unwrap_or([0.0; J])
     }
 }

@@ -1,43 +1,67 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
-use super::drive::{Drive, reach};
-use super::trajectory::Goal;
+use super::drive::{Drive, THIRD, name, reach};
+use super::operands::{Base, is_zero, resolve, resolve_from, sum};
+use super::trajectory::{Goal, Track};
 use super::{Controller, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::{self, Chain};
-
-/// How a REL_ command and a plain one read their operands.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Base {
-    /// Each operand says for itself; relative ones count from the measured value.
-    Operand,
-    /// All count from the current target, else from the measured value; all zero stops.
-    Target,
-}
+use crate::kinematics::{self, Chain, Point};
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// PTP and REL_PTP.
-    pub(super) fn move_foot(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
-        let n = foot_of(command.target)?;
+    pub(super) fn move_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+        if command.target == Target::Floor {
+            return self.move_slider(command, base);
+        }
+        let (n, point) = self.point_of(command.target)?;
+        if point != Point::Tip && !self.model.inverse.is_planar() {
+            return Err(Fault::Domain);
+        }
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let leg = targets::leg(&self.model.legs, n)?;
-        let foot = targets::leg(&self.drives, n)?.foot(leg);
+        let track = targets::leg(&self.drives, n)?.point(point, leg, self.model.inverse);
         let limits = targets::leg(&self.params.feet, n)?.limits();
-        let target = if base == Base::Target && is_zero(values) {
-            foot.rest_point(limits)
+        let stop = base == Base::Target && is_zero(values);
+        let target = if stop {
+            track.rest_point(limits)
         } else {
-            let target = match base {
-                Base::Operand => resolve(values, self.measured_foot(n)?)?,
-                Base::Target => sum(values, self.foot_target(n)?)?,
+            let from = match base {
+                Base::Operand => self.measured_point(n, point)?,
+                Base::Target => self.point_target(n, point)?,
             };
-            self.require_reach(n, target)?;
+            let target = self.model.inverse.flat(resolve_from(values, from, base)?);
+            self.require_reach(n, point, target)?;
             target
         };
         // Coming to rest here keeps the braking that the motion under way allows.
-        let hs = command.hs || (base == Base::Target && is_zero(values) && is_hs(foot.goal()));
-        let foot = foot.towards(Goal::Point { target, hs });
-        targets::leg_mut(&mut self.drives, n)?.drive = Drive::Foot(foot);
+        let hs = command.hs || (stop && track.goal().is_hs());
+        self.take_point(n, point, track.towards(Goal::Point { target, hs }))
+    }
+
+    /// PTP and REL_PTP of the slider.
+    fn move_slider(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+        let slider = self.model.slider.as_ref().ok_or(Fault::Domain)?;
+        let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
+        let stop = base == Base::Target && is_zero(values);
+        let mut target = match base {
+            _ if stop => self.slider.rest_point(self.params.slider.limits()),
+            Base::Operand => resolve(values, self.measured.slider)?,
+            Base::Target => {
+                let target = self.slider.goal().target();
+                sum(values, target.unwrap_or(self.measured.slider))?
+            }
+        };
+        if !stop && !slider.reaches(target) {
+            if self.params.emg {
+                return Err(Fault::OutOfReach(Target::Floor));
+            }
+            for (at, travel) in target.iter_mut().zip(slider.travel) {
+                *at = at.max(travel.min).min(travel.max);
+            }
+        }
+        let hs = command.hs || (stop && self.slider.goal().is_hs());
+        self.slider = self.slider.towards(Goal::Point { target, hs });
         Ok(())
     }
 
@@ -48,19 +72,19 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let measured = targets::leg(&self.measured.angles, n)?;
         let drive = targets::leg_mut(&mut self.drives, n)?;
         let params = targets::leg(&self.params.joints, n)?;
-        let served = matches!(drive.drive, Drive::Foot(_));
         let stop = base == Base::Target && is_zero(command.values);
-        let mut tracks = drive.joints(leg, measured);
+        let mut tracks = drive.joints(leg, measured, self.model.inverse);
         let states = leg.joints.iter().zip(measured).zip(params);
         let chosen = tracks.iter_mut().zip(states).enumerate().skip(first);
         let chosen = chosen.take(count).zip(command.values);
         for ((m, (track, ((joint, measured), params))), value) in chosen {
-            let current = match track.goal() {
-                Goal::Point {
-                    target: [target], ..
-                } if !served => target,
+            let current = match (drive.point_of_joint(m), track.goal().target()) {
+                (None, Some([target])) => target,
                 _ => *measured,
             };
+            if track.goal().is_soft() {
+                *track = Track::resting([*measured]);
+            }
             let [target] = match base {
                 _ if stop => track.rest_point(params.limits()),
                 Base::Operand => resolve(&[*value], [*measured])?,
@@ -70,7 +94,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             if self.params.emg && !stop && !reachable {
                 return Err(Fault::OutOfReach(Target::Joint(n, targets::number(m))));
             }
-            let hs = command.hs || (stop && is_hs(track.goal()));
+            let hs = command.hs || (stop && track.goal().is_hs());
             *track = track.towards(Goal::Point {
                 target: [target],
                 hs,
@@ -82,20 +106,22 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// VEL_CONTROL.
     pub(super) fn drive_foot(&mut self, command: &Command<'_>) -> Result<(), Fault> {
-        let n = foot_of(command.target)?;
+        let Target::Foot(n) = command.target else {
+            return Err(Fault::Domain);
+        };
+        let inverse = self.model.inverse;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let leg = targets::leg(&self.model.legs, n)?;
-        let foot = targets::leg(&self.drives, n)?.foot(leg);
+        let foot = targets::leg(&self.drives, n)?.point(Point::Tip, leg, inverse);
         let current = match foot.goal() {
             Goal::Speed(velocity) => velocity,
-            Goal::Rest | Goal::Point { .. } => {
+            _ => {
                 let rates = targets::leg(&self.rates, n)?;
                 Chain::new(leg, targets::leg(&self.measured.angles, n)?).foot_velocity(rates)
             }
         };
-        let goal = Goal::Speed(resolve(values, current)?);
-        targets::leg_mut(&mut self.drives, n)?.drive = Drive::Foot(foot.towards(goal));
-        Ok(())
+        let velocity = inverse.flat(resolve(values, current)?);
+        self.take_point(n, Point::Tip, foot.towards(Goal::Speed(velocity)))
     }
 
     /// OMEGA_CONTROL.
@@ -105,60 +131,100 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let measured = targets::leg(&self.measured.angles, n)?;
         let rates = targets::leg(&self.rates, n)?;
         let drive = targets::leg_mut(&mut self.drives, n)?;
-        let mut tracks = drive.joints(leg, measured);
-        let chosen = tracks.iter_mut().zip(rates).skip(first).take(count);
-        for ((track, rate), value) in chosen.zip(command.values) {
+        let mut tracks = drive.joints(leg, measured, self.model.inverse);
+        let states = measured.iter().zip(rates);
+        let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
+        for ((track, (measured, rate)), value) in chosen.zip(command.values) {
             let current = match track.goal() {
                 Goal::Speed(velocity) => velocity,
-                Goal::Rest | Goal::Point { .. } => [*rate],
+                _ => [*rate],
             };
+            if track.goal().is_soft() {
+                *track = Track::resting([*measured]);
+            }
             *track = track.towards(Goal::Speed(resolve(&[*value], current)?));
         }
         drive.drive = Drive::Joints(tracks);
         Ok(())
     }
 
+    /// Puts a point of leg `n` under control.
+    pub(super) fn take_point(&mut self, n: u8, point: Point, track: Track<3>) -> Result<(), Fault> {
+        let leg = targets::leg(&self.model.legs, n)?;
+        let measured = targets::leg(&self.measured.angles, n)?;
+        let drive = targets::leg_mut(&mut self.drives, n)?;
+        drive.take_point(point, track, leg, measured, self.model.inverse);
+        Ok(())
+    }
+
     /// Puts a foot under position control at `target`, wherever its leg is now.
     pub(super) fn send_foot(&mut self, n: u8, target: [f64; 3], hs: bool) -> Result<(), Fault> {
+        let foot = self.foot_track(n)?.towards(Goal::Point { target, hs });
+        self.take_point(n, Point::Tip, foot)
+    }
+
+    /// A foot's set point, in the motion that its leg is commanded now.
+    pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
         let leg = targets::leg(&self.model.legs, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let foot = drive.foot(leg).towards(Goal::Point { target, hs });
-        drive.drive = Drive::Foot(foot);
-        Ok(())
+        Ok(targets::leg(&self.drives, n)?.point(Point::Tip, leg, self.model.inverse))
     }
 
     /// Where a foot comes to rest when it brakes now.
     pub(super) fn foot_rest_point(&self, n: u8) -> Result<[f64; 3], Fault> {
-        let foot = targets::leg(&self.drives, n)?.foot(targets::leg(&self.model.legs, n)?);
-        Ok(foot.rest_point(targets::leg(&self.params.feet, n)?.limits()))
+        let limits = targets::leg(&self.params.feet, n)?.limits();
+        Ok(self.foot_track(n)?.rest_point(limits))
     }
 
-    /// A foot's target, or where the foot is if it has none.
-    pub(super) fn foot_target(&self, n: u8) -> Result<[f64; 3], Fault> {
-        let foot = targets::leg(&self.drives, n)?.foot(targets::leg(&self.model.legs, n)?);
-        match foot.goal() {
-            Goal::Point { target, .. } => Ok(target),
-            Goal::Rest | Goal::Speed(_) => self.measured_foot(n),
+    /// A point's target, or where the point is if it has none.
+    pub(super) fn point_target(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
+        let own = targets::leg(&self.drives, n)?.own_point(point);
+        match own.and_then(|track| track.goal().target()) {
+            Some(target) => Ok(target),
+            None => self.measured_point(n, point),
         }
     }
 
-    /// Where a foot is.
-    pub(super) fn measured_foot(&self, n: u8) -> Result<[f64; 3], Fault> {
+    /// Where a point of leg `n` is.
+    pub(super) fn measured_point(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
         let leg = targets::leg(&self.model.legs, n)?;
-        Ok(Chain::new(leg, targets::leg(&self.measured.angles, n)?).foot())
+        let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
+        let place = chain.point(point).ok_or(Fault::Domain)?;
+        Ok(self.model.inverse.flat(place))
     }
 
     /// Refuses a target that the leg cannot reach; under EMG_OFF the leg goes as far as it can.
-    pub(super) fn require_reach(&self, n: u8, target: [f64; 3]) -> Result<(), Fault> {
-        let leg = targets::leg(&self.model.legs, n)?;
-        if self.params.emg && reach(self.model.inverse, leg, target, n).is_err() {
-            return Err(Fault::OutOfReach(Target::Foot(n)));
+    pub(super) fn require_reach(&self, n: u8, point: Point, target: [f64; 3]) -> Result<(), Fault> {
+        if !self.params.emg {
+            return Ok(());
         }
-        Ok(())
+        let leg = targets::leg(&self.model.legs, n)?;
+        let commanded = targets::leg(&self.drives, n)?.angles;
+        let middle = leg
+            .joints
+            .map(|joint| (joint.limits.min + joint.limits.max) / 2.0);
+        let reached = [commanded, leg.initial, middle]
+            .iter()
+            .any(|from| reach(self.model.inverse, leg, (point, n), from, target).is_ok());
+        if reached {
+            Ok(())
+        } else {
+            Err(Fault::OutOfReach(name(point, n)))
+        }
+    }
+
+    /// Leg and point that a command of positions or forces acts on.
+    pub(super) fn point_of(&self, target: Target) -> Result<(u8, Point), Fault> {
+        match target {
+            Target::Foot(n) => Ok((n, Point::Tip)),
+            Target::Joint(n, m) if targets::index(m) == THIRD && THIRD < J => {
+                Ok((n, Point::Joint(THIRD)))
+            }
+            Target::None | Target::All | Target::Floor | Target::Joint(..) => Err(Fault::Domain),
+        }
     }
 
     /// Leg, first joint (from 0) and number of joints that a command of angles acts on.
-    fn joints_of(&self, command: &Command<'_>) -> Result<(u8, usize, usize), Fault> {
+    pub(super) fn joints_of(&self, command: &Command<'_>) -> Result<(u8, usize, usize), Fault> {
         let (n, first, count) = match command.target {
             Target::Foot(n) => (n, 0, J),
             Target::Joint(n, m) => (n, targets::index(m), 1),
@@ -171,37 +237,4 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             Err(Fault::Domain)
         }
     }
-}
-
-fn foot_of(target: Target) -> Result<u8, Fault> {
-    match target {
-        Target::Foot(n) => Ok(n),
-        Target::None | Target::All | Target::Floor | Target::Joint(..) => Err(Fault::Domain),
-    }
-}
-
-fn is_zero(values: &[Value]) -> bool {
-    values.iter().all(|value| value.v == 0.0)
-}
-
-fn is_hs<const N: usize>(goal: Goal<N>) -> bool {
-    matches!(goal, Goal::Point { hs: true, .. })
-}
-
-/// The operands, relative ones counted from `base`.
-fn resolve<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
-    let mut resolved = base;
-    for (resolved, value) in resolved.iter_mut().zip(values) {
-        *resolved = crate::ops::finite(if value.relative {
-            *resolved + value.v
-        } else {
-            value.v
-        })?;
-    }
-    Ok(resolved)
-}
-
-/// The operands, all counted from `base`.
-fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
-    resolve(&values.map(|value| Value::relative(value.v)), base)
 }

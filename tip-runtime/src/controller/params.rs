@@ -1,10 +1,13 @@
 //! What the SET_ commands set (T.I.P. 3.1 §7-8), and how they set it.
 
+mod springs;
+
 use super::trajectory::Limits;
 use super::{Controller, targets};
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
-use crate::model::Standards;
+use crate::kinematics::Point;
+use crate::model::{Forces, Model, Standards};
 
 /// Parameters of one foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +16,21 @@ pub(super) struct FootParams {
     pub(super) a_max: f64,
     pub(super) just: f64,
     pub(super) near: f64,
+    /// N/mm along each axis, for the foot and the third joint alike.
+    pub(super) stiffness: [f64; 3],
+    /// The most that a spring at the foot pulls with: N.
+    pub(super) foot_limit: Option<[f64; 3]>,
+    /// The most that a spring at the third joint pulls with: N.
+    pub(super) third_limit: Option<[f64; 3]>,
+}
+
+/// What a spring at a point of a leg obeys.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PointParams {
+    /// N/mm along each axis.
+    pub(super) stiffness: [f64; 3],
+    /// N.
+    pub(super) limit: Option<[f64; 3]>,
 }
 
 /// Parameters of one joint.
@@ -22,15 +40,52 @@ pub(super) struct JointParams {
     pub(super) omega_dot_max: f64,
     pub(super) just: f64,
     pub(super) near: f64,
+    /// The most torque that it is told.
+    pub(super) torque_max: f64,
+    /// Torque per degree.
+    pub(super) stiffness: f64,
+    /// The most torque of its spring.
+    pub(super) limit: Option<f64>,
+}
+
+/// What a robot without commands of force has in their place.
+const NO_FORCES: Forces = Forces {
+    unit: crate::model::TorqueUnit::NewtonMetre,
+    torque_max: 0.0,
+    angle_stiffness: 0.0,
+    position_stiffness: 0.0,
+    search_torque: 0.0,
+    search_force: 0.0,
+    contact_torque: 0.0,
+};
+
+const fn forces<const L: usize, const J: usize>(model: &Model<L, J>) -> &Forces {
+    match &model.forces {
+        Some(forces) => forces,
+        None => &NO_FORCES,
+    }
 }
 
 impl FootParams {
-    const fn standard(standards: &Standards) -> Self {
+    const fn standard(standards: &Standards, forces: &Forces) -> Self {
         FootParams {
             v_max: standards.v_max,
             a_max: standards.a_max,
             just: standards.just_position,
             near: standards.near_position,
+            stiffness: [forces.position_stiffness; 3],
+            foot_limit: None,
+            third_limit: None,
+        }
+    }
+
+    pub(super) const fn of_point(&self, point: Point) -> PointParams {
+        PointParams {
+            stiffness: self.stiffness,
+            limit: match point {
+                Point::Tip => self.foot_limit,
+                Point::Joint(_) => self.third_limit,
+            },
         }
     }
 
@@ -43,12 +98,15 @@ impl FootParams {
 }
 
 impl JointParams {
-    const fn standard(standards: &Standards) -> Self {
+    const fn standard(standards: &Standards, forces: &Forces) -> Self {
         JointParams {
             omega_max: standards.omega_max,
             omega_dot_max: standards.omega_dot_max,
             just: standards.just_angle,
             near: standards.near_angle,
+            torque_max: forces.torque_max,
+            stiffness: forces.angle_stiffness,
+            limit: None,
         }
     }
 
@@ -65,6 +123,8 @@ impl JointParams {
 pub(super) struct Params<const L: usize, const J: usize> {
     pub(super) feet: [FootParams; L],
     pub(super) joints: [[JointParams; J]; L],
+    /// Of the slider.
+    pub(super) slider: FootParams,
     /// Sampling time: ms.
     pub(super) period: f64,
     /// EMG_ON: a joint at its working limit is an emergency.
@@ -72,10 +132,13 @@ pub(super) struct Params<const L: usize, const J: usize> {
 }
 
 impl<const L: usize, const J: usize> Params<L, J> {
-    pub(super) const fn standard(standards: &Standards) -> Self {
+    pub(super) const fn standard(model: &Model<L, J>) -> Self {
+        let (standards, forces) = (&model.standards, forces(model));
+        let foot = FootParams::standard(standards, forces);
         Params {
-            feet: [FootParams::standard(standards); L],
-            joints: [[JointParams::standard(standards); J]; L],
+            feet: [foot; L],
+            joints: [[JointParams::standard(standards, forces); J]; L],
+            slider: foot,
             period: standards.period,
             emg: true,
         }
@@ -113,6 +176,7 @@ fn setting(op: Op) -> Option<(Field, Source)> {
     const A_MAX: FootField = |foot| &mut foot.a_max;
     const OMEGA_MAX: JointField = |joint| &mut joint.omega_max;
     const OMEGA_DOT_MAX: JointField = |joint| &mut joint.omega_dot_max;
+    const TORQUE_MAX: JointField = |joint| &mut joint.torque_max;
     Some(match op {
         Op::SetAMax => (Foot(A_MAX), Operand),
         Op::SetAMaxRate => (Foot(A_MAX), Rate),
@@ -136,6 +200,12 @@ fn setting(op: Op) -> Option<(Field, Source)> {
         Op::SetOmegaDotMaxSlow => (Joint(OMEGA_DOT_MAX), SLOW),
         Op::SetOmegaDotMaxFast => (Joint(OMEGA_DOT_MAX), FAST),
         Op::SetOmegaDotMaxNormal => (Joint(OMEGA_DOT_MAX), NORMAL),
+        Op::SetTorqueMax => (Joint(TORQUE_MAX), Operand),
+        Op::SetTorqueMaxRate => (Joint(TORQUE_MAX), Rate),
+        Op::SetTorqueMaxSoft => (Joint(TORQUE_MAX), SLOW),
+        Op::SetTorqueMaxFirmly => (Joint(TORQUE_MAX), FAST),
+        Op::SetTorqueMaxNormal => (Joint(TORQUE_MAX), NORMAL),
+        Op::SetAngleStiffness => (Joint(|joint| &mut joint.stiffness), Operand),
         Op::SetJustAngle => (Joint(|joint| &mut joint.just), Operand),
         Op::SetNearAngle => (Joint(|joint| &mut joint.near), Operand),
         _ => return None,
@@ -179,6 +249,9 @@ impl<'a> Checked<'a> {
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// Carries out a parameter command; `None` if the command is none.
     pub(super) fn set_parameter(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
+        if let Some(set) = self.set_spring(command) {
+            return Some(set);
+        }
         if let Some((field, source)) = setting(command.op) {
             return Some(self.set_field(command, field, source));
         }
@@ -200,17 +273,25 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         source: Source,
     ) -> Result<(), Fault> {
         let operands = Checked::new(command, source)?;
-        let standards = &self.model.standards;
+        let (standards, forces) = (&self.model.standards, forces(self.model));
         let mut changed = self.params;
         match field {
             Field::Foot(field) => {
-                let standard = *field(&mut FootParams::standard(standards));
-                for foot in targets::feet(&mut changed.feet, command.target)? {
-                    *field(foot) = operands.value(0, standard)?;
+                let value =
+                    operands.value(0, *field(&mut FootParams::standard(standards, forces)))?;
+                if matches!(command.target, Target::All | Target::Floor) {
+                    *field(&mut changed.slider) = value;
+                }
+                if command.target != Target::Floor {
+                    for foot in targets::feet(&mut changed.feet, command.target)? {
+                        *field(foot) = value;
+                    }
+                } else if self.model.slider.is_none() {
+                    return Err(Fault::Domain);
                 }
             }
             Field::Joint(field) => {
-                let standard = *field(&mut JointParams::standard(standards));
+                let standard = *field(&mut JointParams::standard(standards, forces));
                 match (command.target, command.values) {
                     (Target::Joint(leg, joint), [_] | []) => {
                         let joint = targets::joint_mut(&mut changed.joints, leg, joint)?;

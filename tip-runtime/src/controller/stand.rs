@@ -1,9 +1,11 @@
 //! STAND_UP and SIT_DOWN (T.I.P. 3.1 §7-11-1, §7-11-2): the feet push the body up, or let it down.
 
+use super::drive::LegDrive;
 use super::task::Task;
 use super::{Controller, targets};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
+use crate::kinematics::Point;
 
 /// How far STAND_UP or SIT_DOWN has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,11 +50,17 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     }
 
     /// Puts every foot under position control where it comes to rest, if it can rise from there.
+    ///
+    /// # Errors
+    /// `InvalidMode` while a torque, force or spring decides about any joint; `OutOfReach`.
     fn settle(&mut self, rise: f64) -> Result<(), Fault> {
+        if self.drives.iter().any(LegDrive::is_soft) {
+            return Err(Fault::InvalidMode);
+        }
         let mut rest = [[0.0; 3]; L];
         for (n, rest) in (1..).zip(&mut rest) {
             *rest = self.foot_rest_point(n)?;
-            self.require_reach(n, raised(*rest, rise)?)?;
+            self.require_reach(n, Point::Tip, raised(*rest, rise)?)?;
         }
         for (n, rest) in (1..).zip(rest) {
             self.send_foot(n, rest, false)?;
@@ -62,7 +70,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     fn shift_feet(&mut self, rise: f64) -> Result<(), Fault> {
         for n in 1..=targets::number(L.wrapping_sub(1)) {
-            let target = raised(self.foot_target(n)?, rise)?;
+            let target = raised(self.point_target(n, Point::Tip)?, rise)?;
             self.send_foot(n, target, false)?;
         }
         Ok(())

@@ -4,6 +4,7 @@ use super::Controller;
 use super::drive::LegDrive;
 use super::params::Params;
 use super::task::Task;
+use super::trajectory::Track;
 
 /// Whether motions are held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// Emergency stop: every joint is to stay where it is measured; nothing is controlled.
     pub fn emergency(&mut self) {
         self.drives = self.measured.angles.map(LegDrive::free);
+        self.slider = Track::resting(self.measured.slider);
         self.task = Task::Idle;
         self.hold = Hold::Off;
         self.pending = None;
@@ -61,13 +63,14 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Whether no joint command moves.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.drives.iter().all(LegDrive::is_at_rest)
+        self.drives.iter().all(LegDrive::is_at_rest) && self.slider.is_at_rest()
     }
 
     pub(super) fn end_if_finished(&mut self) {
         if self.hold == Hold::Finishing && self.is_at_rest() {
             self.drives = self.drives.map(|drive| LegDrive::free(drive.angles));
-            self.params = Params::standard(&self.model.standards);
+            self.slider = Track::resting(self.slider.position());
+            self.params = Params::standard(self.model);
             self.hold = Hold::Off;
         }
     }

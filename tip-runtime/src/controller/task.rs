@@ -3,6 +3,7 @@
 use super::Controller;
 use super::arrival::done_if;
 use super::detect::Search;
+use super::feel::Feeling;
 use super::stand::Stand;
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
@@ -18,8 +19,10 @@ pub(super) enum Task<const L: usize> {
     Posture,
     /// STAND_UP and SIT_DOWN.
     Stand(Stand),
-    /// DETECT_FLOOR.
+    /// DETECT_FLOOR by soles.
     Detect(Search<L>),
+    /// DETECT_FLOOR and DETECT_OBJECT by touch.
+    Feel(Feeling<L>),
 }
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {

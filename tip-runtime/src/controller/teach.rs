@@ -1,26 +1,41 @@
 //! TEACH_ commands (T.I.P. 3.1 §7-5).
 
+use super::drive::THIRD;
 use super::{Controller, targets};
 use crate::command::{MAX, Target, Teach};
 use crate::fault::Fault;
-use crate::kinematics::Chain;
-use crate::model::Family;
+use crate::kinematics::{Chain, Point};
+
+/// What TEACH_FORCE tells where the posture is singular.
+const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// Measures: X, Y, Z of a foot or joint in mm; the angles (deg) or torques of a leg, or of a
-    /// single joint. Members beyond those are zero.
+    /// single joint; the force in N with which a foot, or the end of its second link (`Jn2`),
+    /// pushes, which is (0, 0, −1) in a singular posture. Members beyond those are zero.
     ///
     /// # Errors
-    /// `Domain` for a target or quantity that the robot lacks, `InvalidMode` for contact forces,
-    /// which are not measured yet.
+    /// `Domain` for a target or quantity that the robot lacks.
     pub fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault> {
-        match (what, self.model.family) {
-            (Teach::Position, _) => self.teach_position(target),
-            (Teach::Angle, _) => of_joints(&self.measured.angles, target),
-            (Teach::Torque | Teach::Force, Family::Titan) => Err(Fault::Domain),
-            (Teach::Torque, _) => of_joints(&self.measured.torques, target),
-            (Teach::Force, _) => Err(Fault::InvalidMode),
+        match what {
+            Teach::Position => self.teach_position(target),
+            Teach::Angle => of_joints(&self.measured.angles, target),
+            Teach::Torque | Teach::Force if self.model.forces.is_none() => Err(Fault::Domain),
+            Teach::Torque => of_joints(&self.measured.torques, target),
+            Teach::Force => self.teach_force(target),
         }
+    }
+
+    fn teach_force(&self, target: Target) -> Result<[f64; MAX], Fault> {
+        let (n, point) = match target {
+            Target::Foot(n) => (n, Point::Tip),
+            Target::Joint(n, 2) => (n, Point::Joint(THIRD)),
+            Target::None | Target::All | Target::Floor | Target::Joint(..) => {
+                return Err(Fault::Domain);
+            }
+        };
+        let force = self.sensed_force(n, point)?;
+        Ok(members(&force.unwrap_or(UNAVAILABLE)))
     }
 
     fn teach_position(&self, target: Target) -> Result<[f64; MAX], Fault> {
@@ -32,10 +47,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let leg = targets::leg(&self.model.legs, n)?;
         let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
         match joint {
-            None => Ok(members(&chain.foot())),
+            None => Ok(members(&self.model.inverse.flat(chain.foot()))),
             Some(m) => chain
                 .joint(targets::index(m))
-                .map(|place| members(&place))
+                .map(|place| members(&self.model.inverse.flat(place)))
                 .ok_or(Fault::Domain),
         }
     }

@@ -38,8 +38,40 @@ pub(crate) enum Goal<const N: usize> {
         /// Whether no acceleration limit holds on the way.
         hs: bool,
     },
+    /// To come to rest at a point, to which a spring pulls what is guided.
+    Spring {
+        /// The point.
+        target: [f64; N],
+        /// Whether no acceleration limit holds on the way.
+        hs: bool,
+    },
     /// To keep a velocity.
     Speed([f64; N]),
+    /// To push with a torque or force, wherever that leads; the set point is where it led.
+    Effort([f64; N]),
+}
+
+impl<const N: usize> Goal<N> {
+    /// The point that it heads for.
+    pub(crate) const fn target(&self) -> Option<[f64; N]> {
+        match self {
+            Goal::Point { target, .. } | Goal::Spring { target, .. } => Some(*target),
+            Goal::Rest | Goal::Speed(_) | Goal::Effort(_) => None,
+        }
+    }
+
+    /// Whether torques follow from it, not positions.
+    pub(crate) const fn is_soft(&self) -> bool {
+        matches!(self, Goal::Spring { .. } | Goal::Effort(_))
+    }
+
+    /// Whether no acceleration limit holds.
+    pub(crate) const fn is_hs(&self) -> bool {
+        matches!(
+            self,
+            Goal::Point { hs: true, .. } | Goal::Spring { hs: true, .. }
+        )
+    }
 }
 
 /// A moving set point.
@@ -115,9 +147,11 @@ impl<const N: usize> Track<N> {
         let limits = self.in_force(limits);
         match self.goal {
             _ if held => self.ramp([0.0; N], limits, dt),
-            Goal::Rest => self.ramp([0.0; N], limits, dt),
+            Goal::Rest | Goal::Effort(_) => self.ramp([0.0; N], limits, dt),
             Goal::Speed(velocity) => self.ramp(velocity, limits, dt),
-            Goal::Point { target, .. } => self.follow(target, limits, dt),
+            Goal::Point { target, .. } | Goal::Spring { target, .. } => {
+                self.follow(target, limits, dt)
+            }
         }
     }
 
@@ -126,12 +160,13 @@ impl<const N: usize> Track<N> {
             speed: limits.speed.min(UNBOUNDED),
             acceleration: limits.acceleration.min(UNBOUNDED),
         };
-        match self.goal {
-            Goal::Point { hs: true, .. } => Limits {
+        if self.goal.is_hs() {
+            Limits {
                 acceleration: f64::INFINITY,
                 ..limits
-            },
-            _ => limits,
+            }
+        } else {
+            limits
         }
     }
 

@@ -12,7 +12,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
     /// EMG_ON beyond its working limits; what went wrong in the last advance.
     pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
-        let read = self.measure(sensors);
+        let read = self.measure(sensors).and(self.check_sensors());
+        for (drive, measured) in self.drives.iter_mut().zip(&self.measured.angles) {
+            drive.follow(measured);
+        }
         read.and_then(|()| self.check_limits())?;
         self.pending.take().map_or(Ok(()), Err)
     }
@@ -40,6 +43,22 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
         self.sensed = true;
         result
+    }
+
+    /// Torques and the slider's place, on a robot that has them.
+    fn check_sensors(&self) -> Result<(), Fault> {
+        if self.model.forces.is_some() {
+            for (n, torques) in (1..).zip(&self.measured.torques) {
+                if let Some(m) = torques.iter().position(|torque| !torque.is_finite()) {
+                    return Err(Fault::JointSensor(n, targets::number(m)));
+                }
+            }
+        }
+        let slider = self.measured.slider.iter().all(|at| at.is_finite());
+        if self.model.slider.is_some() && !slider {
+            return Err(Fault::Sensor("FLOOR"));
+        }
+        Ok(())
     }
 
     fn check_limits(&self) -> Result<(), Fault> {

@@ -83,6 +83,13 @@ impl<const J: usize> Chain<J> {
         }
     }
 
+    /// The foot's velocity (mm/s) at joint rates (deg/s).
+    #[must_use]
+    pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
+        let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
+        (self.foot_jacobian() * rates).into()
+    }
+
     fn jacobian(&self, point: Vector3<f64>, moved_by: usize) -> SMatrix<f64, 3, J> {
         let mut jacobian = SMatrix::<f64, 3, J>::zeros();
         let joints = self.axes.iter().zip(&self.places).take(moved_by);
@@ -96,19 +103,30 @@ impl<const J: usize> Chain<J> {
         jacobian
     }
 
-    /// The foot's velocity (mm/s) at joint rates (deg/s).
+    /// A point's velocity (mm/s) at joint rates (deg/s).
     #[must_use]
-    pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
+    pub fn point_velocity(&self, point: Point, rates: &[f64; J]) -> Option<[f64; 3]> {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
-        (self.foot_jacobian() * rates).into()
+        Some((self.point_jacobian(point)? * rates).into())
     }
 
     /// The least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None` where
     /// the foot cannot move in every direction.
     #[must_use]
     pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
-        let jacobian = self.foot_jacobian();
-        let gram: Matrix3<f64> = jacobian * jacobian.transpose();
+        self.point_rates(Point::Tip, velocity, false)
+    }
+
+    /// The least joint rates (deg/s) that give a point a velocity (mm/s), in space or in the `plane`
+    /// of x and y; `None` where it cannot move in every direction.
+    #[must_use]
+    pub fn point_rates(&self, point: Point, velocity: [f64; 3], plane: bool) -> Option<[f64; J]> {
+        let jacobian = self.point_jacobian(point)?;
+        let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
+        if plane {
+            // No joint moves anything along z: any number there leaves x and y alone.
+            gram.m33 = 1.0;
+        }
         let rates = jacobian.transpose() * (gram.try_inverse()? * Vector3::from(velocity));
         let rates: [f64; J] = (rates / RADIANS_PER_DEGREE).into();
         rates.iter().all(|rate| rate.is_finite()).then_some(rates)

@@ -8,7 +8,7 @@
 
 use super::Chain;
 use super::chain::RADIANS_PER_DEGREE;
-use crate::model::Leg;
+use crate::model::{Joint, Leg, Range};
 use nalgebra::{Matrix3, Vector3};
 
 /// A point of a leg that can be put somewhere.
@@ -46,15 +46,16 @@ pub fn resolve<const J: usize>(
     target: [f64; 3],
 ) -> Option<[f64; J]> {
     let mut angles = *from;
-    let mut free = [true; J];
     for _ in 0..TURNS {
         let chain = Chain::new(leg, &angles);
         let gap = gap(&chain, point, target)?;
         if gap.norm() <= CLOSED {
             return Some(angles);
         }
-        turn(&mut angles, &turns(&chain, point, &free, gap)?);
-        clamp(leg, from, &mut angles, &mut free);
+        let turns =
+            turns_within_limits(leg, from, &angles, |free| turns(&chain, point, free, gap))?;
+        turn(&mut angles, &turns);
+        clamp(leg, from, &mut angles);
     }
     let left = gap(&Chain::new(leg, &angles), point, target)?;
     (left.norm() <= LEFT_OVER).then_some(angles)
@@ -106,18 +107,41 @@ fn turn<const J: usize>(angles: &mut [f64; J], turns: &[f64; J]) {
     }
 }
 
-fn clamp<const J: usize>(
+/// The turns of the joints that are not at their limits, or turn away from them.
+fn turns_within_limits<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    angles: &mut [f64; J],
-    free: &mut [bool; J],
-) {
-    let joints = leg.joints.iter().zip(from);
-    for ((angle, free), (joint, from)) in angles.iter_mut().zip(free).zip(joints) {
-        let (low, high) = (joint.limits.min.min(*from), joint.limits.max.max(*from));
-        if *angle < low || *angle > high {
-            *angle = angle.max(low).min(high);
-            *free = false;
+    angles: &[f64; J],
+    turns: impl Fn(&[bool; J]) -> Option<[f64; J]>,
+) -> Option<[f64; J]> {
+    let mut free = [true; J];
+    let mut found = turns(&free)?;
+    for _ in 0..J {
+        let joints = leg.joints.iter().zip(from).zip(angles.iter().zip(&found));
+        let mut stuck = false;
+        for (free, ((joint, from), (angle, turn))) in free.iter_mut().zip(joints) {
+            let limits = limits(joint, *from);
+            let outward =
+                (*turn > 0.0 && *angle >= limits.max) || (*turn < 0.0 && *angle <= limits.min);
+            stuck |= *free && outward;
+            *free &= !outward;
         }
+        if !stuck {
+            break;
+        }
+        found = turns(&free)?;
     }
+    Some(found)
+}
+
+fn clamp<const J: usize>(leg: &Leg<J>, from: &[f64; J], angles: &mut [f64; J]) {
+    for (angle, (joint, from)) in angles.iter_mut().zip(leg.joints.iter().zip(from)) {
+        let limits = limits(joint, *from);
+        *angle = angle.max(limits.min).min(limits.max);
+    }
+}
+
+/// How far a joint that stands at `from` may go.
+fn limits(joint: &Joint, from: f64) -> Range {
+    Range::new(joint.limits.min.min(from), joint.limits.max.max(from))
 }

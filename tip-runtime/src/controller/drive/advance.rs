@@ -1,0 +1,263 @@
+//! One sampling time of a leg: set points move on, and joint commands follow from them.
+
+use super::law::{bounded, spring};
+use super::{Drive, LegDrive, THIRD};
+use crate::command::Target;
+use crate::controller::params::{FootParams, JointParams, PointParams};
+use crate::controller::targets::number;
+use crate::controller::trajectory::{Goal, Track};
+use crate::fault::Fault;
+use crate::kinematics::{self, Chain, Point, ROUNDING};
+use crate::model::{Inverse, Joint, Leg};
+
+/// What holds while a leg moves on.
+pub(in crate::controller) struct Going<'a, const J: usize> {
+    /// Which inverse kinematics the robot has.
+    pub(in crate::controller) inverse: Inverse,
+    /// How many of the robot's torque unit one N·m is.
+    pub(in crate::controller) torque_unit: f64,
+    /// The leg, from 1.
+    pub(in crate::controller) number: u8,
+    /// The sampling time: s.
+    pub(in crate::controller) dt: f64,
+    /// Whether every motion brakes and waits.
+    pub(in crate::controller) held: bool,
+    /// The angles measured: deg.
+    pub(in crate::controller) measured: &'a [f64; J],
+    pub(in crate::controller) foot: &'a FootParams,
+    pub(in crate::controller) joints: &'a [JointParams; J],
+}
+
+impl<const J: usize> LegDrive<J> {
+    /// Moves on by one sampling time. At the border of what the leg can do it stops there.
+    ///
+    /// # Errors
+    /// What stopped it: the way to a target is out of reach, or a joint is at its limit.
+    pub(in crate::controller) fn advance(
+        &mut self,
+        leg: &Leg<J>,
+        going: &Going<'_, J>,
+    ) -> Result<(), Fault> {
+        self.torques = [None; J];
+        match self.drive {
+            Drive::Joints(mut tracks) => {
+                let result = self.advance_joints(&mut tracks, 0, leg, going);
+                self.drive = Drive::Joints(tracks);
+                result
+            }
+            Drive::Foot(mut foot) => {
+                let result = self.advance_point(Point::Tip, &mut foot, leg, going);
+                self.drive = Drive::Foot(foot);
+                result
+            }
+            Drive::Third(mut third, mut tracks) => {
+                let point = self.advance_point(Point::Joint(THIRD), &mut third, leg, going);
+                let joints = self.advance_joints(&mut tracks, THIRD, leg, going);
+                self.drive = Drive::Third(third, tracks);
+                point.and(joints)
+            }
+        }
+    }
+
+    fn advance_joints(
+        &mut self,
+        tracks: &mut [Track<1>; J],
+        first: usize,
+        leg: &Leg<J>,
+        going: &Going<'_, J>,
+    ) -> Result<(), Fault> {
+        let mut result = Ok(());
+        let data = leg.joints.iter().zip(going.joints).zip(going.measured);
+        let each = tracks.iter_mut().zip(data).enumerate().skip(first);
+        for (m, (track, ((joint, params), measured))) in each {
+            let moved = if track.goal().is_soft() {
+                self.advance_soft_joint(m, track, *measured, (joint, params), going);
+                Ok(())
+            } else {
+                self.advance_stiff_joint(m, track, (joint, params), going)
+            };
+            result = result.and(moved);
+        }
+        result
+    }
+
+    fn advance_stiff_joint(
+        &mut self,
+        m: usize,
+        track: &mut Track<1>,
+        (joint, params): (&Joint, &JointParams),
+        going: &Going<'_, J>,
+    ) -> Result<(), Fault> {
+        let Some(angle) = self.angles.get_mut(m) else {
+            return Ok(());
+        };
+        let from = *angle;
+        track.advance(params.limits(), going.dt, going.held);
+        *angle = track.position().iter().sum();
+        // A joint that is beyond its limits already may come back, not go on.
+        let (low, high) = (joint.limits.min.min(from), joint.limits.max.max(from));
+        if *angle < low - ROUNDING || *angle > high + ROUNDING {
+            *angle = angle.max(low).min(high);
+            *track = track.stopped_at([*angle]);
+            return Err(Fault::JointLimit(going.number, number(m)));
+        }
+        Ok(())
+    }
+
+    fn advance_soft_joint(
+        &mut self,
+        m: usize,
+        track: &mut Track<1>,
+        measured: f64,
+        (joint, params): (&Joint, &JointParams),
+        going: &Going<'_, J>,
+    ) {
+        track.advance(params.limits(), going.dt, going.held);
+        let goal = track.goal();
+        let [torque] = match goal {
+            Goal::Effort(torque) => torque,
+            _ => spring(
+                [params.stiffness],
+                track.position(),
+                [measured],
+                params.limit.map(|limit| [limit]),
+            ),
+        };
+        if matches!(goal, Goal::Effort(_)) {
+            *track = track.stopped_at([measured]);
+        }
+        self.push(m, torque, measured, (joint, params), going);
+    }
+
+    fn advance_point(
+        &mut self,
+        point: Point,
+        track: &mut Track<3>,
+        leg: &Leg<J>,
+        going: &Going<'_, J>,
+    ) -> Result<(), Fault> {
+        if track.goal().is_soft() {
+            self.advance_soft_point(point, track, leg, going);
+            return Ok(());
+        }
+        let before = *track;
+        track.advance(going.foot.limits(), going.dt, going.held);
+        match reach(
+            going.inverse,
+            leg,
+            (point, going.number),
+            &self.angles,
+            track.position(),
+        ) {
+            Ok(angles) => {
+                let moved = match point {
+                    Point::Tip => J,
+                    Point::Joint(m) => m,
+                };
+                for (angle, new) in self.angles.iter_mut().zip(angles).take(moved) {
+                    *angle = new;
+                }
+                Ok(())
+            }
+            Err(fault) => {
+                *track = before.stopped_at(before.position());
+                Err(match track.goal().target() {
+                    Some(_) => Fault::OutOfReach(name(point, going.number)),
+                    None => fault,
+                })
+            }
+        }
+    }
+
+    fn advance_soft_point(
+        &mut self,
+        point: Point,
+        track: &mut Track<3>,
+        leg: &Leg<J>,
+        going: &Going<'_, J>,
+    ) {
+        track.advance(going.foot.limits(), going.dt, going.held);
+        let chain = Chain::new(leg, going.measured);
+        let at = going.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
+        let PointParams { stiffness, limit } = going.foot.of_point(point);
+        let force = match track.goal() {
+            Goal::Effort(force) => {
+                *track = track.stopped_at(at);
+                force
+            }
+            _ => spring(stiffness, track.position(), at, limit),
+        };
+        let Some(torques) = chain.torques_of_force(point, force) else {
+            return;
+        };
+        let moved = match point {
+            Point::Tip => J,
+            Point::Joint(m) => m,
+        };
+        let data = leg.joints.iter().zip(going.joints).zip(going.measured);
+        for (m, (torque, ((joint, params), measured))) in
+            torques.iter().zip(data).enumerate().take(moved)
+        {
+            let torque = torque * going.torque_unit;
+            self.push(m, torque, *measured, (joint, params), going);
+        }
+    }
+
+    /// Tells joint `m` (from 0) a torque. A joint at its limit is not pushed farther, but held there.
+    fn push(
+        &mut self,
+        m: usize,
+        torque: f64,
+        measured: f64,
+        (joint, params): (&Joint, &JointParams),
+        going: &Going<'_, J>,
+    ) {
+        let (Some(slot), Some(angle)) = (self.torques.get_mut(m), self.angles.get_mut(m)) else {
+            return;
+        };
+        if going.held {
+            return;
+        }
+        let torque = bounded(torque, params.torque_max);
+        let outward = (torque > 0.0 && measured >= joint.limits.max)
+            || (torque < 0.0 && measured <= joint.limits.min);
+        if outward {
+            *angle = measured.max(joint.limits.min).min(joint.limits.max);
+        } else {
+            *slot = Some(torque);
+        }
+    }
+}
+
+/// What the language calls a point of leg `n`.
+pub(in crate::controller) fn name(point: Point, n: u8) -> Target {
+    match point {
+        Point::Tip => Target::Foot(n),
+        Point::Joint(m) => Target::Joint(n, number(m)),
+    }
+}
+
+/// The joint angles that put a point of leg `n` at `position`, starting from the angles `from`.
+///
+/// # Errors
+/// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
+pub(in crate::controller) fn reach<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    (point, n): (Point, u8),
+    from: &[f64; J],
+    position: [f64; 3],
+) -> Result<[f64; J], Fault> {
+    let out_of_reach = Fault::OutOfReach(name(point, n));
+    if inverse == Inverse::Planar {
+        return kinematics::resolve(leg, from, point, position).ok_or(out_of_reach);
+    }
+    if point != Point::Tip {
+        return Err(out_of_reach);
+    }
+    let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
+    match kinematics::first_beyond_limits(leg, &angles) {
+        None => Ok(angles),
+        Some(m) => Err(Fault::JointLimit(n, number(m))),
+    }
+}

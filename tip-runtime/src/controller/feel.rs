@@ -1,0 +1,164 @@
+//! DETECT_FLOOR and DETECT_OBJECT of a hand (T.I.P. 3.1 §7-11-3, §7-11-4): fingers close with a
+//! gentle torque or force until something stops them.
+//!
+//! A finger has found something when its first joint senses at least the contact torque while no
+//! joint has turned for [`STILL_CYCLES`]. It goes on pressing until every finger that searches has
+//! found something; then all of them hold the angles that are measured.
+
+use super::drive::{Drive, THIRD};
+use super::task::Task;
+use super::trajectory::{Goal, Track};
+use super::{Controller, targets};
+use crate::command::{Command, Poll};
+use crate::fault::Fault;
+use crate::kinematics::Point;
+use crate::model::Forces;
+
+/// The search under way: for how many cycles each finger has been still; `None` for one that does
+/// not search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Feeling<const L: usize> {
+    still: [Option<u16>; L],
+}
+
+/// How long a joint that meets something stands still before that counts.
+const STILL_CYCLES: u16 = 10;
+
+/// A joint that turns more slowly stands still: deg/s.
+const STILL: f64 = 2.0;
+
+/// The shares of the search torque that joints 1 and 2 close with. As much in joint 2 as in joint 1
+/// would lift the fingertip off the floor again.
+const SHARES: [f64; 2] = [1.0, 1.0 / 3.0];
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Starts a search, or goes on with it.
+    pub(super) fn feel(
+        &mut self,
+        command: &Command<'_>,
+        start: fn(&mut Self, &Command<'_>, &Forces) -> Result<[bool; L], Fault>,
+    ) -> Result<Poll, Fault> {
+        let forces = self.model.forces.as_ref().ok_or(Fault::Domain)?;
+        let Task::Feel(mut feeling) = self.task else {
+            let searching = start(self, command, forces)?;
+            self.task = Task::Feel(Feeling {
+                still: searching.map(|searches| searches.then_some(0)),
+            });
+            return Ok(Poll::Pending);
+        };
+        let states = self.rates.iter().zip(&self.measured.torques);
+        for (still, (rates, torques)) in feeling.still.iter_mut().zip(states) {
+            let presses = torques
+                .first()
+                .is_some_and(|torque| libm::fabs(*torque) >= forces.contact_torque);
+            let stands = rates.iter().all(|rate| libm::fabs(*rate) < STILL);
+            if let Some(still) = still {
+                *still = if presses && stands {
+                    still.saturating_add(1)
+                } else {
+                    0
+                };
+            }
+        }
+        let found = |still: &u16| *still >= STILL_CYCLES;
+        if feeling.still.iter().flatten().all(found) {
+            self.task = Task::Idle;
+            self.stop_where_felt(&feeling);
+            return Ok(Poll::Done);
+        }
+        self.task = Task::Feel(feeling);
+        Ok(Poll::Pending)
+    }
+
+    /// Every finger that searched holds the angles that are measured.
+    fn stop_where_felt(&mut self, feeling: &Feeling<L>) {
+        let fingers = self.drives.iter_mut().zip(&self.measured.angles);
+        for ((drive, measured), still) in fingers.zip(feeling.still) {
+            if still.is_some() {
+                drive.drive = Drive::Joints(measured.map(held));
+            }
+        }
+    }
+
+    /// DETECT_FLOOR: joint 1 (type 1), or joints 1 and 2 (type 2), close by torque; the others hold
+    /// their angles.
+    pub(super) fn floor_search(
+        &mut self,
+        command: &Command<'_>,
+        forces: &Forces,
+    ) -> Result<[bool; L], Fault> {
+        let closing = match kind(command)? {
+            1 => 1,
+            2 => 2,
+            _ => return Err(Fault::Domain),
+        };
+        let mut searching = [false; L];
+        for searches in targets::feet(&mut searching, command.target)? {
+            *searches = true;
+        }
+        let fingers = self.drives.iter_mut().zip(&self.measured.angles);
+        for ((drive, measured), searches) in fingers.zip(searching) {
+            if !searches {
+                continue;
+            }
+            let mut tracks = measured.map(held);
+            for (track, share) in tracks.iter_mut().zip(SHARES).take(closing) {
+                *track = track.towards(Goal::Effort([share * forces.search_torque]));
+            }
+            drive.drive = Drive::Joints(tracks);
+        }
+        Ok(searching)
+    }
+
+    /// DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force, which the
+    /// fingers of one side share; in type 3 a spring draws the fingertips, and keeps their height.
+    pub(super) fn object_search(
+        &mut self,
+        command: &Command<'_>,
+        forces: &Forces,
+    ) -> Result<[bool; L], Fault> {
+        let kind = kind(command)?;
+        let point = match kind {
+            1 | 3 => Point::Tip,
+            2 if THIRD < J => Point::Joint(THIRD),
+            _ => return Err(Fault::Domain),
+        };
+        for n in 1..=targets::number(L.wrapping_sub(1)) {
+            let x = targets::leg(&self.model.legs, n)?.base[0];
+            let beside = |leg: &&crate::model::Leg<J>| leg.base[0] * x > 0.0;
+            let sharing = self.model.legs.iter().filter(beside).count().max(1);
+            let inward = if x < 0.0 { 1.0 } else { -1.0 };
+            let force = inward * forces.search_force / sharing as f64;
+            if kind == 3 {
+                self.draw_inward(n)?;
+            } else {
+                self.push_point(n, point, [force, 0.0, 0.0])?;
+            }
+        }
+        Ok([true; L])
+    }
+
+    /// A spring that draws a fingertip to the middle of the palm, at the height that it has.
+    fn draw_inward(&mut self, n: u8) -> Result<(), Fault> {
+        let from = self.measured_point(n, Point::Tip)?;
+        let target = [0.0, from[1], from[2]];
+        let spring = Goal::Spring { target, hs: false };
+        self.take_point(n, Point::Tip, Track::resting(from).towards(spring))
+    }
+}
+
+/// Angle control at rest.
+fn held(angle: f64) -> Track<1> {
+    Track::resting([angle]).towards(Goal::Point {
+        target: [angle],
+        hs: false,
+    })
+}
+
+/// The type that a search is given, truncated.
+fn kind(command: &Command<'_>) -> Result<u8, Fault> {
+    match command.values {
+        [value] if value.v >= 1.0 && value.v < 256.0 => Ok(libm::trunc(value.v) as u8),
+        _ => Err(Fault::Domain),
+    }
+}

@@ -1,0 +1,50 @@
+//! From the operands of a motion to numbers.
+
+use crate::command::Value;
+use crate::fault::Fault;
+
+/// How a REL_ command and a plain one read their operands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Base {
+    /// Each operand says for itself; relative ones count from the measured value.
+    Operand,
+    /// All count from the current target, else from the measured value; all zero stops a move.
+    Target,
+}
+
+pub(super) fn is_zero(values: &[Value]) -> bool {
+    values.iter().all(|value| value.v == 0.0)
+}
+
+/// The operands, relative ones counted from `base`.
+pub(super) fn resolve<const N: usize>(
+    values: &[Value; N],
+    base: [f64; N],
+) -> Result<[f64; N], Fault> {
+    let mut resolved = base;
+    for (resolved, value) in resolved.iter_mut().zip(values) {
+        *resolved = crate::ops::finite(if value.relative {
+            *resolved + value.v
+        } else {
+            value.v
+        })?;
+    }
+    Ok(resolved)
+}
+
+/// The operands, all counted from `base`.
+pub(super) fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
+    resolve(&values.map(|value| Value::relative(value.v)), base)
+}
+
+/// The operands as the command reads them, counted from `from`.
+pub(super) fn resolve_from<const N: usize>(
+    values: &[Value; N],
+    from: [f64; N],
+    base: Base,
+) -> Result<[f64; N], Fault> {
+    match base {
+        Base::Operand => resolve(values, from),
+        Base::Target => sum(values, from),
+    }
+}

@@ -1,0 +1,106 @@
+//! Stiffness of positions, and the limits of compliance (T.I.P. 3.1 §7-8-3-5 to §7-8-3-9).
+
+use super::FootParams;
+use crate::command::{Command, Op, Target, Value};
+use crate::controller::drive::THIRD;
+use crate::controller::{Controller, targets};
+use crate::fault::Fault;
+
+/// Three operands along x, y and z.
+type Axes = [f64; 3];
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Carries out a command of springs and their limits; `None` if the command is none.
+    pub(super) fn set_spring(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
+        Some(match command.op {
+            Op::SetPositionStiffness => self.set_position_stiffness(command),
+            Op::SetComplianceTorqueLimit => self.limit_torques(command),
+            Op::ResetComplianceTorqueLimit => self.unlimit_torques(command.target),
+            Op::SetComplianceForceLimit => self.limit_forces(command),
+            Op::ResetComplianceForceLimit => self.put_force_limit(command.target, None),
+            _ => return None,
+        })
+    }
+
+    fn set_position_stiffness(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let stiffness = self.axes(command.values, |v| v >= 0.0)?;
+        for foot in targets::feet(&mut self.params.feet, command.target)? {
+            foot.stiffness = stiffness;
+        }
+        Ok(())
+    }
+
+    fn limit_torques(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let positive = |value: &Value| value.v > 0.0 && value.v.is_finite();
+        if !command.values.iter().all(positive) {
+            return Err(Fault::Domain);
+        }
+        match (command.target, command.values) {
+            (Target::Joint(n, m), [limit]) => {
+                targets::joint_mut(&mut self.params.joints, n, m)?.limit = Some(limit.v);
+            }
+            (Target::All, [limit]) => {
+                for joint in self.params.joints.iter_mut().flatten() {
+                    joint.limit = Some(limit.v);
+                }
+            }
+            (Target::Foot(n), limits) if limits.len() == J => {
+                let joints = targets::leg_mut(&mut self.params.joints, n)?;
+                for (joint, limit) in joints.iter_mut().zip(limits) {
+                    joint.limit = Some(limit.v);
+                }
+            }
+            _ => return Err(Fault::Domain),
+        }
+        Ok(())
+    }
+
+    fn unlimit_torques(&mut self, target: Target) -> Result<(), Fault> {
+        if let Target::Joint(n, m) = target {
+            targets::joint_mut(&mut self.params.joints, n, m)?.limit = None;
+            return Ok(());
+        }
+        for joint in targets::feet(&mut self.params.joints, target)?
+            .iter_mut()
+            .flatten()
+        {
+            joint.limit = None;
+        }
+        Ok(())
+    }
+
+    fn limit_forces(&mut self, command: &Command<'_>) -> Result<(), Fault> {
+        let limit = self.axes(command.values, |v| v > 0.0)?;
+        self.put_force_limit(command.target, Some(limit))
+    }
+
+    fn put_force_limit(&mut self, target: Target, limit: Option<Axes>) -> Result<(), Fault> {
+        let feet = &mut self.params.feet;
+        match target {
+            Target::All => {
+                for foot in feet {
+                    foot.foot_limit = limit;
+                    foot.third_limit = limit;
+                }
+            }
+            Target::Foot(n) => targets::leg_mut(feet, n)?.foot_limit = limit,
+            Target::Joint(n, m) if targets::index(m) == THIRD && THIRD < J => {
+                let foot: &mut FootParams = targets::leg_mut(feet, n)?;
+                foot.third_limit = limit;
+            }
+            Target::Joint(..) | Target::None | Target::Floor => return Err(Fault::Domain),
+        }
+        Ok(())
+    }
+
+    /// Three operands in their domain; z goes unchecked where it does not count.
+    fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
+        let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
+        let good = |value: Value| value.v.is_finite() && in_domain(value.v);
+        if good(x) && good(y) && (self.model.inverse.is_planar() || good(z)) {
+            Ok([x.v, y.v, z.v])
+        } else {
+            Err(Fault::Domain)
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! The Hiroshima Hand: planar fingers, their forces and springs, the slider, searches by touch.
+
+mod forces;
+mod positions;
+mod rig;
+mod searches;
+mod springs;
+mod torques;

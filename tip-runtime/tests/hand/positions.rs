@@ -1,0 +1,208 @@
+//! Fingertips, third joints and the slider under position control.
+
+use crate::rig::{F1, Hand, J11, J12, J13, all_close, close};
+use tip_runtime::command::{Op, Target, Teach};
+use tip_runtime::fault::Fault;
+use tip_runtime::kinematics::{Chain, Point, resolve};
+use tip_runtime::model::hand;
+
+const ALL: Target = Target::All;
+const FLOOR: Target = Target::Floor;
+
+/// The fingertip of F1 from its angles: links hang down, angles add up.
+fn tip_of(angles: [f64; 3]) -> [f64; 3] {
+    let (mut x, mut y, mut turned) = (-60.0, 0.0, 0.0_f64);
+    for (length, angle) in [70.0, 50.0, 40.0].iter().zip(angles) {
+        turned += angle.to_radians();
+        x += length * turned.sin();
+        y -= length * turned.cos();
+    }
+    [x, y, 0.0]
+}
+
+// clauses: 7.17
+#[test]
+fn fingers_hang_down_and_close_towards_the_centre() {
+    let rig = Hand::new();
+    let tip = tip_of([-40.0, 0.0, 80.0]);
+    all_close(rig.teach(Teach::Position, F1), tip, 1e-9);
+    for n in [2, 3] {
+        let mirrored = [-tip[0], tip[1], 0.0];
+        all_close(rig.teach(Teach::Position, Target::Foot(n)), mirrored, 1e-9);
+        // F2 and F3 stand apart along z, which the language does not see.
+        assert!(rig.tip(usize::from(n))[2].abs() > 1.0);
+    }
+    let straight = Chain::new(&hand::MODEL.legs[0], &[0.0; 3]);
+    all_close(straight.foot(), [-60.0, -160.0, 0.0], 1e-9);
+    all_close(straight.joint(2).expect("J13"), [-60.0, -120.0, 0.0], 1e-9);
+}
+
+// clauses: 7.2
+#[test]
+fn a_small_step_is_the_least_turn() {
+    let finger = &hand::MODEL.legs[0];
+    for from in [[-40.0, 10.0, 80.0], [10.0, 30.0, 40.0], [30.0, 60.0, 20.0]] {
+        let [x, y, z] = tip_of(from);
+        let angles = resolve(finger, &from, Point::Tip, [x + 1e-3, y - 2e-3, z]).expect("near");
+        all_close(tip_of(angles), [x + 1e-3, y - 2e-3, 0.0], 1e-8);
+        // What keeps the tip in place is across both rows of the Jacobian: no share of it is spent.
+        let jacobian = Chain::new(finger, &from).foot_jacobian();
+        let idle = jacobian.row(0).cross(&jacobian.row(1));
+        let turn: Vec<f64> = angles.iter().zip(from).map(|(a, b)| a - b).collect();
+        let size = turn.iter().map(|turn| turn * turn).sum::<f64>().sqrt();
+        let spent: f64 = idle.iter().zip(&turn).map(|(a, b)| a * b).sum();
+        assert!(size > 0.0 && (spent / idle.norm()).abs() < 1e-4 * size);
+    }
+}
+
+// clauses: 2.22 7.2
+#[test]
+fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
+    let finger = &hand::MODEL.legs[0];
+    for x in (-150..=20).step_by(10) {
+        for y in (-150..=-60).step_by(10) {
+            let target = [f64::from(x), f64::from(y), 0.0];
+            if let Some(angles) = resolve(finger, &finger.initial, Point::Tip, target) {
+                all_close(tip_of(angles), target, 1e-6);
+                for (joint, angle) in finger.joints.iter().zip(angles) {
+                    assert!(joint.limits.contains(angle));
+                }
+            }
+        }
+    }
+    let near = resolve(finger, &finger.initial, Point::Tip, [-60.0, -159.9, 0.0]);
+    assert!(near.is_some());
+    let far = resolve(finger, &finger.initial, Point::Tip, [-60.0, -160.1, 0.0]);
+    assert!(far.is_none());
+    // Stretched out to the very end.
+    let end = resolve(finger, &finger.initial, Point::Tip, [-60.0, -160.0, 0.0]);
+    all_close(end.map_or([9.0; 3], tip_of), [-60.0, -160.0, 0.0], 1e-6);
+}
+
+// clauses: 7.1 7.2 7.3
+#[test]
+fn a_fingertip_goes_straight_and_ignores_z() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::Ptp, F1, &[x + 30.0, y + 10.0, 77.0]);
+    let mut cycles = 0;
+    while !rig.controller.inpos(F1) {
+        rig.idle(1);
+        let [at_x, at_y, _] = rig.tip(1);
+        close((at_x - x) * 10.0, (at_y - y) * 30.0, 1e-5);
+        cycles += 1;
+        assert!(cycles < 1000);
+    }
+    rig.idle(100);
+    all_close(
+        rig.teach(Teach::Position, F1),
+        [x + 30.0, y + 10.0, 0.0],
+        1e-6,
+    );
+    rig.done(Op::RelPtp, F1, &[-5.0, 0.0, 1e6]);
+    rig.idle(500);
+    all_close(
+        rig.teach(Teach::Position, F1),
+        [x + 25.0, y + 10.0, 0.0],
+        1e-6,
+    );
+    assert_eq!(
+        rig.fault(Op::Ptp, F1, &[-60.0, -161.0, 0.0]),
+        Fault::OutOfReach(F1)
+    );
+}
+
+// clauses: 7.2 7.21
+#[test]
+fn speed_is_v_max() {
+    let mut rig = Hand::new();
+    rig.done(Op::SetVMax, F1, &[20.0]);
+    let [x, y, _] = rig.tip(2);
+    rig.done(Op::Ptp, Target::Foot(2), &[x - 30.0, y, 0.0]);
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::Ptp, F1, &[x + 30.0, y, 0.0]);
+    // F1 is at its speed after 50 ms, F2 from 250 to 300 ms.
+    rig.idle(135);
+    let before = (rig.tip(1)[0], rig.tip(2)[0]);
+    rig.idle(1);
+    close(rig.tip(1)[0] - before.0, 0.04, 1e-6);
+    close(before.1 - rig.tip(2)[0], 0.2, 1e-6);
+}
+
+// clauses: 2.25 5.1 7.2
+#[test]
+fn the_third_joint_is_put_by_the_two_before_it() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::OmegaControl, J13, &[-5.0]);
+    rig.done(Op::Ptp, J13, &[x + 20.0, y + 20.0, 9.0]);
+    assert!(!rig.controller.inpos(J13) && !rig.controller.inpos(F1));
+    rig.cycles(Op::WaitInpos, J13, &[]).expect("it arrives");
+    rig.idle(300);
+    all_close(
+        rig.teach(Teach::Position, J13),
+        [x + 20.0, y + 20.0, 0.0],
+        1e-6,
+    );
+    // The third joint kept its angular velocity.
+    let angle = rig.sensors.angles[0][2];
+    rig.idle(10);
+    close(rig.sensors.angles[0][2], angle - 0.1, 1e-9);
+    // A joint that served the fingertip holds its angle.
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::Ptp, F1, &[x + 5.0, y, 0.0]);
+    rig.idle(500);
+    let third = rig.sensors.angles[0][2];
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::Ptp, J13, &[x + 9.0, y, 0.0]);
+    rig.idle(500);
+    close(rig.sensors.angles[0][2], third, 1e-6);
+    // A joint command ends the mode; its other joints stay where they are measured.
+    rig.done(Op::PtpAngle, J11, &[-30.0]);
+    let second = rig.sensors.angles[0][1];
+    rig.idle(500);
+    close(rig.sensors.angles[0][0], -30.0, 1e-9);
+    close(rig.sensors.angles[0][1], second, 1e-6);
+    assert!(rig.controller.near(J12));
+    assert_eq!(rig.fault(Op::Ptp, J12, &[0.0, -100.0, 0.0]), Fault::Domain);
+    let far = rig.fault(Op::Ptp, J13, &[-60.0, -121.0, 0.0]);
+    assert_eq!(far, Fault::OutOfReach(J13));
+}
+
+// clauses: 7.2 7.3 7.6 7.21
+#[test]
+fn the_slider_carries_the_floor() {
+    let mut rig = Hand::new();
+    assert_eq!(rig.controller.slider(), [0.0, -130.0, 0.0]);
+    rig.done(Op::SetVMax, FLOOR, &[10.0]);
+    rig.done(Op::Ptp, FLOOR, &[0.0, -120.0, 0.0]);
+    assert!(!rig.controller.inpos(ALL));
+    rig.idle(250);
+    let before = rig.controller.slider()[1];
+    rig.idle(1);
+    close(rig.controller.slider()[1] - before, 0.02, 1e-9);
+    rig.cycles(Op::WaitInpos, ALL, &[]).expect("it arrives");
+    rig.idle(500);
+    assert_eq!(rig.controller.slider(), [0.0, -120.0, 0.0]);
+    rig.done(Op::RelPtp, FLOOR, &[0.0, -5.0, 0.0]);
+    rig.done(Op::RelPtp, FLOOR, &[0.0, -5.0, 0.0]);
+    rig.idle(2000);
+    assert_eq!(rig.controller.slider(), [0.0, -130.0, 0.0]);
+    let out = Fault::OutOfReach(FLOOR);
+    assert_eq!(rig.fault(Op::Ptp, FLOOR, &[0.0, -59.0, 0.0]), out);
+    assert_eq!(rig.fault(Op::Ptp, FLOOR, &[1.0, -130.0, 0.0]), out);
+    rig.done(Op::Ptp, FLOOR, &[0.0, -60.0, 0.0]);
+    rig.done(Op::AllStop, Target::None, &[]);
+    rig.idle(100);
+    let held = rig.controller.slider();
+    rig.idle(100);
+    assert_eq!(rig.controller.slider(), held);
+    rig.cycles(Op::InitialPosture, Target::None, &[]);
+    rig.idle(3000);
+    assert_eq!(rig.controller.slider(), [0.0, -130.0, 0.0]);
+    rig.done(Op::EmgOff, Target::None, &[]);
+    rig.done(Op::Ptp, FLOOR, &[0.0, 0.0, 0.0]);
+    rig.idle(3000);
+    assert_eq!(rig.controller.slider(), [0.0, -60.0, 0.0]);
+}

@@ -1,0 +1,193 @@
+//! Compliance: springs at joints and at points, their stiffness and limits.
+
+use crate::rig::{F1, Hand, J11, J12, J13, all_close, close, transposed};
+use tip_runtime::command::{Op, Target, Teach};
+use tip_runtime::fault::Fault;
+
+const ALL: Target = Target::All;
+
+// clauses: 7.11 7.26
+#[test]
+fn a_compliant_joint_is_a_spring() {
+    let mut rig = Hand::new();
+    rig.done(Op::ComplianceAngle, F1, &[-40.0, 20.0, 60.0]);
+    rig.idle(2000);
+    all_close(rig.sensors.angles[0], [-40.0, 20.0, 60.0], 1e-6);
+    for (stiffness, tolerance) in [(20.0, 1e-6), (50.0, 1e-6)] {
+        rig.done(Op::SetAngleStiffness, ALL, &[stiffness]);
+        rig.pull[0] = [0.4, 0.6, 0.0];
+        rig.idle(3000);
+        // τ = k Δθ balances Jᵀ F in the posture that it leads to.
+        let load = transposed(&rig.chain(1), rig.pull[0]);
+        let rest = [-40.0, 20.0, 60.0];
+        let bent = core::array::from_fn(|m| rest[m] + load[m] / stiffness);
+        all_close(rig.sensors.angles[0], bent, tolerance);
+        assert!(load[0].abs() > 1.0);
+    }
+    rig.pull[0] = [0.0; 3];
+    rig.idle(3000);
+    all_close(rig.sensors.angles[0], [-40.0, 20.0, 60.0], 1e-6);
+}
+
+// clauses: 7.11 7.28 7.30
+#[test]
+fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
+    let mut rig = Hand::new();
+    rig.done(Op::SetAngleStiffness, J11, &[1e6]);
+    rig.done(Op::SetComplianceTorqueLimit, J11, &[15.0]);
+    rig.done(Op::ComplianceAngle, J11, &[-20.0]);
+    assert_eq!(rig.told(1)[0], Some(15.0));
+    let strength = |rig: &Hand| rig.told(1)[0].map(f64::abs);
+    rig.done(Op::ResetComplianceTorqueLimit, J11, &[]);
+    assert_eq!(strength(&rig), Some(1000.0));
+    rig.done(Op::SetComplianceTorqueLimit, F1, &[5.0, 6.0, 7.0]);
+    assert_eq!(strength(&rig), Some(5.0));
+    for wrong in [0.0, -1.0] {
+        let fault = rig.fault(Op::SetComplianceTorqueLimit, ALL, &[wrong]);
+        assert_eq!(fault, Fault::Domain);
+    }
+}
+
+// clauses: 7.12 7.27
+#[test]
+fn a_compliant_fingertip_is_a_spring() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    let (x, y) = (x + 20.0, y + 10.0);
+    rig.done(Op::CompliancePosition, F1, &[x, y, 55.0]);
+    rig.idle(5000);
+    all_close(rig.teach(Teach::Position, F1), [x, y, 0.0], 1e-4);
+    // 0.1 N/mm: 0.5 N deflect it by 5 mm.
+    rig.pull[0] = [0.5, -0.2, 0.0];
+    rig.idle(5000);
+    all_close(
+        rig.teach(Teach::Position, F1),
+        [x + 5.0, y - 2.0, 0.0],
+        1e-4,
+    );
+    rig.done(Op::SetPositionStiffness, F1, &[0.2, 0.05, -1.0]);
+    rig.idle(5000);
+    all_close(
+        rig.teach(Teach::Position, F1),
+        [x + 2.5, y - 4.0, 0.0],
+        1e-4,
+    );
+    assert_eq!(
+        rig.fault(Op::SetPositionStiffness, F1, &[0.1, -0.1, 0.0]),
+        Fault::Domain
+    );
+}
+
+// clauses: 7.12 7.29 7.30
+#[test]
+fn a_fingertip_spring_gives_way_at_its_limit_until_that_is_reset() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::CompliancePosition, F1, &[x, y, 0.0]);
+    rig.done(Op::SetComplianceForceLimit, F1, &[0.2, 0.3, 0.0]);
+    rig.pull[0] = [-0.25, 0.0, 0.0];
+    rig.idle(200);
+    // More than the limit: it is drawn away without end.
+    let away = rig.tip(1)[0];
+    assert!(away < x - 2.5);
+    rig.idle(20);
+    assert!(rig.tip(1)[0] < away);
+    rig.done(Op::ResetComplianceForceLimit, F1, &[]);
+    rig.idle(5000);
+    all_close(rig.teach(Teach::Position, F1), [x - 2.5, y, 0.0], 1e-4);
+    // A limit of the third joint is another one.
+    rig.done(Op::SetComplianceForceLimit, J13, &[0.01, 0.01, 0.01]);
+    rig.idle(1000);
+    all_close(rig.teach(Teach::Position, F1), [x - 2.5, y, 0.0], 1e-4);
+    for wrong in [[0.0, 1.0, 1.0], [1.0, -1.0, 1.0]] {
+        let fault = rig.fault(Op::SetComplianceForceLimit, F1, &wrong);
+        assert_eq!(fault, Fault::Domain);
+    }
+    let fault = rig.fault(Op::SetComplianceForceLimit, J12, &[1.0; 3]);
+    assert_eq!(fault, Fault::Domain);
+}
+
+// clauses: 2.25 7.12
+#[test]
+fn the_third_joint_can_hang_on_a_spring_too() {
+    let mut rig = Hand::new();
+    rig.done(Op::PtpAngle, J12, &[40.0]);
+    rig.idle(1000);
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::CompliancePosition, J13, &[x + 10.0, y + 15.0, 0.0]);
+    assert_eq!(rig.told(1)[2], None);
+    rig.idle(5000);
+    all_close(
+        rig.teach(Teach::Position, J13),
+        [x + 10.0, y + 15.0, 0.0],
+        1e-3,
+    );
+    close(rig.sensors.angles[0][2], 80.0, 1e-9);
+}
+
+// clauses: 7.1 7.11 7.12
+#[test]
+fn relative_operands_count_from_the_measured_and_rel_forms_from_the_target() {
+    let mut rig = Hand::new();
+    rig.done(Op::ComplianceAngle, J12, &[20.0]);
+    rig.idle(2000);
+    rig.pull[0] = [0.3, 0.3, 0.0];
+    rig.idle(2000);
+    let bent = rig.sensors.angles[0][1];
+    assert!((bent - 20.0).abs() > 0.5);
+    let mut other = Hand::new();
+    other.done(Op::ComplianceAngle, ALL, &[-40.0, 10.0, 80.0]);
+    other.done(Op::RelComplianceAngle, ALL, &[0.0, 5.0, 0.0]);
+    other.idle(2000);
+    close(other.sensors.angles[2][1], 15.0, 1e-6);
+    rig.relative(Op::ComplianceAngle, J12, &[0.0]);
+    rig.pull[0] = [0.0; 3];
+    rig.idle(2000);
+    close(rig.sensors.angles[0][1], bent, 1e-6);
+    let mut rig = Hand::new();
+    let tips = [1, 2, 3].map(|n| rig.tip(n));
+    rig.relative(Op::CompliancePosition, ALL, &[4.0, 0.0, 0.0]);
+    rig.done(Op::RelCompliancePosition, ALL, &[0.0, 3.0, 0.0]);
+    rig.idle(5000);
+    for (n, [x, y, _]) in (1..).zip(tips) {
+        let tip = rig.teach(Teach::Position, Target::Foot(n));
+        all_close(tip, [x + 4.0, y + 3.0, 0.0], 1e-3);
+    }
+}
+
+// clauses: 5.1 7.13 7.15
+#[test]
+fn compliance_counts_as_position_and_angle_control() {
+    let mut rig = Hand::new();
+    rig.done(Op::ComplianceAngle, J11, &[-20.0]);
+    assert!(!rig.controller.inpos(J11) && !rig.controller.near(J11));
+    rig.cycles(Op::WaitInpos, F1, &[]).expect("it arrives");
+    assert!(rig.controller.near(F1));
+    let [x, y, _] = rig.tip(2);
+    let second = Target::Foot(2);
+    rig.done(Op::CompliancePosition, second, &[x - 20.0, y, 0.0]);
+    assert!(!rig.controller.near(second));
+    rig.cycles(Op::WaitNear, second, &[]).expect("it arrives");
+    rig.done(Op::NoCompliance, second, &[]);
+    assert_eq!(rig.told(2), [None; 3]);
+    assert!(rig.controller.inpos(second) && rig.controller.near(second));
+    let held = rig.sensors.angles[1];
+    rig.idle(100);
+    all_close(rig.sensors.angles[1], held, 1e-12);
+    assert_eq!(rig.fault(Op::NoCompliance, ALL, &[]), Fault::Domain);
+}
+
+// clauses: 2.24 7.2 7.13
+#[test]
+fn a_strained_spring_does_not_jump_when_it_becomes_stiff() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::CompliancePosition, F1, &[x, y, 0.0]);
+    rig.pull[0] = [0.5, 0.0, 0.0];
+    rig.idle(3000);
+    let bent = rig.tip(1);
+    rig.done(Op::Ptp, F1, &[x, y, 0.0]);
+    assert!((rig.tip(1)[0] - bent[0]).abs() < 0.01);
+    rig.idle(2000);
+    all_close(rig.teach(Teach::Position, F1), [x, y, 0.0], 1e-6);
+}
