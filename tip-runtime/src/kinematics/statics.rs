@@ -49,9 +49,8 @@ fn in_plane<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     torques: &SVector<f64, J>,
 ) -> Option<[f64; 3]> {
-    let gram = (jacobian * jacobian.transpose())
-        .fixed_view::<2, 2>(0, 0)
-        .into_owned();
+    let gram: Matrix3<f64> = jacobian * jacobian.transpose();
+    let gram = Matrix2::new(gram.m11, gram.m12, gram.m21, gram.m22);
     let right = (jacobian * torques).xy();
     let force = invert_2(&gram)? * right;
     Some([force.x, force.y, 0.0])

@@ -49,10 +49,10 @@ impl Rig {
 
     /// Phase 1: the sensors are read.
     pub(crate) fn sense(&mut self) -> Result<(), Fault> {
-        let commanded = self.commanded();
-        for (leg, angles) in commanded.iter().enumerate() {
-            for (joint, angle) in angles.iter().enumerate() {
-                if !self.stuck[leg][joint] {
+        for (leg, commands) in self.controller.outputs().iter().enumerate() {
+            for (joint, command) in commands.iter().enumerate() {
+                // A torque moves nothing here.
+                if let (JointCommand::Angle(angle), false) = (command, self.stuck[leg][joint]) {
                     self.sensors.angles[leg][joint] = *angle;
                 }
             }

@@ -1,0 +1,6 @@
+3.1
+Torque is no angle control
+TORQUE J13 R 0
+WAIT_INPOS J13
+WAIT_NEAR J13
+END
