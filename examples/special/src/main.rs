@@ -1,0 +1,52 @@
+//! `cargo run -p special`: see the README beside it.
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    reason = "an example talks to people"
+)]
+
+use special::run::{Plant, Run, interpreter, run};
+use special::{Dance, SOURCE};
+use std::error::Error;
+use std::process::ExitCode;
+use tip_runtime::console::Transcript;
+use tip_runtime::model::titan8;
+use tip_runtime::record::Ending;
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let plant = Plant::new(&titan8::MODEL);
+    let mut console = Transcript::default();
+    let compiled = run(Dance::new(), &mut console, plant.clone())?;
+    let text = interpreter("dance.prg", SOURCE).ok_or("dance.prg has errors")?;
+    let interpreted = run(text, (), plant)?;
+
+    let identical = compiled.trace == interpreted.trace;
+    println!("{}", console.messages.join("\n"));
+    report(&compiled, identical);
+    let good = identical && matches!(compiled.ending, Ending::Program(_));
+    Ok(if good {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+/// Where the body went, how the run ended, and whether both engines agree.
+fn report(run: &Run, identical: bool) {
+    println!(
+        "\nbody   {:.1} mm from its start at most, {:.1} mm in the end\n\
+         slip   {:.2} mm at most of a foot that carries",
+        run.excursion(),
+        run.rest(),
+        run.plant.worst_slip()
+    );
+    if let Ending::Emergency(emergency) = run.ending {
+        println!("end    {emergency}");
+    }
+    if identical {
+        let records = run.trace.lines().count();
+        println!("traces identical: {records} records, compiled and interpreted");
+    } else {
+        println!("traces DIFFER");
+    }
+}
