@@ -1,4 +1,5 @@
 //! The Hiroshima Hand: planar fingers, their forces and springs, the slider, searches by touch.
+#![cfg(feature = "control")]
 
 mod forces;
 mod positions;
