@@ -1,0 +1,5 @@
+3.1
+Generic angle stiffness negative
+REM one
+SET_ANGLE_STIFFNESS ALL -1
+END
