@@ -42,7 +42,7 @@ pub enum Fault {
     /// RETURN or SUBEND without a call to return from.
     InvalidReturn,
     /// A scalar read before it was assigned: its index in [`Program::scalar`](crate::program::Program::scalar).
-    Unassigned(u16),
+    Unassigned(u32),
     /// The command does not fit the control mode of its target.
     InvalidMode,
     /// More than ten nested calls.

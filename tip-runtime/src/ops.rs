@@ -9,7 +9,7 @@ use core::fmt;
 /// # Errors
 /// `Unassigned` before the first assignment.
 #[inline]
-pub const fn get(scalar: Option<f64>, index: u16) -> Result<f64, Fault> {
+pub const fn get(scalar: Option<f64>, index: u32) -> Result<f64, Fault> {
     match scalar {
         Some(value) => Ok(value),
         None => Err(Fault::Unassigned(index)),
@@ -73,7 +73,7 @@ member_by_member!(/** `a / b`, member by member */ div_each div);
 /// # Errors
 /// `Unassigned` for the first member without a value.
 #[inline]
-pub fn get_each<const N: usize>(members: &[Option<f64>; N], index: u16) -> Result<[f64; N], Fault> {
+pub fn get_each<const N: usize>(members: &[Option<f64>; N], index: u32) -> Result<[f64; N], Fault> {
     let mut values = [0.0; N];
     for ((value, member), index) in values.iter_mut().zip(members).zip(index..) {
         *value = get(*member, index)?;

@@ -41,10 +41,7 @@ impl Report<'_> {
     /// The variable that was read before it was assigned.
     pub fn variable(&self) -> Option<&str> {
         match self.emergency.fault {
-            Fault::Unassigned(index) => self
-                .program
-                .scalar(usize::from(index))
-                .map(|(name, _)| name),
+            Fault::Unassigned(index) => self.program.scalar(index as usize).map(|(name, _)| name),
             _ => None,
         }
     }

@@ -142,6 +142,18 @@ fn a_program_that_does_not_load_does_not_run() {
     );
 }
 
+// clauses: 3.4
+#[test]
+fn the_variable_without_value_is_named_among_very_many() {
+    let positions: String = (0..22_000).map(|n| format!("DEF_POS P{n}\n")).collect();
+    let text = format!("{positions}DEF_VAR LAST, A\nA = LAST\nLAST = A\nEND");
+    let folder = Folder::new("run-many").program("many.prg", &text);
+    let outcome = folder
+        .tipc(&["run", "many.prg", "--message-format", "short"])
+        .expect(3);
+    assert!(outcome.err.contains("LAST has no value yet"));
+}
+
 #[test]
 fn the_program_itself_is_never_the_trace() {
     let folder = Folder::new("run-source").program("p.prg", "END");

@@ -24,7 +24,7 @@ pub(super) fn describe(emergency: &Emergency, source: &Source, program: &Interpr
     }
     let _ = writeln!(text, "step {step}, cycle {cycle}");
     if let Fault::Unassigned(index) = fault
-        && let Some((name, _)) = program.scalar(usize::from(*index))
+        && let Some((name, _)) = program.scalar(*index as usize)
     {
         let _ = writeln!(text, "{name} has no value yet");
     }
