@@ -6,9 +6,10 @@ use tip_runtime::command::Port;
 use tip_runtime::console::Scripted;
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::{Model, generic, titan8};
-use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::plant::{Plant, SimulatedPlant};
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
+use tip_runtime::special::Special;
 use tipc::Robot;
 
 /// No case needs more cycles; one that has not ended by then never will.
@@ -19,18 +20,34 @@ const ENDLESS: u64 = 100_000;
 /// # Errors
 /// The program is for another robot, an input has no such name, or the program never ends.
 pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
-    let model: &Model<4, 3> = match settings.load.robot {
-        Robot::Titan8 => &titan8::MODEL,
-        Robot::Generic => &generic::MODEL,
-        Robot::Hand => return Err("the hand has no simulated plant".to_owned()),
-    };
+    match settings.load.robot {
+        Robot::Titan8 => walk(program, &titan8::MODEL, settings),
+        Robot::Generic => walk(program, &generic::MODEL, settings),
+        Robot::Hand => Err("the hand has no simulated plant".to_owned()),
+    }
+}
+
+fn walk<const L: usize, const J: usize>(
+    program: Box<dyn Program>,
+    model: &Model<L, J>,
+    settings: &Settings,
+) -> Result<String, String> {
+    run_on(program, model, SimulatedPlant::new(model), (), settings)
+}
+
+fn run_on<const L: usize, const J: usize>(
+    program: Box<dyn Program>,
+    model: &Model<L, J>,
+    plant: impl Plant<L, J>,
+    special: impl Special,
+    settings: &Settings,
+) -> Result<String, String> {
     let keys = Scripted::new(settings.keys.clone());
     let console = match settings.halt {
         Some(cycle) => keys.halt(cycle),
         None => keys,
     };
-    let plant = SimulatedPlant::new(model);
-    let mut machine = Machine::new(Boxed(program), model, plant, console, ())
+    let mut machine = Machine::new(Boxed(program), model, plant, console, special)
         .map_err(|mismatch| mismatch.to_string())?;
     let mut trace = JsonLines::new(String::new(), true);
     let ending = loop {

@@ -6,6 +6,7 @@ use tip_runtime::command::{Port, Target};
 use tip_runtime::console::Transcript;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::titan8;
+use tip_runtime::plant::Plant as _;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 

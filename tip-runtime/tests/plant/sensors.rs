@@ -4,6 +4,7 @@ use crate::rig::{Rig, WEIGHT, close};
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, Outputs};
+use tip_runtime::plant::Plant;
 
 // clauses: 7.32
 #[test]

@@ -15,11 +15,12 @@ use super::{Status, input, report};
 use emergency::describe;
 use progress::Progress;
 use screen::Screen;
-use simulation::Simulation;
+use simulation::{Simulated, Simulation};
 use tip_runtime::console::{LogFiles, Scripted};
 use tip_runtime::model::{Model, generic, titan8};
-use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::plant::{Plant, SimulatedPlant};
 use tip_runtime::record::Ending;
+use tip_runtime::special::Special;
 use tipc::interp::Interpreter;
 use tipc::program::Program;
 use tipc::source::Source;
@@ -27,10 +28,35 @@ use trace::Trace;
 
 /// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
-    let model = simulated(arguments.source.robot)?;
-    for sensor in &arguments.sensors {
-        check_sensor(model, sensor)?;
+    match arguments.source.robot {
+        RobotName::Titan8 => walk(&titan8::MODEL, arguments),
+        RobotName::Generic => walk(&generic::MODEL, arguments),
+        RobotName::Hand => Err(Error::Usage(
+            "the Hiroshima Hand has no simulated plant yet: run knows titan8 and generic, check and emit know hand"
+                .to_owned(),
+        )),
     }
+}
+
+/// Runs the program on a walking robot.
+fn walk<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    arguments: &Run,
+) -> Result<Status, Error> {
+    let robot = Simulated {
+        model,
+        plant: SimulatedPlant::new(model),
+        special: (),
+    };
+    run_on(robot, arguments)
+}
+
+/// Loads the program and runs it on `robot`.
+fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
+    robot: Simulated<'_, P, S, L, J>,
+    arguments: &Run,
+) -> Result<Status, Error> {
+    check_sensors(&robot, &arguments.sensors)?;
     let loaded = input::load(&arguments.file, &arguments.source.options());
     report::findings(&loaded, arguments.source.message_format);
     let logs = match &arguments.out_dir {
@@ -38,14 +64,14 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         _ => None,
     };
     match loaded.program {
-        Some(program) => simulate(model, arguments, &loaded.source, program, logs),
+        Some(program) => simulate(robot, arguments, &loaded.source, program, logs),
         None => Ok(Status::Failure),
     }
 }
 
 /// Runs a program that was loaded, and tells how it ended.
-fn simulate<const L: usize, const J: usize>(
-    model: &Model<L, J>,
+fn simulate<P: Plant<L, J>, S: Special, const L: usize, const J: usize>(
+    robot: Simulated<'_, P, S, L, J>,
     arguments: &Run,
     source: &Source,
     program: Program,
@@ -65,7 +91,7 @@ fn simulate<const L: usize, const J: usize>(
     }
     let mut simulation = Simulation::new(
         Interpreter::new(program),
-        model,
+        robot,
         console,
         &arguments.sensors,
     )?;
@@ -91,26 +117,20 @@ fn status(ending: &Ending) -> Status {
     }
 }
 
-/// The robots that have a simulated plant.
-fn simulated(robot: RobotName) -> Result<&'static Model<4, 3>, Error> {
-    match robot {
-        RobotName::Titan8 => Ok(&titan8::MODEL),
-        RobotName::Generic => Ok(&generic::MODEL),
-        RobotName::Hand => Err(Error::Usage(
-            "the Hiroshima Hand has no simulated plant yet: run knows titan8 and generic, check and emit know hand"
-                .to_owned(),
-        )),
-    }
-}
-
-/// Refuses an input that the robot lacks.
-fn check_sensor<const L: usize, const J: usize>(
-    model: &Model<L, J>,
-    sensor: &Sensor,
+/// Refuses inputs that the robot lacks.
+fn check_sensors<P: Plant<L, J> + Clone, S, const L: usize, const J: usize>(
+    robot: &Simulated<'_, P, S, L, J>,
+    sensors: &[Sensor],
 ) -> Result<(), Error> {
-    if SimulatedPlant::new(model).set_sensor(sensor.port, sensor.volts) {
-        return Ok(());
+    let mut plant = robot.plant.clone();
+    match sensors
+        .iter()
+        .find(|sensor| !plant.set_sensor(sensor.port, sensor.volts))
+    {
+        None => Ok(()),
+        Some(Sensor { name, .. }) => {
+            let robot = robot.model.name;
+            Err(Error::Usage(format!("{robot} has no input {name}")))
+        }
     }
-    let (name, robot) = (&sensor.name, model.name);
-    Err(Error::Usage(format!("{robot} has no input {name}")))
 }

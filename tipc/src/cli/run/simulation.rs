@@ -8,30 +8,42 @@ use super::trace::Trace;
 use tip_runtime::console::Scripted;
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::Model;
-use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::plant::Plant;
 use tip_runtime::record::Ending;
+use tip_runtime::special::Special;
 use tipc::interp::Interpreter;
 
 /// The keys of the command line in front of the screen.
 type Console = Scripted<Screen>;
 
+/// A robot that is simulated, and the native commands that it knows.
+pub(super) struct Simulated<'m, P, S, const L: usize, const J: usize> {
+    pub(super) model: &'m Model<L, J>,
+    pub(super) plant: P,
+    pub(super) special: S,
+}
+
 /// A program on the simulated robot.
-pub(super) struct Simulation<'m, const L: usize, const J: usize> {
-    machine: Machine<'m, Interpreter, SimulatedPlant<L, J>, Console, (), L, J>,
+pub(super) struct Simulation<'m, P, S, const L: usize, const J: usize> {
+    machine: Machine<'m, Interpreter, P, Console, S, L, J>,
     /// What the inputs are going to read, the next one last.
     sensors: Vec<Sensor>,
 }
 
-impl<'m, const L: usize, const J: usize> Simulation<'m, L, J> {
+impl<'m, P: Plant<L, J>, S: Special, const L: usize, const J: usize> Simulation<'m, P, S, L, J> {
     /// Puts the program on the robot.
     pub(super) fn new(
         program: Interpreter,
-        model: &'m Model<L, J>,
+        robot: Simulated<'m, P, S, L, J>,
         console: Console,
         sensors: &[Sensor],
     ) -> Result<Self, Error> {
-        let plant = SimulatedPlant::new(model);
-        let machine = Machine::new(program, model, plant, console, ())
+        let Simulated {
+            model,
+            plant,
+            special,
+        } = robot;
+        let machine = Machine::new(program, model, plant, console, special)
             .map_err(|mismatch| Error::Usage(mismatch.to_string()))?;
         let mut sensors = sensors.to_vec();
         // Of two for the same cycle the one that stands behind the other wins.
