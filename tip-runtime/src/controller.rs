@@ -126,6 +126,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         if let Some(set) = self.set_parameter(command) {
             return set.map(|()| Poll::Done);
         }
+        let family = self.model.family;
         match command.op {
             Op::Ptp => self.move_point(command, Base::Operand)?,
             Op::RelPtp => self.move_point(command, Base::Target)?,
@@ -143,13 +144,17 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
             Op::AllStop => self.hold(),
             Op::AllStopRelease => self.release(),
             Op::InitialPosture => return Ok(self.initial_posture()),
-            Op::StandUp => return self.stand(command, -1.0),
-            Op::SitDown => return self.stand(command, 1.0),
-            Op::DetectFloor if self.model.family == Family::Hand => {
+            Op::StandUp if family == Family::Titan => return self.stand(command, -1.0),
+            Op::SitDown if family == Family::Titan => return self.stand(command, 1.0),
+            Op::DetectFloor if family == Family::Titan => {
+                return self.detect_floor_by_soles(command);
+            }
+            Op::DetectFloor if family == Family::Hand => {
                 return self.feel(command, Self::floor_search);
             }
-            Op::DetectFloor => return self.detect_floor_by_soles(command),
-            Op::DetectObject => return self.feel(command, Self::object_search),
+            Op::DetectObject if family == Family::Hand => {
+                return self.feel(command, Self::object_search);
+            }
             Op::Sleep => return self.sleep(command),
             Op::WaitInpos => return Ok(self.wait_inpos(command.target)),
             Op::WaitNear => return self.wait_near(command.target),

@@ -117,24 +117,27 @@ pub struct Standards {
 pub enum Inverse {
     /// Closed form of a yaw joint followed by two parallel pitch joints; the knee bends downwards.
     YawPitchPitch,
-    /// All joints turn about z, and only x and y of a position count: resolved rate with the
-    /// least-norm inverse of the Jacobian (Whitney, 1969).
+    /// All joints turn about z, and only x and y of a position count: damped least squares with
+    /// the least-norm inverse of the Jacobian (Whitney, 1969).
     Planar,
+    /// Any chain in space: the same, for x, y and z.
+    LeastSquares,
 }
 
+/// Which of x, y and z count.
+pub type Axes = [bool; 3];
+
 impl Inverse {
-    /// Whether only x and y count.
-    pub const fn is_planar(self) -> bool {
-        matches!(self, Inverse::Planar)
+    /// Which axes of a position, velocity or force count.
+    pub const fn axes(self) -> Axes {
+        [true, true, !matches!(self, Inverse::Planar)]
     }
 
     /// A position, velocity or force as the robot knows it: without z, if that does not count.
     #[must_use]
     pub const fn flat(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        match self {
-            Inverse::YawPitchPitch => [x, y, z],
-            Inverse::Planar => [x, y, 0.0],
-        }
+        let [_, _, space] = self.axes();
+        [x, y, if space { z } else { 0.0 }]
     }
 }
 
@@ -204,8 +207,8 @@ pub struct Model<const L: usize, const J: usize> {
     pub legs: [Leg<J>; L],
     /// Its inverse kinematics.
     pub inverse: Inverse,
-    /// Its body, if it walks.
-    pub body: Body,
+    /// Its body, if it walks; a robot without one is bolted down where its frame is.
+    pub body: Option<Body>,
     /// Its parameters at program start.
     pub standards: Standards,
     /// The sampling times that it accepts: ms.

@@ -6,6 +6,7 @@ mod rig;
 use rig::{Rig, distance};
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::fault::Fault;
+use tip_runtime::model::{Model, generic, titan8};
 
 const F1: Target = Target::Foot(1);
 const J11: Target = Target::Joint(1, 1);
@@ -263,7 +264,11 @@ fn a_robot_without_torques_has_no_commands_of_force() {
 // clauses: 7.44
 #[test]
 fn nobody_stands_up_on_legs_that_give_force() {
-    let mut rig = Rig::generic();
+    const STRONG: Model<4, 3> = Model {
+        forces: generic::MODEL.forces,
+        ..titan8::MODEL
+    };
+    let mut rig = Rig::new(&STRONG);
     rig.done(Op::Torque, J13, &[1.0]);
     assert_eq!(
         rig.fault(Op::StandUp, Target::None, &[10.0]),
@@ -271,6 +276,20 @@ fn nobody_stands_up_on_legs_that_give_force() {
     );
     rig.done(Op::NoCompliance, J13, &[]);
     rig.cycles(Op::StandUp, Target::None, &[10.0]);
+}
+
+// clauses: 7.44 7.45 7.46
+#[test]
+fn a_generic_robot_neither_stands_up_nor_searches() {
+    let mut rig = Rig::generic();
+    for (op, target) in [
+        (Op::StandUp, Target::None),
+        (Op::SitDown, Target::None),
+        (Op::DetectFloor, F1),
+        (Op::DetectObject, Target::None),
+    ] {
+        assert_eq!(rig.fault(op, target, &[1.0]), Fault::Domain, "{op:?}");
+    }
 }
 
 // clauses: 7.1

@@ -224,7 +224,7 @@ impl<const J: usize> LegDrive<J> {
         }
         let chain = Chain::new(leg, &self.angles);
         chain
-            .point_rates(point, track.velocity(), inverse.is_planar())
+            .point_rates(point, track.velocity(), inverse.axes())
             .unwrap_or([0.0; J])
     }
 }

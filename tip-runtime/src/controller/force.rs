@@ -159,7 +159,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
         let sensed = targets::leg(&self.measured.torques, n)?;
         let torques = sensed.map(|torque| torque / forces.unit.per_newton_metre());
-        let plane = self.model.inverse.is_planar();
-        Ok(chain.force_of_torques(point, &torques, plane))
+        let axes = self.model.inverse.axes();
+        Ok(chain.force_of_torques(point, &torques, axes))
     }
 }

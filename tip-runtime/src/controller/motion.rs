@@ -7,6 +7,7 @@ use super::{Controller, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
 use crate::kinematics::{self, Chain, Point};
+use crate::model::Family;
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// PTP and REL_PTP.
@@ -15,7 +16,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             return self.move_slider(command, base);
         }
         let (n, point) = self.point_of(command.target)?;
-        if point != Point::Tip && !self.model.inverse.is_planar() {
+        if point != Point::Tip && self.model.family != Family::Hand {
             return Err(Fault::Domain);
         }
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;

@@ -1,10 +1,16 @@
 //! Where the joints of a leg are, and how they move its foot.
 
 use super::Point;
-use crate::model::Leg;
+use crate::model::{Axes, Leg};
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
 pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
+
+/// The damping that is always there, against the trace of `J Jᵀ`.
+const LEAST_DAMPING: f64 = 1e-12;
+
+/// How much of a velocity may be missed for numerical reasons.
+const MISSED: f64 = 1e-6;
 
 /// A leg in one posture: the place and axis of each joint, and the foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,24 +117,57 @@ impl<const J: usize> Chain<J> {
     }
 
     /// The least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None` where
-    /// the foot cannot move in every direction.
+    /// the foot cannot move that way.
     #[must_use]
     pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
-        self.point_rates(Point::Tip, velocity, false)
+        self.point_rates(Point::Tip, velocity, [true; 3])
     }
 
-    /// The least joint rates (deg/s) that give a point a velocity (mm/s), in space or in the `plane`
-    /// of x and y; `None` where it cannot move in every direction.
+    /// The least joint rates (deg/s) that give a point a velocity (mm/s) along the axes that count;
+    /// `None` where it cannot move that way.
     #[must_use]
-    pub fn point_rates(&self, point: Point, velocity: [f64; 3], plane: bool) -> Option<[f64; J]> {
-        let jacobian = self.point_jacobian(point)?;
-        let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
-        if plane {
-            // No joint moves anything along z: any number there leaves x and y alone.
-            gram.m33 = 1.0;
-        }
-        let rates = jacobian.transpose() * (gram.try_inverse()? * Vector3::from(velocity));
+    pub fn point_rates(&self, point: Point, velocity: [f64; 3], axes: Axes) -> Option<[f64; J]> {
+        let jacobian = rows_that_count(self.point_jacobian(point)?, axes);
+        let velocity =
+            Vector3::from(velocity).zip_map(
+                &Vector3::from(axes),
+                |along, counts| {
+                    if counts { along } else { 0.0 }
+                },
+            );
+        let rates = least_norm(&jacobian, &velocity, 0.0)?;
+        let missed = (jacobian * rates - velocity).norm();
         let rates: [f64; J] = (rates / RADIANS_PER_DEGREE).into();
-        rates.iter().all(|rate| rate.is_finite()).then_some(rates)
+        let exact = missed <= MISSED * velocity.norm();
+        (exact && rates.iter().all(|rate| rate.is_finite())).then_some(rates)
     }
+}
+
+/// A Jacobian that moves nothing along the axes that do not count.
+pub(super) fn rows_that_count<const J: usize>(
+    mut jacobian: SMatrix<f64, 3, J>,
+    axes: Axes,
+) -> SMatrix<f64, 3, J> {
+    for mut column in jacobian.column_iter_mut() {
+        for (entry, counts) in column.iter_mut().zip(axes) {
+            if !counts {
+                *entry = 0.0;
+            }
+        }
+    }
+    jacobian
+}
+
+/// `Jᵀ (J Jᵀ + λ)⁻¹ v`: the least joint motion that gives the motion `v`, or comes near where the
+/// joints cannot. Beside `damping` (mm²), λ has what keeps the matrix regular where a chain has too
+/// few joints, or has lost a direction.
+pub(super) fn least_norm<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    motion: &Vector3<f64>,
+    damping: f64,
+) -> Option<SVector<f64, J>> {
+    let gram: Matrix3<f64> = jacobian * jacobian.transpose();
+    let regular = damping + LEAST_DAMPING * gram.trace();
+    let gram = gram + Matrix3::identity() * regular;
+    Some(jacobian.transpose() * gram.cholesky()?.solve(motion))
 }

@@ -10,8 +10,8 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 const STRETCH: f64 = 1e-12;
 
 /// The joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do not
-/// reach it. A closed form asks nothing of the joints' limits; a planar finger is resolved within
-/// them, from the initial posture. See [`within_limits`](super::within_limits) for the limits.
+/// reach it. A closed form asks nothing of the joints' limits; least squares keep within them, from
+/// the initial posture. See [`within_limits`](super::within_limits) for the limits.
 #[must_use]
 pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> Option<[f64; J]> {
     match kind {
@@ -26,7 +26,9 @@ pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> O
             }
             Some(angles)
         }
-        Inverse::Planar => resolve(leg, &leg.initial, Point::Tip, foot),
+        Inverse::Planar | Inverse::LeastSquares => {
+            resolve(leg, &leg.initial, Point::Tip, foot, kind.axes())
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Joint angles of a finger from the position of one of its points, found by resolved rate.
+//! Joint angles of any chain from the position of one of its points, found by resolved rate.
 //!
 //! Joints turn by `J# e`, the least turn that closes the gap `e` (Whitney, *Resolved Motion Rate
 //! Control of Manipulators and Human Prostheses*, 1969), again and again until it is closed. A
@@ -7,9 +7,9 @@
 //! Method*, 2011). A joint that meets its limit stays there; the others go on.
 
 use super::Chain;
-use super::chain::RADIANS_PER_DEGREE;
-use crate::model::{Joint, Leg, Range};
-use nalgebra::{Matrix3, Vector3};
+use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
+use crate::model::{Axes, Joint, Leg, Range};
+use nalgebra::{SMatrix, Vector3};
 
 /// A point of a leg that can be put somewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum Point {
 /// A gap that counts as closed: mm.
 const CLOSED: f64 = 1e-9;
 
-/// A gap that is left over by rounding where a finger is stretched out: mm.
+/// A gap that is left over by rounding where a leg is stretched out: mm.
 const LEFT_OVER: f64 = 1e-6;
 
 /// The most turns that are tried.
@@ -32,62 +32,61 @@ const TURNS: usize = 60;
 /// The farthest that one turn goes: deg.
 const FARTHEST: f64 = 15.0;
 
-/// The damping that is left when the gap is closed: mm².
-const LEAST_DAMPING: f64 = 1e-9;
-
-/// The joint angles (deg) near `from` that put `point` of `leg` at x and y of `target` (mm); `None`
-/// if no angles within the limits are found. A joint that is beyond its limits already may stay
-/// there.
+/// The joint angles (deg) near `from` that put `point` of `leg` at `target` (mm) along the axes that
+/// count; `None` if no angles within the limits are found. A joint that is beyond its limits already
+/// may stay there.
 #[must_use]
 pub fn resolve<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
     point: Point,
     target: [f64; 3],
+    axes: Axes,
 ) -> Option<[f64; J]> {
     let mut angles = *from;
     for _ in 0..TURNS {
         let chain = Chain::new(leg, &angles);
-        let gap = gap(&chain, point, target)?;
+        let gap = gap(&chain, point, target, axes)?;
         if gap.norm() <= CLOSED {
             return Some(angles);
         }
-        let turns =
-            turns_within_limits(leg, from, &angles, |free| turns(&chain, point, free, gap))?;
+        let jacobian = rows_that_count(chain.point_jacobian(point)?, axes);
+        let turns = turns_within_limits(leg, from, &angles, |free| turns(&jacobian, free, &gap))?;
         turn(&mut angles, &turns);
         clamp(leg, from, &mut angles);
     }
-    let left = gap(&Chain::new(leg, &angles), point, target)?;
+    let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
     (left.norm() <= LEFT_OVER).then_some(angles)
 }
 
 fn gap<const J: usize>(
     chain: &Chain<J>,
     point: Point,
-    [x, y, _]: [f64; 3],
+    target: [f64; 3],
+    axes: Axes,
 ) -> Option<Vector3<f64>> {
-    let [at_x, at_y, _] = chain.point(point)?;
-    Some(Vector3::new(x - at_x, y - at_y, 0.0))
-}
-
-/// `Jᵀ (J Jᵀ + λ²)⁻¹ e` of the joints that are free: deg.
-fn turns<const J: usize>(
-    chain: &Chain<J>,
-    point: Point,
-    free: &[bool; J],
-    gap: Vector3<f64>,
-) -> Option<[f64; J]> {
-    let mut jacobian = chain.point_jacobian(point)?;
-    for (mut column, free) in jacobian.column_iter_mut().zip(free) {
-        for (axis, entry) in column.iter_mut().enumerate() {
-            if !free || axis == 2 {
-                *entry = 0.0;
-            }
+    let mut gap = Vector3::from(target) - Vector3::from(chain.point(point)?);
+    for (gap, counts) in gap.iter_mut().zip(axes) {
+        if !counts {
+            *gap = 0.0;
         }
     }
-    let damping = gap.norm_squared() + LEAST_DAMPING;
-    let gram = jacobian * jacobian.transpose() + Matrix3::identity() * damping;
-    let turns = jacobian.transpose() * (gram.try_inverse()? * gap) / RADIANS_PER_DEGREE;
+    Some(gap)
+}
+
+/// `Jᵀ (J Jᵀ + λ)⁻¹ e` of the joints that are free: deg.
+fn turns<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    free: &[bool; J],
+    gap: &Vector3<f64>,
+) -> Option<[f64; J]> {
+    let mut jacobian = *jacobian;
+    for (mut column, free) in jacobian.column_iter_mut().zip(free) {
+        if !free {
+            column.iter_mut().for_each(|entry| *entry = 0.0);
+        }
+    }
+    let turns = least_norm(&jacobian, gap, gap.norm_squared())? / RADIANS_PER_DEGREE;
     let turns: [f64; J] = turns.into();
     turns.iter().all(|turn| turn.is_finite()).then_some(turns)
 }

@@ -1,7 +1,9 @@
 //! Forces at a point of a leg and the joint torques that balance them (Craig, *Introduction to
 //! Robotics*, ch. 5.9: `τ = Jᵀ F`). Forces are in N, torques in N·m, Jacobians in mm/rad.
 
+use super::chain::rows_that_count;
 use super::{Chain, Point};
+use crate::model::Axes;
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 const MILLIMETRES_PER_METRE: f64 = 1000.0;
@@ -19,75 +21,67 @@ impl<const J: usize> Chain<J> {
         Some((torques / MILLIMETRES_PER_METRE).into())
     }
 
-    /// The force with which `point` pushes at these joint torques: `(Jᵀ)# τ`. In the `plane` of x
-    /// and y z is 0. `None` where the posture is singular.
+    /// The force with which `point` pushes at these joint torques, along the axes that count:
+    /// `(Jᵀ)# τ`. `None` where the posture is singular.
     #[must_use]
     pub fn force_of_torques(
         &self,
         point: Point,
         torques: &[f64; J],
-        plane: bool,
+        axes: Axes,
     ) -> Option<[f64; 3]> {
-        let jacobian = self.point_jacobian(point)?;
+        let jacobian = rows_that_count(self.point_jacobian(point)?, axes);
         let torques = SVector::<f64, J>::from(*torques) * MILLIMETRES_PER_METRE;
         let moved_by = match point {
             Point::Tip => J,
             Point::Joint(m) => m,
         };
-        if plane {
-            in_plane(&jacobian, &torques)
-        } else if moved_by == 2 {
-            of_two_joints(&jacobian, &torques)
+        if moved_by < axes.iter().filter(|counts| **counts).count() {
+            of_few_joints(&jacobian, &torques, moved_by)
         } else {
-            in_space(&jacobian, &torques)
+            of_enough_joints(&jacobian, &torques, axes)
         }
     }
 }
 
-/// `(J Jᵀ)⁻¹ J τ` of the rows x and y.
-fn in_plane<const J: usize>(
+/// `(J Jᵀ)⁻¹ J τ` of the axes that count.
+fn of_enough_joints<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     torques: &SVector<f64, J>,
+    axes: Axes,
 ) -> Option<[f64; 3]> {
-    let gram: Matrix3<f64> = jacobian * jacobian.transpose();
-    let gram = Matrix2::new(gram.m11, gram.m12, gram.m21, gram.m22);
-    let right = (jacobian * torques).xy();
-    let force = invert_2(&gram)? * right;
-    Some([force.x, force.y, 0.0])
-}
-
-/// `(J Jᵀ)⁻¹ J τ`.
-fn in_space<const J: usize>(
-    jacobian: &SMatrix<f64, 3, J>,
-    torques: &SVector<f64, J>,
-) -> Option<[f64; 3]> {
-    let gram: Matrix3<f64> = jacobian * jacobian.transpose();
-    let size = gram.trace() / 3.0;
+    let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
+    let counting = axes.iter().filter(|counts| **counts).count();
+    let size = gram.trace() / counting as f64;
+    for (axis, counts) in axes.iter().enumerate() {
+        if let (false, Some(entry)) = (counts, gram.get_mut((axis, axis))) {
+            *entry = size;
+        }
+    }
     if gram.determinant() <= SINGULAR * size * size * size {
         return None;
     }
     Some((gram.try_inverse()? * (jacobian * torques)).into())
 }
 
-/// `J (Jᵀ J)⁻¹ τ` of the first two columns: the least force that two joints in space feel so.
-fn of_two_joints<const J: usize>(
+/// `J (Jᵀ J)⁻¹ τ` of one joint, or two, that move the point: the least force that they feel so.
+fn of_few_joints<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     torques: &SVector<f64, J>,
+    moved_by: usize,
 ) -> Option<[f64; 3]> {
-    let mut columns = jacobian.column_iter();
-    let (first, second) = (columns.next()?, columns.next()?);
-    let mut torques = torques.iter();
-    let right = Vector2::new(*torques.next()?, *torques.next()?);
+    let mut columns = jacobian.column_iter().zip(torques.iter());
+    let (first, of_first) = columns.next()?;
+    let Some((second, of_second)) = columns.next().filter(|_| moved_by == 2) else {
+        let square = first.norm_squared();
+        return (square > 0.0).then(|| (first * (of_first / square)).into());
+    };
     let across = first.dot(&second);
     let gram = Matrix2::new(first.norm_squared(), across, across, second.norm_squared());
-    let shares = invert_2(&gram)? * right;
-    Some((first * shares.x + second * shares.y).into())
-}
-
-fn invert_2(gram: &Matrix2<f64>) -> Option<Matrix2<f64>> {
     let size = gram.trace() / 2.0;
     if gram.determinant() <= SINGULAR * size * size {
         return None;
     }
-    gram.try_inverse()
+    let shares = gram.try_inverse()? * Vector2::new(*of_first, *of_second);
+    Some((first * shares.x + second * shares.y).into())
 }

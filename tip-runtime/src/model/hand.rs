@@ -6,9 +6,7 @@
 //! Link lengths, limits and masses are assumptions: no public figures exist. They are data, to be
 //! replaced by those of the robot at hand.
 
-use super::{
-    Body, Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit,
-};
+use super::{Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit};
 
 const L1: f64 = 70.0;
 const L2: f64 = 50.0;
@@ -23,12 +21,7 @@ pub const MODEL: Model<3, 3> = Model {
     family: Family::Hand,
     legs: [finger(-1.0, 0.0), finger(1.0, -APART), finger(1.0, APART)],
     inverse: Inverse::Planar,
-    body: Body {
-        x: Range::new(-60.0, 60.0),
-        y: Range::new(0.0, 20.0),
-        z: Range::new(-APART, APART),
-        mass: 0.0,
-    },
+    body: None,
     standards: Standards {
         v_max: 100.0,
         a_max: 400.0,

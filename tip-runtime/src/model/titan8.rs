@@ -20,12 +20,12 @@ pub const MODEL: Model<4, 3> = Model {
         leg(1.0, -1.0),
     ],
     inverse: Inverse::YawPitchPitch,
-    body: Body {
+    body: Some(Body {
         x: Range::new(-120.0, 120.0),
         y: Range::new(-230.0, 230.0),
         z: Range::new(-200.0, 50.0),
         mass: 12.0,
-    },
+    }),
     standards: Standards {
         v_max: 300.0,
         a_max: 600.0,

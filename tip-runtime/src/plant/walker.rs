@@ -92,7 +92,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             servos,
             legs,
             mass: links::mass(model, &legs),
-            body: Body::upright(-model.body.z.min),
+            body: Body::standing(model.body.as_ref()),
             at_rest: false,
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
@@ -109,7 +109,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     #[must_use]
     pub fn with_floor(mut self, floor: Floor) -> Self {
         self.floor = floor;
-        self.body = Body::upright(-self.model.body.z.min);
+        self.body = Body::standing(self.model.body.as_ref());
         self.stance = Stance::new();
         self.settle();
         self
@@ -231,7 +231,11 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     fn settle(&mut self) {
         self.legs = links::legs(&self.model, &self.servos);
         self.mass = links::mass(&self.model, &self.legs);
-        let points = Contacts::of(&self.model, &self.legs);
+        let Some(body) = &self.model.body else {
+            self.at_rest = true;
+            return;
+        };
+        let points = Contacts::of(body, &self.legs);
         let load = Load {
             centre: self.mass.centre,
             weight: self.mass.weight,

@@ -84,7 +84,7 @@ fn torques_beyond_a_force_are_left_out() {
     let chain = Chain::new(&hand::MODEL.legs[0], &[10.0, 30.0, 40.0]);
     let torques = [0.03, 0.05, -0.02];
     let force = chain
-        .force_of_torques(Point::Tip, &torques, true)
+        .force_of_torques(Point::Tip, &torques, [true, true, false])
         .expect("regular");
     let explained = chain.torques_of_force(Point::Tip, force).expect("a tip");
     for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {

@@ -8,6 +8,7 @@ use tip_runtime::model::hand;
 
 const ALL: Target = Target::All;
 const FLOOR: Target = Target::Floor;
+const PLANE: [bool; 3] = [true, true, false];
 
 /// The fingertip of F1 from its angles: links hang down, angles add up.
 fn tip_of(angles: [f64; 3]) -> [f64; 3] {
@@ -43,7 +44,8 @@ fn a_small_step_is_the_least_turn() {
     let finger = &hand::MODEL.legs[0];
     for from in [[-40.0, 10.0, 80.0], [10.0, 30.0, 40.0], [30.0, 60.0, 20.0]] {
         let [x, y, z] = tip_of(from);
-        let angles = resolve(finger, &from, Point::Tip, [x + 1e-3, y - 2e-3, z]).expect("near");
+        let angles =
+            resolve(finger, &from, Point::Tip, [x + 1e-3, y - 2e-3, z], PLANE).expect("near");
         all_close(tip_of(angles), [x + 1e-3, y - 2e-3, 0.0], 1e-8);
         // What keeps the tip in place is across both rows of the Jacobian: no share of it is spent.
         let jacobian = Chain::new(finger, &from).foot_jacobian();
@@ -62,7 +64,7 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
     for x in (-150..=20).step_by(10) {
         for y in (-150..=-60).step_by(10) {
             let target = [f64::from(x), f64::from(y), 0.0];
-            if let Some(angles) = resolve(finger, &finger.initial, Point::Tip, target) {
+            if let Some(angles) = resolve(finger, &finger.initial, Point::Tip, target, PLANE) {
                 all_close(tip_of(angles), target, 1e-6);
                 for (joint, angle) in finger.joints.iter().zip(angles) {
                     assert!(joint.limits.contains(angle));
@@ -70,12 +72,30 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
             }
         }
     }
-    let near = resolve(finger, &finger.initial, Point::Tip, [-60.0, -159.9, 0.0]);
+    let near = resolve(
+        finger,
+        &finger.initial,
+        Point::Tip,
+        [-60.0, -159.9, 0.0],
+        PLANE,
+    );
     assert!(near.is_some());
-    let far = resolve(finger, &finger.initial, Point::Tip, [-60.0, -160.1, 0.0]);
+    let far = resolve(
+        finger,
+        &finger.initial,
+        Point::Tip,
+        [-60.0, -160.1, 0.0],
+        PLANE,
+    );
     assert!(far.is_none());
     // Stretched out to the very end.
-    let end = resolve(finger, &finger.initial, Point::Tip, [-60.0, -160.0, 0.0]);
+    let end = resolve(
+        finger,
+        &finger.initial,
+        Point::Tip,
+        [-60.0, -160.0, 0.0],
+        PLANE,
+    );
     all_close(end.map_or([9.0; 3], tip_of), [-60.0, -160.0, 0.0], 1e-6);
 }
 

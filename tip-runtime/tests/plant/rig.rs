@@ -121,6 +121,6 @@ pub(crate) fn close(left: f64, right: f64, tolerance: f64) -> bool {
 /// TITAN VIII with its belly higher, so that it stands in its initial posture.
 pub(crate) fn high_bellied() -> Model<4, 3> {
     let mut model = titan8::MODEL;
-    model.body.z.min = -150.0;
+    model.body.as_mut().expect("it walks").z.min = -150.0;
     model
 }

@@ -249,8 +249,8 @@ pub(in crate::controller) fn reach<const J: usize>(
     position: [f64; 3],
 ) -> Result<[f64; J], Fault> {
     let out_of_reach = Fault::OutOfReach(name(point, n));
-    if inverse == Inverse::Planar {
-        return kinematics::resolve(leg, from, point, position).ok_or(out_of_reach);
+    if inverse != Inverse::YawPitchPitch {
+        return kinematics::resolve(leg, from, point, position, inverse.axes()).ok_or(out_of_reach);
     }
     if point != Point::Tip {
         return Err(out_of_reach);

@@ -97,7 +97,8 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
         let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
         let good = |value: Value| value.v.is_finite() && in_domain(value.v);
-        if good(x) && good(y) && (self.model.inverse.is_planar() || good(z)) {
+        let [_, _, space] = self.model.inverse.axes();
+        if good(x) && good(y) && (!space || good(z)) {
             Ok([x.v, y.v, z.v])
         } else {
             Err(Fault::Domain)

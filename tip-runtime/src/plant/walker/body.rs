@@ -1,6 +1,7 @@
 //! Where the body is.
 
 use super::Point;
+use crate::model;
 use nalgebra::{Matrix3, Rotation3, Unit};
 
 /// Position and attitude of the robot frame in the world: mm and deg.
@@ -56,11 +57,11 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// Level, over the floor's origin.
-    pub(super) fn upright(height: f64) -> Self {
+    /// Level, over the floor's origin: with its belly on the floor, or bolted down there.
+    pub(super) fn standing(body: Option<&model::Body>) -> Self {
         Body {
             normal: Point::z(),
-            height,
+            height: body.map_or(0.0, |body| -body.z.min),
             x: 0.0,
             y: 0.0,
             heading: 0.0,

@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::links::LegLinks;
-use crate::model::Model;
+use crate::model::Body;
 
 /// Something for each foot and for each corner of the belly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +33,8 @@ impl<T: Copy, const L: usize> Contacts<T, L> {
 
 impl<const L: usize> Contacts<Point, L> {
     /// The points that can touch the floor, in the robot frame.
-    pub(super) fn of<const J: usize>(model: &Model<L, J>, legs: &[LegLinks<J>; L]) -> Self {
-        let (x, y, z) = (model.body.x, model.body.y, model.body.z.min);
+    pub(super) fn of<const J: usize>(body: &Body, legs: &[LegLinks<J>; L]) -> Self {
+        let (x, y, z) = (body.x, body.y, body.z.min);
         Contacts {
             feet: legs.map(|leg| leg.foot),
             belly: [

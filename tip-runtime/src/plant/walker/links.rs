@@ -44,7 +44,7 @@ pub(super) fn mass<const L: usize, const J: usize>(
     model: &Model<L, J>,
     legs: &[LegLinks<J>; L],
 ) -> Mass {
-    let mut mass = model.body.mass;
+    let mut mass = model.body.map_or(0.0, |body| body.mass);
     let mut moment = Point::zeros();
     for (leg, links) in model.legs.iter().zip(legs) {
         for (joint, centre) in leg.joints.iter().zip(&links.centres) {
@@ -53,7 +53,7 @@ pub(super) fn mass<const L: usize, const J: usize>(
         }
     }
     Mass {
-        centre: moment / mass,
+        centre: if mass > 0.0 { moment / mass } else { moment },
         weight: mass * GRAVITY,
     }
 }

@@ -1,0 +1,5 @@
+//! Robots of 1 to 9 legs with 1 to 9 joints each.
+#![cfg(feature = "control")]
+
+mod inverse;
+mod shapes;
