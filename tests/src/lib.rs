@@ -22,3 +22,8 @@ pub use run::run;
 pub use seek::{cases, root};
 pub use settings::Settings;
 pub use verdict::{checked, differential, random_settings, traced};
+
+/// The examples of the reference compile and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/robots.md")]
+mod robots {}

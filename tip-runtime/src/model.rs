@@ -4,9 +4,13 @@
 //! of commands and sensors in the robot's own [`TorqueUnit`]. The robot frame has x to the right, y
 //! forward, z up, its origin at the body's centre; of the hand y is the height.
 
+mod builder;
+mod check;
 pub mod generic;
 pub mod hand;
 pub mod titan8;
+
+pub use check::{ModelError, Place};
 
 use crate::program::Signature;
 

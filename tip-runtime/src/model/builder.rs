@@ -1,0 +1,120 @@
+//! Descriptions in Rust: constants with a default for whatever they leave out.
+//!
+//! Other values than the defaults are one struct update away; [`Model::check`] tells what is nonsense.
+//!
+//! ```
+//! use tip_runtime::model::{Body, Joint, Leg, Model, Range};
+//!
+//! /// Three legs around a small body, each of a yaw, a thigh and a knee.
+//! const TRIPOD: Model<3, 3> = Model {
+//!     body: Some(Body {
+//!         x: Range::new(-60.0, 60.0),
+//!         y: Range::new(-60.0, 60.0),
+//!         z: Range::new(-30.0, 30.0),
+//!         mass: 1.0,
+//!     }),
+//!     ..Model::generic("tripod", [leg(0.0, 1.0), leg(0.96, -0.28), leg(-0.96, -0.28)])
+//! };
+//!
+//! /// A leg that points to (x, y) from the middle.
+//! const fn leg(x: f64, y: f64) -> Leg<3> {
+//!     let across = [y, -x, 0.0];
+//!     let joints = [
+//!         Joint::revolute([0.0, 0.0, 1.0], [30.0 * x, 30.0 * y, 0.0]).limits(-45.0, 45.0),
+//!         Joint::revolute(across, [80.0 * x, 80.0 * y, 0.0]).limits(-60.0, 60.0),
+//!         Joint::revolute(across, [0.0, 0.0, -120.0]).limits(-60.0, 60.0),
+//!     ];
+//!     Leg::at([60.0 * x, 60.0 * y, 0.0], joints).initial([0.0, 20.0, -20.0])
+//! }
+//!
+//! assert_eq!(TRIPOD.check(), Ok(()));
+//!
+//! let mut bent = TRIPOD;
+//! bent.legs[1].joints[2].limits = Range::new(60.0, -60.0);
+//! let error = bent.check().unwrap_err();
+//! assert!(error.to_string().starts_with("J23: limits must be"));
+//! ```
+
+use super::{Inverse, Joint, Leg, Model, Range, generic};
+
+/// How far beyond the working limits the potentiometers measure: deg.
+const OUTER: f64 = 5.0;
+
+impl Joint {
+    /// A joint that turns about `axis`, a unit vector in the frame of the link before, and carries
+    /// a link that goes from it to the next joint, or to the foot, by `link` (mm) at angle 0. It
+    /// turns from −180 to 180 deg; its link has 0.1 kg, its motor 10 N·m.
+    #[must_use]
+    pub const fn revolute(axis: [f64; 3], link: [f64; 3]) -> Self {
+        Joint {
+            axis,
+            link,
+            limits: Range::new(-180.0, 180.0),
+            outer: Range::new(-180.0 - OUTER, 180.0 + OUTER),
+            mass: 0.1,
+            torque: 10.0,
+        }
+    }
+
+    /// With these working limits, and potentiometers that measure 5 deg beyond: deg.
+    #[must_use]
+    pub const fn limits(self, min: f64, max: f64) -> Self {
+        let limits = Range::new(min, max);
+        Joint {
+            limits,
+            outer: limits.widened(OUTER),
+            ..self
+        }
+    }
+
+    /// With a link of this mass: kg.
+    #[must_use]
+    pub const fn mass(self, mass: f64) -> Self {
+        Joint { mass, ..self }
+    }
+
+    /// With a motor of this torque: N·m.
+    #[must_use]
+    pub const fn torque(self, torque: f64) -> Self {
+        Joint { torque, ..self }
+    }
+}
+
+impl<const J: usize> Leg<J> {
+    /// A leg whose first joint is at `base` (mm, in the robot frame); all its angles are 0 at first.
+    #[must_use]
+    pub const fn at(base: [f64; 3], joints: [Joint; J]) -> Self {
+        Leg {
+            base,
+            joints,
+            initial: [0.0; J],
+        }
+    }
+
+    /// With this initial posture: deg.
+    #[must_use]
+    pub const fn initial(self, initial: [f64; J]) -> Self {
+        Leg { initial, ..self }
+    }
+}
+
+impl<const L: usize, const J: usize> Model<L, J> {
+    /// A robot with the commands marked G: bolted down, without torques and slider, its joint angles
+    /// found by least squares; everything else is as [`generic::MODEL`] has it.
+    #[must_use]
+    pub const fn generic(name: &'static str, legs: [Leg<J>; L]) -> Self {
+        Model {
+            name,
+            family: generic::MODEL.family,
+            legs,
+            inverse: Inverse::LeastSquares,
+            body: None,
+            standards: generic::MODEL.standards,
+            periods: generic::MODEL.periods,
+            contact: generic::MODEL.contact,
+            lamps: generic::MODEL.lamps,
+            forces: None,
+            slider: None,
+        }
+    }
+}
