@@ -16,6 +16,9 @@
 //! compliance as well: joints are then told torques in place of angles. A spring's set point moves
 //! as that of a move does; what it pulls goes where the forces lead it. ALL_STOP holds such joints by
 //! angle where they are. No joint is pushed beyond its working limit.
+//!
+//! Native code may let joints vibrate. That is added to what they are told in the end: set points,
+//! and thus INPOS and NEAR, know nothing of it.
 
 mod arrival;
 mod detect;
@@ -32,6 +35,7 @@ mod targets;
 mod task;
 mod teach;
 mod trajectory;
+mod vibrate;
 mod watch;
 
 use crate::command::{Command, Op, Poll};
@@ -44,6 +48,7 @@ use params::Params;
 use stop::Hold;
 use task::Task;
 use trajectory::Track;
+use vibrate::Shaker;
 
 /// The controller of a robot with `L` legs of `J` joints.
 #[derive(Clone, Debug)]
@@ -59,6 +64,7 @@ pub struct Controller<'m, const L: usize, const J: usize> {
     /// Whether joint angles have been measured yet.
     sensed: bool,
     hold: Hold,
+    shakers: [[Shaker; J]; L],
     task: Task<L>,
     /// What arose in the last advance, to be reported by the next sense.
     pending: Option<Fault>,
@@ -83,6 +89,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
             rates: [[0.0; J]; L],
             sensed: false,
             hold: Hold::Off,
+            shakers: [[Shaker::STILL; J]; L],
             task: Task::Idle,
             pending: None,
         }
@@ -103,7 +110,13 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// What every joint is told.
     #[must_use]
     pub fn outputs(&self) -> [[JointCommand; J]; L] {
-        self.drives.each_ref().map(LegDrive::outputs)
+        self.shaken(self.drives.each_ref().map(LegDrive::outputs))
+    }
+
+    /// How many of the robot's torque unit one N·m is.
+    fn torque_unit(&self) -> f64 {
+        let forces = self.model.forces.as_ref();
+        forces.map_or(1.0, |forces| forces.unit.per_newton_metre())
     }
 
     /// Where the slider is told to stand: mm; zeros where there is none.
@@ -167,14 +180,14 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// [`sense`](Self::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
-        let forces = self.model.forces.as_ref();
+        let torque_unit = self.torque_unit();
         let legs = self.model.legs.iter().zip(&mut self.drives);
         let params = self.params.feet.iter().zip(&self.params.joints);
         let states = params.zip(&self.measured.angles);
         for (n, ((leg, drive), ((foot, joints), measured))) in legs.zip(states).enumerate() {
             let going = Going {
                 inverse: self.model.inverse,
-                torque_unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
+                torque_unit,
                 number: targets::number(n),
                 dt,
                 held: self.hold.is_on(),
@@ -188,6 +201,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         }
         self.slider
             .advance(self.params.slider.limits(), dt, self.hold.is_on());
+        self.shake(dt);
         self.end_if_finished();
     }
 }

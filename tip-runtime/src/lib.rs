@@ -37,3 +37,4 @@ pub mod record;
 #[cfg(feature = "control")]
 pub mod special;
 pub mod version;
+pub mod vibration;

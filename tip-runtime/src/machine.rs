@@ -6,14 +6,14 @@ mod emergency;
 mod keyboard;
 mod mismatch;
 mod sampling;
+mod view;
 
 pub use emergency::{Emergency, Report};
 pub use mismatch::Mismatch;
 
 use crate::console::Console;
-use crate::controller::Controller;
 use crate::fault::Fault;
-use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
+use crate::hardware::{Hardware, HardwareFault, Outputs};
 use crate::model::{Family, Model};
 use crate::program::{End, Flow, Program};
 use crate::record::{self, Dump, Sample, Sink};
@@ -61,8 +61,8 @@ pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
     devices: Devices<'m, L, J>,
     status: Status,
     emergency: Option<Emergency>,
-    /// A fault of the last writing, found in the next cycle.
-    unwritten: Option<HardwareFault>,
+    /// What went wrong behind the last step, to be found in the next cycle.
+    pending: Option<Fault>,
     /// The last step waits, so that the next cycle continues it.
     waiting: bool,
     paused: bool,
@@ -101,7 +101,7 @@ where
             devices: Devices::new(model),
             status: Status::Running,
             emergency: None,
-            unwritten: None,
+            pending: None,
             waiting: false,
             paused: false,
             stop_requested: false,
@@ -132,13 +132,13 @@ where
 
     /// Phase 1: every sensor, the keyboard, and what the controller makes of it.
     fn sample(&mut self) -> Result<(), Fault> {
-        if let Some(HardwareFault(what)) = self.unwritten.take() {
-            return Err(Fault::Hardware(what));
+        if let Some(fault) = self.pending.take() {
+            return Err(fault);
         }
         self.sampled_at = self.time;
         self.hardware
             .read(&mut self.devices.sensors)
-            .map_err(|HardwareFault(what)| Fault::Hardware(what))?;
+            .map_err(hardware_fault)?;
         self.take_keys();
         if core::mem::take(&mut self.stop_requested) {
             return Err(Fault::EmergencyKey);
@@ -164,6 +164,9 @@ where
         let step = self.program.at();
         let flow = self.step(sink.as_mut().map(|sink| &mut **sink as &mut dyn Sink))?;
         self.serve_console(step);
+        if !matches!(flow, Flow::Finished(_)) {
+            self.pending = self.special.cycle(&mut self.devices).err();
+        }
         self.drive();
         self.log();
         let next = match flow {
@@ -226,7 +229,9 @@ where
             period,
         };
         devices.release_after_dump();
-        self.unwritten = self.hardware.write(&self.devices.outputs).err();
+        if let Err(fault) = self.hardware.write(&self.devices.outputs) {
+            self.pending.get_or_insert(hardware_fault(fault));
+        }
         self.time += period;
     }
 
@@ -327,71 +332,10 @@ where
             self.devices.release_after_pause();
         }
     }
+}
 
-    /// What became of the program.
-    pub fn status(&self) -> Status {
-        self.status
-    }
-
-    /// Why and where the robot stopped.
-    pub fn emergency(&self) -> Option<&Emergency> {
-        self.emergency.as_ref()
-    }
-
-    /// The program.
-    pub fn program(&self) -> &P {
-        &self.program
-    }
-
-    /// The program.
-    pub fn program_mut(&mut self) -> &mut P {
-        &mut self.program
-    }
-
-    /// The robot.
-    pub fn hardware(&self) -> &H {
-        &self.hardware
-    }
-
-    /// The robot.
-    pub fn hardware_mut(&mut self) -> &mut H {
-        &mut self.hardware
-    }
-
-    /// The console.
-    pub fn console(&self) -> &C {
-        &self.console
-    }
-
-    /// The console.
-    pub fn console_mut(&mut self) -> &mut C {
-        &mut self.console
-    }
-
-    /// The controller.
-    pub fn controller(&self) -> &Controller<'m, L, J> {
-        &self.devices.controller
-    }
-
-    /// What was measured in the last cycle.
-    pub fn sensors(&self) -> &Sensors<L, J> {
-        &self.devices.sensors
-    }
-
-    /// What was sent in the last cycle.
-    pub fn outputs(&self) -> &Outputs<L, J> {
-        &self.devices.outputs
-    }
-
-    /// Cycles whose step ran without a fault.
-    pub fn cycles(&self) -> u64 {
-        self.cycles
-    }
-
-    /// The sampling time: ms.
-    pub fn period(&self) -> f64 {
-        self.devices.controller.period()
-    }
+fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
+    Fault::Hardware(what)
 }
 
 #[cfg(all(test, feature = "std"))]

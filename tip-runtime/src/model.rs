@@ -183,6 +183,15 @@ pub struct Forces {
     pub contact_torque: f64,
 }
 
+/// What one volt of [vibration](crate::vibration) does to a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerVolt {
+    /// To the angle that it is told: deg.
+    pub angle: f64,
+    /// To the torque that it is told, in the robot's [`TorqueUnit`].
+    pub torque: f64,
+}
+
 /// A slider that carries the floor under a hand (`FLOOR`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
@@ -225,6 +234,8 @@ pub struct Model<const L: usize, const J: usize> {
     pub forces: Option<Forces>,
     /// Its slider, if it has one.
     pub slider: Option<Slider>,
+    /// How its joints vibrate, if they do.
+    pub vibration: Option<PerVolt>,
 }
 
 impl<const L: usize, const J: usize> Model<L, J> {

@@ -3,6 +3,7 @@
 use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
 use crate::fault::Fault;
 use crate::model::Family;
+use crate::vibration::Vibration;
 use core::fmt::Display;
 
 /// Which command ended the program.
@@ -84,6 +85,14 @@ pub trait Robot {
     fn flag(&self, flag: Flag) -> bool;
     /// Sets one of `SPECIAL_FLAG0…9`; other numbers are ignored.
     fn set_special_flag(&mut self, n: u8, on: bool);
+    /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
+    /// on from where in its wave it is. Vibration ends with the program, and rests under ALL_STOP.
+    ///
+    /// # Errors
+    /// `Domain` for a target that is no joint, a robot that does not vibrate
+    /// ([`Model::vibration`](crate::model::Model::vibration)), an amplitude that is not finite, or a
+    /// frequency that is not finite or negative.
+    fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault>;
     /// The sampling time in ms.
     fn period(&self) -> f64;
 }

@@ -75,6 +75,16 @@ pub trait Special {
     /// `Domain` for a number that is not known, or any other fault. A handler that fails must not
     /// have commanded the robot in the same cycle.
     fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault>;
+
+    /// Goes on with what a command began and other steps do not wait for. Called in every cycle of a
+    /// running program, behind its step.
+    ///
+    /// # Errors
+    /// What went wrong: an emergency stop, found at the start of the next cycle.
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
+        let _ = robot;
+        Ok(())
+    }
 }
 
 impl Special for () {

@@ -26,6 +26,7 @@ fn robot<const L: usize, const J: usize>(legs: [Leg<J>; L]) -> Model<L, J> {
         lamps: titan.lamps,
         forces: titan.forces,
         slider: titan.slider,
+        vibration: titan.vibration,
     }
 }
 

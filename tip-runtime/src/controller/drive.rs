@@ -4,6 +4,7 @@ mod advance;
 mod law;
 
 pub(super) use advance::{Going, name, reach};
+pub(super) use law::bounded;
 
 use super::trajectory::{Goal, Track};
 use crate::hardware::JointCommand;

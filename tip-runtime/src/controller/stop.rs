@@ -48,6 +48,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// and nothing is controlled.
     pub fn finish(&mut self) {
         self.task = Task::Idle;
+        self.still();
         self.hold = Hold::Finishing;
         self.end_if_finished();
     }
@@ -56,6 +57,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     pub fn emergency(&mut self) {
         self.drives = self.measured.angles.map(LegDrive::free);
         self.slider = Track::resting(self.measured.slider);
+        self.still();
         self.task = Task::Idle;
         self.hold = Hold::Off;
         self.pending = None;

@@ -7,6 +7,7 @@ use crate::fault::Fault;
 use crate::program::{Context, Robot};
 use crate::record::Sink;
 use crate::special::{Call, Special};
+use crate::vibration::Vibration;
 use core::fmt::Display;
 
 pub(super) struct StepContext<'a, 'm, C, S, const L: usize, const J: usize> {
@@ -71,6 +72,10 @@ impl<C, S: Special, const L: usize, const J: usize> Robot for StepContext<'_, '_
 
     fn set_special_flag(&mut self, n: u8, on: bool) {
         self.devices.set_special_flag(n, on);
+    }
+
+    fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
+        self.devices.vibrate(joint, vibration)
     }
 
     fn period(&self) -> f64 {

@@ -9,6 +9,7 @@ use crate::fault::Fault;
 use crate::hardware::{JointCommand, Outputs, Sensors};
 use crate::model::Model;
 use crate::program::Robot;
+use crate::vibration::Vibration;
 
 /// Volts from which the antenna counts as touching.
 const TOUCH: f64 = 0.5;
@@ -212,6 +213,10 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
         if let Some(flag) = self.special_flags.get_mut(usize::from(n)) {
             *flag = on;
         }
+    }
+
+    fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
+        self.controller.vibrate(joint, vibration)
     }
 
     fn period(&self) -> f64 {

@@ -8,7 +8,7 @@ mod native;
 use super::*;
 use crate::command::{Command, Op, Poll, Target, Value};
 use crate::console::Scripted;
-use crate::hardware::JointCommand;
+use crate::hardware::{JointCommand, Sensors};
 use crate::model::{Model, titan8};
 use crate::program::{Context, Signature};
 use std::vec::Vec;

@@ -6,7 +6,9 @@
 //! Link lengths, limits and masses are assumptions: no public figures exist. They are data, to be
 //! replaced by those of the robot at hand.
 
-use super::{Family, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards, TorqueUnit};
+use super::{
+    Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards, TorqueUnit,
+};
 
 const L1: f64 = 70.0;
 const L2: f64 = 50.0;
@@ -52,6 +54,10 @@ pub const MODEL: Model<3, 3> = Model {
             Range::new(-200.0, -60.0),
             Range::new(0.0, 0.0),
         ],
+    }),
+    vibration: Some(PerVolt {
+        angle: 0.5,
+        torque: 10.0,
     }),
 };
 

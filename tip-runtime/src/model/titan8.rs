@@ -42,6 +42,7 @@ pub const MODEL: Model<4, 3> = Model {
     lamps: 8,
     forces: None,
     slider: None,
+    vibration: None,
 };
 
 /// A leg whose hip stands on the `side` (−1 left, +1 right) and towards the `end` (−1 rear, +1 front).

@@ -35,6 +35,7 @@ pub(crate) const fn robot<const L: usize, const J: usize>(
         lamps: generic::MODEL.lamps,
         forces: generic::MODEL.forces,
         slider: None,
+        vibration: None,
     }
 }
 

@@ -7,3 +7,4 @@ mod rig;
 mod searches;
 mod springs;
 mod torques;
+mod vibration;

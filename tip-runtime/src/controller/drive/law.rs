@@ -25,6 +25,6 @@ pub(super) fn spring<const N: usize>(
 }
 
 /// `value` within ±`most`.
-pub(super) fn bounded(value: f64, most: f64) -> f64 {
+pub(in crate::controller) fn bounded(value: f64, most: f64) -> f64 {
     value.min(most).max(-most)
 }

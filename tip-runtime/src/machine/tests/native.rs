@@ -96,6 +96,72 @@ fn native_code_sets_flags_and_commands_the_robot() {
     assert_eq!(machine.hardware().outputs[1].lamps[0], 0b100);
 }
 
+/// Counts the cycles that it sees, lights a lamp in the second one, and fails in cycle `fails`.
+struct Activity {
+    cycles: u32,
+    fails: u32,
+}
+
+impl Special for Activity {
+    fn poll(&mut self, _: Call, _: &mut dyn Robot) -> Result<Poll, Fault> {
+        Err(Fault::Domain)
+    }
+
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
+        self.cycles += 1;
+        if self.cycles == self.fails {
+            return Err(Fault::InvalidMode);
+        }
+        if self.cycles == 2 {
+            robot.command(&Command {
+                op: Op::LampOn,
+                hs: false,
+                target: Target::None,
+                values: &[Value::absolute(2.0)],
+            })?;
+        }
+        Ok(())
+    }
+}
+
+fn active(steps: &'static [Step], fails: u32) -> Bench<Activity> {
+    bench_with(steps, &[], Activity { cycles: 0, fails })
+}
+
+// clauses: 2.17 7.43
+#[test]
+fn native_code_goes_on_behind_every_step_of_a_running_program() {
+    let mut machine = active(&[nop, nop, stay], 0);
+    machine.cycle();
+    machine.cycle();
+    let lamps: Vec<_> = (machine.hardware().outputs.iter())
+        .map(|outputs| outputs.lamps[0])
+        .collect();
+    assert_eq!(lamps, [0, 0b100]);
+    machine.pause();
+    machine.cycle();
+    machine.resume();
+    machine.cycle();
+    assert_eq!(machine.special.cycles, 3);
+
+    let mut ended = active(&[nop, end], 0);
+    for _ in 0..5 {
+        ended.cycle();
+    }
+    assert_eq!(ended.special.cycles, 1);
+}
+
+// clauses: 2.22
+#[test]
+fn a_fault_of_native_code_behind_a_step_is_found_in_the_next_cycle() {
+    let mut machine = active(&[nop, nop, nop, end], 2);
+    machine.cycle();
+    assert_eq!(machine.cycle(), Status::Running);
+    assert_eq!(machine.cycle(), Status::Emergency);
+    let emergency = machine.emergency().map(|e| (e.fault, e.step, e.cycle));
+    assert_eq!(emergency, Some((Fault::InvalidMode, 2, 2)));
+}
+
 const PORTS: [Port; 8] = [
     Port::Channel(13),
     Port::Knob(1),

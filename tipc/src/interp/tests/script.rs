@@ -6,6 +6,7 @@ use std::fmt::Display;
 use tip_runtime::command::{Command, MAX, Poll};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Robot};
+use tip_runtime::vibration::Vibration;
 
 /// A robot that answers from a script and remembers what it was asked.
 #[derive(Default)]
@@ -48,6 +49,10 @@ impl Robot for Script {
     }
 
     fn set_special_flag(&mut self, _: u8, _: bool) {}
+
+    fn vibrate(&mut self, _: Target, _: Option<Vibration>) -> Result<(), Fault> {
+        Ok(())
+    }
 
     fn period(&self) -> f64 {
         20.0

@@ -1,0 +1,153 @@
+//! Vibration, added to the commands that joints are sent (active friction control, T.I.P. 3.1 §8-2-2).
+
+use super::drive::bounded;
+use super::{Controller, targets};
+use crate::command::Target;
+use crate::fault::Fault;
+use crate::hardware::JointCommand;
+use crate::model::Joint;
+use crate::vibration::{Vibration, Waveform};
+use core::f64::consts::TAU;
+
+/// The vibration of one joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shaker {
+    vibration: Option<Vibration>,
+    /// Where in its wave it is: 0…1.
+    phase: f64,
+}
+
+/// The share of a sawtooth's time that its slow flank takes.
+const SLOW: f64 = 0.8;
+
+impl Shaker {
+    pub(super) const STILL: Self = Shaker {
+        vibration: None,
+        phase: 0.0,
+    };
+
+    /// Moves on by `dt` seconds; what is held waits at the start of its wave.
+    fn advance(&mut self, dt: f64, held: bool) {
+        self.phase = match self.vibration {
+            Some(vibration) if !held => fraction(self.phase + fraction(vibration.frequency * dt)),
+            _ => 0.0,
+        };
+    }
+
+    /// How far it departs now: V.
+    fn volts(&self) -> f64 {
+        self.vibration.map_or(0.0, |vibration| {
+            vibration.amplitude * wave(vibration.waveform, self.phase)
+        })
+    }
+}
+
+/// A wave of amplitude 1 at a phase of 0…1.
+fn wave(waveform: Waveform, phase: f64) -> f64 {
+    match waveform {
+        Waveform::Sine => libm::sin(TAU * phase),
+        Waveform::OneSided => (1.0 - libm::cos(TAU * phase)) / 2.0,
+        Waveform::Sawtooth => {
+            let half = SLOW / 2.0;
+            if phase <= half {
+                phase / half
+            } else if phase < 1.0 - half {
+                (0.5 - phase) / (0.5 - half)
+            } else {
+                (phase - 1.0) / half
+            }
+        }
+    }
+}
+
+fn fraction(value: f64) -> f64 {
+    value - libm::floor(value)
+}
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
+    /// on from where in its wave it is.
+    ///
+    /// # Errors
+    /// `Domain` for a target that is no joint, a robot that does not vibrate, an amplitude that is
+    /// not finite, or a frequency that is not finite or negative.
+    pub fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
+        let Target::Joint(n, m) = joint else {
+            return Err(Fault::Domain);
+        };
+        let sound = vibration.is_none_or(|vibration| {
+            let Vibration {
+                amplitude,
+                frequency,
+                ..
+            } = vibration;
+            amplitude.is_finite() && frequency.is_finite() && frequency >= 0.0
+        });
+        if !sound || self.model.vibration.is_none() {
+            return Err(Fault::Domain);
+        }
+        targets::joint_mut(&mut self.shakers, n, m)?.vibration = vibration;
+        Ok(())
+    }
+
+    /// Every vibration ends.
+    pub(super) fn still(&mut self) {
+        self.shakers = [[Shaker::STILL; J]; L];
+    }
+
+    /// Vibrations go on by `dt` seconds.
+    pub(super) fn shake(&mut self, dt: f64) {
+        for shaker in self.shakers.iter_mut().flatten() {
+            shaker.advance(dt, self.hold.is_on());
+        }
+    }
+
+    /// The commands with the vibrations of their joints.
+    pub(super) fn shaken(&self, mut commands: [[JointCommand; J]; L]) -> [[JointCommand; J]; L] {
+        let Some(per_volt) = self.model.vibration else {
+            return commands;
+        };
+        let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
+        let params = self.params.joints.iter().flatten();
+        let states = self.shakers.iter().zip(&self.measured.angles);
+        let states = states.flat_map(|(shakers, angles)| shakers.iter().zip(angles));
+        let data = joints.zip(params).zip(states);
+        for (command, ((joint, params), (shaker, measured))) in
+            commands.iter_mut().flatten().zip(data)
+        {
+            if shaker.vibration.is_none() {
+                continue;
+            }
+            let volts = shaker.volts();
+            *command = match *command {
+                JointCommand::Angle(angle) => {
+                    JointCommand::Angle(shaken_angle(angle, per_volt.angle * volts, joint))
+                }
+                JointCommand::Torque(torque) => {
+                    let motor = joint.torque * self.torque_unit();
+                    let most = params.torque_max.min(motor).max(libm::fabs(torque));
+                    let shaken = bounded(torque + per_volt.torque * volts, most);
+                    JointCommand::Torque(inward(shaken, *measured, joint))
+                }
+            };
+        }
+        commands
+    }
+}
+
+/// An angle with a departure that does not leave the joint's working limits.
+fn shaken_angle(angle: f64, departure: f64, joint: &Joint) -> f64 {
+    let (low, high) = (joint.limits.min.min(angle), joint.limits.max.max(angle));
+    (angle + departure).max(low).min(high)
+}
+
+/// A torque that does not push a joint on which is at its working limit.
+fn inward(torque: f64, measured: f64, joint: &Joint) -> f64 {
+    if measured >= joint.limits.max {
+        torque.min(0.0)
+    } else if measured <= joint.limits.min {
+        torque.max(0.0)
+    } else {
+        torque
+    }
+}

@@ -1,0 +1,72 @@
+//! What a machine shows of itself.
+
+use super::{Emergency, Machine, Status};
+use crate::controller::Controller;
+use crate::hardware::{Outputs, Sensors};
+
+impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
+    /// What became of the program.
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// Why and where the robot stopped.
+    pub fn emergency(&self) -> Option<&Emergency> {
+        self.emergency.as_ref()
+    }
+
+    /// The program.
+    pub fn program(&self) -> &P {
+        &self.program
+    }
+
+    /// The program.
+    pub fn program_mut(&mut self) -> &mut P {
+        &mut self.program
+    }
+
+    /// The robot.
+    pub fn hardware(&self) -> &H {
+        &self.hardware
+    }
+
+    /// The robot.
+    pub fn hardware_mut(&mut self) -> &mut H {
+        &mut self.hardware
+    }
+
+    /// The console.
+    pub fn console(&self) -> &C {
+        &self.console
+    }
+
+    /// The console.
+    pub fn console_mut(&mut self) -> &mut C {
+        &mut self.console
+    }
+
+    /// The controller.
+    pub fn controller(&self) -> &Controller<'m, L, J> {
+        &self.devices.controller
+    }
+
+    /// What was measured in the last cycle.
+    pub fn sensors(&self) -> &Sensors<L, J> {
+        &self.devices.sensors
+    }
+
+    /// What was sent in the last cycle.
+    pub fn outputs(&self) -> &Outputs<L, J> {
+        &self.devices.outputs
+    }
+
+    /// Cycles whose step ran without a fault.
+    pub fn cycles(&self) -> u64 {
+        self.cycles
+    }
+
+    /// The sampling time: ms.
+    pub fn period(&self) -> f64 {
+        self.devices.controller.period()
+    }
+}
