@@ -115,6 +115,7 @@ impl<const L: usize, const J: usize> Model<L, J> {
             lamps: generic::MODEL.lamps,
             forces: None,
             slider: None,
+            vibration: None,
         }
     }
 }
