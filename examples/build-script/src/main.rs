@@ -6,7 +6,9 @@
 )]
 
 use build_script::pushing_up;
+use std::error::Error;
 use std::fmt::Display;
+use std::io::{self, Write};
 use std::process::ExitCode;
 use tip_runtime::console::Console;
 
@@ -15,28 +17,31 @@ struct Lines;
 
 impl Console for Lines {
     fn message(&mut self, text: &dyn Display) {
-        println!("{text}");
+        // A console cannot refuse a text: a closed output loses it.
+        let _ = writeln!(io::stdout(), "{text}");
     }
 }
 
 fn main() -> ExitCode {
-    let mut robot = match pushing_up(Lines) {
-        Ok(robot) => robot,
-        Err(mismatch) => {
-            eprintln!("build-script: {mismatch}");
-            return ExitCode::FAILURE;
+    match push_up() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("build-script: {problem}");
+            ExitCode::FAILURE
         }
-    };
+    }
+}
+
+fn push_up() -> Result<(), Box<dyn Error>> {
+    let mut robot = pushing_up(Lines)?;
     let mut highest = 0.0_f64;
     while robot.cycle().is_running() {
         highest = highest.max(robot.hardware().body().z);
     }
-    println!("highest {highest:.0} mm, {} cycles", robot.cycles());
+    let cycles = robot.cycles();
+    writeln!(io::stdout(), "highest {highest:.0} mm, {cycles} cycles")?;
     match robot.emergency() {
-        None => ExitCode::SUCCESS,
-        Some(emergency) => {
-            eprintln!("{emergency}");
-            ExitCode::FAILURE
-        }
+        None => Ok(()),
+        Some(emergency) => Err(emergency.to_string().into()),
     }
 }

@@ -14,7 +14,7 @@ use std::env;
 use std::error::Error;
 use std::fmt::Display;
 use std::fs::{self, File};
-use std::io::BufWriter;
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use tip_runtime::machine::Machine;
@@ -28,17 +28,19 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    if options.help {
-        print!("{HELP}");
-        return ExitCode::SUCCESS;
-    }
-    match run(&options) {
+    let done = if options.help { help() } else { run(&options) };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(problem) => {
             eprintln!("custom-hardware: {problem}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn help() -> Result<(), Box<dyn Error>> {
+    io::stdout().write_all(HELP.as_bytes())?;
+    Ok(())
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
@@ -52,15 +54,19 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let robot = Recorded::new(bench(&description, &model), table)?;
     let mut machine = Machine::new(Feet::new(), &model, robot, (), ())?;
 
-    println!("{}: every {} ms", description.name, machine.period());
+    let mut out = io::stdout();
+    let (name, period) = (&description.name, machine.period());
+    writeln!(out, "{name}: every {period} ms")?;
     if options.fast {
         while machine.cycle().is_running() {}
     } else {
         let (_, pace) = run_realtime(&mut machine);
         let worst = pace.worst().as_secs_f64() * 1000.0;
-        println!("{} overruns, the worst {worst:.3} ms late", pace.overruns());
+        let overruns = pace.overruns();
+        writeln!(out, "{overruns} overruns, the worst {worst:.3} ms late")?;
     }
-    println!("{} cycles; {}", machine.cycles(), options.csv.display());
+    let (cycles, csv) = (machine.cycles(), options.csv.display());
+    writeln!(out, "{cycles} cycles; {csv}")?;
     machine.hardware_mut().finish()?;
     match machine.emergency() {
         Some(emergency) => Err(emergency.to_string().into()),

@@ -8,6 +8,7 @@
 use special::run::{Plant, Run, interpreter, run};
 use special::{Dance, SOURCE};
 use std::error::Error;
+use std::io::{self, Write};
 use std::process::ExitCode;
 use tip_runtime::console::Transcript;
 use tip_runtime::model::titan8;
@@ -21,8 +22,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let interpreted = run(text, (), plant)?;
 
     let identical = compiled.trace == interpreted.trace;
-    println!("{}", console.messages.join("\n"));
-    report(&compiled, identical);
+    let mut out = io::stdout();
+    writeln!(out, "{}", console.messages.join("\n"))?;
+    report(&mut out, &compiled, identical)?;
     let good = identical && matches!(compiled.ending, Ending::Program(_));
     Ok(if good {
         ExitCode::SUCCESS
@@ -32,21 +34,25 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 }
 
 /// Where the body went, how the run ended, and whether both engines agree.
-fn report(run: &Run, identical: bool) {
-    println!(
+fn report(out: &mut dyn Write, run: &Run, identical: bool) -> io::Result<()> {
+    writeln!(
+        out,
         "\nbody   {:.1} mm from its start at most, {:.1} mm in the end\n\
          slip   {:.2} mm at most of a foot that carries",
         run.excursion(),
         run.rest(),
         run.plant.worst_slip()
-    );
+    )?;
     if let Ending::Emergency(emergency) = run.ending {
-        println!("end    {emergency}");
+        writeln!(out, "end    {emergency}")?;
     }
     if identical {
         let records = run.trace.lines().count();
-        println!("traces identical: {records} records, compiled and interpreted");
+        writeln!(
+            out,
+            "traces identical: {records} records, compiled and interpreted"
+        )
     } else {
-        println!("traces DIFFER");
+        writeln!(out, "traces DIFFER")
     }
 }

@@ -5,7 +5,9 @@
     reason = "an example talks to people"
 )]
 
+use std::error::Error;
 use std::fmt::Display;
+use std::io::{self, Write};
 use std::process::ExitCode;
 use tip_runtime::console::Console;
 use wave::waving;
@@ -15,33 +17,36 @@ struct Lines;
 
 impl Console for Lines {
     fn message(&mut self, text: &dyn Display) {
-        println!("{text}");
+        // A console cannot refuse a text: a closed output loses it.
+        let _ = writeln!(io::stdout(), "{text}");
     }
 }
 
 fn main() -> ExitCode {
-    let mut robot = match waving(Lines) {
-        Ok(robot) => robot,
-        Err(mismatch) => {
-            eprintln!("wave: {mismatch}");
-            return ExitCode::FAILURE;
+    match wave() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("wave: {problem}");
+            ExitCode::FAILURE
         }
-    };
+    }
+}
+
+fn wave() -> Result<(), Box<dyn Error>> {
+    let mut robot = waving(Lines)?;
     while robot.cycle().is_running() {
         if robot.cycles() % 25 == 0 {
-            println!(
+            writeln!(
+                io::stdout(),
                 "{:5.1} s  {}",
                 robot.cycles() as f64 * robot.period() / 1000.0,
                 pendulum(robot.sensors().angles[1][0])
-            );
+            )?;
         }
     }
     match robot.emergency() {
-        None => ExitCode::SUCCESS,
-        Some(emergency) => {
-            eprintln!("{emergency}");
-            ExitCode::FAILURE
-        }
+        None => Ok(()),
+        Some(emergency) => Err(emergency.to_string().into()),
     }
 }
 
