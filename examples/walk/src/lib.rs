@@ -2,11 +2,7 @@
 //! interpreter side by side.
 #![forbid(unsafe_code)]
 
-pub mod engine;
-pub mod gait;
 pub mod options;
-pub mod outcome;
-pub mod race;
 
 // The whole motion program: `Walk`, a type like any other.
 tip_macros::include_tip!(pub "motions/walk.prg");

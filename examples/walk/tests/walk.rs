@@ -4,35 +4,37 @@ use std::sync::OnceLock;
 use tip_runtime::command::Target;
 use tip_runtime::console::Scripted;
 use tip_runtime::fault::Fault;
+use tip_runtime::model::titan8;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
-use walk::engine::{Engine, interpreter};
-use walk::outcome::{GOAL, Outcome, SLIP};
-use walk::race::Race;
 use walk::{SOURCE, Walk};
+use walking::engine::{Engine, interpreter, on_simulated_robot};
+use walking::outcome::{GOAL, Outcome, SLIP};
+use walking::race::Race;
 
 /// Long enough for every gait here: cycles.
 const LIMIT: u64 = 20_000;
 
-fn race<A: Program, B: Program>(leader: A, rival: B, console: &Scripted<()>) -> Outcome {
-    let leader = Engine::new(leader, console.clone(), true).unwrap();
-    let rival = Engine::new(rival, console.clone(), true).unwrap();
-    Race::new(leader, rival).run(Some(LIMIT), &mut ())
+fn race<A: Program, B: Program>(leader: A, rival: B, console: &Scripted<()>) -> Outcome<4> {
+    let leader = on_simulated_robot(leader, &titan8::MODEL, console.clone()).unwrap();
+    let rival = on_simulated_robot(rival, &titan8::MODEL, console.clone()).unwrap();
+    let race = Race::new(Engine::new(leader, true), Engine::new(rival, true));
+    race.run(Some(LIMIT), &mut ())
 }
 
-fn walked(console: &Scripted<()>) -> Outcome {
-    let rival = interpreter("walk.prg", SOURCE).unwrap();
+fn walked(console: &Scripted<()>) -> Outcome<4> {
+    let rival = interpreter("walk.prg", SOURCE, &tipc::Options::default()).unwrap();
     race(Walk::new(), rival, console)
 }
 
 /// The gait with pieces of its text exchanged.
-fn variant(changes: &[(&str, &str)]) -> Outcome {
+fn variant(changes: &[(&str, &str)]) -> Outcome<4> {
     let mut text = SOURCE.to_owned();
     for (from, to) in changes {
         assert_eq!(text.matches(from).count(), 1, "{from}");
         text = text.replace(from, to);
     }
-    let program = interpreter("variant.prg", &text).unwrap();
+    let program = interpreter("variant.prg", &text, &tipc::Options::default()).unwrap();
     race(program.clone(), program, &nobody())
 }
 
@@ -41,8 +43,8 @@ fn nobody() -> Scripted<()> {
 }
 
 /// The gait as it is, undisturbed.
-fn undisturbed() -> &'static Outcome {
-    static OUTCOME: OnceLock<Outcome> = OnceLock::new();
+fn undisturbed() -> &'static Outcome<4> {
+    static OUTCOME: OnceLock<Outcome<4>> = OnceLock::new();
     OUTCOME.get_or_init(|| walked(&nobody()))
 }
 
@@ -53,6 +55,7 @@ fn the_body_comes_forward_by_six_strides_upright_and_alike_in_both_engines() {
     assert_eq!(outcome.ending, Ending::Program(End::Exit));
     assert!((outcome.travel - 1200.0).abs() < 5.0, "{}", outcome.travel);
     assert!(outcome.drift.abs() < 5.0, "{}", outcome.drift);
+    assert!(outcome.margin >= 50.0, "{}", outcome.margin);
     assert_eq!(outcome.same_records, outcome.cycles + 1);
 }
 
@@ -185,4 +188,18 @@ fn a_trace_that_cannot_be_written_is_named() {
     assert_eq!(outcome.status.code(), Some(1));
     let told = String::from_utf8_lossy(&outcome.stderr);
     assert!(told.contains("no/such/folder/walk.jsonl"), "{told}");
+}
+
+#[test]
+fn a_closed_output_is_an_error_and_no_panic() {
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let outcome = std::process::Command::new(env!("CARGO_BIN_EXE_walk"))
+        .arg("--help")
+        .stdout(writer)
+        .output()
+        .expect("it starts");
+    assert_eq!(outcome.status.code(), Some(1));
+    let told = String::from_utf8_lossy(&outcome.stderr);
+    assert!(told.starts_with("walk: "), "{told}");
 }

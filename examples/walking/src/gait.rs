@@ -5,27 +5,20 @@ use std::fmt;
 /// How many characters a line of the diagram has for its feet.
 const COLUMNS: usize = 72;
 
-const FEET: [&str; 4] = [
-    "F1 front left ",
-    "F2 front right",
-    "F3 rear left  ",
-    "F4 rear right ",
-];
-
 /// Which feet touched the floor in each control cycle. Shown, it is a picture in text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Gait {
-    cycles: Vec<[bool; 4]>,
+pub struct Gait<const L: usize> {
+    cycles: Vec<[bool; L]>,
 }
 
-impl Gait {
+impl<const L: usize> Gait<L> {
     /// Notes which feet touch the floor in one more cycle.
-    pub fn push(&mut self, touching: [bool; 4]) {
+    pub fn push(&mut self, touching: [bool; L]) {
         self.cycles.push(touching);
     }
 
     /// The cycles noted so far.
-    pub fn cycles(&self) -> &[[bool; 4]] {
+    pub fn cycles(&self) -> &[[bool; L]] {
         &self.cycles
     }
 
@@ -34,7 +27,7 @@ impl Gait {
         self.cycles.len().div_ceil(COLUMNS).max(1)
     }
 
-    fn mark(&self, chunk: &[[bool; 4]], foot: usize) -> char {
+    fn mark(&self, chunk: &[[bool; L]], foot: usize) -> char {
         let touching = chunk.iter().filter(|feet| feet[foot]).count();
         if 2 * touching >= chunk.len() {
             '#'
@@ -44,12 +37,12 @@ impl Gait {
     }
 }
 
-impl fmt::Display for Gait {
+impl<const L: usize> fmt::Display for Gait<L> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (foot, name) in FEET.iter().enumerate() {
+        for foot in 0..L {
             let chunks = self.cycles.chunks(self.column());
             let marks: String = chunks.map(|chunk| self.mark(chunk, foot)).collect();
-            writeln!(f, "  {name}  {marks}")?;
+            writeln!(f, "  F{}  {marks}", foot + 1)?;
         }
         Ok(())
     }
@@ -64,10 +57,7 @@ mod tests {
         let mut gait = Gait::default();
         gait.push([true, true, false, true]);
         gait.push([false, true, true, true]);
-        assert_eq!(
-            gait.to_string(),
-            "  F1 front left   #.\n  F2 front right  ##\n  F3 rear left    .#\n  F4 rear right   ##\n"
-        );
+        assert_eq!(gait.to_string(), "  F1  #.\n  F2  ##\n  F3  .#\n  F4  ##\n");
     }
 
     #[test]
@@ -78,7 +68,7 @@ mod tests {
         }
         assert_eq!(gait.column(), 10);
         let picture = gait.to_string();
-        let marks: Vec<&str> = picture.lines().map(|line| &line[18..]).collect();
+        let marks: Vec<&str> = picture.lines().map(|line| &line[6..]).collect();
         assert_eq!(
             marks,
             [
@@ -93,7 +83,7 @@ mod tests {
     #[test]
     fn no_cycles_make_an_empty_picture() {
         assert!(
-            Gait::default()
+            Gait::<4>::default()
                 .to_string()
                 .lines()
                 .all(|line| line.ends_with(' '))

@@ -3,33 +3,34 @@
 use std::mem;
 use tip_runtime::console::Console;
 use tip_runtime::machine::{Machine, Mismatch, Status};
-use tip_runtime::model::titan8;
+use tip_runtime::model::Model;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
 use tipc::interp::Interpreter;
 
 /// The control loop around a program of type `P` and a console of type `C`.
-pub type Loop<P, C> = Machine<'static, P, SimulatedPlant<4, 3>, C, (), 4, 3>;
+pub type Loop<P, C, const L: usize, const J: usize> =
+    Machine<'static, P, SimulatedPlant<L, J>, C, (), L, J>;
 
-/// Puts a program on a simulated TITAN VIII.
+/// Puts a program on a simulated robot.
 ///
 /// # Errors
 /// The program was checked for another robot.
-pub fn on_simulated_robot<P: Program, C: Console>(
+pub fn on_simulated_robot<P: Program, C: Console, const L: usize, const J: usize>(
     program: P,
+    model: &'static Model<L, J>,
     console: C,
-) -> Result<Loop<P, C>, Mismatch> {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    Machine::new(program, &titan8::MODEL, plant, console, ())
+) -> Result<Loop<P, C, L, J>, Mismatch> {
+    Machine::new(program, model, SimulatedPlant::new(model), console, ())
 }
 
 /// The reference interpreter of a program's text.
 ///
 /// # Errors
 /// The text does not load: the classical message of each error, one a line.
-pub fn interpreter(name: &str, text: &str) -> Result<Interpreter, String> {
-    let loaded = tipc::load(name, text.as_bytes(), &tipc::Options::default());
+pub fn interpreter(name: &str, text: &str, options: &tipc::Options) -> Result<Interpreter, String> {
+    let loaded = tipc::load(name, text.as_bytes(), options);
     loaded.program.map(Interpreter::new).ok_or_else(|| {
         let lines = loaded.diagnostics.iter();
         let lines = lines.map(|one| tipc::diagnostic::render_short(&loaded.source, one));
@@ -38,21 +39,18 @@ pub fn interpreter(name: &str, text: &str) -> Result<Interpreter, String> {
 }
 
 /// A control loop whose trace is collected record by record.
-pub struct Engine<P, C = ()> {
-    machine: Loop<P, C>,
+pub struct Engine<P, C, const L: usize, const J: usize> {
+    machine: Loop<P, C, L, J>,
     trace: JsonLines<String>,
 }
 
-impl<P: Program, C: Console> Engine<P, C> {
+impl<P: Program, C: Console, const L: usize, const J: usize> Engine<P, C, L, J> {
     /// `with_state` adds a hash of joint commands and measurements to each record.
-    ///
-    /// # Errors
-    /// The program was checked for another robot.
-    pub fn new(program: P, console: C, with_state: bool) -> Result<Self, Mismatch> {
-        Ok(Engine {
-            machine: on_simulated_robot(program, console)?,
+    pub fn new(machine: Loop<P, C, L, J>, with_state: bool) -> Self {
+        Engine {
+            machine,
             trace: JsonLines::new(String::new(), with_state),
-        })
+        }
     }
 
     /// Runs one control cycle.
@@ -71,7 +69,7 @@ impl<P: Program, C: Console> Engine<P, C> {
     }
 
     /// The control loop.
-    pub fn machine(&self) -> &Loop<P, C> {
+    pub fn machine(&self) -> &Loop<P, C, L, J> {
         &self.machine
     }
 }

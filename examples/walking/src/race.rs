@@ -10,32 +10,34 @@ use tip_runtime::program::Program;
 use tip_runtime::record::Ending;
 
 /// Told of a run while it lasts.
-pub trait Observer {
+pub trait Observer<const L: usize, const J: usize> {
     /// One cycle is over: the time on the robot (s), the robot, and its new records.
-    fn cycle(&mut self, time: f64, robot: &SimulatedPlant<4, 3>, records: &str);
+    fn cycle(&mut self, time: f64, robot: &SimulatedPlant<L, J>, records: &str);
 }
 
-impl Observer for () {
-    fn cycle(&mut self, _time: f64, _robot: &SimulatedPlant<4, 3>, _records: &str) {}
+impl<const L: usize, const J: usize> Observer<L, J> for () {
+    fn cycle(&mut self, _time: f64, _robot: &SimulatedPlant<L, J>, _records: &str) {}
 }
 
 /// Two engines that run the same program.
-pub struct Race<A, B, C> {
-    leader: Engine<A, C>,
-    rival: Engine<B, C>,
-    gait: Gait,
+pub struct Race<A, B, C, const L: usize, const J: usize> {
+    leader: Engine<A, C, L, J>,
+    rival: Engine<B, C, L, J>,
+    gait: Gait<L>,
+    margin: f64,
     time: f64,
     records: u64,
     identical: bool,
 }
 
-impl<A: Program, B: Program, C: Console> Race<A, B, C> {
+impl<A: Program, B: Program, C: Console, const L: usize, const J: usize> Race<A, B, C, L, J> {
     /// Both engines must be at their start.
-    pub fn new(leader: Engine<A, C>, rival: Engine<B, C>) -> Self {
+    pub fn new(leader: Engine<A, C, L, J>, rival: Engine<B, C, L, J>) -> Self {
         Race {
             leader,
             rival,
             gait: Gait::default(),
+            margin: f64::INFINITY,
             time: 0.0,
             records: 0,
             identical: true,
@@ -43,7 +45,7 @@ impl<A: Program, B: Program, C: Console> Race<A, B, C> {
     }
 
     /// Runs both to their end, or for `limit` cycles.
-    pub fn run(mut self, limit: Option<u64>, observer: &mut dyn Observer) -> Outcome {
+    pub fn run(mut self, limit: Option<u64>, observer: &mut dyn Observer<L, J>) -> Outcome<L> {
         let ending = loop {
             if limit.is_some_and(|limit| self.leader.machine().cycles() >= limit) {
                 break Ending::Limit;
@@ -52,7 +54,9 @@ impl<A: Program, B: Program, C: Console> Race<A, B, C> {
             let status = self.leader.cycle();
             let rival_status = self.rival.cycle();
             self.identical &= status == rival_status;
-            self.gait.push(standing(self.leader.machine().hardware()));
+            let robot = self.leader.machine().hardware();
+            self.gait.push(robot.contacts());
+            self.margin = self.margin.min(robot.margin());
             self.compare(observer);
             if let Some(ending) = self.ending(status) {
                 break ending;
@@ -64,7 +68,7 @@ impl<A: Program, B: Program, C: Console> Race<A, B, C> {
         self.outcome(ending)
     }
 
-    fn compare(&mut self, observer: &mut dyn Observer) {
+    fn compare(&mut self, observer: &mut dyn Observer<L, J>) {
         let records = self.leader.take_records();
         self.identical &= records == self.rival.take_records();
         if self.identical {
@@ -86,7 +90,7 @@ impl<A: Program, B: Program, C: Console> Race<A, B, C> {
         }
     }
 
-    fn outcome(self, ending: Ending) -> Outcome {
+    fn outcome(self, ending: Ending) -> Outcome<L> {
         let machine = self.leader.machine();
         let body = machine.hardware().body();
         Outcome {
@@ -97,14 +101,10 @@ impl<A: Program, B: Program, C: Console> Race<A, B, C> {
             drift: body.x,
             falls: machine.hardware().falls(),
             slip: machine.hardware().worst_slip(),
+            margin: self.margin,
             gait: self.gait,
             same_records: self.records,
             identical: self.identical,
         }
     }
-}
-
-/// Which feet carry something.
-pub fn standing(robot: &SimulatedPlant<4, 3>) -> [bool; 4] {
-    robot.feet().map(|foot| foot.touches())
 }

@@ -1,0 +1,102 @@
+//! What came of a run.
+
+use crate::gait::Gait;
+use std::fmt;
+use tip_runtime::record::Ending;
+
+/// How far the body must come: mm.
+pub const GOAL: f64 = 1000.0;
+
+/// How far a foot that carries may slip: mm.
+pub const SLIP: f64 = 1.0;
+
+/// What came of a run. Shown, it is a report of a few lines.
+#[derive(Clone, Debug)]
+pub struct Outcome<const L: usize> {
+    /// How it ended.
+    pub ending: Ending,
+    /// How many cycles ran.
+    pub cycles: u64,
+    /// How long they took on the robot: s.
+    pub seconds: f64,
+    /// How far the body came forward: mm.
+    pub travel: f64,
+    /// How far the body came to the right: mm.
+    pub drift: f64,
+    /// How often the robot fell.
+    pub falls: u32,
+    /// The farthest that a foot slipped while it carried: mm.
+    pub slip: f64,
+    /// The least that the centre of mass was inside the support polygon: mm; negative outside.
+    pub margin: f64,
+    /// Which feet touched the floor.
+    pub gait: Gait<L>,
+    /// Records that the two traces have in common before their first difference.
+    pub same_records: u64,
+    /// Whether the traces never differed.
+    pub identical: bool,
+}
+
+impl<const L: usize> Outcome<L> {
+    /// The program ended itself, the robot walked, and both engines agree.
+    pub fn is_good(&self) -> bool {
+        matches!(self.ending, Ending::Program(_)) && self.walked() && self.identical
+    }
+
+    /// Far enough, upright, with feet that stayed where they were put.
+    fn walked(&self) -> bool {
+        self.travel >= GOAL && self.falls == 0 && self.slip <= SLIP
+    }
+}
+
+impl<const L: usize> fmt::Display for Outcome<L> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "gait (# on the floor, . in the air; a column is {:.2} s)\n{}",
+            self.seconds / self.cycles.max(1) as f64 * self.gait.column() as f64,
+            self.gait
+        )?;
+        writeln!(
+            f,
+            "travel {} mm forward, {} mm to the right in {:.1} s; at least {GOAL} mm asked",
+            whole(self.travel),
+            whole(self.drift),
+            self.seconds
+        )?;
+        writeln!(f, "falls  {}", self.falls)?;
+        writeln!(
+            f,
+            "slip   {:.2} mm at most of a foot that carries",
+            self.slip
+        )?;
+        writeln!(
+            f,
+            "margin {} mm at least from the centre of mass to the edge of the support polygon",
+            whole(self.margin)
+        )?;
+        match self.ending {
+            Ending::Program(_) => writeln!(f, "end    by the program after {} cycles", self.cycles),
+            Ending::Emergency(emergency) => {
+                writeln!(f, "end    {emergency} in cycle {}", self.cycles)
+            }
+            Ending::Limit | Ending::Interrupted => {
+                writeln!(f, "end    cut off after {} cycles", self.cycles)
+            }
+        }?;
+        if self.identical {
+            let records = self.same_records;
+            writeln!(
+                f,
+                "traces identical: {records} records, compiled and interpreted"
+            )
+        } else {
+            writeln!(f, "traces DIFFER behind record {}", self.same_records)
+        }
+    }
+}
+
+/// Rounded, without the sign of a negative zero.
+pub fn whole(length: f64) -> f64 {
+    length.round() + 0.0
+}
