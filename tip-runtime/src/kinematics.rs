@@ -7,11 +7,13 @@
 mod chain;
 mod inverse;
 mod resolved_rate;
+mod search;
 mod statics;
 
 pub use chain::Chain;
 pub use inverse::inverse;
 pub use resolved_rate::{Point, resolve};
+pub use search::search;
 
 use crate::model::Leg;
 

@@ -7,7 +7,7 @@ use super::{Controller, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
 use crate::kinematics::{self, Chain, Point};
-use crate::model::Family;
+use crate::model::{Family, Inverse};
 
 impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// PTP and REL_PTP.
@@ -199,14 +199,11 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             return Ok(());
         }
         let leg = targets::leg(&self.model.legs, n)?;
-        let commanded = targets::leg(&self.drives, n)?.angles;
-        let middle = leg
-            .joints
-            .map(|joint| (joint.limits.min + joint.limits.max) / 2.0);
-        let reached = [commanded, leg.initial, middle]
-            .iter()
-            .any(|from| reach(self.model.inverse, leg, (point, n), from, target).is_ok());
-        if reached {
+        let inverse = self.model.inverse;
+        let commanded = &targets::leg(&self.drives, n)?.angles;
+        let reached = reach(inverse, leg, (point, n), commanded, target).is_ok();
+        let elsewhere = || kinematics::search(leg, point, target, inverse.axes()).is_some();
+        if reached || (inverse != Inverse::YawPitchPitch && elsewhere()) {
             Ok(())
         } else {
             Err(Fault::OutOfReach(name(point, n)))

@@ -1,6 +1,6 @@
 //! Joint angles from a foot's position.
 
-use super::{Point, resolve};
+use super::{Point, search};
 use crate::model::{Inverse, Joint, Leg};
 use nalgebra::Vector3;
 
@@ -10,8 +10,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 const STRETCH: f64 = 1e-12;
 
 /// The joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do not
-/// reach it. A closed form asks nothing of the joints' limits; least squares keep within them, from
-/// the initial posture. See [`within_limits`](super::within_limits) for the limits.
+/// reach it. A closed form asks nothing of the joints' limits; least squares keep within them. See [`within_limits`](super::within_limits) for the limits.
 #[must_use]
 pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> Option<[f64; J]> {
     match kind {
@@ -26,9 +25,7 @@ pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> O
             }
             Some(angles)
         }
-        Inverse::Planar | Inverse::LeastSquares => {
-            resolve(leg, &leg.initial, Point::Tip, foot, kind.axes())
-        }
+        Inverse::Planar | Inverse::LeastSquares => search(leg, Point::Tip, foot, kind.axes()),
     }
 }
 
