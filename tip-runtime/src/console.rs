@@ -1,5 +1,6 @@
 //! Where a program meets people: keyboard, message line, logs, emergency report.
 
+mod bars;
 #[cfg(feature = "std")]
 mod log_files;
 #[cfg(feature = "std")]
@@ -7,6 +8,7 @@ mod scripted;
 #[cfg(feature = "terminal")]
 mod terminal;
 
+pub use bars::Bars;
 #[cfg(feature = "std")]
 pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]
@@ -37,6 +39,12 @@ pub trait Console {
     /// Shows as little as possible from now on, or everything again (SILENT_ON, SILENT_OFF).
     fn silent(&mut self, on: bool) {
         let _ = on;
+    }
+
+    /// Draws a bar graph (from 0) in place of the one before it; without bars it goes away. Asked ten
+    /// times in a second of the robot's time while the graph is shown.
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        let _ = (graph, bars);
     }
 
     /// One row of TITAN.LOG (LOG_START, LOG_ONE_SHOT).
@@ -70,6 +78,9 @@ macro_rules! forward {
         }
         fn silent(&mut self, on: bool) {
             (**self).silent(on);
+        }
+        fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+            (**self).bars(graph, bars);
         }
         fn sample(&mut self, sample: &Sample<'_>) {
             (**self).sample(sample);

@@ -26,6 +26,7 @@ mod drive;
 mod feel;
 mod force;
 mod motion;
+mod native;
 mod operands;
 mod params;
 mod posture;

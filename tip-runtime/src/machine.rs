@@ -3,6 +3,7 @@
 mod context;
 mod devices;
 mod emergency;
+mod graphs;
 mod keyboard;
 mod mismatch;
 mod sampling;
@@ -208,6 +209,7 @@ where
         if let Some(on) = self.devices.silence.take() {
             self.console.silent(on);
         }
+        self.devices.show_graphs(self.sampled_at, &mut self.console);
         if core::mem::take(&mut self.devices.dump_requested) {
             self.console.variables(&Dump {
                 program: &self.program,

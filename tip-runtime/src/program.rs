@@ -93,6 +93,29 @@ pub trait Robot {
     /// ([`Model::vibration`](crate::model::Model::vibration)), an amplitude that is not finite, or a
     /// frequency that is not finite or negative.
     fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault>;
+    /// Pulls a foot, or a third joint (`Jn3`), to the place `to` (mm) by a spring of its own stiffness
+    /// (N/mm along each axis), whose set point is there at once. The rest is as COMPLIANCE_POSITION
+    /// has it; the stiffness that the program set stays what it is.
+    ///
+    /// # Errors
+    /// `Domain` for another target, a robot without torques, or numbers without sense.
+    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault>;
+    /// The torque of each joint of a leg: what it is told, vibration aside, else what it senses.
+    ///
+    /// # Errors
+    /// `Domain` for a leg that the robot lacks, or a robot without torques.
+    fn torques(&self, leg: u8) -> Result<[f64; MAX], Fault>;
+    /// The joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
+    ///
+    /// # Errors
+    /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault>;
+    /// Shows a bar graph on the console, or takes it away: 0 is that of the joint torques, 1 that of
+    /// the forces at the feet.
+    ///
+    /// # Errors
+    /// `Domain` for another graph, or a robot without torques.
+    fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault>;
     /// The sampling time in ms.
     fn period(&self) -> f64;
 }

@@ -49,6 +49,8 @@
 //! }
 //! ```
 
+pub mod hand;
+
 use crate::command::Poll;
 use crate::fault::Fault;
 use crate::program::Robot;

@@ -1,7 +1,8 @@
 //! Descriptions in Rust, and what is found wrong with them.
 
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, TorqueUnit, generic, hand, titan8,
+    Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, TorqueUnit, generic, hand,
+    titan8,
 };
 
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -188,6 +189,14 @@ fn the_rest_of_a_robot_is_checked_as_well() {
     assert_eq!(
         wrong(|m| m.slider.as_mut().expect("some").initial[1] = 2.0),
         "slider: initial must lie within the travel"
+    );
+    let endless = PerVolt {
+        angle: 0.5,
+        torque: f64::INFINITY,
+    };
+    assert_eq!(
+        wrong(|m| m.vibration = Some(endless)),
+        "vibration: torque must be a finite number, not below 0"
     );
     let none: Model<0, 2> = Model::generic("none", []);
     let wanted = "robot: legs must be 1 to 9";

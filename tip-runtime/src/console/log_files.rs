@@ -4,7 +4,7 @@ mod claim;
 
 pub use claim::LogError;
 
-use super::Console;
+use super::{Bars, Console};
 use crate::machine::Report;
 use crate::record::{Sample, TitanLog};
 use claim::Claim;
@@ -115,6 +115,10 @@ impl<C: Console> Console for LogFiles<C> {
 
     fn silent(&mut self, on: bool) {
         self.inner.silent(on);
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.inner.bars(graph, bars);
     }
 
     fn sample(&mut self, sample: &Sample<'_>) {

@@ -1,6 +1,6 @@
 //! Keys typed by a script, and a console that remembers what it was shown.
 
-use super::Console;
+use super::{Bars, Console};
 use crate::machine::Report;
 use crate::record::{Sample, TitanLog};
 use core::fmt::Display;
@@ -73,6 +73,10 @@ impl<C: Console> Console for Scripted<C> {
 
     fn silent(&mut self, on: bool) {
         self.inner.silent(on);
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.inner.bars(graph, bars);
     }
 
     fn sample(&mut self, sample: &Sample<'_>) {

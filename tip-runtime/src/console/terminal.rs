@@ -1,12 +1,15 @@
-//! A terminal: keys as they are pressed, the message on one line.
+//! A terminal: keys as they are pressed, bar graphs and the message on one line.
 
-use super::Console;
+use super::{Bars, Console};
 use crate::machine::Report;
 use core::fmt::Display;
 use std::io::{self, IsTerminal, Read, Stdout, Write};
+use std::string::{String, ToString};
 
 /// What Ctrl-C sends.
 const CONTROL_C: u8 = 0x03;
+/// Goes to the start of the line and clears it.
+const CLEAR: &str = "\r\x1b[2K";
 /// What the RETURN key sends: software emergency stop.
 const RETURN: u8 = 0x0D;
 
@@ -48,6 +51,8 @@ impl<W: Write> Terminal<W> {
                 output,
                 rewrites,
                 silent: false,
+                graphs: Default::default(),
+                text: String::new(),
             },
             stops_on_interrupt: true,
             interrupted: false,
@@ -93,6 +98,10 @@ impl<W: Write> Console for Terminal<W> {
         self.line.silence(on);
     }
 
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.line.bars(graph, bars);
+    }
+
     fn emergency(&mut self, report: &Report<'_>) {
         self.line.report(report);
     }
@@ -102,7 +111,7 @@ impl<W: Write> Console for Terminal<W> {
     }
 }
 
-/// The output: one line that each message takes over from the one before.
+/// The output: one line that each message takes over from the one before, behind the bar graphs.
 ///
 /// A console has no way to refuse a text, so a closed output loses it.
 #[derive(Debug)]
@@ -111,6 +120,9 @@ struct MessageLine<W> {
     /// The output is a terminal, whose line can be overwritten.
     rewrites: bool,
     silent: bool,
+    /// Shown only where the line can be overwritten.
+    graphs: [String; 2],
+    text: String,
 }
 
 impl<W: Write> MessageLine<W> {
@@ -118,24 +130,51 @@ impl<W: Write> MessageLine<W> {
         if self.silent {
             return;
         }
-        let _ = if self.rewrites {
-            write!(self.output, "\r\x1b[2K{text}")
+        if self.rewrites {
+            self.text = text.to_string();
+            self.rewrite();
         } else {
-            writeln!(self.output, "{text}")
+            let _ = writeln!(self.output, "{text}");
+            let _ = self.output.flush();
+        }
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        let Some(shown) = self.graphs.get_mut(usize::from(graph)) else {
+            return;
         };
-        let _ = self.output.flush();
+        let gap = if bars.0.is_empty() { "" } else { " " };
+        let drawn = std::format!("{bars}{gap}");
+        let changed = drawn != *shown;
+        *shown = drawn;
+        if changed && self.rewrites && !self.silent {
+            self.rewrite();
+        }
+    }
+
+    fn rewrite(&mut self) {
+        let MessageLine {
+            output,
+            graphs: [first, second],
+            text,
+            ..
+        } = self;
+        let _ = write!(output, "{CLEAR}{first}{second}{text}");
+        let _ = output.flush();
     }
 
     fn silence(&mut self, on: bool) {
-        if on && self.rewrites {
-            self.message(&"");
+        if on && self.rewrites && !self.silent {
+            self.text.clear();
+            let _ = write!(self.output, "{CLEAR}");
+            let _ = self.output.flush();
         }
         self.silent = on;
     }
 
     /// Several lines, shown in silence as well.
     fn report(&mut self, text: &dyn Display) {
-        let start = if self.rewrites { "\r\x1b[2K" } else { "" };
+        let start = if self.rewrites { CLEAR } else { "" };
         let _ = write!(self.output, "{start}{text}");
         let _ = self.output.flush();
     }
@@ -210,6 +249,8 @@ mod tests {
             output: Vec::new(),
             rewrites,
             silent: false,
+            graphs: Default::default(),
+            text: String::new(),
         };
         act(&mut line);
         std::string::String::from_utf8(line.output).expect("text")
@@ -235,6 +276,28 @@ mod tests {
             line.close();
         });
         assert_eq!(text, "one\ntwo\n");
+    }
+
+    // clauses: 7.35 7.48
+    #[test]
+    fn bar_graphs_stand_before_the_message_and_are_drawn_when_they_change() {
+        let act = |line: &mut MessageLine<Vec<u8>>| {
+            line.message(&"one");
+            line.bars(1, Bars(&[0.0, 1.0]));
+            line.bars(0, Bars(&[1.0]));
+            line.bars(0, Bars(&[1.0]));
+            line.message(&"two");
+            line.bars(1, Bars(&[]));
+            line.bars(2, Bars(&[1.0]));
+            line.silence(true);
+            line.bars(0, Bars(&[0.0]));
+            line.silence(false);
+            line.bars(0, Bars(&[]));
+        };
+        let lines = ["one", "▁█ one", "█ ▁█ one", "█ ▁█ two", "█ two", "", ""];
+        let expected: String = lines.map(|line| std::format!("{CLEAR}{line}")).concat();
+        assert_eq!(shown(true, act), expected);
+        assert_eq!(shown(false, act), "one\ntwo\n");
     }
 
     // clauses: 7.37

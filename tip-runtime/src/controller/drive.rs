@@ -36,6 +36,8 @@ pub(super) struct LegDrive<const J: usize> {
     /// The torques commanded in place of angles.
     torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
+    /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
+    pub(super) own_stiffness: Option<[f64; 3]>,
 }
 
 impl<const J: usize> LegDrive<J> {
@@ -45,6 +47,7 @@ impl<const J: usize> LegDrive<J> {
             angles,
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
+            own_stiffness: None,
         }
     }
 
@@ -139,10 +142,15 @@ impl<const J: usize> LegDrive<J> {
         )
     }
 
-    /// As [`point`](Self::point), but a spring that pulls at the point already stays strained.
+    /// As [`point`](Self::point), but a spring that pulls at the point already stays strained, unless
+    /// its stiffness is to change.
     pub(super) fn strained_point(&self, point: Point, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
         match self.own_point(point) {
-            Some(own) if matches!(own.goal(), Goal::Spring { .. }) => *own,
+            Some(own)
+                if matches!(own.goal(), Goal::Spring { .. }) && self.own_stiffness.is_none() =>
+            {
+                *own
+            }
             _ => self.point(point, leg, inverse),
         }
     }
@@ -157,6 +165,7 @@ impl<const J: usize> LegDrive<J> {
         measured: &[f64; J],
         inverse: Inverse,
     ) {
+        self.own_stiffness = None;
         self.drive = match point {
             Point::Tip => Drive::Foot(track),
             Point::Joint(_) => Drive::Third(track, self.joints(leg, measured, inverse)),

@@ -86,7 +86,14 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         if !sound || self.model.vibration.is_none() {
             return Err(Fault::Domain);
         }
-        targets::joint_mut(&mut self.shakers, n, m)?.vibration = vibration;
+        let shaker = targets::joint_mut(&mut self.shakers, n, m)?;
+        *shaker = match vibration {
+            Some(_) => Shaker {
+                vibration,
+                ..*shaker
+            },
+            None => Shaker::STILL,
+        };
         Ok(())
     }
 

@@ -78,6 +78,22 @@ impl<C, S: Special, const L: usize, const J: usize> Robot for StepContext<'_, '_
         self.devices.vibrate(joint, vibration)
     }
 
+    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+        self.devices.pull(point, to, stiffness)
+    }
+
+    fn torques(&self, leg: u8) -> Result<[f64; MAX], Fault> {
+        self.devices.torques(leg)
+    }
+
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault> {
+        self.devices.inverse(leg, from, position)
+    }
+
+    fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault> {
+        self.devices.show_graph(graph, on)
+    }
+
     fn period(&self) -> f64 {
         self.devices.period()
     }

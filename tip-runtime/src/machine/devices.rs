@@ -1,5 +1,6 @@
 //! The robot as steps and native code see it: motion goes to the controller, the rest is here.
 
+use super::graphs::Graphs;
 use super::keyboard::Keyboard;
 use super::sampling::Sampling;
 use crate::analog::{self, Wire};
@@ -32,6 +33,7 @@ pub(super) struct Devices<'m, const L: usize, const J: usize> {
     pub(super) dump_requested: bool,
     held_for_dump: bool,
     held_for_pause: bool,
+    pub(super) graphs: Graphs,
 }
 
 impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
@@ -55,6 +57,7 @@ impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
             dump_requested: false,
             held_for_dump: false,
             held_for_pause: false,
+            graphs: Graphs::OFF,
         }
     }
 
@@ -217,6 +220,25 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
 
     fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
         self.controller.vibrate(joint, vibration)
+    }
+
+    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+        self.controller.pull(point, to, stiffness)
+    }
+
+    fn torques(&self, leg: u8) -> Result<[f64; MAX], Fault> {
+        self.controller.torques(leg)
+    }
+
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault> {
+        self.controller.inverse(leg, from, position)
+    }
+
+    fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault> {
+        if self.model.forces.is_none() {
+            return Err(Fault::Domain);
+        }
+        self.graphs.switch(graph, on)
     }
 
     fn period(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! What is nonsense in a model.
 
-use super::{Body, Forces, Inverse, Joint, Leg, Model, Range, Slider, Standards};
+use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
 use crate::command::MAX;
 use core::fmt;
 
@@ -21,6 +21,8 @@ pub enum Place {
     Forces,
     /// The slider.
     Slider,
+    /// What a volt of vibration does.
+    Vibration,
 }
 
 impl fmt::Display for Place {
@@ -33,6 +35,7 @@ impl fmt::Display for Place {
             Place::Standards => f.write_str("standards"),
             Place::Forces => f.write_str("forces"),
             Place::Slider => f.write_str("slider"),
+            Place::Vibration => f.write_str("vibration"),
         }
     }
 }
@@ -95,7 +98,8 @@ impl<const L: usize, const J: usize> Model<L, J> {
         robot(self.contact.is_finite(), "contact", FINITE)?;
         check_standards(&self.standards, self.periods)?;
         self.forces.as_ref().map_or(Ok(()), check_forces)?;
-        self.slider.as_ref().map_or(Ok(()), check_slider)
+        self.slider.as_ref().map_or(Ok(()), check_slider)?;
+        self.vibration.as_ref().map_or(Ok(()), check_vibration)
     }
 }
 
@@ -244,6 +248,14 @@ fn check_slider(slider: &Slider) -> Result<(), ModelError> {
         "initial",
         "must lie within the travel",
     )
+}
+
+fn check_vibration(per_volt: &PerVolt) -> Result<(), ModelError> {
+    let PerVolt { angle, torque } = *per_volt;
+    for (field, value) in [("angle", angle), ("torque", torque)] {
+        require(is_at_least_0(value), Place::Vibration, field, NOT_NEGATIVE)?;
+    }
+    Ok(())
 }
 
 fn is_at_least_0(value: f64) -> bool {

@@ -5,6 +5,7 @@ mod forces;
 mod positions;
 mod rig;
 mod searches;
+mod specials;
 mod springs;
 mod torques;
 mod vibration;

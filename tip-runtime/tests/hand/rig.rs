@@ -134,7 +134,7 @@ impl Hand {
         })
     }
 
-    fn advance(&mut self) {
+    pub(crate) fn advance(&mut self) {
         self.controller.advance();
         self.sensors.slider = self.controller.slider();
         let seconds = self.controller.period() / 1000.0 / PIECES as f64;

@@ -185,7 +185,10 @@ impl<const J: usize> LegDrive<J> {
                 *track = track.stopped_at(at);
                 force
             }
-            _ => spring(stiffness, track.position(), at, limit),
+            _ => {
+                let stiffness = self.own_stiffness.unwrap_or(stiffness);
+                spring(stiffness, track.position(), at, limit)
+            }
         };
         let Some(torques) = chain.torques_of_force(point, force) else {
             return;

@@ -1,7 +1,8 @@
-//! A sign of life on standard error while a long run works.
+//! A sign of life on standard error while a long run works, with the bar graphs that the program shows.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
+use tip_runtime::console::Bars;
 
 /// A run that is over before this needs no sign of life.
 const FIRST: Duration = Duration::from_secs(1);
@@ -17,6 +18,7 @@ pub(super) struct Progress {
     shown: bool,
     due: Instant,
     limit: Option<u64>,
+    graphs: [String; 2],
 }
 
 impl Progress {
@@ -27,6 +29,15 @@ impl Progress {
             shown: false,
             due: Instant::now() + FIRST,
             limit,
+            graphs: Default::default(),
+        }
+    }
+
+    /// Keeps a bar graph for the next sign of life.
+    pub(super) fn show(&mut self, graph: u8, bars: Bars<'_>) {
+        if let (true, Some(shown)) = (self.enabled, self.graphs.get_mut(usize::from(graph))) {
+            let gap = if bars.0.is_empty() { "" } else { " " };
+            *shown = format!("{bars}{gap}");
         }
     }
 
@@ -37,9 +48,11 @@ impl Progress {
         }
         self.due = Instant::now() + EVERY;
         self.shown = true;
+        let [first, second] = &self.graphs;
+        let _ = write!(io::stderr(), "\r\x1b[2K{first}{second}cycle {cycle}");
         let _ = match self.limit {
-            Some(limit) => write!(io::stderr(), "\r\x1b[2Kcycle {cycle} of {limit}"),
-            None => write!(io::stderr(), "\r\x1b[2Kcycle {cycle} (Ctrl-C ends the run)"),
+            Some(limit) => write!(io::stderr(), " of {limit}"),
+            None => write!(io::stderr(), " (Ctrl-C ends the run)"),
         };
     }
 

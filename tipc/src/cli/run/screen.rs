@@ -7,7 +7,7 @@ use super::progress::Progress;
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Sink, Write};
 use std::path::Path;
-use tip_runtime::console::{Console, LogFiles, Terminal};
+use tip_runtime::console::{Bars, Console, LogFiles, Terminal};
 use tip_runtime::machine::Report;
 use tip_runtime::record::Sample;
 
@@ -88,6 +88,10 @@ impl Console for Screen {
 
     fn silent(&mut self, on: bool) {
         self.silent = on;
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.progress.show(graph, bars);
     }
 
     fn sample(&mut self, sample: &Sample<'_>) {

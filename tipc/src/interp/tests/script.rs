@@ -54,6 +54,22 @@ impl Robot for Script {
         Ok(())
     }
 
+    fn pull(&mut self, _: Target, _: [f64; 3], _: [f64; 3]) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    fn torques(&self, _: u8) -> Result<[f64; MAX], Fault> {
+        Ok([0.0; MAX])
+    }
+
+    fn inverse(&self, _: u8, from: &[f64; MAX], _: [f64; 3]) -> Result<[f64; MAX], Fault> {
+        Ok(*from)
+    }
+
+    fn show_graph(&mut self, _: u8, _: bool) -> Result<(), Fault> {
+        Ok(())
+    }
+
     fn period(&self) -> f64 {
         20.0
     }

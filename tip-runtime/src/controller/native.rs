@@ -1,0 +1,74 @@
+//! What native code alone asks of the controller.
+
+use super::drive::reach;
+use super::trajectory::{Goal, Track};
+use super::{Controller, targets};
+use crate::command::{MAX, Target};
+use crate::fault::Fault;
+use crate::hardware::JointCommand;
+use crate::kinematics::Point;
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
+    /// along each axis), whose set point is there at once. The rest is as COMPLIANCE_POSITION has it.
+    ///
+    /// # Errors
+    /// `Domain` for another target, a place that is not finite, a stiffness that is not finite or
+    /// negative, or a robot without torques.
+    pub fn pull(&mut self, target: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+        let (n, point) = self.point_of(target)?;
+        let sound = to.iter().all(|place| place.is_finite())
+            && stiffness.iter().all(|k| k.is_finite() && *k >= 0.0);
+        if !sound || self.model.forces.is_none() {
+            return Err(Fault::Domain);
+        }
+        let target = self.model.inverse.flat(to);
+        let spring = Goal::Spring { target, hs: false };
+        self.take_point(n, point, Track::resting(target).towards(spring))?;
+        targets::leg_mut(&mut self.drives, n)?.own_stiffness = Some(stiffness);
+        Ok(())
+    }
+
+    /// The torque of each joint of a leg: what it is told, else what it senses.
+    ///
+    /// # Errors
+    /// `Domain` for a leg that the robot lacks, or a robot without torques.
+    pub fn torques(&self, n: u8) -> Result<[f64; MAX], Fault> {
+        if self.model.forces.is_none() {
+            return Err(Fault::Domain);
+        }
+        let told = targets::leg(&self.drives, n)?.outputs();
+        let sensed = targets::leg(&self.measured.torques, n)?;
+        let mut torques = [0.0; MAX];
+        for (torque, (told, sensed)) in torques.iter_mut().zip(told.iter().zip(sensed)) {
+            *torque = match told {
+                JointCommand::Torque(torque) => *torque,
+                JointCommand::Angle(_) => *sensed,
+            };
+        }
+        Ok(torques)
+    }
+
+    /// The joint angles (deg), near the angles `from`, that put a foot at `position` (mm).
+    ///
+    /// # Errors
+    /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
+    pub fn inverse(
+        &self,
+        n: u8,
+        from: &[f64; MAX],
+        position: [f64; 3],
+    ) -> Result<[f64; MAX], Fault> {
+        let leg = targets::leg(&self.model.legs, n)?;
+        let mut near = leg.initial;
+        for (near, from) in near.iter_mut().zip(from) {
+            *near = *from;
+        }
+        let found = reach(self.model.inverse, leg, (Point::Tip, n), &near, position)?;
+        let mut angles = [0.0; MAX];
+        for (angle, found) in angles.iter_mut().zip(found) {
+            *angle = found;
+        }
+        Ok(angles)
+    }
+}

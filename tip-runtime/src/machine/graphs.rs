@@ -1,0 +1,85 @@
+//! Bar graphs on the console (SPECIAL 20 of the Hiroshima Hand, T.I.P. 3.1 §8-2-3).
+
+use super::devices::Devices;
+use crate::command::{Target, Teach};
+use crate::console::{Bars, Console};
+use crate::fault::Fault;
+use crate::model::Forces;
+use crate::program::Robot;
+
+/// How long bars stand before they are drawn anew: ms.
+const EVERY: f64 = 100.0;
+
+/// A bar graph.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Graph {
+    /// It is not shown.
+    Off,
+    /// It is to be taken away.
+    Leaving,
+    /// It is shown, and drawn anew at this time: ms.
+    On(f64),
+}
+
+/// Graph 0 shows the joint torques, graph 1 the forces of the fingertips.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Graphs([Graph; 2]);
+
+impl Graphs {
+    pub(super) const OFF: Self = Graphs([Graph::Off; 2]);
+
+    pub(super) fn switch(&mut self, graph: u8, on: bool) -> Result<(), Fault> {
+        let graph = self.0.get_mut(usize::from(graph)).ok_or(Fault::Domain)?;
+        *graph = if on { Graph::On(0.0) } else { Graph::Leaving };
+        Ok(())
+    }
+}
+
+impl<const L: usize, const J: usize> Devices<'_, L, J> {
+    /// Hands the graphs that are due at `time` (ms) to the console.
+    pub(super) fn show_graphs(&mut self, time: f64, console: &mut dyn Console) {
+        let Some(forces) = &self.model.forces else {
+            return;
+        };
+        let mut graphs = self.graphs;
+        for (number, graph) in (0..).zip(&mut graphs.0) {
+            *graph = match *graph {
+                Graph::Leaving => {
+                    console.bars(number, Bars(&[]));
+                    Graph::Off
+                }
+                Graph::On(due) if time >= due => {
+                    match number {
+                        0 => console.bars(number, Bars(self.torque_bars(forces).as_flattened())),
+                        _ => console.bars(number, Bars(&self.force_bars(forces))),
+                    }
+                    Graph::On(time + EVERY)
+                }
+                Graph::Off | Graph::On(_) => continue,
+            };
+        }
+        self.graphs = graphs;
+    }
+
+    /// Full height is twice the torque of a search.
+    fn torque_bars(&self, forces: &Forces) -> [[f64; J]; L] {
+        let full = 2.0 * forces.search_torque;
+        self.sensors
+            .torques
+            .map(|leg| leg.map(|torque| torque / full))
+    }
+
+    /// Full height is four times the force of a search; a force that is not available has no height.
+    fn force_bars(&self, forces: &Forces) -> [f64; L] {
+        let full = 4.0 * forces.search_force;
+        let mut bars = [0.0; L];
+        for (n, bar) in (1..).zip(&mut bars) {
+            if let Ok([x, y, z, ..]) = self.teach(Teach::Force, Target::Foot(n))
+                && z >= 0.0
+            {
+                *bar = libm::sqrt(x * x + y * y) / full;
+            }
+        }
+        bars
+    }
+}
