@@ -22,17 +22,7 @@ impl Console for Lines {
     }
 }
 
-fn main() -> ExitCode {
-    match push_up() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => {
-            eprintln!("build-script: {problem}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn push_up() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut robot = pushing_up(Lines)?;
     let mut highest = 0.0_f64;
     while robot.cycle().is_running() {
@@ -40,8 +30,11 @@ fn push_up() -> Result<(), Box<dyn Error>> {
     }
     let cycles = robot.cycles();
     writeln!(io::stdout(), "highest {highest:.0} mm, {cycles} cycles")?;
-    match robot.emergency() {
-        None => Ok(()),
-        Some(emergency) => Err(emergency.to_string().into()),
-    }
+    Ok(match robot.emergency() {
+        None => ExitCode::SUCCESS,
+        Some(emergency) => {
+            eprintln!("{emergency}");
+            ExitCode::FAILURE
+        }
+    })
 }

@@ -18,6 +18,7 @@ use tip_runtime::realtime::run_realtime;
 use walk::options::{HELP, Options};
 use walk::{SOURCE, Walk};
 use walking::engine::{Engine, interpreter, on_simulated_robot};
+use walking::exit::exit;
 use walking::outcome::whole;
 use walking::race::{Observer, Race};
 
@@ -39,14 +40,7 @@ fn main() -> ExitCode {
     } else {
         walk_and_compare(&options)
     };
-    match good {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(problem) => {
-            eprintln!("walk: {problem}");
-            ExitCode::FAILURE
-        }
-    }
+    exit("walk", good)
 }
 
 fn help() -> Result<bool, Box<dyn Error>> {

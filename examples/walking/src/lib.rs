@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod engine;
+pub mod exit;
 pub mod gait;
 pub mod outcome;
 pub mod race;

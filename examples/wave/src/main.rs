@@ -22,17 +22,7 @@ impl Console for Lines {
     }
 }
 
-fn main() -> ExitCode {
-    match wave() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => {
-            eprintln!("wave: {problem}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn wave() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut robot = waving(Lines)?;
     while robot.cycle().is_running() {
         if robot.cycles() % 25 == 0 {
@@ -44,10 +34,13 @@ fn wave() -> Result<(), Box<dyn Error>> {
             )?;
         }
     }
-    match robot.emergency() {
-        None => Ok(()),
-        Some(emergency) => Err(emergency.to_string().into()),
-    }
+    Ok(match robot.emergency() {
+        None => ExitCode::SUCCESS,
+        Some(emergency) => {
+            eprintln!("{emergency}");
+            ExitCode::FAILURE
+        }
+    })
 }
 
 /// The yaw angle of the waving leg as a mark on a line.

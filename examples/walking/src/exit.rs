@@ -1,0 +1,17 @@
+//! How an example ends.
+
+use std::error::Error;
+use std::process::ExitCode;
+
+/// The exit status of an example: 0 if all was good, else 1. What kept it from a verdict is told on
+/// standard error.
+pub fn exit(example: &str, verdict: Result<bool, Box<dyn Error>>) -> ExitCode {
+    match verdict {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(problem) => {
+            eprintln!("{example}: {problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
