@@ -1,0 +1,250 @@
+//! What the cases show: each is loaded, those that run are run, and each statement is found in the table.
+
+use super::command::Statement;
+use super::outcome::Outcome;
+use super::row::Row;
+use super::sentence;
+use super::written::{Names, names};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use tip_tests::{Settings, root, run};
+use tipc::diagnostic::Diagnostic;
+use tipc::interp::Interpreter;
+use tipc::parse::parse;
+use tipc::syntax::{self, Module, Operand, StatementKind};
+use tipc::{Loaded, Robot};
+
+/// The cases that show an outcome, by row, robot and outcome.
+#[derive(Debug, Default)]
+pub struct Seen(BTreeMap<(usize, &'static str, Outcome), BTreeSet<String>>);
+
+impl Seen {
+    /// The cases of a cell.
+    pub fn cases(&self, row: usize, robot: Robot, outcome: Outcome) -> Option<&BTreeSet<String>> {
+        self.0.get(&(row, robot.name(), outcome))
+    }
+
+    /// Looks at every case.
+    ///
+    /// # Panics
+    /// A case cannot be read or run.
+    pub fn in_cases(rows: &[Row]) -> Self {
+        let mut seen = Seen::default();
+        for case in tip_tests::cases(&root().join("cases")) {
+            Case::read(case).watch(rows, &mut seen);
+        }
+        seen
+    }
+}
+
+struct Case {
+    name: String,
+    runs: Vec<Settings>,
+    loaded: Loaded,
+    module: Module,
+    names: Names,
+    robot: Robot,
+}
+
+impl Case {
+    fn read(name: String) -> Self {
+        let path = |extension: &str| root().join("cases").join(format!("{name}.{extension}"));
+        let trace = fs::read_to_string(path("trace"));
+        let runs = trace.is_ok();
+        let text = trace.or_else(|_| fs::read_to_string(path("check")));
+        let text = text.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let settings = Settings::of_header(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let bytes = fs::read(path("prg")).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let loaded = tipc::load(&format!("{name}.prg"), &bytes, &settings.load);
+        let (module, _) = parse(&loaded.source, settings.load.tip_version);
+        Case {
+            names: names(&module),
+            robot: settings.load.robot,
+            runs: if runs { vec![settings] } else { Vec::new() },
+            name,
+            loaded,
+            module,
+        }
+    }
+
+    fn watch(&self, rows: &[Row], seen: &mut Seen) {
+        let mut note = |row: usize, outcome: Outcome| {
+            if outcome.is_anywhere() && rows[row].possible(self.robot, outcome).is_err() {
+                return;
+            }
+            let cell = seen.0.entry((row, self.robot.name(), outcome)).or_default();
+            cell.insert(self.name.clone());
+        };
+        for diagnostic in &self.loaded.diagnostics {
+            for (row, outcome) in self.refused(rows, diagnostic) {
+                note(row, outcome);
+            }
+        }
+        for settings in &self.runs {
+            for (row, outcome) in self.ran(rows, settings) {
+                note(row, outcome);
+            }
+        }
+    }
+
+    /// What a diagnostic is about.
+    fn refused(&self, rows: &[Row], diagnostic: &Diagnostic) -> Vec<(usize, Outcome)> {
+        let code = diagnostic.code;
+        let general = Outcome::of_code(code).or(match code {
+            tipc::codes::Code::Argument => Some(Outcome::Argument),
+            _ => None,
+        });
+        let Some(general) = general else {
+            return Vec::new();
+        };
+        if general == Outcome::NoEnd {
+            return self
+                .rows_of(rows, &[sentence::end()])
+                .map(|row| (row, general))
+                .collect();
+        }
+        let Some(statement) = self.statement_at(diagnostic) else {
+            return Vec::new();
+        };
+        if let Some((name, arguments, malformed)) = as_command(statement) {
+            let statement = self.command(arguments, malformed);
+            return rows
+                .iter()
+                .enumerate()
+                .filter_map(|(at, row)| match row {
+                    Row::Command(form) if form.name == name => {
+                        Some((at, statement.refusal(form, code)?))
+                    }
+                    _ => None,
+                })
+                .collect();
+        }
+        let forms = match &statement.kind {
+            StatementKind::Broken(_) => {
+                let text = self.loaded.source.slice(statement.span);
+                sentence::meant(text, &self.names)
+            }
+            kind => {
+                let mut forms = sentence::shown(kind, &self.names);
+                if !sentence::condition_holds(kind, diagnostic.span.start) {
+                    forms.retain(|form| form.name != sentence::CONDITION);
+                }
+                forms
+            }
+        };
+        self.rows_of(rows, &forms)
+            .map(|row| (row, general))
+            .collect()
+    }
+
+    fn statement_at(&self, diagnostic: &Diagnostic) -> Option<&syntax::Statement> {
+        let at = diagnostic.span.start;
+        let holds =
+            |statement: &&syntax::Statement| statement.span.start <= at && at <= statement.span.end;
+        self.module.statements.iter().rev().find(holds)
+    }
+
+    /// What came of the steps of a run.
+    fn ran(&self, rows: &[Row], settings: &Settings) -> Vec<(usize, Outcome)> {
+        let Some(program) = self.loaded.program.clone() else {
+            return Vec::new();
+        };
+        let Ok(trace) = run(Box::new(Interpreter::new(program)), settings) else {
+            return Vec::new();
+        };
+        let is_step = |statement: &&syntax::Statement| {
+            !matches!(statement.kind, StatementKind::Define { .. })
+        };
+        let (steps, declarations): (Vec<_>, Vec<_>) =
+            self.module.statements.iter().partition(is_step);
+        let mut ran = BTreeSet::new();
+        let mut came = Vec::new();
+        for record in trace.lines() {
+            let step = number(record, "step").and_then(|step| steps.get(step));
+            let outcome = match text(record, "error") {
+                Some(error) => Outcome::of_emergency(error),
+                None if number(record, "step") == number(record, "next") => None,
+                None => Some(Outcome::Valid),
+            };
+            if let (Some(step), Some(outcome)) = (step, outcome)
+                && ran.insert((step.span, outcome))
+            {
+                came.extend(self.shown(rows, step).map(|row| (row, outcome)));
+            }
+        }
+        let declared = declarations
+            .into_iter()
+            .flat_map(|one| self.shown(rows, one));
+        came.extend(
+            declared
+                .map(|row| (row, Outcome::Valid))
+                .collect::<Vec<_>>(),
+        );
+        came
+    }
+
+    /// The rows whose form a statement has.
+    fn shown<'a>(
+        &'a self,
+        rows: &'a [Row],
+        statement: &'a syntax::Statement,
+    ) -> Box<dyn Iterator<Item = usize> + 'a> {
+        if let Some((name, arguments, malformed)) = as_command(statement) {
+            let statement = self.command(arguments, malformed);
+            let shows = move |row: &Row| match row {
+                Row::Command(form) => form.name == name && statement.shows(form),
+                Row::Sentence(_) => false,
+            };
+            return Box::new((0..rows.len()).filter(move |at| shows(&rows[*at])));
+        }
+        let forms = sentence::shown(&statement.kind, &self.names);
+        self.rows_of(rows, &forms)
+    }
+
+    fn rows_of<'a>(
+        &self,
+        rows: &'a [Row],
+        forms: &[sentence::Sentence],
+    ) -> Box<dyn Iterator<Item = usize> + 'a> {
+        let forms = forms.to_vec();
+        let is_one = move |row: &Row| match row {
+            Row::Sentence(form) => forms.contains(form),
+            Row::Command(_) => false,
+        };
+        Box::new((0..rows.len()).filter(move |at| is_one(&rows[*at])))
+    }
+
+    fn command<'a>(&'a self, arguments: &'a [Operand], malformed: bool) -> Statement<'a> {
+        Statement {
+            robot: self.robot,
+            names: &self.names,
+            arguments,
+            malformed,
+        }
+    }
+}
+
+/// Name, arguments, and whether more that is malformed stands behind them.
+fn as_command(statement: &syntax::Statement) -> Option<(&str, &[Operand], bool)> {
+    match &statement.kind {
+        StatementKind::Command {
+            name,
+            arguments,
+            malformed,
+        } => Some((&name.node, arguments, malformed.is_some())),
+        _ => None,
+    }
+}
+
+/// A whole number of a record.
+fn number(record: &str, key: &str) -> Option<usize> {
+    let rest = record.split_once(&format!("\"{key}\":"))?.1;
+    let end = rest.find(|char: char| !char.is_ascii_digit())?;
+    rest[..end].parse().ok()
+}
+
+/// A text of a record.
+fn text<'a>(record: &'a str, key: &str) -> Option<&'a str> {
+    let rest = record.split_once(&format!("\"{key}\":\""))?.1;
+    rest.split_once('"').map(|(text, _)| text)
+}

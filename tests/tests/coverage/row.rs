@@ -1,0 +1,63 @@
+//! The rows of the table: every form of every statement.
+
+use super::form::Form;
+use super::outcome::Outcome;
+use super::rule::{self, Possible};
+use super::sentence::{self, Sentence};
+use tipc::Robot;
+use tipc::commands::{COMMANDS, Form as Shape};
+
+/// A form of a statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Row {
+    /// A command with arguments.
+    Command(Form),
+    /// Any other statement.
+    Sentence(Sentence),
+}
+
+impl Row {
+    /// Every row, in the order of the table of commands.
+    pub fn all() -> Vec<Row> {
+        let sentences = sentence::all();
+        let named = |name: &str| {
+            let mine = sentences.iter().filter(|form| form.name == name);
+            mine.cloned().map(Row::Sentence).collect::<Vec<_>>()
+        };
+        let mut rows = Vec::new();
+        for command in COMMANDS {
+            match command.form {
+                Shape::Words(_) => rows.extend(named(command.name)),
+                _ => rows.extend(Form::all(command).into_iter().map(Row::Command)),
+            }
+        }
+        for name in [sentence::LABEL, sentence::CONDITION, sentence::EQUATION] {
+            rows.extend(named(name));
+        }
+        rows
+    }
+
+    /// The statement's name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Row::Command(form) => form.name,
+            Row::Sentence(form) => form.name,
+        }
+    }
+
+    /// What stands behind the name.
+    pub fn text(&self) -> String {
+        match self {
+            Row::Command(form) => form.text(),
+            Row::Sentence(form) => form.text.clone(),
+        }
+    }
+
+    /// Whether a statement of this form can come to an outcome on a robot; if not, why.
+    pub fn possible(&self, robot: Robot, outcome: Outcome) -> Possible {
+        match self {
+            Row::Command(form) => rule::of_command(form, robot, outcome),
+            Row::Sentence(form) => rule::of_sentence(form, robot, outcome),
+        }
+    }
+}
