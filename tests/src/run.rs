@@ -5,11 +5,12 @@ use crate::settings::Settings;
 use tip_runtime::command::Port;
 use tip_runtime::console::Scripted;
 use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::{Model, generic, titan8};
-use tip_runtime::plant::{Plant, SimulatedPlant};
+use tip_runtime::model::{Model, generic, hand, titan8};
+use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::Special;
+use tip_runtime::special::hand::HandSpecials;
 use tipc::Robot;
 
 /// No case needs more cycles; one that has not ended by then never will.
@@ -23,7 +24,7 @@ pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, Str
     match settings.load.robot {
         Robot::Titan8 => walk(program, &titan8::MODEL, settings),
         Robot::Generic => walk(program, &generic::MODEL, settings),
-        Robot::Hand => Err("the hand has no simulated plant".to_owned()),
+        Robot::Hand => grasp(program, &hand::MODEL, settings),
     }
 }
 
@@ -33,6 +34,15 @@ fn walk<const L: usize, const J: usize>(
     settings: &Settings,
 ) -> Result<String, String> {
     run_on(program, model, SimulatedPlant::new(model), (), settings)
+}
+
+fn grasp<const L: usize, const J: usize>(
+    program: Box<dyn Program>,
+    model: &Model<L, J>,
+    settings: &Settings,
+) -> Result<String, String> {
+    let plant = SimulatedHand::new(model);
+    run_on(program, model, plant, HandSpecials::new(), settings)
 }
 
 fn run_on<const L: usize, const J: usize>(

@@ -1,8 +1,12 @@
 //! Simulated hardware: a robot and what it stands on or holds, deterministic to the bit.
 
+pub mod hand;
 mod override_sensors;
+mod scene;
 mod walker;
 
+pub use hand::{Fingertip, ObjectState, SimulatedHand};
+pub use scene::{OBJECTS, Object, Scene, SceneError, Shape};
 pub use walker::{Fall, Floor, Foot, Pose, ServoDynamics, SimulatedPlant};
 
 use crate::command::Port;

@@ -10,17 +10,17 @@ pub(super) struct Overrides<const L: usize, const J: usize> {
     angles: [[Option<f64>; J]; L],
     knobs: [f64; 3],
     paws: [Option<f64>; L],
-    antenna: f64,
+    antenna: Option<f64>,
 }
 
 impl<const L: usize, const J: usize> Overrides<L, J> {
-    /// Knobs and antenna read 0, everything else is measured.
+    /// Knobs read 0, everything else is measured.
     pub(super) const fn new() -> Self {
         Overrides {
             angles: [[None; J]; L],
             knobs: [0.0; 3],
             paws: [None; L],
-            antenna: 0.0,
+            antenna: None,
         }
     }
 
@@ -36,7 +36,7 @@ impl<const L: usize, const J: usize> Overrides<L, J> {
             Port::Knob(knob) => put(self.knobs.get_mut(index(knob)), volts),
             Port::Joint(leg, joint) => self.set_joint(model, index(leg), index(joint), volts),
             Port::Paw(leg) => put(self.paws.get_mut(index(leg)), Some(volts)),
-            Port::Antenna => put(Some(&mut self.antenna), volts),
+            Port::Antenna => put(Some(&mut self.antenna), Some(volts)),
         }
     }
 
@@ -54,7 +54,7 @@ impl<const L: usize, const J: usize> Overrides<L, J> {
             *measured = set.unwrap_or(*measured);
         }
         sensors.knobs = self.knobs;
-        sensors.antenna = self.antenna;
+        sensors.antenna = self.antenna.unwrap_or(sensors.antenna);
     }
 }
 

@@ -17,10 +17,11 @@ use progress::Progress;
 use screen::Screen;
 use simulation::{Simulated, Simulation};
 use tip_runtime::console::{LogFiles, Scripted};
-use tip_runtime::model::{Model, generic, titan8};
-use tip_runtime::plant::{Plant, SimulatedPlant};
+use tip_runtime::model::{Model, generic, hand, titan8};
+use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
 use tip_runtime::record::Ending;
 use tip_runtime::special::Special;
+use tip_runtime::special::hand::HandSpecials;
 use tipc::interp::Interpreter;
 use tipc::program::Program;
 use tipc::source::Source;
@@ -31,10 +32,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     match arguments.source.robot {
         RobotName::Titan8 => walk(&titan8::MODEL, arguments),
         RobotName::Generic => walk(&generic::MODEL, arguments),
-        RobotName::Hand => Err(Error::Usage(
-            "the Hiroshima Hand has no simulated plant yet: run knows titan8 and generic, check and emit know hand"
-                .to_owned(),
-        )),
+        RobotName::Hand => grasp(&hand::MODEL, arguments),
     }
 }
 
@@ -47,6 +45,19 @@ fn walk<const L: usize, const J: usize>(
         model,
         plant: SimulatedPlant::new(model),
         special: (),
+    };
+    run_on(robot, arguments)
+}
+
+/// Runs the program on a hand.
+fn grasp<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    arguments: &Run,
+) -> Result<Status, Error> {
+    let robot = Simulated {
+        model,
+        plant: SimulatedHand::new(model),
+        special: HandSpecials::new(),
     };
     run_on(robot, arguments)
 }

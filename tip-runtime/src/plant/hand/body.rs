@@ -1,0 +1,240 @@
+//! An object in motion: a rigid body in the plane.
+
+use super::Vector;
+use super::finger::across;
+use crate::plant::scene::{Object, Shape};
+
+/// Of free fall: m/s².
+const GRAVITY: f64 = 9.80665;
+
+/// The outline, in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Outline {
+    /// Its radius.
+    Disc(f64),
+    /// Half of its width and height.
+    Box(Vector),
+}
+
+/// A rigid body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Body {
+    outline: Outline,
+    /// kg.
+    mass: f64,
+    /// About its centre: kg·m².
+    inertia: f64,
+    /// The coefficient of Coulomb friction of its surface.
+    pub(super) friction: f64,
+    /// Its centre: m.
+    pub(super) centre: Vector,
+    /// rad.
+    pub(super) angle: f64,
+    /// m/s.
+    pub(super) velocity: Vector,
+    /// rad/s.
+    pub(super) spin: f64,
+    /// Unit vector along its width.
+    right: Vector,
+    /// What pushes it: N.
+    force: Vector,
+    /// What turns it: N·m.
+    torque: f64,
+}
+
+impl Body {
+    /// At rest, with its centre at y = 0 if it has no place of its own.
+    pub(super) fn new(object: &Object) -> Self {
+        let mass = object.mass;
+        let (outline, inertia) = match object.shape {
+            Shape::Cylinder { radius } => {
+                let radius = radius / 1000.0;
+                (Outline::Disc(radius), mass * radius * radius / 2.0)
+            }
+            Shape::Box { width, height } => {
+                let half = Vector::new(width, height) / 2000.0;
+                (Outline::Box(half), mass * half.norm_squared() / 3.0)
+            }
+        };
+        let mut body = Body {
+            outline,
+            mass,
+            inertia,
+            friction: object.friction,
+            centre: Vector::new(object.x, object.y.unwrap_or(0.0)) / 1000.0,
+            angle: object.angle.to_radians(),
+            velocity: Vector::zeros(),
+            spin: 0.0,
+            right: Vector::x(),
+            force: Vector::zeros(),
+            torque: 0.0,
+        };
+        body.place();
+        body
+    }
+
+    /// Finds out how it lies; only its weight pushes from now on.
+    fn place(&mut self) {
+        let (sin, cos) = libm::sincos(self.angle);
+        self.right = Vector::new(cos, sin);
+        self.force = Vector::new(0.0, -GRAVITY * self.mass);
+        self.torque = 0.0;
+    }
+
+    /// A force (N) acts at a point (m).
+    pub(super) fn push(&mut self, point: Vector, force: Vector) {
+        self.force += force;
+        self.torque += (point - self.centre).perp(&force);
+    }
+
+    /// Moves on by `dt` s; then only its weight pushes.
+    pub(super) fn advance(&mut self, dt: f64) {
+        self.velocity += self.force * (dt / self.mass);
+        self.spin += self.torque * (dt / self.inertia);
+        self.centre += self.velocity * dt;
+        self.angle += self.spin * dt;
+        self.place();
+    }
+
+    /// How fast a point of it moves: m/s.
+    pub(super) fn velocity_at(&self, point: Vector) -> Vector {
+        self.velocity + across(point - self.centre) * self.spin
+    }
+
+    /// No point of it is farther from its centre: m.
+    pub(super) fn reach(&self) -> f64 {
+        match self.outline {
+            Outline::Disc(radius) => radius,
+            Outline::Box(half) => half.norm(),
+        }
+    }
+
+    /// The points of its outline that meet something flat in the `direction` (a unit vector).
+    pub(super) fn feelers(&self, direction: Vector) -> [Option<Vector>; 4] {
+        match self.outline {
+            Outline::Disc(radius) => [Some(self.centre + direction * radius), None, None, None],
+            Outline::Box(_) => self.corners().map(Some),
+        }
+    }
+
+    /// The corners of a box, one after the other; of a disc its centre.
+    pub(super) fn corners(&self) -> [Vector; 4] {
+        let half = match self.outline {
+            Outline::Disc(_) => Vector::zeros(),
+            Outline::Box(half) => half,
+        };
+        let (along, up) = (self.right * half.x, across(self.right) * half.y);
+        [-along - up, along - up, along + up, up - along].map(|corner| self.centre + corner)
+    }
+
+    /// Whether it has corners.
+    pub(super) const fn is_box(&self) -> bool {
+        matches!(self.outline, Outline::Box(_))
+    }
+
+    /// The nearest way out of it for a point: a unit vector, and how far; negative from outside.
+    pub(super) fn way_out(&self, point: Vector) -> (Vector, f64) {
+        let from = point - self.centre;
+        match self.outline {
+            Outline::Disc(radius) => {
+                let distance = from.norm();
+                let out = if distance > 0.0 {
+                    from / distance
+                } else {
+                    Vector::y()
+                };
+                (out, radius - distance)
+            }
+            Outline::Box(half) => {
+                let up = across(self.right);
+                let (x, y) = (from.dot(&self.right), from.dot(&up));
+                let (beside, above) = (libm::fabs(x) - half.x, libm::fabs(y) - half.y);
+                let (right, up) = (
+                    self.right * libm::copysign(1.0, x),
+                    up * libm::copysign(1.0, y),
+                );
+                if beside > 0.0 && above > 0.0 {
+                    let corner = right * beside + up * above;
+                    let distance = corner.norm();
+                    (corner / distance, -distance)
+                } else if beside > above {
+                    (right, -beside)
+                } else {
+                    (up, -above)
+                }
+            }
+        }
+    }
+
+    /// The axes of a box and how far it extends along them: m.
+    fn axes(&self) -> [(Vector, f64); 2] {
+        let half = match self.outline {
+            Outline::Disc(radius) => Vector::new(radius, radius),
+            Outline::Box(half) => half,
+        };
+        [(self.right, half.x), (across(self.right), half.y)]
+    }
+
+    /// How far a point of a box has to go in a `direction` to leave it: m; not positive from outside.
+    pub(super) fn depth_along(&self, point: Vector, direction: Vector) -> f64 {
+        let from = point - self.centre;
+        let mut depth = f64::INFINITY;
+        for (axis, half) in self.axes() {
+            let (at, speed) = (from.dot(&axis), direction.dot(&axis));
+            if libm::fabs(at) > half {
+                return 0.0;
+            }
+            if speed != 0.0 {
+                let left = half - at * libm::copysign(1.0, speed);
+                depth = depth.min(left / libm::fabs(speed));
+            }
+        }
+        depth
+    }
+
+    /// The direction, away from `other`, in which two boxes overlap least; `None` if some line keeps
+    /// them apart (Ericson, *Real-Time Collision Detection*, 2005, ch. 4.4: separating axes).
+    pub(super) fn least_overlap(&self, other: &Self) -> Option<Vector> {
+        let apart = self.centre - other.centre;
+        let mut least = (f64::INFINITY, Vector::zeros());
+        for (axis, _) in self.axes().into_iter().chain(other.axes()) {
+            let extent = |body: &Self| {
+                let shadow = |(own, half): (Vector, f64)| half * libm::fabs(own.dot(&axis));
+                body.axes().into_iter().map(shadow).sum::<f64>()
+            };
+            let distance = apart.dot(&axis);
+            let overlap = extent(self) + extent(other) - libm::fabs(distance);
+            if overlap <= 0.0 {
+                return None;
+            }
+            if overlap < least.0 {
+                least = (overlap, axis * libm::copysign(1.0, distance));
+            }
+        }
+        Some(least.1)
+    }
+
+    /// Where the line from `start` to `end` enters and leaves a box, as shares of its length; `None`
+    /// if it passes by (Liang and Barsky, ACM Trans. Graph. 3, 1984).
+    pub(super) fn crossing(&self, start: Vector, end: Vector) -> Option<(f64, f64)> {
+        let Outline::Box(half) = self.outline else {
+            return None;
+        };
+        let (from, along) = (start - self.centre, end - start);
+        let up = across(self.right);
+        let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (axis, half) in [(self.right, half.x), (up, half.y)] {
+            let (at, speed) = (from.dot(&axis), along.dot(&axis));
+            if speed == 0.0 {
+                if libm::fabs(at) >= half {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((-half - at) / speed, (half - at) / speed);
+            enters = enters.max(a.min(b));
+            leaves = leaves.min(a.max(b));
+        }
+        (enters < leaves).then_some((enters, leaves))
+    }
+}

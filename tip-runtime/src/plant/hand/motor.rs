@@ -1,0 +1,188 @@
+//! What drives a joint: its motor by torque or as a servo, friction, and the stops.
+//!
+//! Springs and dampers of a joint are taken at the end of each step, friction at its middle, so that
+//! no gain is too stiff for the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*,
+//! 2011): what depends on the acceleration is counted as inertia.
+
+use crate::hardware::JointCommand;
+use crate::model::{Joint, Range};
+
+/// Of the position servo, which is far stiffer than what it meets: N·m/rad.
+const SERVO: f64 = 1e5;
+
+/// Of the position servo: N·m·s/rad.
+const SERVO_DAMPING: f64 = 100.0;
+
+/// Viscous, of the joint: N·m·s/rad.
+const FRICTION: f64 = 0.01;
+
+/// How far beyond the potentiometer's limits the mechanical stops are: deg.
+const STOP: f64 = 2.0;
+
+/// Of the stops: N·m/rad.
+const STOP_STIFFNESS: f64 = 500.0;
+
+/// Of the stops: N·m·s/rad.
+const STOP_DAMPING: f64 = 0.5;
+
+/// What acts on a joint: `torque - inertia × acceleration`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Effort {
+    /// N·m.
+    pub(super) torque: f64,
+    /// kg·m².
+    pub(super) inertia: f64,
+}
+
+impl Effort {
+    /// A spring (N·m/rad) that is stretched by `gap` deg, and a damper (N·m·s/rad) between rates that
+    /// differ by `slower` rad/s, both at the end of a step of `dt` s.
+    fn spring(stiffness: f64, damping: f64, gap: f64, slower: f64, dt: f64) -> Self {
+        Effort {
+            torque: stiffness * gap.to_radians() + damping * slower,
+            inertia: dt * (damping + dt * stiffness),
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Effort {
+            torque: self.torque + other.torque,
+            inertia: self.inertia + other.inertia,
+        }
+    }
+}
+
+/// What a motor does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Mode {
+    /// It gives a torque: N·m.
+    Torque(f64),
+    /// It holds an angle, which moves.
+    Servo,
+    /// As `Servo`, at its limit for this step: N·m.
+    Yielding(f64),
+}
+
+/// The motor of one joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Motor {
+    /// The most that it gives: N·m.
+    strongest: f64,
+    /// Where the mechanical stops are: deg.
+    stops: Range,
+    mode: Mode,
+    /// The angle that a servo holds: deg.
+    set_point: f64,
+    /// How fast that moves: rad/s.
+    set_rate: f64,
+    /// What it gives: N·m.
+    pub(super) torque: f64,
+}
+
+impl Motor {
+    /// Gives nothing.
+    pub(super) const IDLE: Self = Motor {
+        strongest: 0.0,
+        stops: Range::new(0.0, 0.0),
+        mode: Mode::Servo,
+        set_point: 0.0,
+        set_rate: 0.0,
+        torque: 0.0,
+    };
+
+    /// Holds an angle (deg).
+    pub(super) fn new(joint: &Joint, angle: f64) -> Self {
+        Motor {
+            strongest: joint.torque,
+            stops: joint.outer.widened(STOP),
+            set_point: angle,
+            ..Motor::IDLE
+        }
+    }
+
+    /// Takes a command for the next `time` s, in which a servo's set point goes evenly from where it
+    /// was to where it is sent, or to the stop before that; a joint at `angle` deg that was driven by torque starts there. `unit`
+    /// is how many of the command's unit one N·m is. What is no number is left out.
+    pub(super) fn command(&mut self, command: JointCommand, unit: f64, angle: f64, time: f64) {
+        if let Mode::Torque(_) = self.mode {
+            self.set_point = angle;
+        }
+        self.set_rate = 0.0;
+        match command {
+            JointCommand::Torque(torque) if torque.is_finite() => {
+                let torque = torque / unit;
+                self.mode = Mode::Torque(torque.max(-self.strongest).min(self.strongest));
+            }
+            JointCommand::Angle(target) if target.is_finite() => {
+                self.mode = Mode::Servo;
+                let target = target.max(self.stops.min).min(self.stops.max);
+                self.set_rate = (target - self.set_point).to_radians() / time;
+            }
+            JointCommand::Torque(_) | JointCommand::Angle(_) => self.mode = Mode::Servo,
+        }
+    }
+
+    /// Holds the angle (deg) at which its joint is.
+    pub(super) const fn hold(&mut self, angle: f64) {
+        self.mode = Mode::Servo;
+        self.set_point = angle;
+        self.set_rate = 0.0;
+    }
+
+    /// The set point goes on for `dt` s.
+    pub(super) fn advance(&mut self, dt: f64) {
+        self.set_point += (self.set_rate * dt).to_degrees();
+        if let Mode::Yielding(_) = self.mode {
+            self.mode = Mode::Servo;
+        }
+    }
+
+    /// What acts on a joint at `angle` deg that turns at `rate` rad/s, in a step of `dt` s.
+    pub(super) fn effort(&self, angle: f64, rate: f64, dt: f64) -> Effort {
+        let friction = Effort {
+            torque: -FRICTION * rate,
+            inertia: FRICTION * dt / 2.0,
+        };
+        let ahead = angle + (rate * dt).to_degrees();
+        self.own(angle, rate, dt)
+            .plus(friction)
+            .plus(self.stop(ahead, rate, dt))
+    }
+
+    /// Takes the acceleration (rad/s²) that resulted. Whether the motor would have had to give more
+    /// than it can, and is going to give what it can.
+    pub(super) fn settle(&mut self, angle: f64, rate: f64, acceleration: f64, dt: f64) -> bool {
+        let Effort { torque, inertia } = self.own(angle, rate, dt);
+        self.torque = torque - inertia * acceleration;
+        let bounded = self.torque.max(-self.strongest).min(self.strongest);
+        let yields = matches!(self.mode, Mode::Servo) && bounded != self.torque;
+        if yields {
+            self.mode = Mode::Yielding(bounded);
+        }
+        yields
+    }
+
+    /// What the motor itself gives.
+    fn own(&self, angle: f64, rate: f64, dt: f64) -> Effort {
+        match self.mode {
+            Mode::Torque(torque) | Mode::Yielding(torque) => Effort {
+                torque,
+                inertia: 0.0,
+            },
+            Mode::Servo => {
+                let gap = self.set_point - angle - (rate * dt).to_degrees();
+                Effort::spring(SERVO, SERVO_DAMPING, gap, self.set_rate - rate, dt)
+            }
+        }
+    }
+
+    /// What a stop gives back to a joint that is going to be at `ahead` deg.
+    fn stop(&self, ahead: f64, rate: f64, dt: f64) -> Effort {
+        let stops = self.stops;
+        if stops.contains(ahead) {
+            return Effort::default();
+        }
+        let gap = ahead.min(stops.max).max(stops.min) - ahead;
+        Effort::spring(STOP_STIFFNESS, STOP_DAMPING, gap, -rate, dt)
+    }
+}

@@ -1,0 +1,163 @@
+//! An object and everything that it touches.
+
+use super::Vector;
+use super::body::Body;
+use super::contact::{Bristle, Push};
+use super::finger::Finger;
+use super::overlap::{Surface, of_bodies, of_link};
+use crate::model::Range;
+use crate::plant::scene::{OBJECTS, Object};
+
+/// The coefficient of Coulomb friction of the palm; the object's counts if it is smaller.
+const PALM: f64 = 0.5;
+
+/// How thick the palm is, upwards: m.
+const THICKNESS: f64 = 0.02;
+
+/// A body with the friction of its contacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Thing<const L: usize, const J: usize> {
+    pub(super) body: Body,
+    floor: [Bristle; 4],
+    palm: [Bristle; 4],
+    fingers: [[[Bristle; 5]; J]; L],
+    /// With those that stand after it in the scene.
+    others: [[Bristle; 8]; OBJECTS],
+    pub(super) on_floor: bool,
+    pub(super) at_palm: bool,
+}
+
+impl<const L: usize, const J: usize> Thing<L, J> {
+    /// At rest. One without a place of its own stands on the floor.
+    pub(super) fn new(object: &Object, floor: &Surface) -> Self {
+        let mut body = Body::new(object);
+        if object.y.is_none() {
+            let low = |low: f64, point: &Vector| low.min(floor.height(*point));
+            let lowest = body.feelers(-floor.normal);
+            let lowest = lowest.iter().flatten().fold(f64::INFINITY, low);
+            body.centre.y -= lowest / floor.normal.y;
+        }
+        Thing {
+            body,
+            floor: [Bristle::default(); 4],
+            palm: [Bristle::default(); 4],
+            fingers: [[[Bristle::default(); 5]; J]; L],
+            others: [[Bristle::default(); 8]; OBJECTS],
+            on_floor: false,
+            at_palm: false,
+        }
+    }
+
+    /// How far its lowest point is above the floor: m.
+    pub(super) fn clearance(&self, floor: &Surface) -> f64 {
+        let feelers = self.body.feelers(-floor.normal);
+        let heights = feelers.iter().flatten().map(|point| floor.height(*point));
+        heights.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Stands on the floor.
+    pub(super) fn meet_floor(&mut self, floor: &Surface, dt: f64) {
+        self.on_floor = press(&mut self.body, &mut self.floor, floor, |_| true, dt);
+    }
+
+    /// Touches the palm.
+    pub(super) fn meet_palm(&mut self, palm: &Palm, dt: f64) {
+        let is_there = |point| palm.is_at(point);
+        self.at_palm = press(&mut self.body, &mut self.palm, &palm.surface, is_there, dt);
+    }
+
+    /// Touches finger `n`, counted from 0. What it does to the finger's last link: N.
+    pub(super) fn meet_finger(&mut self, n: usize, finger: &mut Finger<J>, dt: f64) -> Vector {
+        let friction = self.body.friction;
+        let mut on_last = Vector::zeros();
+        let links = *finger.links();
+        let bristles = self.fingers.get_mut(n).into_iter().flatten();
+        for (m, (link, bristles)) in links.iter().zip(bristles).enumerate() {
+            let places = of_link(link, m == 0, &self.body);
+            for (bristle, place) in bristles.iter_mut().zip(places) {
+                let body = &self.body;
+                let velocity = |at| link.velocity_at(at) - body.velocity_at(at);
+                let push = bristle.press(place, velocity, friction, dt);
+                if let Some(Push { at, force }) = push {
+                    finger.push(m, at, force);
+                    self.body.push(at, -force);
+                    if m + 1 == J {
+                        on_last += force;
+                    }
+                }
+            }
+        }
+        on_last
+    }
+
+    /// Touches another thing, the `n`th after it.
+    pub(super) fn meet(&mut self, n: usize, other: &mut Self, dt: f64) {
+        let friction = self.body.friction.min(other.body.friction);
+        let places = of_bodies(&self.body, &other.body);
+        let bristles = self.others.get_mut(n).into_iter().flatten();
+        for (bristle, place) in bristles.zip(places) {
+            let (own, its) = (&self.body, &other.body);
+            let velocity = |at| own.velocity_at(at) - its.velocity_at(at);
+            if let Some(Push { at, force }) = bristle.press(place, velocity, friction, dt) {
+                self.body.push(at, force);
+                other.body.push(at, -force);
+            }
+        }
+    }
+}
+
+/// The lower side of the palm, which spans the bases of the fingers.
+pub(super) struct Palm {
+    surface: Surface,
+    /// m.
+    x: Range,
+    /// m.
+    y: Range,
+}
+
+impl Palm {
+    /// Between fingers that begin there (mm); `None` if there are none.
+    pub(super) fn between(bases: impl Iterator<Item = [f64; 3]>) -> Option<Self> {
+        let around = |at: f64| Range::new(at / 1000.0, at / 1000.0);
+        let join = |a: Range, b: Range| Range::new(a.min.min(b.min), a.max.max(b.max));
+        let (x, y) = bases
+            .map(|[x, y, _]| (around(x), around(y)))
+            .reduce(|a, b| (join(a.0, b.0), join(a.1, b.1)))?;
+        let surface = Surface {
+            point: Vector::new(0.0, y.min),
+            normal: -Vector::y(),
+            velocity: Vector::zeros(),
+            friction: PALM,
+        };
+        let y = Range::new(y.min, y.min + THICKNESS);
+        Some(Palm { surface, x, y })
+    }
+
+    fn is_at(&self, point: Vector) -> bool {
+        self.x.contains(point.x) && self.y.contains(point.y)
+    }
+}
+
+/// A surface presses on a body wherever it is; whether it does.
+fn press(
+    body: &mut Body,
+    bristles: &mut [Bristle; 4],
+    surface: &Surface,
+    is_there: impl Fn(Vector) -> bool,
+    dt: f64,
+) -> bool {
+    let friction = body.friction.min(surface.friction);
+    let mut touches = false;
+    let feelers = body.feelers(-surface.normal);
+    for (bristle, feeler) in bristles.iter_mut().zip(feelers) {
+        let feeler = feeler.filter(|point| is_there(*point));
+        let place = feeler.and_then(|point| surface.overlap(point));
+        let own = &*body;
+        let velocity = |at| own.velocity_at(at) - surface.velocity;
+        if let Some(Push { at, force }) = bristle.press(place, velocity, friction, dt) {
+            body.push(at, force);
+            touches = true;
+        }
+    }
+    touches
+}

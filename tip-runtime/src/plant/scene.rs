@@ -1,0 +1,153 @@
+//! What stands around a simulated robot: a floor, and objects to grasp.
+
+use super::Floor;
+use core::fmt;
+
+/// How many objects a scene has room for.
+pub const OBJECTS: usize = 4;
+
+/// Lighter objects are too quick for the time steps of the simulation: kg.
+const LIGHTEST: f64 = 0.01;
+
+/// Smaller objects would slip through contacts: mm.
+const SMALLEST: f64 = 2.0;
+
+/// The outline of an object in the x–y plane; along z it is as wide as the hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// A cylinder that lies along z.
+    Cylinder {
+        /// mm.
+        radius: f64,
+    },
+    /// A box.
+    Box {
+        /// Along x at angle 0: mm.
+        width: f64,
+        /// Along y at angle 0: mm.
+        height: f64,
+    },
+}
+
+/// An object that may move in the x–y plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object {
+    /// Its outline.
+    pub shape: Shape,
+    /// kg.
+    pub mass: f64,
+    /// The coefficient of Coulomb friction; where two things touch the smaller one counts.
+    pub friction: f64,
+    /// Where its centre is at first: mm.
+    pub x: f64,
+    /// Where its centre is at first: mm; `None` where it stands on the floor.
+    pub y: Option<f64>,
+    /// How far it is turned at first: deg.
+    pub angle: f64,
+}
+
+/// A floor and up to [`OBJECTS`] objects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene {
+    /// What a walking robot stands on. Under a hand the slider carries it: its height counts from
+    /// the slider's, and it rises along x only.
+    pub floor: Floor,
+    /// The floor's coefficient of Coulomb friction.
+    pub friction: f64,
+    /// The objects.
+    pub objects: [Option<Object>; OBJECTS],
+}
+
+impl Scene {
+    /// A level floor (friction 0.5) and nothing on it.
+    pub const EMPTY: Self = Scene {
+        floor: Floor::LEVEL,
+        friction: 0.5,
+        objects: [None; OBJECTS],
+    };
+
+    /// A cylinder of 20 mm radius and 50 g that stands on the floor under the middle of the palm.
+    pub const CYLINDER: Self = {
+        let mut scene = Scene::EMPTY;
+        scene.objects[0] = Some(Object {
+            shape: Shape::Cylinder { radius: 20.0 },
+            mass: 0.05,
+            friction: 0.5,
+            x: 0.0,
+            y: None,
+            angle: 0.0,
+        });
+        scene
+    };
+
+    /// The scene that `--scene` knows by this name.
+    pub fn by_name(name: &str) -> Option<Self> {
+        (name == "cylinder").then_some(Scene::CYLINDER)
+    }
+
+    /// Puts one more object into the scene.
+    ///
+    /// # Errors
+    /// What is wrong with it, or that no room is left.
+    pub fn with_object(mut self, object: Object) -> Result<Self, SceneError> {
+        object.check()?;
+        let place = self.objects.iter_mut().find(|place| place.is_none());
+        *place.ok_or(SceneError::Full)? = Some(object);
+        Ok(self)
+    }
+}
+
+impl Object {
+    /// Whether it can be simulated.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self) -> Result<(), SceneError> {
+        let sizes = match self.shape {
+            Shape::Cylinder { radius } => [radius, radius],
+            Shape::Box { width, height } => [width, height],
+        };
+        let large = |size: &f64| size.is_finite() && *size >= SMALLEST;
+        let placed = [self.x, self.y.unwrap_or(0.0), self.angle];
+        if !sizes.iter().all(large) {
+            Err(SceneError::Size)
+        } else if !(self.mass.is_finite() && self.mass >= LIGHTEST) {
+            Err(SceneError::Mass)
+        } else if !(self.friction.is_finite() && self.friction >= 0.0) {
+            Err(SceneError::Friction)
+        } else if !placed.iter().all(|number| number.is_finite()) {
+            Err(SceneError::Place)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// Why an object cannot be in a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneError {
+    /// There are [`OBJECTS`] already.
+    Full,
+    /// It is too small, or its size is no number.
+    Size,
+    /// It is too light, or its mass is no number.
+    Mass,
+    /// Its friction is negative or no number.
+    Friction,
+    /// Its place is no number.
+    Place,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneError::Full => write!(f, "a scene has room for {OBJECTS} objects"),
+            SceneError::Size => write!(f, "an object measures at least {SMALLEST} mm"),
+            SceneError::Mass => write!(f, "an object's mass is at least {LIGHTEST} kg"),
+            SceneError::Friction => f.write_str("friction is 0 or more"),
+            SceneError::Place => f.write_str("a place and an angle are finite numbers"),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}

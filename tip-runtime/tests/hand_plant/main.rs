@@ -1,0 +1,9 @@
+//! The simulated hand: its fingers, contacts and objects.
+
+#![cfg(feature = "control")]
+
+mod fingers;
+mod objects;
+mod rig;
+mod robustness;
+mod statics;
