@@ -3,7 +3,8 @@
 /// The line of an expectation that stands for any number of records.
 const ANY: &str = "...";
 
-/// Whether `actual` has the records of `expected`, where `...` stands for any number of them.
+/// Whether `actual` has the records of `expected`, where `...` stands for any number of them, and `*`
+/// in the place of a cycle, or of their number, for any.
 ///
 /// # Errors
 /// The first expected records that are not there, and what is.
@@ -23,16 +24,16 @@ pub fn matches<'a>(expected: &[&'a str], actual: &[&'a str]) -> Result<(), Strin
     for part in middle {
         remaining = after_anywhere(part, remaining)?;
     }
-    if remaining.ends_with(last) {
+    let end = remaining.len().saturating_sub(last.len());
+    if after_prefix(last, &remaining[end..]).is_some() {
         Ok(())
     } else {
-        let shown = remaining.len().saturating_sub(last.len());
-        Err(difference("at the end", last, &remaining[shown..]))
+        Err(difference("at the end", last, &remaining[end..]))
     }
 }
 
 fn after_start<'a, 'b>(part: &[&'b str], actual: &'a [&'b str]) -> Result<&'a [&'b str], String> {
-    actual.strip_prefix(part).ok_or_else(|| {
+    after_prefix(part, actual).ok_or_else(|| {
         difference(
             "at the start",
             part,
@@ -46,8 +47,24 @@ fn after_anywhere<'a, 'b>(
     actual: &'a [&'b str],
 ) -> Result<&'a [&'b str], String> {
     (0..=actual.len())
-        .find_map(|from| actual[from..].strip_prefix(part))
+        .find_map(|from| after_prefix(part, &actual[from..]))
         .ok_or_else(|| difference("nowhere found", part, actual))
+}
+
+/// What follows the records of `part` at the start of `actual`.
+fn after_prefix<'a, 'b>(part: &[&'b str], actual: &'a [&'b str]) -> Option<&'a [&'b str]> {
+    let (start, rest) = actual.split_at_checked(part.len())?;
+    let same = part.iter().zip(start).all(|(a, b)| is_record(a, b));
+    same.then_some(rest)
+}
+
+fn is_record(expected: &str, actual: &str) -> bool {
+    let any_cycle = ["\"cycle\":", "\"cycles\":"].iter().find_map(|key| {
+        let (before, after) = expected.split_once(&format!("{key}*"))?;
+        let number = actual.strip_prefix(before)?.strip_prefix(key)?;
+        Some(number.trim_start_matches(|c: char| c.is_ascii_digit()) == after)
+    });
+    any_cycle.unwrap_or(expected == actual)
 }
 
 /// What was expected and what is there, from the first line that differs.
@@ -55,7 +72,7 @@ fn difference(place: &str, expected: &[&str], actual: &[&str]) -> String {
     let same = expected
         .iter()
         .zip(actual)
-        .take_while(|(a, b)| a == b)
+        .take_while(|(a, b)| is_record(a, b))
         .count();
     let shown = |lines: &[&str]| {
         let lines: Vec<String> = lines
@@ -96,6 +113,31 @@ mod tests {
         ] {
             let actual = ["a", "b", "c", "d"];
             assert_eq!(matches(expected, &actual).is_ok(), fits, "{expected:?}");
+        }
+    }
+
+    #[test]
+    fn a_star_stands_for_any_cycle_but_for_nothing_else() {
+        for (expected, actual, fits) in [
+            (r#"{"cycle":*,"step":4}"#, r#"{"cycle":17,"step":4}"#, true),
+            (r#"{"cycle":*,"step":4}"#, r#"{"cycle":17,"step":5}"#, false),
+            (
+                r#"{"end":"END","cycles":*}"#,
+                r#"{"end":"END","cycles":9}"#,
+                true,
+            ),
+            (
+                r#"{"end":"END","cycles":*}"#,
+                r#"{"end":"EXIT","cycles":9}"#,
+                false,
+            ),
+            (r#"{"cycle":1,"step":*}"#, r#"{"cycle":1,"step":4}"#, false),
+        ] {
+            assert_eq!(
+                matches(&[expected], &[actual]).is_ok(),
+                fits,
+                "{expected} {actual}"
+            );
         }
     }
 }

@@ -3,7 +3,7 @@
 //!
 //! A language case is a file `cases/<area>/<name>.prg` beside `<name>.trace` (what a run writes down)
 //! or `<name>.check` (what the compiler says). Both begin with `#` lines that name the clauses proved,
-//! and the options of the run; `...` in a trace stands for any number of records.
+//! and the options of the run; `...` in a trace stands for any number of records, `"cycle":*` for any cycle.
 
 pub mod clauses;
 mod compare;

@@ -4,10 +4,12 @@
 //! all derived from it.
 
 mod form;
+mod outcome;
 mod table;
 mod usage;
 
 pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
+pub use outcome::{Cycles, Failure};
 pub use table::COMMANDS;
 use tip_runtime::command::{Op, Teach};
 
@@ -30,8 +32,10 @@ pub struct Command {
     pub robots: Robots,
     /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
     pub unit: &'static str,
-    /// Whether it can take more than one control cycle.
-    pub waits: bool,
+    /// How many control cycles it takes.
+    pub cycles: Cycles,
+    /// The run-time errors of its own step, beside those of its operands.
+    pub failures: &'static [Failure],
     /// One line for the reference.
     pub description: &'static str,
 }

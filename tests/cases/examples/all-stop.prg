@@ -1,0 +1,9 @@
+3.1
+Interrupt a motion for half a second
+PTP F1 -391 301 -180
+SLEEP 100
+ALL_STOP
+SLEEP 500
+ALL_STOP_RELEASE
+WAIT_INPOS F1
+END

@@ -1,0 +1,6 @@
+3.1
+Wait until the palm touches something
+WHILE !ANTENNA_ON
+WEND
+MESSAGE touched
+END

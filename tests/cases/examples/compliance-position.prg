@@ -1,0 +1,7 @@
+3.1
+A foot on a spring: stiff sideways, soft up and down
+SET_POSITION_STIFFNESS F1 2 2 0.2
+COMPLIANCE_POSITION F1 R 0 R 0 R -20
+SLEEP 500
+NO_COMPLIANCE F1
+END

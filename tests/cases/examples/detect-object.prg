@@ -1,0 +1,5 @@
+3.1
+Close the fingers until they touch
+DETECT_OBJECT 3
+MESSAGE it is there
+END

@@ -1,0 +1,10 @@
+3.1
+Walk on the spot until somebody asks to halt, and end with the foot down
+LOOP:
+  REL_PTP F1 0 0 30
+  WAIT_INPOS F1
+  REL_PTP F1 0 0 -30
+  WAIT_INPOS F1
+IF !HALT_REQUEST GOTO
+MESSAGE halted
+END

@@ -1,0 +1,16 @@
+3.1
+Do something while a foot is on its way
+DEF_VAR N
+N = 0
+PTP F1 -391 251 -180
+WHILE !INPOS_F1
+  N += 1
+WEND
+PTP_ANGLE J23 100
+REPEAT
+  LAMP_ON 1
+UNTIL INPOS_J23
+IF INPOS_ALL THEN
+  MESSAGE all still
+ENDIF
+END

@@ -1,0 +1,10 @@
+3.1
+Whole rounds, and what is left
+DEF_VAR TURN, ROUNDS, REST
+TURN = 800
+ROUNDS = TURN / 360
+ROUNDS = INT ROUNDS
+REST = ROUNDS * -360
+REST += TURN
+MESSAGE %ROUNDS% rounds and %REST% deg
+END

@@ -1,0 +1,12 @@
+3.1
+Steps on request: U lifts the foot, Q ends
+DEF_VAR KEY
+LOOP:
+  KEY_IN KEY
+  IF KEY == CHAR_Q GOTO DONE:
+  IF KEY <> CHAR_U GOTO LOOP:
+  REL_PTP F1 0 0 10
+  WAIT_INPOS F1
+GOTO LOOP:
+DONE:
+END

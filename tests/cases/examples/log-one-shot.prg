@@ -1,0 +1,9 @@
+3.1
+One row of TITAN.LOG for each of three postures
+DEF_VAR Y
+FOR Y = 151 TO 251 STEP 50
+  PTP F1 -391 Y -180
+  WAIT_INPOS F1
+  LOG_ONE_SHOT
+NEXT Y
+END

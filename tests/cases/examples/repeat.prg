@@ -1,0 +1,9 @@
+3.1
+Lift a foot bit by bit until the knob says enough
+DEF_VAR V
+REPEAT
+  REL_PTP F1 0 0 10
+  WAIT_INPOS F1
+  AD_IN VR1 V
+UNTIL V > 5
+END

@@ -1,0 +1,9 @@
+3.1
+One foot soft, another brisk, then as usual
+SET_A_MAX_SLOW F1
+SET_A_MAX_FAST F4
+PTP F1 -391 251 -180
+PTP F4 391 -251 -180
+WAIT_INPOS ALL
+SET_A_MAX_NORMAL ALL
+END

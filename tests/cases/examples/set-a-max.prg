@@ -1,0 +1,6 @@
+3.1
+Start and stop gently
+SET_A_MAX ALL 200
+PTP F1 -391 301 -180
+WAIT_INPOS F1
+END

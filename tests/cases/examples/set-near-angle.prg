@@ -1,0 +1,8 @@
+3.1
+Turn back before the leg has quite arrived
+SET_NEAR_ANGLE ALL 10
+PTP_ANGLE J11 40
+WAIT_NEAR J11
+PTP_ANGLE J11 0
+WAIT_INPOS J11
+END

@@ -1,0 +1,8 @@
+3.1
+The hip slowly, the knee quickly, then as usual
+SET_OMEGA_MAX_SLOW J11
+SET_OMEGA_MAX_FAST J13
+PTP_ANGLE F1 40 10 60
+WAIT_INPOS F1
+SET_OMEGA_MAX_NORMAL ALL
+END

@@ -1,0 +1,6 @@
+3.1
+Turn a leg at no more than 30 deg/s
+SET_OMEGA_MAX J11 30
+PTP_ANGLE J11 45
+WAIT_INPOS J11
+END

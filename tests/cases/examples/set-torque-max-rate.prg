@@ -1,0 +1,6 @@
+3.1
+A quarter of the torque
+SET_TORQUE_MAX_RATE ALL 25
+PTP_ANGLE J11 20
+WAIT_INPOS J11
+END

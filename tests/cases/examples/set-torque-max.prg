@@ -1,0 +1,7 @@
+3.1
+No joint gives more than 10 N m
+SET_TORQUE_MAX ALL 10
+TORQUE J12 -15
+SLEEP 100
+NO_COMPLIANCE J12
+END

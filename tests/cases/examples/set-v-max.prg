@@ -1,0 +1,9 @@
+3.1
+Fast through the air, slow on the way down
+SET_V_MAX F1 500
+PTP F1 -391 301 -150
+WAIT_INPOS F1
+SET_V_MAX F1 50
+PTP F1 -391 301 -200
+WAIT_INPOS F1
+END

@@ -1,0 +1,5 @@
+3.1
+Lever motion, then a lamp
+SPECIAL 1
+LAMP_ON 0
+END

@@ -1,0 +1,13 @@
+3.1
+Remember a place and come back to it
+DEF_VAR H
+DEF_POS HOME, KNEE
+TEACH_POSITION F1 HOME
+TEACH_POSITION J13 KNEE
+H = KNEE.Z - HOME.Z
+MESSAGE the knee is %H.1% mm above the foot
+REL_PTP F1 0 50 40
+WAIT_INPOS F1
+PTP F1 HOME
+WAIT_INPOS F1
+END

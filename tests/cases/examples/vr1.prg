@@ -1,0 +1,8 @@
+3.1
+The three knobs
+DEF_VAR U, V, W
+AD_IN VR1 U
+AD_IN VR2 V
+AD_IN VR3 W
+MESSAGE %U.1% %V.1% %W.1% V
+END

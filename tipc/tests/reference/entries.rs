@@ -1,0 +1,169 @@
+//! docs/commands.md: an entry for every word of the language, with a program that is a test case.
+
+use crate::facts::facts;
+use crate::{hold, read, workspace};
+use std::collections::BTreeSet;
+use std::fs;
+use tipc::Robot;
+use tipc::commands::{
+    COMMANDS, Command, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS, find,
+};
+use tipc::syntax::FUNCTIONS;
+
+const PATH: &str = "docs/commands.md";
+const EXAMPLES: &str = "tests/cases/examples";
+
+/// `### names` and, further down, `<!-- name.prg -->`.
+struct Entry {
+    names: Vec<String>,
+    example: String,
+}
+
+#[test]
+fn the_entries_hold_what_the_tables_and_the_examples_say() {
+    let text = read(PATH);
+    hold(PATH, &text, &rewritten(&text));
+}
+
+#[test]
+fn every_word_has_one_entry() {
+    let entries = entries(&read(PATH));
+    let named = |test: &dyn Fn(&str) -> bool| {
+        let of_entry = |entry: &&Entry| entry.names.iter().any(|name| test(name));
+        entries.iter().filter(of_entry).count()
+    };
+    let commands = COMMANDS.iter().map(|command| command.name);
+    let words = [FUNCTIONS, FLAGS, PORTS, MOTION_FLAGS].concat();
+    for word in commands.chain(words) {
+        assert_eq!(named(&|name| name == word), 1, "entries of {word}");
+    }
+    for family in FLAG_FAMILIES {
+        assert_eq!(named(&|name| name.starts_with(family)), 1, "{family}");
+    }
+}
+
+#[test]
+fn every_example_uses_the_words_of_its_entry() {
+    let mut used = BTreeSet::new();
+    for Entry { names, example } in entries(&read(PATH)) {
+        let words = words(&program(&example));
+        for name in names.iter().filter(|name| is_word(name)) {
+            assert!(words.contains(name), "{example} does without {name}");
+        }
+        used.extend(words);
+    }
+    for word in PARTICLES {
+        assert!(used.contains(*word), "no example has {word}");
+    }
+}
+
+#[test]
+fn every_example_is_a_case_and_is_shown_once() {
+    let shown: Vec<String> = entries(&read(PATH))
+        .into_iter()
+        .map(|entry| entry.example)
+        .collect();
+    let folder = fs::read_dir(workspace().join(EXAMPLES)).expect("the examples");
+    let files: BTreeSet<String> = folder
+        .map(|file| {
+            file.expect("a file")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    for file in files.iter().filter(|file| file.ends_with(".prg")) {
+        let times = shown.iter().filter(|example| *example == file).count();
+        assert_eq!(times, 1, "{file}");
+        let case = file.trim_end_matches("prg");
+        let expected = ["trace", "check"].map(|kind| files.contains(&format!("{case}{kind}")));
+        assert!(expected.contains(&true), "{file} expects nothing");
+    }
+}
+
+fn entries(text: &str) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut names = Vec::new();
+    for line in text.lines() {
+        if let Some(heading) = line.strip_prefix("### ") {
+            names = names_of(heading);
+        } else if let Some(example) = example_of(line) {
+            entries.push(Entry {
+                names: std::mem::take(&mut names),
+                example: example.to_owned(),
+            });
+        }
+    }
+    assert!(entries.len() > 80, "{} entries", entries.len());
+    entries
+}
+
+fn names_of(heading: &str) -> Vec<String> {
+    heading.split(", ").map(str::to_owned).collect()
+}
+
+/// The file of a line `<!-- name.prg -->`.
+fn example_of(line: &str) -> Option<&str> {
+    let file = line.strip_prefix("<!-- ")?.strip_suffix(" -->")?;
+    file.ends_with(".prg").then_some(file)
+}
+
+/// The document with what stands between `<!-- name.prg -->` and `<!-- end -->` made anew.
+fn rewritten(text: &str) -> String {
+    let mut fresh = String::new();
+    let mut names = Vec::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        fresh += line;
+        fresh.push('\n');
+        if let Some(heading) = line.strip_prefix("### ") {
+            names = names_of(heading);
+        } else if let Some(example) = example_of(line) {
+            fresh += &generated(&names, example);
+            let end = lines.find(|line| *line == "<!-- end -->");
+            fresh += end.unwrap_or_else(|| panic!("{example} has no end"));
+            fresh.push('\n');
+        }
+    }
+    fresh
+}
+
+fn generated(names: &[String], example: &str) -> String {
+    let commands: Vec<&Command> = names.iter().filter_map(|name| find(name)).collect();
+    let facts = facts(&commands);
+    let robot = match robot(example) {
+        Robot::Titan8 => String::new(),
+        other => format!(" {}", other.name()),
+    };
+    format!("{facts}\n```tip{robot}\n{}```\n", program(example))
+}
+
+fn program(example: &str) -> String {
+    read(&format!("{EXAMPLES}/{example}"))
+}
+
+/// The robot that the case is for.
+fn robot(example: &str) -> Robot {
+    let case = workspace().join(EXAMPLES).join(example);
+    let expectation = ["trace", "check"]
+        .iter()
+        .find_map(|kind| fs::read_to_string(case.with_extension(kind)).ok());
+    let expectation = expectation.unwrap_or_else(|| panic!("{example} expects nothing"));
+    let name = expectation.split_once("--robot ").map(|(_, rest)| rest);
+    let name = name.and_then(|rest| rest.split_whitespace().next());
+    name.and_then(Robot::from_name).unwrap_or_default()
+}
+
+fn is_word(name: &str) -> bool {
+    name.bytes()
+        .all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_')
+}
+
+/// The words of a program, without its title and its comments.
+fn words(program: &str) -> BTreeSet<String> {
+    let statements = program.lines().skip(2);
+    let code = statements.map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'))
+        .map(str::to_owned)
+        .collect()
+}
