@@ -1,5 +1,7 @@
 //! TIP.OBJ and WARNING.LOG. The expectations follow the memory layouts of T.I.P. 3.1 §5 to §7.
 
+mod forms;
+
 use tipc::{Options, Robot, listing, load};
 
 /// What the steps of a program are in TIP.OBJ, each as `Cmd Target Type=Value …` without empty arguments at its end.
@@ -267,109 +269,110 @@ fn waiting_teaching_and_parameters() {
     );
 }
 
+const INPUTS_AND_OUTPUTS: &[(&str, &str)] = &[
+    (
+        "AD_IN 0 13 B",
+        "AD_IN NO_TARGET CONSTANT=0.000000 CONSTANT=13.000000 VAR=2.000000",
+    ),
+    (
+        "AD_IN VR1 B",
+        "AD_IN TARGET_VR1 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
+    ),
+    (
+        "AD_IN PAW4 B",
+        "AD_IN TARGET_PAW4 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
+    ),
+    (
+        "AD_IN J21 B",
+        "AD_IN TARGET_J21 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
+    ),
+    ("KEY_IN", "KEY_IN NO_TARGET"),
+    ("KEY_IN B", "KEY_IN NO_TARGET VAR=2.000000"),
+    ("KEY_IN VAR_KEY", "KEY_IN NO_TARGET VAR=0.000000"),
+    ("MESSAGE one", "MESSAGE NO_TARGET STRING=0.000000"),
+    ("MESSAGE_CLEAR", "MESSAGE_CLEAR NO_TARGET"),
+    ("MESSAGE two", "MESSAGE NO_TARGET STRING=1.000000"),
+    ("LAMP_ON 1", "LAMP_ON NO_TARGET CONSTANT=1.000000"),
+    ("REM nothing", "REM NO_TARGET"),
+    ("EXIT", "EXIT NO_TARGET"),
+];
+
 // clauses: 9.4 7.32 7.33 7.35 7.36 7.38
 #[test]
 fn inputs_and_outputs() {
-    check(
-        Robot::Titan8,
-        &[
-            (
-                "AD_IN 0 13 B",
-                "AD_IN NO_TARGET CONSTANT=0.000000 CONSTANT=13.000000 VAR=2.000000",
-            ),
-            (
-                "AD_IN VR1 B",
-                "AD_IN TARGET_VR1 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
-            ),
-            (
-                "AD_IN PAW4 B",
-                "AD_IN TARGET_PAW4 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
-            ),
-            (
-                "AD_IN J21 B",
-                "AD_IN TARGET_J21 ARG_NONE=0.000000 ARG_NONE=0.000000 VAR=2.000000",
-            ),
-            ("KEY_IN", "KEY_IN NO_TARGET"),
-            ("KEY_IN B", "KEY_IN NO_TARGET VAR=2.000000"),
-            ("KEY_IN VAR_KEY", "KEY_IN NO_TARGET VAR=0.000000"),
-            ("MESSAGE one", "MESSAGE NO_TARGET STRING=0.000000"),
-            ("MESSAGE_CLEAR", "MESSAGE_CLEAR NO_TARGET"),
-            ("MESSAGE two", "MESSAGE NO_TARGET STRING=1.000000"),
-            ("LAMP_ON 1", "LAMP_ON NO_TARGET CONSTANT=1.000000"),
-            ("REM nothing", "REM NO_TARGET"),
-            ("EXIT", "EXIT NO_TARGET"),
-        ],
-    );
+    check(Robot::Titan8, INPUTS_AND_OUTPUTS);
 }
+
+const BLOCKS: &[(&str, &str)] = &[
+    (
+        "IF N == 1 THEN",
+        "IF_THEN_EQ NO_TARGET VAR=1.000000 CONSTANT=1.000000 LABEL=7.000000",
+    ),
+    ("SLEEP 1", "SLEEP NO_TARGET CONSTANT=1.000000"),
+    (
+        "ELSEIF !KB_HIT THEN",
+        "ELSEIF_EVENT NO_TARGET KB_HIT=-1.000000 ARG_NONE=0.000000 LABEL=8.000000 CONSTANT=0.000000",
+    ),
+    ("ELSE", "ELSE NO_TARGET LABEL=9.000000 CONSTANT=0.000000"),
+    ("ENDIF", "ENDIF NO_TARGET"),
+    (
+        "WHILE INPOS_F1",
+        "WHILE_EVENT NO_TARGET INPOS_F1=1.000000 ARG_NONE=0.000000 LABEL=12.000000",
+    ),
+    ("WEND", "WEND NO_TARGET LABEL=10.000000"),
+    ("REPEAT", "REPEAT NO_TARGET"),
+    (
+        "UNTIL N >= -N",
+        "UNTIL_GE NO_TARGET VAR=1.000000 MINUS_VAR=1.000000 LABEL=12.000000",
+    ),
+    (
+        "FOR B = 1 TO N",
+        "FOR NO_TARGET VAR=2.000000 CONSTANT=1.000000 VAR=1.000000 LABEL=16.000000 CONSTANT=1.000000",
+    ),
+    ("NEXT", "NEXT NO_TARGET VAR=2.000000 LABEL=14.000000"),
+    (
+        "FOR B = N TO P.X STEP -2",
+        "FOR NO_TARGET VAR=2.000000 VAR=1.000000 POS_X=0.000000 LABEL=18.000000 CONSTANT=-2.000000",
+    ),
+    ("NEXT B", "NEXT NO_TARGET VAR=2.000000 LABEL=16.000000"),
+];
 
 // clauses: 9.4 7.20
 #[test]
 fn blocks() {
-    let steps = [
-        (
-            "IF N == 1 THEN",
-            "IF_THEN_EQ NO_TARGET VAR=1.000000 CONSTANT=1.000000 LABEL=7.000000",
-        ),
-        ("SLEEP 1", "SLEEP NO_TARGET CONSTANT=1.000000"),
-        (
-            "ELSEIF !KB_HIT THEN",
-            "ELSEIF_EVENT NO_TARGET KB_HIT=-1.000000 ARG_NONE=0.000000 LABEL=8.000000 CONSTANT=0.000000",
-        ),
-        ("ELSE", "ELSE NO_TARGET LABEL=9.000000 CONSTANT=0.000000"),
-        ("ENDIF", "ENDIF NO_TARGET"),
-        (
-            "WHILE INPOS_F1",
-            "WHILE_EVENT NO_TARGET INPOS_F1=1.000000 ARG_NONE=0.000000 LABEL=12.000000",
-        ),
-        ("WEND", "WEND NO_TARGET LABEL=10.000000"),
-        ("REPEAT", "REPEAT NO_TARGET"),
-        (
-            "UNTIL N >= -N",
-            "UNTIL_GE NO_TARGET VAR=1.000000 MINUS_VAR=1.000000 LABEL=12.000000",
-        ),
-        (
-            "FOR B = 1 TO N",
-            "FOR NO_TARGET VAR=2.000000 CONSTANT=1.000000 VAR=1.000000 LABEL=16.000000 CONSTANT=1.000000",
-        ),
-        ("NEXT", "NEXT NO_TARGET VAR=2.000000 LABEL=14.000000"),
-        (
-            "FOR B = N TO P.X STEP -2",
-            "FOR NO_TARGET VAR=2.000000 VAR=1.000000 POS_X=0.000000 LABEL=18.000000 CONSTANT=-2.000000",
-        ),
-        ("NEXT B", "NEXT NO_TARGET VAR=2.000000 LABEL=16.000000"),
-    ];
-    check(Robot::Titan8, &steps);
+    check(Robot::Titan8, BLOCKS);
 }
+
+const JUMPS: &[(&str, &str)] = &[
+    ("LOOP:", "LABEL_CMD NO_TARGET"),
+    (
+        "IF N <> B GOTO",
+        "IF_GOTO_NE NO_TARGET VAR=1.000000 VAR=2.000000 LABEL=5.000000",
+    ),
+    (
+        "IF SPECIAL_FLAG3 GOSUB S:",
+        "IF_GOSUB_EVENT NO_TARGET SPECIAL_FLAG3=1.000000 ARG_NONE=0.000000 LABEL=12.000000",
+    ),
+    (
+        "IF N < 2 GOTO LOOP:",
+        "IF_GOTO_LT NO_TARGET VAR=1.000000 CONSTANT=2.000000 LABEL=5.000000",
+    ),
+    ("GOSUB S:", "GOSUB NO_TARGET LABEL=12.000000"),
+    ("CALL S:", "CALL NO_TARGET LABEL=12.000000"),
+    ("GOTO LOOP:", "GOTO NO_TARGET LABEL=5.000000"),
+    ("SUBROUTINE S:", "SUBROUTINE NO_TARGET"),
+    ("RETURN", "RETURN NO_TARGET"),
+    (
+        "B = 1 // assigned somewhere",
+        "EQUAL NO_TARGET VAR=2.000000 CONSTANT=1.000000",
+    ),
+    ("SUBEND", "SUBEND NO_TARGET"),
+];
 
 // clauses: 9.4 7.20
 #[test]
 fn jumps() {
-    let steps = [
-        ("LOOP:", "LABEL_CMD NO_TARGET"),
-        (
-            "IF N <> B GOTO",
-            "IF_GOTO_NE NO_TARGET VAR=1.000000 VAR=2.000000 LABEL=5.000000",
-        ),
-        (
-            "IF SPECIAL_FLAG3 GOSUB S:",
-            "IF_GOSUB_EVENT NO_TARGET SPECIAL_FLAG3=1.000000 ARG_NONE=0.000000 LABEL=12.000000",
-        ),
-        (
-            "IF N < 2 GOTO LOOP:",
-            "IF_GOTO_LT NO_TARGET VAR=1.000000 CONSTANT=2.000000 LABEL=5.000000",
-        ),
-        ("GOSUB S:", "GOSUB NO_TARGET LABEL=12.000000"),
-        ("CALL S:", "CALL NO_TARGET LABEL=12.000000"),
-        ("GOTO LOOP:", "GOTO NO_TARGET LABEL=5.000000"),
-        ("SUBROUTINE S:", "SUBROUTINE NO_TARGET"),
-        ("RETURN", "RETURN NO_TARGET"),
-        (
-            "B = 1 // assigned somewhere",
-            "EQUAL NO_TARGET VAR=2.000000 CONSTANT=1.000000",
-        ),
-        ("SUBEND", "SUBEND NO_TARGET"),
-    ];
-    check(Robot::Titan8, &steps);
+    check(Robot::Titan8, JUMPS);
 }
 
 // clauses: 9.3
