@@ -12,7 +12,7 @@ mod statics;
 
 pub use chain::Chain;
 pub use inverse::inverse;
-pub use resolved_rate::{Point, resolve};
+pub use resolved_rate::{Point, nearest, resolve};
 pub use search::search;
 
 use crate::model::Leg;

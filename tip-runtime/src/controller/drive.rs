@@ -2,9 +2,11 @@
 
 mod advance;
 mod law;
+mod reach;
 
-pub(super) use advance::{Going, name, reach};
+pub(super) use advance::Going;
 pub(super) use law::bounded;
+pub(super) use reach::{name, nearest_place, reach};
 
 use super::trajectory::{Goal, Track};
 use crate::hardware::JointCommand;

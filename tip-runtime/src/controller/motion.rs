@@ -1,6 +1,6 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
-use super::drive::{Drive, THIRD, name, reach};
+use super::drive::{Drive, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
 use super::trajectory::{Goal, Track};
 use super::{Controller, targets};
@@ -25,7 +25,9 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let limits = targets::leg(&self.params.feet, n)?.limits();
         let stop = base == Base::Target && is_zero(values);
         let target = if stop {
-            track.rest_point(limits)
+            let angles = &targets::leg(&self.drives, n)?.angles;
+            let rest = track.rest_point(limits);
+            nearest_place(self.model.inverse, leg, point, angles, rest)
         } else {
             let from = match base {
                 Base::Operand => self.measured_point(n, point)?,

@@ -20,6 +20,17 @@ pub enum Point {
     Joint(usize),
 }
 
+impl Point {
+    /// How many joints of a leg of `joints`, from its base, move it.
+    #[must_use]
+    pub const fn moved_by(self, joints: usize) -> usize {
+        match self {
+            Point::Tip => joints,
+            Point::Joint(m) => m,
+        }
+    }
+}
+
 /// A gap that counts as closed: mm.
 const CLOSED: f64 = 1e-9;
 
@@ -43,20 +54,33 @@ pub fn resolve<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
+    let angles = nearest(leg, from, point, target, axes)?;
+    let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
+    (left.norm() <= LEFT_OVER).then_some(angles)
+}
+
+/// As [`resolve`], but as near to the target as the leg comes from there.
+#[must_use]
+pub fn nearest<const J: usize>(
+    leg: &Leg<J>,
+    from: &[f64; J],
+    point: Point,
+    target: [f64; 3],
+    axes: Axes,
+) -> Option<[f64; J]> {
     let mut angles = *from;
     for _ in 0..TURNS {
         let chain = Chain::new(leg, &angles);
         let gap = gap(&chain, point, target, axes)?;
         if gap.norm() <= CLOSED {
-            return Some(angles);
+            break;
         }
         let jacobian = rows_that_count(chain.point_jacobian(point)?, axes);
         let turns = turns_within_limits(leg, from, &angles, |free| turns(&jacobian, free, &gap))?;
         turn(&mut angles, &turns);
         clamp(leg, from, &mut angles);
     }
-    let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
-    (left.norm() <= LEFT_OVER).then_some(angles)
+    Some(angles)
 }
 
 fn gap<const J: usize>(

@@ -32,10 +32,7 @@ impl<const J: usize> Chain<J> {
     ) -> Option<[f64; 3]> {
         let jacobian = rows_that_count(self.point_jacobian(point)?, axes);
         let torques = SVector::<f64, J>::from(*torques) * MILLIMETRES_PER_METRE;
-        let moved_by = match point {
-            Point::Tip => J,
-            Point::Joint(m) => m,
-        };
+        let moved_by = point.moved_by(J);
         if moved_by < axes.iter().filter(|counts| **counts).count() {
             of_few_joints(&jacobian, &torques, moved_by)
         } else {

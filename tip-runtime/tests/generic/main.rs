@@ -2,4 +2,6 @@
 #![cfg(feature = "control")]
 
 mod inverse;
+mod machine;
+mod program;
 mod shapes;

@@ -1,13 +1,13 @@
 //! One sampling time of a leg: set points move on, and joint commands follow from them.
 
 use super::law::{bounded, spring};
+use super::reach::{follow, name};
 use super::{Drive, LegDrive, THIRD};
-use crate::command::Target;
 use crate::controller::params::{FootParams, JointParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
 use crate::fault::Fault;
-use crate::kinematics::{self, Chain, Point, ROUNDING};
+use crate::kinematics::{Chain, Point, ROUNDING};
 use crate::model::{Inverse, Joint, Leg};
 
 /// What holds while a leg moves on.
@@ -142,19 +142,16 @@ impl<const J: usize> LegDrive<J> {
         }
         let before = *track;
         track.advance(going.foot.limits(), going.dt, going.held);
-        match reach(
+        match follow(
             going.inverse,
             leg,
             (point, going.number),
             &self.angles,
-            track.position(),
+            track,
         ) {
             Ok(angles) => {
-                let moved = match point {
-                    Point::Tip => J,
-                    Point::Joint(m) => m,
-                };
-                for (angle, new) in self.angles.iter_mut().zip(angles).take(moved) {
+                let moving = self.angles.iter_mut().zip(angles);
+                for (angle, new) in moving.take(point.moved_by(J)) {
                     *angle = new;
                 }
                 Ok(())
@@ -193,13 +190,9 @@ impl<const J: usize> LegDrive<J> {
         let Some(torques) = chain.torques_of_force(point, force) else {
             return;
         };
-        let moved = match point {
-            Point::Tip => J,
-            Point::Joint(m) => m,
-        };
         let data = leg.joints.iter().zip(going.joints).zip(going.measured);
         for (m, (torque, ((joint, params), measured))) in
-            torques.iter().zip(data).enumerate().take(moved)
+            torques.iter().zip(data).enumerate().take(point.moved_by(J))
         {
             let torque = torque * going.torque_unit;
             self.push(m, torque, *measured, (joint, params), going);
@@ -229,38 +222,5 @@ impl<const J: usize> LegDrive<J> {
         } else {
             *slot = Some(torque);
         }
-    }
-}
-
-/// What the language calls a point of leg `n`.
-pub(in crate::controller) fn name(point: Point, n: u8) -> Target {
-    match point {
-        Point::Tip => Target::Foot(n),
-        Point::Joint(m) => Target::Joint(n, number(m)),
-    }
-}
-
-/// The joint angles that put a point of leg `n` at `position`, starting from the angles `from`.
-///
-/// # Errors
-/// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
-pub(in crate::controller) fn reach<const J: usize>(
-    inverse: Inverse,
-    leg: &Leg<J>,
-    (point, n): (Point, u8),
-    from: &[f64; J],
-    position: [f64; 3],
-) -> Result<[f64; J], Fault> {
-    let out_of_reach = Fault::OutOfReach(name(point, n));
-    if inverse != Inverse::YawPitchPitch {
-        return kinematics::resolve(leg, from, point, position, inverse.axes()).ok_or(out_of_reach);
-    }
-    if point != Point::Tip {
-        return Err(out_of_reach);
-    }
-    let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
-    match kinematics::first_beyond_limits(leg, &angles) {
-        None => Ok(angles),
-        Some(m) => Err(Fault::JointLimit(n, number(m))),
     }
 }

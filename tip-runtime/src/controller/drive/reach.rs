@@ -1,0 +1,86 @@
+//! What a leg can reach.
+
+use crate::command::Target;
+use crate::controller::targets::number;
+use crate::controller::trajectory::Track;
+use crate::fault::Fault;
+use crate::kinematics::{self, Chain, Point};
+use crate::model::{Inverse, Leg};
+
+/// What the language calls a point of leg `n`.
+pub(in crate::controller) fn name(point: Point, n: u8) -> Target {
+    match point {
+        Point::Tip => Target::Foot(n),
+        Point::Joint(m) => Target::Joint(n, number(m)),
+    }
+}
+
+/// The joint angles that put a point of leg `n` at `position`, starting from the angles `from`.
+///
+/// # Errors
+/// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
+pub(in crate::controller) fn reach<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    (point, n): (Point, u8),
+    from: &[f64; J],
+    position: [f64; 3],
+) -> Result<[f64; J], Fault> {
+    let out_of_reach = Fault::OutOfReach(name(point, n));
+    if inverse != Inverse::YawPitchPitch {
+        return kinematics::resolve(leg, from, point, position, inverse.axes()).ok_or(out_of_reach);
+    }
+    if point != Point::Tip {
+        return Err(out_of_reach);
+    }
+    let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
+    match kinematics::first_beyond_limits(leg, &angles) {
+        None => Ok(angles),
+        Some(m) => Err(Fault::JointLimit(n, number(m))),
+    }
+}
+
+/// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
+/// before it for every direction goes along the line or surface that it has: as near to a set point on
+/// its way as it comes, and all the way to the target.
+///
+/// # Errors
+/// As [`reach`].
+pub(super) fn follow<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    (point, n): (Point, u8),
+    from: &[f64; J],
+    track: &Track<3>,
+) -> Result<[f64; J], Fault> {
+    let at = track.position();
+    let on_its_way = track.goal().target().is_some_and(|target| target != at);
+    if on_its_way && has_few_joints::<J>(inverse, point) {
+        let nearest = kinematics::nearest(leg, from, point, at, inverse.axes());
+        return nearest.ok_or(Fault::OutOfReach(name(point, n)));
+    }
+    reach(inverse, leg, (point, n), from, at)
+}
+
+/// The place nearest to `position` (mm) that a point with too few joints can come to; `position`
+/// itself for any other point.
+pub(in crate::controller) fn nearest_place<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    point: Point,
+    from: &[f64; J],
+    position: [f64; 3],
+) -> [f64; 3] {
+    if !has_few_joints::<J>(inverse, point) {
+        return position;
+    }
+    let angles = kinematics::nearest(leg, from, point, position, inverse.axes());
+    let place = angles.and_then(|angles| Chain::new(leg, &angles).point(point));
+    place.map_or(position, |place| inverse.flat(place))
+}
+
+/// Whether too few joints move a point for every direction that counts.
+fn has_few_joints<const J: usize>(inverse: Inverse, point: Point) -> bool {
+    let directions = inverse.axes().iter().filter(|counts| **counts).count();
+    point.moved_by(J) < directions
+}
