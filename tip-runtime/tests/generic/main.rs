@@ -5,3 +5,4 @@ mod inverse;
 mod machine;
 mod program;
 mod shapes;
+mod walking;

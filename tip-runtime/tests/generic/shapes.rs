@@ -101,6 +101,9 @@ const fn redundant(x: f64, y: f64) -> Leg<4> {
     Leg::at([100.0 * x, 100.0 * y, 0.0], joints).initial([0.0, 20.0, -10.0, -10.0])
 }
 
+/// Two legs of three joints.
+pub(crate) const BIPED: Model<2, 3> = walking("biped", 80.0, [leg(-1.0, 0.0), leg(1.0, 0.0)]);
+
 /// Six legs of three joints.
 pub(crate) const HEXAPOD: Model<6, 3> = walking(
     "hexapod",

@@ -24,6 +24,8 @@ pub(super) struct FallWatch {
     pub(super) count: u32,
     pub(super) first: Option<Fall>,
     falling: bool,
+    /// Whether the belly carried at the instant before.
+    lay: bool,
 }
 
 impl FallWatch {
@@ -34,12 +36,14 @@ impl FallWatch {
             count: 0,
             first: None,
             falling: false,
+            lay: true,
         }
     }
 
     /// Looks at one instant. The polygon is that of the feet that stand, judged in the robot frame:
     /// a body that tips follows the feet that were lifted, so being on the floor proves nothing.
-    /// The belly belongs to it as soon as it carries. `down` is the direction of gravity.
+    /// The belly belongs to it as soon as it carries; a body that comes to lie although its feet could
+    /// not have held it has tipped. `down` is the direction of gravity.
     pub(super) fn watch<const L: usize>(
         &mut self,
         points: &Contacts<Point, L>,
@@ -51,23 +55,30 @@ impl FallWatch {
         let heights = points.feet.iter().map(|foot| foot.z);
         let lowest = heights.fold(f64::INFINITY, f64::min);
         let feet = (points.feet.iter()).filter(|foot| foot.z <= lowest + self.lift);
-        let lies = loads.belly.iter().any(|load| *load > 0.0);
-        let belly = points.belly.iter().filter(|_| lies);
-        let polygon = feet.chain(belly).map(|point| [point.x, point.y]);
+        let feet = feet.map(|point| [point.x, point.y]);
         let fall = (lowest - centre.z) / down.z;
         let over = [centre.x + fall * down.x, centre.y + fall * down.y];
-        self.margin = polygon::margin(polygon, over);
-        self.count_fall(cycle, lies);
+        let on_feet = polygon::margin(feet.clone(), over);
+        let lies = loads.belly.iter().any(|load| *load > 0.0);
+        self.margin = if lies {
+            let belly = points.belly.iter().map(|point| [point.x, point.y]);
+            polygon::margin(feet.chain(belly), over)
+        } else {
+            on_feet
+        };
+        let came_to_lie = lies && !self.lay;
+        self.lay = lies;
+        let tips = self.margin < -TIPPING || (came_to_lie && on_feet < 0.0);
+        self.count_fall(cycle, tips, lies, on_feet);
     }
 
     /// A fall lasts until the body stands on its feet alone again.
-    fn count_fall(&mut self, cycle: u64, lies: bool) {
-        if self.margin >= -TIPPING {
+    fn count_fall(&mut self, cycle: u64, tips: bool, lies: bool, margin: f64) {
+        if !tips {
             self.falling &= lies;
         } else if !self.falling {
             self.falling = true;
             self.count += 1;
-            let margin = self.margin;
             self.first.get_or_insert(Fall { cycle, margin });
         }
     }

@@ -3,18 +3,39 @@
 /// The distance of `inner` to the nearest edge of the hull, negative outside. Points on one line
 /// have a hull without inside.
 pub(super) fn margin(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
-    let mut margin = f64::INFINITY;
-    let mut nearest = f64::INFINITY;
+    let mut inside = f64::INFINITY;
+    let mut outside = f64::INFINITY;
     for from in hull.clone() {
-        nearest = nearest.min(libm::hypot(inner[0] - from[0], inner[1] - from[1]));
         for to in hull.clone() {
+            outside = outside.min(distance(from, to, inner));
             let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
             if length > 0.0 && hull.clone().all(|point| side(from, to, point) >= -1e-6) {
-                margin = margin.min(side(from, to, inner) / length);
+                inside = inside.min(side(from, to, inner) / length);
             }
         }
     }
-    if margin.is_finite() { margin } else { -nearest }
+    if inside.is_finite() && inside > 0.0 {
+        inside
+    } else {
+        -outside
+    }
+}
+
+/// The distance of a point to the stretch between two others.
+fn distance(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
+    let (way, off) = (
+        [to[0] - from[0], to[1] - from[1]],
+        [point[0] - from[0], point[1] - from[1]],
+    );
+    let square = way[0] * way[0] + way[1] * way[1];
+    let share = if square > 0.0 {
+        ((way[0] * off[0] + way[1] * off[1]) / square)
+            .max(0.0)
+            .min(1.0)
+    } else {
+        0.0
+    };
+    libm::hypot(off[0] - share * way[0], off[1] - share * way[1])
 }
 
 /// Twice the area of a triangle; positive if `point` is on the left of the way.
@@ -44,11 +65,14 @@ mod tests {
         assert_eq!(margin_of(&SQUARE, [9.0, 4.0]), 1.0);
         assert_eq!(margin_of(&SQUARE, [5.0, 0.0]), 0.0);
         assert_eq!(margin_of(&SQUARE, [5.0, -3.0]), -3.0);
+        assert_eq!(margin_of(&SQUARE, [-3.0, -4.0]), -5.0);
     }
 
     #[test]
     fn lines_and_points_have_no_inside() {
         assert_eq!(margin_of(&[[0.0, 0.0], [0.0, 8.0]], [3.0, 4.0]), -3.0);
+        assert_eq!(margin_of(&[[0.0, 0.0], [0.0, 8.0]], [3.0, 12.0]), -5.0);
+        assert_eq!(margin_of(&[[0.0, 0.0], [0.0, 8.0]], [0.0, 20.0]), -12.0);
         assert_eq!(margin_of(&[[0.0, 0.0]], [3.0, 4.0]), -5.0);
     }
 }
