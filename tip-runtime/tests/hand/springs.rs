@@ -1,7 +1,7 @@
 //! Compliance: springs at joints and at points, their stiffness and limits.
 
 use crate::rig::{F1, Hand, J11, J12, J13, all_close, close, transposed};
-use tip_runtime::command::{Op, Target, Teach};
+use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::fault::Fault;
 
 const ALL: Target = Target::All;
@@ -45,6 +45,51 @@ fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
     for wrong in [0.0, -1.0] {
         let fault = rig.fault(Op::SetComplianceTorqueLimit, ALL, &[wrong]);
         assert_eq!(fault, Fault::Domain);
+    }
+}
+
+/// What F1 is told by the cycle in which a spring is set, with HS and without.
+fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
+    [true, false].map(|hs| {
+        let mut rig = Hand::new();
+        rig.idle(1);
+        let values: Vec<Value> = goal.iter().copied().map(Value::absolute).collect();
+        let values = &values;
+        let command = Command {
+            op,
+            hs,
+            target,
+            values,
+        };
+        assert_eq!(rig.controller.command(&command), Ok(Poll::Done));
+        rig.controller.advance();
+        rig.told(1)
+    })
+}
+
+// clauses: 7.11 7.12
+#[test]
+fn under_hs_a_set_point_is_at_full_speed_at_once() {
+    // In the 2 ms of a cycle it goes 90 deg/s · t, else 360 deg/s² · t² / 2, and strains 20 mN·m/deg.
+    let turns = [(Op::ComplianceAngle, -10.0), (Op::RelComplianceAngle, 30.0)];
+    for (op, goal) in turns {
+        let [fast, slow] = first_pulls(op, J11, &[goal]);
+        close(fast[0].expect("a torque"), 20.0 * 0.18, 1e-9);
+        close(slow[0].expect("a torque"), 20.0 * 0.00072, 1e-9);
+    }
+    // It goes 100 mm/s · t, else 400 mm/s² · t² / 2, and strains 0.1 N/mm.
+    let hand = Hand::new();
+    let [x, y, _] = hand.tip(1);
+    let moves = [
+        (Op::CompliancePosition, [x + 30.0, y, 0.0]),
+        (Op::RelCompliancePosition, [30.0, 0.0, 0.0]),
+    ];
+    for (op, goal) in moves {
+        let pulls = first_pulls(op, F1, &goal);
+        for (told, way) in pulls.iter().zip([0.2, 0.0008]) {
+            let expected = transposed(&hand.chain(1), [0.1 * way, 0.0, 0.0]);
+            all_close(told.map(|torque| torque.expect("a torque")), expected, 1e-9);
+        }
     }
 }
 
