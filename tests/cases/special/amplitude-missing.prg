@@ -1,0 +1,4 @@
+3.1
+Amplitude missing
+SPECIAL 11 0
+END

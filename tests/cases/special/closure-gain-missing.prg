@@ -1,0 +1,4 @@
+3.1
+Closure gain missing
+SPECIAL 5
+END

@@ -1,0 +1,9 @@
+3.1
+Active force closure
+SPECIAL 5 1
+SPECIAL 6 1 -5
+SPECIAL 5 0 0
+SPECIAL 6 0 0
+SPECIAL 5 1 2.5
+SPECIAL 6 1 -5
+END

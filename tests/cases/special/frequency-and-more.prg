@@ -1,0 +1,5 @@
+3.1
+Frequency and more
+SPECIAL 14 30
+SPECIAL 14 30 1
+END

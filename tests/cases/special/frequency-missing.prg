@@ -1,0 +1,4 @@
+3.1
+Frequency missing
+SPECIAL 16
+END

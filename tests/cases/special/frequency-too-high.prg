@@ -1,0 +1,5 @@
+3.1
+Frequency too high
+SPECIAL 14 60
+SPECIAL 14 60.5
+END

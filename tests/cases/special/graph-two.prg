@@ -1,0 +1,5 @@
+3.1
+Graph two
+SPECIAL 20 1 1
+SPECIAL 20 2 1
+END

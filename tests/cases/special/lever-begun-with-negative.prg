@@ -1,0 +1,4 @@
+3.1
+Lever begun with a negative stiffness
+SPECIAL 1 -2
+END

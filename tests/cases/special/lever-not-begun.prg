@@ -1,0 +1,4 @@
+3.1
+Lever not begun
+SPECIAL 2 2
+END

@@ -1,0 +1,5 @@
+3.1
+Mode eight
+SPECIAL 11 0 0
+SPECIAL 11 8 2
+END

@@ -1,0 +1,5 @@
+3.1
+Mode fractional
+SPECIAL 12 1.0 2
+SPECIAL 12 1.5 2
+END

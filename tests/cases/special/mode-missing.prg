@@ -1,0 +1,4 @@
+3.1
+Mode missing
+SPECIAL 12
+END

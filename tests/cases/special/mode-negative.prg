@@ -1,0 +1,5 @@
+3.1
+Mode negative
+SPECIAL 13 0 0
+SPECIAL 13 -1 2
+END

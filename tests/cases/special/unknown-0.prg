@@ -1,0 +1,4 @@
+3.1
+Unknown 0
+SPECIAL 0
+END

@@ -1,0 +1,4 @@
+3.1
+Unknown 17
+SPECIAL 17 1
+END

@@ -1,0 +1,4 @@
+3.1
+Unknown 21
+SPECIAL 21 1
+END

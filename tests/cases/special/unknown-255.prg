@@ -1,0 +1,4 @@
+3.1
+Unknown 255
+SPECIAL 255 1
+END

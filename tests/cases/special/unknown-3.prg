@@ -1,0 +1,4 @@
+3.1
+Unknown 3
+SPECIAL 3 1
+END

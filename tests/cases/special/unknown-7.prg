@@ -1,0 +1,4 @@
+3.1
+Unknown 7
+SPECIAL 7 1
+END
