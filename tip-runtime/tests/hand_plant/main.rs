@@ -7,3 +7,4 @@ mod objects;
 mod rig;
 mod robustness;
 mod statics;
+mod vibration;
