@@ -29,9 +29,7 @@ fn distance(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     );
     let square = way[0] * way[0] + way[1] * way[1];
     let share = if square > 0.0 {
-        ((way[0] * off[0] + way[1] * off[1]) / square)
-            .max(0.0)
-            .min(1.0)
+        ((way[0] * off[0] + way[1] * off[1]) / square).clamp(0.0, 1.0)
     } else {
         0.0
     };
