@@ -41,7 +41,7 @@ fn grasp<const L: usize, const J: usize>(
     model: &Model<L, J>,
     settings: &Settings,
 ) -> Result<String, String> {
-    let plant = SimulatedHand::new(model);
+    let plant = SimulatedHand::new(model).with_scene(&settings.scene);
     run_on(program, model, plant, HandSpecials::new(), settings)
 }
 

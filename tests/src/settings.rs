@@ -1,5 +1,6 @@
 //! What happens around a program while it runs: the options of the command line, as a case's header has them.
 
+use tip_runtime::plant::Scene;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -16,6 +17,8 @@ pub struct Settings {
     pub halt: Option<u64>,
     /// Inputs by name, their volts, and the cycle from which they read so.
     pub sensors: Vec<(String, f64, u64)>,
+    /// What stands around the robot.
+    pub scene: Scene,
 }
 
 impl Settings {
@@ -43,6 +46,7 @@ impl Settings {
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
                 "--cycles" => value.parse().ok().map(|n| self.cycles = Some(n)),
+                "--scene" => Scene::by_name(value).map(|scene| self.scene = scene),
                 "--halt" => value.parse().ok().map(|n| self.halt = Some(n)),
                 "--keys" => keys(value).map(|keys| self.keys.extend(keys)),
                 "--sensor" => sensor(value).map(|sensor| self.sensors.push(sensor)),
@@ -92,13 +96,14 @@ mod tests {
     #[test]
     fn every_option_is_read() {
         let header = "# clauses: 2.4\n# args: --robot generic --keys 3:a,4:0x1B --halt 5 --cycles 100\n\
-            # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis\n{\"end\":\"END\"}\n# args: --no\n";
+            # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis --scene cylinder\n{\"end\":\"END\"}\n# args: --no\n";
         let settings = Settings::of_header(header).unwrap();
         assert_eq!(settings.load.robot, Robot::Generic);
         assert_eq!(settings.load.tip_version, 2.5);
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
         assert_eq!(settings.keys, [(3, b'a'), (4, 0x1B)]);
         assert_eq!((settings.halt, settings.cycles), (Some(5), Some(100)));
+        assert_eq!(settings.scene, Scene::CYLINDER);
         assert_eq!(settings.sensors, [("VR1".to_owned(), 8.0, 3)]);
     }
 
@@ -110,6 +115,7 @@ mod tests {
             "--speed 3",
             "--keys 3",
             "--sensor VR1=8",
+            "--scene moon",
         ] {
             assert!(
                 Settings::of_header(&format!("# args: {args}")).is_err(),

@@ -9,6 +9,7 @@ mod migrate;
 mod output;
 mod report;
 mod run;
+mod scene;
 mod script;
 
 use arguments::{Arguments, Verb};

@@ -12,11 +12,12 @@ const LIGHTEST: f64 = 0.01;
 /// Smaller objects would slip through contacts: mm.
 const SMALLEST: f64 = 2.0;
 
-/// The outline of an object in the x–y plane; along z it is as wide as the hand.
+/// The outline of an object in the x–y plane; along z it is as wide as the hand. A cylinder that
+/// stands upright shows the outline of a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A cylinder that lies along z.
-    Cylinder {
+    Disc {
         /// mm.
         radius: f64,
     },
@@ -66,13 +67,21 @@ impl Scene {
         objects: [None; OBJECTS],
     };
 
-    /// A cylinder of 20 mm radius and 50 g that stands on the floor under the middle of the palm.
+    /// A cylinder that stands upright under the middle of the palm: 200 mm across, 60 mm high, 0.6 kg,
+    /// as rough as rubber (1.5).
+    ///
+    /// Fingers in their initial posture nearly touch it. Equal torques in all joints push a fingertip
+    /// along a line that is parallel to the straight finger above it, 50 deg upwards, and only so
+    /// rough a side does not let it slip.
     pub const CYLINDER: Self = {
         let mut scene = Scene::EMPTY;
         scene.objects[0] = Some(Object {
-            shape: Shape::Cylinder { radius: 20.0 },
-            mass: 0.05,
-            friction: 0.5,
+            shape: Shape::Box {
+                width: 200.0,
+                height: 60.0,
+            },
+            mass: 0.6,
+            friction: 1.5,
             x: 0.0,
             y: None,
             angle: 0.0,
@@ -104,7 +113,7 @@ impl Object {
     /// What is wrong with it.
     pub fn check(&self) -> Result<(), SceneError> {
         let sizes = match self.shape {
-            Shape::Cylinder { radius } => [radius, radius],
+            Shape::Disc { radius } => [radius, radius],
             Shape::Box { width, height } => [width, height],
         };
         let large = |size: &f64| size.is_finite() && *size >= SMALLEST;
@@ -120,6 +129,12 @@ impl Object {
         } else {
             Ok(())
         }
+    }
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Scene::EMPTY
     }
 }
 

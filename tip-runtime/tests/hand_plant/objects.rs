@@ -5,8 +5,8 @@ use tip_runtime::plant::{Floor, Object, Scene, SceneError, Shape};
 
 const G: f64 = 9.80665;
 
-const CYLINDER: Object = Object {
-    shape: Shape::Cylinder { radius: 20.0 },
+const DISC: Object = Object {
+    shape: Shape::Disc { radius: 20.0 },
     mass: 0.05,
     friction: 0.5,
     x: 0.0,
@@ -19,7 +19,7 @@ const BOX: Object = Object {
         width: 40.0,
         height: 30.0,
     },
-    ..CYLINDER
+    ..DISC
 };
 
 fn with(objects: &[Object]) -> Scene {
@@ -41,7 +41,7 @@ fn on_slope(rise: f64, object: Object) -> Scene {
 
 #[test]
 fn objects_stand_on_the_floor_by_themselves() {
-    for (thing, height) in [(CYLINDER, 20.0), (BOX, 15.0)] {
+    for (thing, height) in [(DISC, 20.0), (BOX, 15.0)] {
         let mut plant = over(&with(&[thing]));
         close(object(&plant).position[1], -130.0 + height, 1e-9);
         write(&mut plant, &outputs(held()), cycles(0.5));
@@ -104,13 +104,10 @@ fn a_box_slides_down_a_slope_as_friction_lets_it() {
 }
 
 #[test]
-fn a_cylinder_rolls_down_a_slope_and_slides_where_friction_is_small() {
+fn a_disc_rolls_down_a_slope_and_slides_where_friction_is_small() {
     for (friction, slides) in [(0.5, false), (0.05, true)] {
-        let cylinder = Object {
-            friction,
-            ..CYLINDER
-        };
-        let mut plant = over(&on_slope(0.3, cylinder));
+        let disc = Object { friction, ..DISC };
+        let mut plant = over(&on_slope(0.3, disc));
         write(&mut plant, &outputs(held()), cycles(0.1));
         let before = object(&plant);
         write(&mut plant, &outputs(held()), cycles(0.1));
@@ -143,8 +140,8 @@ fn objects_rest_on_each_other() {
     for scene in [
         with(&[BOX, above(BOX, -85.0)]),
         with(&[above(BOX, -85.0), BOX]),
-        with(&[BOX, above(CYLINDER, -80.0)]),
-        with(&[above(CYLINDER, -80.0), BOX]),
+        with(&[BOX, above(DISC, -80.0)]),
+        with(&[above(DISC, -80.0), BOX]),
     ] {
         let mut plant = over(&scene);
         let before = plant.objects();
@@ -156,14 +153,8 @@ fn objects_rest_on_each_other() {
             close(now.velocity[1], 0.0, 0.01);
         }
     }
-    // Cylinders side by side push each other apart.
-    let mut plant = over(&with(&[
-        CYLINDER,
-        Object {
-            x: 39.0,
-            ..CYLINDER
-        },
-    ]));
+    // Discs side by side push each other apart.
+    let mut plant = over(&with(&[DISC, Object { x: 39.0, ..DISC }]));
     write(&mut plant, &outputs(held()), cycles(0.1));
     let [first, second, ..] = plant
         .objects()
@@ -200,7 +191,7 @@ fn energy_is_never_gained() {
 #[test]
 fn what_cannot_be_simulated_is_refused() {
     let refused = |object: Object| Scene::EMPTY.with_object(object).expect_err("it is bad");
-    let small = Shape::Cylinder { radius: 1.0 };
+    let small = Shape::Disc { radius: 1.0 };
     assert_eq!(
         refused(Object {
             shape: small,

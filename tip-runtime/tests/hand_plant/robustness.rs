@@ -91,9 +91,8 @@ fn a_squeezed_object_is_not_passed_through() {
         hardest = hardest.max(plant.fingertips()[0].on_objects[0]);
         let at = object(&plant).position;
         for tip in plant.fingertips() {
-            let [x, y, _] = tip.position;
-            // 1 N·m at 60 mm is 17 N, 3.3 mm of a contact; thrice that when it strikes.
-            assert!((x - at[0]).hypot(y - at[1]) > 10.0);
+            // 1 N·m at 120 mm is 8 N, 1.7 mm of a contact; thrice that when it strikes.
+            assert!((tip.position[0] - at[0]).abs() > 95.0);
         }
     }
     assert!(hardest > 5.0, "{hardest} N");
@@ -138,7 +137,7 @@ fn the_palm_feels_what_reaches_it() {
 #[test]
 fn things_go_on_falling_in_an_emergency() {
     let falling = Object {
-        y: Some(-90.0),
+        y: Some(-80.0),
         ..Scene::CYLINDER.objects[0].expect("a cylinder")
     };
     let mut plant = over(&Scene::EMPTY.with_object(falling).expect("a good object"));
@@ -146,7 +145,8 @@ fn things_go_on_falling_in_an_emergency() {
     for _ in 0..cycles(1.0) {
         plant.stop(&Fault::EmergencyKey);
     }
-    close(object(&plant).position[1], -110.0, 0.2);
+    // 5.9 N on two contacts of 5 N/mm.
+    close(object(&plant).position[1], -100.59, 0.01);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The command line, and the help that teaches it.
 
+use super::scene::SceneChoice;
 use super::script::{Keys, Sensor};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -97,6 +98,7 @@ pub(super) struct Check {
   tipc run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
   tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
   tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tipc run --robot hand grasp.prg --scene cylinder
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
 
 One cycle is one step of the program: 20 ms of the robot's time unless the program sets another
@@ -135,6 +137,10 @@ pub(super) struct Run {
     /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     pub(super) sensors: Vec<Sensor>,
+
+    /// What stands around the robot: cylinder, an object to grasp under a hand
+    #[arg(long, value_name = "NAME")]
+    pub(super) scene: Option<SceneChoice>,
 
     /// Write the log files of the language into this folder
     #[arg(long, value_name = "DIR")]

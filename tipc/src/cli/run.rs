@@ -11,7 +11,7 @@ mod trace;
 use super::arguments::{RobotName, Run};
 use super::error::Error;
 use super::script::Sensor;
-use super::{Status, input, report};
+use super::{Status, input, report, scene};
 use emergency::describe;
 use progress::Progress;
 use screen::Screen;
@@ -41,9 +41,11 @@ fn walk<const L: usize, const J: usize>(
     model: &Model<L, J>,
     arguments: &Run,
 ) -> Result<Status, Error> {
+    let scene = scene::load(arguments.scene.as_ref());
+    let floor = scene::floor(&scene, model.name)?;
     let robot = Simulated {
         model,
-        plant: SimulatedPlant::new(model),
+        plant: SimulatedPlant::new(model).with_floor(floor),
         special: (),
     };
     run_on(robot, arguments)
@@ -54,9 +56,10 @@ fn grasp<const L: usize, const J: usize>(
     model: &Model<L, J>,
     arguments: &Run,
 ) -> Result<Status, Error> {
+    let scene = scene::load(arguments.scene.as_ref());
     let robot = Simulated {
         model,
-        plant: SimulatedHand::new(model),
+        plant: SimulatedHand::new(model).with_scene(&scene),
         special: HandSpecials::new(),
     };
     run_on(robot, arguments)

@@ -121,6 +121,23 @@ fn the_generic_robot_and_the_hand_run() {
 }
 
 #[test]
+fn a_scene_has_objects_for_a_hand_only() {
+    let weigh = "DEF_VAR TORQUE1\nSLEEP 500\nTORQUE F1 60 60 60\nSLEEP 1000\nTEACH_TORQUE J13 TORQUE1\nMESSAGE %TORQUE1%\nEND";
+    let folder = Folder::new("run-scene").program("p.prg", weigh);
+    let hand = ["run", "--robot", "hand", "p.prg", "--scene"];
+    // Without an object the finger closes until it is at its limit.
+    folder.tipc(&hand[..4]).expect(3);
+    let held = folder.tipc(&[&hand[..], &["cylinder"]].concat()).expect(0);
+    assert!(held.out.contains("60"), "{held:#?}");
+    let refused = folder.tipc(&[&hand[..], &["moon"]].concat()).expect(2);
+    assert!(refused.err.contains("cylinder"), "{refused:#?}");
+    let refused = folder
+        .tipc(&["run", "p.prg", "--robot", "generic", "--scene", "cylinder"])
+        .expect(2);
+    assert!(refused.err.contains("--robot hand"), "{refused:#?}");
+}
+
+#[test]
 fn a_program_that_does_not_load_does_not_run() {
     let folder = Folder::new("run-bad").program("bad.prg", "FOO\nEND");
     let outcome = folder

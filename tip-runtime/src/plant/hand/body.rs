@@ -47,7 +47,7 @@ impl Body {
     pub(super) fn new(object: &Object) -> Self {
         let mass = object.mass;
         let (outline, inertia) = match object.shape {
-            Shape::Cylinder { radius } => {
+            Shape::Disc { radius } => {
                 let radius = radius / 1000.0;
                 (Outline::Disc(radius), mass * radius * radius / 2.0)
             }
