@@ -28,6 +28,7 @@ pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
 pub(crate) use names::is_reserved;
 pub(crate) use resolve::Resolved;
+pub(crate) use usage::ReadPlace;
 
 /// What the passes found out about a module, statement by statement.
 #[derive(Debug)]
@@ -42,6 +43,8 @@ pub(crate) struct Checked {
     pub(crate) jumps: Vec<Option<usize>>,
     /// What the operands of each statement stand for.
     pub(crate) resolved: Vec<Resolved>,
+    /// Where variables are read, in the order of the source.
+    pub(crate) reads: Vec<ReadPlace>,
 }
 
 /// Runs every pass over a module.
@@ -60,6 +63,7 @@ pub(crate) fn check(source: &Source, module: &Module, robot: Robot) -> (Checked,
         blocks,
         jumps,
         resolved,
+        reads: usage.into_reads(),
     };
     (checked, found)
 }

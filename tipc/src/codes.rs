@@ -98,6 +98,10 @@ codes! {
     RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above";
     /// A constant that its command refuses at run time.
     OutOfRange "W107" None, "this constant is out of range and stops the program when it runs";
+    /// A read that no way to it assigns a value for.
+    Unassigned "W108" None, "variable \"{}\" is read before it is assigned";
+    /// A read that some way to it assigns no value for.
+    PerhapsUnassigned "W109" None, "variable \"{}\" may be read before it is assigned";
 }
 
 impl Code {

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+pub mod analysis;
 mod check;
 pub mod codes;
 pub mod commands;
@@ -24,6 +25,7 @@ pub mod program;
 mod robot;
 pub mod source;
 pub mod syntax;
+mod warn;
 
 #[cfg(feature = "build")]
 pub use generate::{BuildError, Config, compile};

@@ -8,6 +8,7 @@ use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source};
+use crate::warn::warnings;
 
 /// What a program is read and checked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,12 +60,17 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let program = if wrong_version {
         None
     } else {
-        let (checked, found) = check(&source, &module, options.robot);
+        let (mut checked, found) = check(&source, &module, options.robot);
         diagnostics.extend(found);
         let loads = diagnostics
             .iter()
             .all(|diagnostic| diagnostic.level() == Level::Warning);
-        loads.then(|| lower(&source, &module, checked, options.robot))
+        loads.then(|| {
+            let reads = std::mem::take(&mut checked.reads);
+            let program = lower(&source, &module, checked, options.robot);
+            diagnostics.extend(warnings(&source, &module, &reads, &program));
+            program
+        })
     };
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
     // One mistake is told once, however many passes stumble over it.

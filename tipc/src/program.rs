@@ -77,6 +77,12 @@ impl Program {
     pub fn scalar_index(&self, scalar: Scalar) -> usize {
         self.variables[scalar.variable].first + scalar.member
     }
+
+    /// The variable that holds the scalar at a place among all scalars.
+    pub fn variable_of(&self, scalar: usize) -> VariableId {
+        let holds_it_or_earlier = |variable: &Variable| variable.first <= scalar;
+        self.variables.partition_point(holds_it_or_earlier) - 1
+    }
 }
 
 /// A variable.

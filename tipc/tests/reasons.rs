@@ -77,8 +77,8 @@ fn forbidden_jumps_show_the_block_and_the_label() {
     );
     assert_eq!(shown("GOTO S:\nSUBROUTINE S:\nSUBEND"), [3, 4]);
     assert_eq!(
-        shown("DEF_VAR I\nGOTO L1:\nFOR I = 1 TO 2\nL1:\nNEXT"),
-        [4, 5, 6]
+        shown("DEF_VAR I\nI = 1\nGOTO L1:\nFOR I = 1 TO 2\nL1:\nNEXT"),
+        [5, 6, 7]
     );
 }
 

@@ -4,8 +4,8 @@ DEF_VAR V
 DEF_POS P
 DEF_JOINT Q
 V = 1
-P.X = V
-Q.J1 = P.X
+P.X = V; P.Y = V; P.Z = V
+Q.J1 = P.X; Q.J2 = V; Q.J3 = V
 V = Q.J1
 SET_JUST_ANGLE F1 1 2 3
 SET_JUST_ANGLE F1 Q

@@ -5,8 +5,8 @@ DEF_POS P
 DEF_JOINT Q
 V = 1
 W = V
-P.X = 1
-Q.J1 = 1
+P.X = 1; P.Y = 1; P.Z = 1
+Q.J1 = 1; Q.J2 = 1; Q.J3 = 1
 SLEEP -1
 SLEEP 0
 SET_A_MAX F1 -0.1

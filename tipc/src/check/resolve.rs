@@ -47,7 +47,9 @@ pub(crate) fn statements(
     let resolved = module
         .statements
         .iter()
-        .map(|statement| {
+        .enumerate()
+        .map(|(index, statement)| {
+            resolver.usage.enter(index);
             let resolved = resolver.statement(statement);
             if resolved == Some(Resolved::Failed) || resolved.is_none() {
                 resolver.excuse(source.slice(statement.span));

@@ -6,9 +6,24 @@ use crate::diagnostic::Diagnostic;
 use crate::program::VariableId;
 use crate::syntax::{Span, VariableKind};
 
+/// Where a statement reads a variable.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ReadPlace {
+    /// The statement.
+    pub(crate) statement: usize,
+    /// The variable.
+    pub(crate) variable: VariableId,
+    /// The operand that names it.
+    pub(crate) place: Span,
+}
+
 /// What a program does with its variables.
 #[derive(Debug)]
 pub(crate) struct Usage {
+    /// The statement that is being looked at.
+    statement: usize,
+    /// In the order of the source.
+    reads: Vec<ReadPlace>,
     first_read: Vec<Option<Span>>,
     assigned: Vec<bool>,
     /// A broken statement names the variable: nothing can be said of it.
@@ -20,6 +35,8 @@ pub(crate) struct Usage {
 impl Usage {
     pub(crate) fn new(variables: usize) -> Self {
         Usage {
+            statement: 0,
+            reads: Vec::new(),
             first_read: vec![None; variables],
             assigned: vec![false; variables],
             excused: vec![false; variables],
@@ -27,8 +44,18 @@ impl Usage {
         }
     }
 
+    /// What follows is about this statement.
+    pub(crate) fn enter(&mut self, statement: usize) {
+        self.statement = statement;
+    }
+
     /// Something reads the variable here.
     pub(crate) fn read(&mut self, variable: VariableId, place: Span) {
+        self.reads.push(ReadPlace {
+            statement: self.statement,
+            variable,
+            place,
+        });
         self.first_read[variable].get_or_insert(place);
     }
 
@@ -45,6 +72,11 @@ impl Usage {
     /// OUTPUT_VARIABLES writes every variable to a file.
     pub(crate) fn dump(&mut self) {
         self.dumped = true;
+    }
+
+    /// Every read, in the order of the source.
+    pub(crate) fn into_reads(self) -> Vec<ReadPlace> {
+        self.reads
     }
 
     /// Reports reads that nothing assigned, and variables that serve nothing.

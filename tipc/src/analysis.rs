@@ -1,0 +1,5 @@
+//! Facts about a [`Program`](crate::program::Program), found without running it and without changing it.
+
+mod access;
+pub mod assignment;
+mod flow;

@@ -1,0 +1,169 @@
+//! The scalars that a step reads and assigns, as places among all scalars.
+
+use crate::program::{
+    Action, Condition, MessagePart, Operand, Program, Scalar, ScalarExpression, StructExpression,
+    VariableId,
+};
+use std::ops::Range;
+
+/// The scalars that a step reads, in the order of reading; one may come twice.
+pub(super) fn reads(program: &Program, action: &Action) -> Vec<usize> {
+    let mut reads = Reads {
+        program,
+        found: Vec::new(),
+    };
+    reads.action(action);
+    reads.found
+}
+
+/// The scalars that have a value once the step is done: neighbours.
+pub(super) fn assigns(program: &Program, action: &Action) -> Range<usize> {
+    match action {
+        Action::SetScalar { target: into, .. }
+        | Action::For { variable: into, .. }
+        | Action::Next { variable: into, .. }
+        | Action::TeachScalar { into, .. }
+        | Action::AdIn { into, .. }
+        | Action::KeyIn { into } => {
+            let scalar = program.scalar_index(*into);
+            scalar..scalar + 1
+        }
+        Action::SetStruct { target: into, .. } | Action::TeachStruct { into, .. } => {
+            members(program, *into)
+        }
+        Action::Nothing
+        | Action::If { .. }
+        | Action::ElseIf { .. }
+        | Action::Else { .. }
+        | Action::While { .. }
+        | Action::Goto { .. }
+        | Action::Until { .. }
+        | Action::IfGoto { .. }
+        | Action::Gosub { .. }
+        | Action::IfGosub { .. }
+        | Action::Return
+        | Action::Finish(_)
+        | Action::Command { .. }
+        | Action::Message { .. } => 0..0,
+    }
+}
+
+/// The scalars of a variable.
+fn members(program: &Program, variable: VariableId) -> Range<usize> {
+    let variable = &program.variables()[variable];
+    variable.first..variable.first + variable.size()
+}
+
+struct Reads<'a> {
+    program: &'a Program,
+    found: Vec<usize>,
+}
+
+impl Reads<'_> {
+    fn action(&mut self, action: &Action) {
+        match action {
+            Action::SetScalar {
+                target,
+                update,
+                value,
+            } => {
+                self.scalar_expression(*value);
+                if update.is_some() {
+                    self.scalar(*target);
+                }
+            }
+            Action::SetStruct {
+                target,
+                update,
+                value,
+            } => {
+                self.struct_expression(*value);
+                if update.is_some() {
+                    self.variable(*target);
+                }
+            }
+            Action::If { condition, .. }
+            | Action::ElseIf { condition, .. }
+            | Action::While { condition, .. }
+            | Action::Until { condition, .. }
+            | Action::IfGoto { condition, .. }
+            | Action::IfGosub { condition, .. } => self.condition(*condition),
+            Action::For { from, to, step, .. } => self.operands([*from, *to, *step]),
+            Action::Next {
+                variable, to, step, ..
+            } => {
+                self.scalar(*variable);
+                self.operands([*step, *to]);
+            }
+            Action::Command { arguments, .. } => {
+                self.operands(arguments.iter().map(|argument| argument.operand));
+            }
+            Action::Message { parts } => {
+                for part in parts {
+                    if let MessagePart::Value { scalar, .. } = part {
+                        self.scalar(*scalar);
+                    }
+                }
+            }
+            Action::Nothing
+            | Action::Else { .. }
+            | Action::Goto { .. }
+            | Action::Gosub { .. }
+            | Action::Return
+            | Action::Finish(_)
+            | Action::TeachStruct { .. }
+            | Action::TeachScalar { .. }
+            | Action::AdIn { .. }
+            | Action::KeyIn { .. } => {}
+        }
+    }
+
+    fn scalar(&mut self, scalar: Scalar) {
+        self.found.push(self.program.scalar_index(scalar));
+    }
+
+    fn variable(&mut self, variable: VariableId) {
+        self.found.extend(members(self.program, variable));
+    }
+
+    fn operands(&mut self, operands: impl IntoIterator<Item = Operand>) {
+        for operand in operands {
+            if let Operand::Scalar { scalar, .. } = operand {
+                self.scalar(scalar);
+            }
+        }
+    }
+
+    fn condition(&mut self, condition: Condition) {
+        if let Condition::Compare { left, right, .. } = condition {
+            self.operands([left, right]);
+        }
+    }
+
+    fn scalar_expression(&mut self, value: ScalarExpression) {
+        match value {
+            ScalarExpression::Operand(operand) | ScalarExpression::Function { operand, .. } => {
+                self.operands([operand]);
+            }
+            ScalarExpression::Binary { left, right, .. } => self.operands([left, right]),
+            ScalarExpression::Atan2 { y, x } => self.operands([y, x]),
+            ScalarExpression::Norm(variable) => self.variable(variable),
+        }
+    }
+
+    fn struct_expression(&mut self, value: StructExpression) {
+        match value {
+            StructExpression::Copy(variable) | StructExpression::UnitVect(variable) => {
+                self.variable(variable);
+            }
+            StructExpression::Binary { left, right, .. } => {
+                self.variable(left);
+                self.variable(right);
+            }
+            StructExpression::Rotate { operand, angle, .. } => {
+                self.variable(operand);
+                self.operands([angle]);
+            }
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Where a variable lacks a value, and a way that comes there.
+
+use super::batch::Batch;
+use super::{Assigned, Assignment};
+use crate::analysis::flow::{Flow, NodeId};
+use crate::program::{Program, StepId, VariableId};
+use std::collections::{BTreeMap, VecDeque};
+
+/// For how many gaps a way is searched. Each search takes time linear in the length of the program.
+const WAYS: usize = 100;
+
+/// A variable that is read without a value: the first step in the source that does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Gap {
+    /// The variable.
+    pub variable: VariableId,
+    /// The scalars of it that the step reads and that may lack a value.
+    pub scalars: Vec<usize>,
+    /// `Sometimes` or `Never`.
+    pub assigned: Assigned,
+    /// The step that reads it.
+    pub step: StepId,
+    /// The steps of a shortest run from step 0 to `step` on which the first of `scalars` gets no value;
+    /// of a subroutine that is left again, its call alone. Empty behind the first hundred gaps.
+    pub way: Vec<StepId>,
+}
+
+/// The gaps of a program, by variable: one for the reads that some run finds no value at, and one for
+/// those that every run does.
+pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
+    let lacking = assignment
+        .reads()
+        .iter()
+        .filter(|read| read.assigned != Assigned::Always);
+    let mut gaps: BTreeMap<(VariableId, Assigned), Gap> = BTreeMap::new();
+    for read in lacking {
+        let variable = program.variable_of(read.scalar);
+        let gap = gaps.entry((variable, read.assigned)).or_insert(Gap {
+            variable,
+            scalars: Vec::new(),
+            assigned: read.assigned,
+            step: read.step,
+            way: Vec::new(),
+        });
+        if gap.step == read.step {
+            gap.scalars.push(read.scalar);
+        }
+    }
+    let mut gaps: Vec<Gap> = gaps.into_values().collect();
+    let flow = Flow::of(program);
+    for gap in gaps.iter_mut().take(WAYS) {
+        gap.way = way(program, &flow, gap.scalars[0], gap.step);
+    }
+    gaps
+}
+
+/// The steps of a shortest run to `step` on which nothing before it reads or assigns a scalar.
+fn way(program: &Program, flow: &Flow, scalar: usize, step: StepId) -> Vec<StepId> {
+    let batch = Batch::new(program, flow, scalar..scalar + 1);
+    let is_untouched = |id: NodeId| batch.effect(id).0 & 1 != 0;
+    let passages = batch.passages();
+    let mut from: Vec<Option<NodeId>> = vec![None; flow.nodes().len()];
+    let mut queue = VecDeque::from([0]);
+    while let Some(id) = queue.pop_front() {
+        let node = &flow.nodes()[id];
+        if node.step == step && !is_untouched(id) {
+            return walked(flow, &from, id);
+        }
+        if !is_untouched(id) {
+            continue;
+        }
+        let call = node.call.iter().flat_map(|call| {
+            let passes = passages[call.entry].untouched & 1 != 0;
+            [Some(call.entry), passes.then_some(call.back)]
+        });
+        for next in node.next.iter().copied().chain(call.flatten()) {
+            if next != 0 && from[next].is_none() {
+                from[next] = Some(id);
+                queue.push_back(next);
+            }
+        }
+    }
+    Vec::new()
+}
+
+/// The steps on the way that led from node 0 to `id`.
+fn walked(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
+    let nodes = std::iter::successors(Some(id), |id| from[*id]);
+    let mut steps: Vec<StepId> = nodes.map(|id| flow.nodes()[id].step).collect();
+    steps.reverse();
+    steps
+}

@@ -1,0 +1,250 @@
+//! Which steps can follow which (T.I.P. 3.1 §7-6).
+//!
+//! A node is a step; ELSEIF and ELSE are two, since what they do depends on how they are reached.
+//! Conditions and loops over constants go only the way that they really go.
+
+use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
+
+/// The place of a node in its flow. Nodes come in the order of their steps.
+pub(super) type NodeId = usize;
+
+/// A step, as it is reached.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Node {
+    /// The step.
+    pub(super) step: StepId,
+    /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
+    pub(super) is_passed: bool,
+    /// What the next cycle may run without a call or return.
+    pub(super) next: Vec<NodeId>,
+    /// The call that it may make.
+    pub(super) call: Option<Call>,
+    /// RETURN or SUBEND.
+    pub(super) returns: bool,
+}
+
+/// A call of a subroutine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Call {
+    /// Where the subroutine begins.
+    pub(super) entry: NodeId,
+    /// Where it comes back.
+    pub(super) back: NodeId,
+}
+
+/// The flow of a program. Its run begins at node 0.
+#[derive(Clone, Debug)]
+pub(super) struct Flow {
+    nodes: Vec<Node>,
+}
+
+impl Flow {
+    /// The flow of a program. Takes time and memory linear in its length.
+    pub(super) fn of(program: &Program) -> Self {
+        let ways = Ways::new(program);
+        let mut nodes = Vec::new();
+        for (step, content) in (0..).zip(program.steps()) {
+            let action = &content.action;
+            if has_two_nodes(action) {
+                nodes.push(Node {
+                    step,
+                    is_passed: true,
+                    next: ways.passed(action),
+                    ..Node::default()
+                });
+            }
+            nodes.push(ways.node(step, action));
+        }
+        Flow { nodes }
+    }
+
+    /// The nodes in the order of their steps.
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// For each node, those whose `next` or `call` name it.
+    pub(super) fn before(&self) -> Vec<Vec<NodeId>> {
+        let mut before = vec![Vec::new(); self.nodes.len()];
+        for (id, node) in self.nodes.iter().enumerate() {
+            let called = node.call.iter().flat_map(|call| [call.entry, call.back]);
+            for next in node.next.iter().copied().chain(called) {
+                before[next].push(id);
+            }
+        }
+        before
+    }
+}
+
+/// Whether it matters how a step is reached.
+fn has_two_nodes(action: &Action) -> bool {
+    matches!(action, Action::ElseIf { .. } | Action::Else { .. })
+}
+
+/// Where steps lead.
+struct Ways {
+    /// The first node of each step, and one behind the last.
+    first: Vec<NodeId>,
+    /// The last node of each step.
+    last: Vec<NodeId>,
+}
+
+impl Ways {
+    fn new(program: &Program) -> Self {
+        let mut nodes = 0;
+        let mut ways = Ways {
+            first: Vec::new(),
+            last: Vec::new(),
+        };
+        for step in program.steps() {
+            ways.first.push(nodes);
+            nodes += usize::from(has_two_nodes(&step.action));
+            ways.last.push(nodes);
+            nodes += 1;
+        }
+        ways
+    }
+
+    /// A step reached "taken"; none behind the last.
+    fn to(&self, step: StepId) -> Option<NodeId> {
+        self.first.get(step as usize).copied()
+    }
+
+    /// A step reached "not taken".
+    fn otherwise(&self, step: StepId) -> Option<NodeId> {
+        self.last.get(step as usize).copied()
+    }
+
+    /// Where ELSEIF and ELSE lead that are reached "taken".
+    fn passed(&self, action: &Action) -> Vec<NodeId> {
+        match action {
+            Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => {
+                self.to(*to).into_iter().collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// A step, ELSEIF and ELSE as reached "not taken".
+    fn node(&self, step: StepId, action: &Action) -> Node {
+        let on = self.to(step + 1);
+        let mut call = None;
+        let next = match action {
+            Action::Nothing
+            | Action::SetScalar { .. }
+            | Action::SetStruct { .. }
+            | Action::Else { .. }
+            | Action::Command { .. }
+            | Action::TeachStruct { .. }
+            | Action::TeachScalar { .. }
+            | Action::AdIn { .. }
+            | Action::KeyIn { .. }
+            | Action::Message { .. } => [on, None],
+            Action::If {
+                condition,
+                otherwise,
+            }
+            | Action::ElseIf {
+                condition,
+                otherwise,
+            } => chosen(always(*condition), on, self.otherwise(*otherwise)),
+            Action::While { condition, exit } => chosen(always(*condition), on, self.to(*exit)),
+            Action::Until { condition, back } => chosen(always(*condition), on, self.to(*back)),
+            Action::IfGoto { condition, to } => chosen(always(*condition), self.to(*to), on),
+            Action::Goto { to } => [self.to(*to), None],
+            Action::For {
+                from,
+                to,
+                step,
+                exit,
+                ..
+            } => match enters(*from, *to, *step) {
+                Entry::Fails => [None, None],
+                Entry::Known(enters) => chosen(Some(enters), on, self.to(*exit)),
+                Entry::Open => [on, self.to(*exit)],
+            },
+            Action::Next { step, body, .. } => match step {
+                Operand::Constant(0.0) => [None, None],
+                _ => [self.to(*body), on],
+            },
+            Action::Gosub { to } => {
+                call = self.call(*to, step);
+                [None, None]
+            }
+            Action::IfGosub { condition, to } => {
+                let always = always(*condition);
+                if always != Some(false) {
+                    call = self.call(*to, step);
+                }
+                chosen(always, None, on)
+            }
+            Action::Return | Action::Finish(_) => [None, None],
+        };
+        Node {
+            step,
+            is_passed: false,
+            next: distinct(next),
+            call,
+            returns: matches!(action, Action::Return),
+        }
+    }
+
+    fn call(&self, to: StepId, step: StepId) -> Option<Call> {
+        Some(Call {
+            entry: self.to(to)?,
+            back: self.to(step + 1)?,
+        })
+    }
+}
+
+fn distinct([a, b]: [Option<NodeId>; 2]) -> Vec<NodeId> {
+    let b = b.filter(|_| a != b);
+    a.into_iter().chain(b).collect()
+}
+
+fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Option<NodeId>; 2] {
+    match always {
+        Some(true) => [yes, None],
+        Some(false) => [no, None],
+        None => [yes, no],
+    }
+}
+
+/// What a condition always is, if that can be told: two constants compared.
+fn always(condition: Condition) -> Option<bool> {
+    match condition {
+        Condition::Compare {
+            left: Operand::Constant(left),
+            relation,
+            right: Operand::Constant(right),
+        } => Some(match relation {
+            Relation::Eq => left == right,
+            Relation::Ne => left != right,
+            Relation::Lt => left < right,
+            Relation::Gt => left > right,
+            Relation::Le => left <= right,
+            Relation::Ge => left >= right,
+        }),
+        Condition::Compare { .. } | Condition::Flag { .. } => None,
+    }
+}
+
+/// What is known of FOR's first test.
+enum Entry {
+    /// A step of zero: the program stops.
+    Fails,
+    /// Its outcome.
+    Known(bool),
+    /// Nothing.
+    Open,
+}
+
+fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
+    match (from, to, step) {
+        (_, _, Operand::Constant(0.0)) => Entry::Fails,
+        (Operand::Constant(from), Operand::Constant(to), Operand::Constant(step)) => {
+            Entry::Known(if step > 0.0 { from <= to } else { from >= to })
+        }
+        _ => Entry::Open,
+    }
+}

@@ -1,0 +1,141 @@
+//! Warnings that the analysis of a program gives reason for, at their places in the source.
+
+use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
+use crate::check::ReadPlace;
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::program::{Program, StepId, VariableKind};
+use crate::source::Source;
+use crate::syntax::{Module, Span, StatementKind};
+
+/// How many pieces of a way are shown, one for each jump on it.
+const PIECES: usize = 8;
+
+/// Warns of every variable that is, or may be, read without a value.
+pub(crate) fn warnings(
+    source: &Source,
+    module: &Module,
+    reads: &[ReadPlace],
+    program: &Program,
+) -> Vec<Diagnostic> {
+    let gaps = gaps(program, &Assignment::of(program));
+    if gaps.is_empty() {
+        return Vec::new();
+    }
+    let places = Places {
+        source,
+        module,
+        reads,
+        statements: statements_of_steps(module),
+    };
+    gaps.iter()
+        .map(|gap| warning(program, gap, places.of(program, gap)))
+        .collect()
+}
+
+/// The statement of each step.
+fn statements_of_steps(module: &Module) -> Vec<usize> {
+    let statements = module.statements.iter().enumerate();
+    statements
+        .filter(|(_, statement)| !matches!(statement.kind, StatementKind::Define { .. }))
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// Where in the source steps read variables.
+struct Places<'a> {
+    source: &'a Source,
+    module: &'a Module,
+    reads: &'a [ReadPlace],
+    statements: Vec<usize>,
+}
+
+impl Places<'_> {
+    /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
+    fn of(&self, program: &Program, gap: &Gap) -> Span {
+        let statement = self.statements[gap.step as usize];
+        let start = self
+            .reads
+            .partition_point(|read| read.statement < statement);
+        let operands: Vec<Span> = self.reads[start..]
+            .iter()
+            .take_while(|read| read.statement == statement)
+            .filter(|read| read.variable == gap.variable)
+            .map(|read| read.place)
+            .collect();
+        let scalar = scalar_name(program, gap.scalars[0]);
+        let names_it = |place: &&Span| {
+            let operand = self.source.slice(**place).to_ascii_uppercase();
+            operand.trim_start_matches('-') == scalar
+        };
+        let named = operands.iter().find(names_it).or(operands.first());
+        named
+            .copied()
+            .unwrap_or(self.module.statements[statement].span)
+    }
+}
+
+fn scalar_name(program: &Program, scalar: usize) -> String {
+    let variable = &program.variables()[program.variable_of(scalar)];
+    let mut names = variable.scalar_names();
+    names.nth(scalar - variable.first).unwrap_or_default()
+}
+
+fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
+    let variable = &program.variables()[gap.variable];
+    let names: Vec<String> = gap
+        .scalars
+        .iter()
+        .map(|scalar| scalar_name(program, *scalar))
+        .collect();
+    let is_whole = gap.scalars.len() == variable.size();
+    let subject = if is_whole { &variable.name } else { &names[0] };
+    let (code, lacks) = match gap.assigned {
+        Assigned::Never => (Code::Unassigned, "no value here"),
+        _ => (Code::PerhapsUnassigned, "a value here on some ways only"),
+    };
+    let reason = match names.as_slice() {
+        [name] => format!("`{name}` has {lacks}"),
+        _ if is_whole => format!("`{subject}` has {lacks}"),
+        names => format!("`{}` have {lacks}", names.join("`, `")),
+    };
+    let assign = match variable.kind {
+        VariableKind::Var => format!("assign it before, as `{} = 0`", variable.name),
+        VariableKind::Pos | VariableKind::Joint => {
+            format!("assign every member before, as `{} = 0`", names[0])
+        }
+    };
+    let help = match way(program, &gap.way) {
+        Some(way) => format!("no value on the way through {way}; {assign}"),
+        None => assign,
+    };
+    Diagnostic::new(code, place, reason)
+        .about(subject)
+        .help(help)
+}
+
+/// The lines of a way: runs of steps without a jump, the last one up to the step that reads.
+fn way(program: &Program, steps: &[StepId]) -> Option<String> {
+    let line = |step: StepId| program.steps()[step as usize].line;
+    let pieces: Vec<String> = steps
+        .chunk_by(|a, b| a + 1 == *b)
+        .filter_map(|piece| Some((line(*piece.first()?), line(*piece.last()?))))
+        .map(|(first, last)| match first == last {
+            true => format!("{first}"),
+            false => format!("{first}-{last}"),
+        })
+        .collect();
+    let what = match (pieces.as_slice(), steps) {
+        ([], _) => return None,
+        ([piece], _) if !piece.contains('-') => "line",
+        _ => "lines",
+    };
+    let shown = match pieces.len() > PIECES {
+        true => {
+            let (start, end) = (&pieces[..PIECES / 2], &pieces[pieces.len() - PIECES / 2..]);
+            format!("{}, …, {}", start.join(", "), end.join(", "))
+        }
+        false => pieces.join(", "),
+    };
+    Some(format!("{what} {shown}"))
+}
