@@ -1,20 +1,12 @@
 //! Leaf arithmetic with its faults (T.I.P. 3.1 §5). Transcendentals come from `libm` on every
 //! target, so results are bit-identical everywhere.
 
+mod scalar;
+
+pub use scalar::{Scalar, get_each};
+
 use crate::fault::Fault;
 use core::fmt;
-
-/// Reads a scalar; `index` is its place in [`Program::scalar`](crate::program::Program::scalar).
-///
-/// # Errors
-/// `Unassigned` before the first assignment.
-#[inline]
-pub const fn get(scalar: Option<f64>, index: u32) -> Result<f64, Fault> {
-    match scalar {
-        Some(value) => Ok(value),
-        None => Err(Fault::Unassigned(index)),
-    }
-}
 
 /// Accepts only finite results.
 ///
@@ -67,19 +59,6 @@ member_by_member!(/** `a + b`, member by member */ add_each add);
 member_by_member!(/** `a - b`, member by member */ sub_each sub);
 member_by_member!(/** `a * b`, member by member */ mul_each mul);
 member_by_member!(/** `a / b`, member by member */ div_each div);
-
-/// Reads every member of a struct, the first at `index`.
-///
-/// # Errors
-/// `Unassigned` for the first member without a value.
-#[inline]
-pub fn get_each<const N: usize>(members: &[Option<f64>; N], index: u32) -> Result<[f64; N], Fault> {
-    let mut values = [0.0; N];
-    for ((value, member), index) in values.iter_mut().zip(members).zip(index..) {
-        *value = get(*member, index)?;
-    }
-    Ok(values)
-}
 
 /// `INT`: the largest whole number not above `a`.
 ///

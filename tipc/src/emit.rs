@@ -20,6 +20,7 @@ pub use ident::type_name;
 #[cfg(feature = "build")]
 pub use pretty::pretty;
 
+use crate::analysis::assignment::Assignment;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -145,6 +146,7 @@ struct Emitter<'a> {
     visibility: &'a TokenStream,
     runtime: &'a TokenStream,
     name: Ident,
+    assignment: Assignment,
     /// The labels that jumps may name: those whose name stands for one step only.
     labels: Vec<(u32, Ident)>,
 }
@@ -162,6 +164,7 @@ impl<'a> Emitter<'a> {
             visibility: &options.visibility,
             runtime: &options.runtime,
             name: options.name_for(&program.source_name),
+            assignment: Assignment::of(program),
             labels: ident::label_constants(&program.labels),
         }
     }

@@ -1,14 +1,14 @@
 //! How Rust spells what commands and messages are given.
 
-use super::Emitter;
+use super::expression::Values;
 use super::word;
 use crate::program::{Argument, MessagePart, Operand, Scalar, VariableKind};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-impl Emitter<'_> {
+impl Values<'_> {
     /// The operands of a command, as an array of values.
-    pub(super) fn values(&self, arguments: &[Argument]) -> TokenStream {
+    pub(super) fn of_arguments(&self, arguments: &[Argument]) -> TokenStream {
         if let Some(members) = self.whole_struct(arguments) {
             return quote!(#members.map(Value::absolute));
         }

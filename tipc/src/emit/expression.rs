@@ -1,17 +1,26 @@
 //! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
-use super::Emitter;
 use super::ident::field;
 use super::word;
+use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Arithmetic, Axis, Condition, Function, Operand, Relation, Scalar, ScalarExpression,
-    StructExpression, VariableId, VariableKind,
+    Arithmetic, Axis, Condition, Function, Operand, Program, Relation, Scalar, ScalarExpression,
+    StepId, StructExpression, VariableId, VariableKind,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-impl Emitter<'_> {
+/// What one step reads and assigns.
+pub(super) struct Values<'a> {
+    pub(super) program: &'a Program,
+    /// Which reads need no test.
+    pub(super) assignment: &'a Assignment,
+    /// The step.
+    pub(super) step: StepId,
+}
+
+impl Values<'_> {
     /// The place that holds a scalar.
     pub(super) fn place(&self, scalar: Scalar) -> TokenStream {
         let variable = &self.program.variables[scalar.variable];
@@ -25,17 +34,25 @@ impl Emitter<'_> {
         }
     }
 
-    /// The value of a scalar, or its fault.
+    /// The value of a scalar, or its fault where it may have none.
     pub(super) fn read(&self, scalar: Scalar) -> TokenStream {
         let place = self.place(scalar);
-        let index = Literal::usize_unsuffixed(self.program.scalar_index(scalar));
-        quote!(ops::get(#place, #index)?)
+        let index = self.program.scalar_index(scalar);
+        if self.assignment.is_always(self.step, index) {
+            return quote!(#place.value());
+        }
+        let index = Literal::usize_unsuffixed(index);
+        quote!(#place.get(#index)?)
     }
 
     /// The members of a struct, or the fault of the first one without a value.
     pub(super) fn read_struct(&self, variable: VariableId) -> TokenStream {
         let variable = &self.program.variables[variable];
         let name = field(variable);
+        let mut members = variable.first..variable.first + variable.size();
+        if members.all(|member| self.assignment.is_always(self.step, member)) {
+            return quote!(self.#name.map(Scalar::value));
+        }
         let first = Literal::usize_unsuffixed(variable.first);
         quote!(ops::get_each(&self.#name, #first)?)
     }
@@ -66,13 +83,13 @@ impl Emitter<'_> {
         let place = self.place(target);
         let value = self.scalar_expression(value);
         match update {
-            None => quote!(#place = Some(#value);),
+            None => quote!(#place.set(#value);),
             Some(operation) => {
                 let old = self.read(target);
                 let operation = arithmetic(operation);
                 quote! {
                     let value = #value;
-                    #place = Some(#operation(#old, value)?);
+                    #place.set(#operation(#old, value)?);
                 }
             }
         }
@@ -115,13 +132,13 @@ impl Emitter<'_> {
         let place = field(&self.program.variables[target]);
         let value = self.struct_expression(value);
         match update {
-            None => quote!(self.#place = #value.map(Some);),
+            None => quote!(self.#place = #value.map(Scalar::of);),
             Some(operation) => {
                 let old = self.read_struct(target);
                 let operation = arithmetic_each(operation);
                 quote! {
                     let value = #value;
-                    self.#place = #operation(#old, value)?.map(Some);
+                    self.#place = #operation(#old, value)?.map(Scalar::of);
                 }
             }
         }

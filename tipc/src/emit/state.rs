@@ -34,7 +34,7 @@ impl Emitter<'_> {
         let robot = self.program.signature.robot;
         let about = format!(" The motion program `{source}`, compiled for the robot `{robot}`.");
         let fields = self.program.variables.iter().map(|variable| {
-            let (field, kind) = (field(variable), field_type(variable));
+            let (field, kind) = (field(variable), self.field_type(variable));
             quote!(#field: #kind,)
         });
         let not_taken = self.has_taken_state().then(|| quote!(not_taken: bool,));
@@ -83,10 +83,10 @@ impl Emitter<'_> {
         let fields = self.program.variables.iter().map(|variable| {
             let field = field(variable);
             let unassigned = match variable.kind {
-                VariableKind::Var => quote!(None),
+                VariableKind::Var => quote!(Scalar::UNASSIGNED),
                 VariableKind::Pos | VariableKind::Joint => {
                     let size = Literal::usize_unsuffixed(variable.size());
-                    quote!([None; #size])
+                    quote!([Scalar::UNASSIGNED; #size])
                 }
             };
             quote!(#field: #unassigned,)
@@ -98,7 +98,7 @@ impl Emitter<'_> {
         quote! {
             #[doc = " At step 0, with every variable unassigned."]
             #visibility const fn new() -> Self {
-                use ::core::option::Option::None;
+                use #runtime::ops::Scalar;
                 Self {
                     at: 0,
                     #not_taken
@@ -287,10 +287,10 @@ impl Emitter<'_> {
             for (member, name) in variable.scalar_names().enumerate() {
                 let index = Literal::usize_unsuffixed(variable.first + member);
                 let value = match variable.kind {
-                    VariableKind::Var => quote!(self.#field),
+                    VariableKind::Var => quote!(self.#field.assigned()),
                     VariableKind::Pos | VariableKind::Joint => {
                         let member = Literal::usize_unsuffixed(member);
-                        quote!(self.#field[#member])
+                        quote!(self.#field[#member].assigned())
                     }
                 };
                 arms.extend(quote!(#index => (#name, #value),));
@@ -298,14 +298,15 @@ impl Emitter<'_> {
         }
         arms
     }
-}
 
-fn field_type(variable: &Variable) -> TokenStream {
-    match variable.kind {
-        VariableKind::Var => quote!(::core::option::Option<f64>),
-        VariableKind::Pos | VariableKind::Joint => {
-            let size = Literal::usize_unsuffixed(variable.size());
-            quote!([::core::option::Option<f64>; #size])
+    fn field_type(&self, variable: &Variable) -> TokenStream {
+        let runtime = self.runtime;
+        match variable.kind {
+            VariableKind::Var => quote!(#runtime::ops::Scalar),
+            VariableKind::Pos | VariableKind::Joint => {
+                let size = Literal::usize_unsuffixed(variable.size());
+                quote!([#runtime::ops::Scalar; #size])
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! How Rust spells steps: one match arm each, in functions of a bounded number of arms.
 
+use super::expression::Values;
 use super::ident::{chunk, field, identifier};
 use super::word;
 use super::{CHUNK, Emitter, Steps};
@@ -70,14 +71,15 @@ impl Emitter<'_> {
         let command = import(quote!(#runtime::command), words, &command);
         let fault = import(quote!(#runtime::fault), words, &["Fault"]);
         let ops = import(runtime.clone(), words, &["ops"]);
+        let scalar = import(quote!(#runtime::ops), words, &["Scalar"]);
         let program = import(quote!(#runtime::program), words, &["End", "Flow"]);
-        quote! { #option #result #command #fault #ops #program }
+        quote! { #option #result #command #fault #ops #scalar #program }
     }
 
     fn arm(&self, number: StepId, step: &Step) -> TokenStream {
         let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
         let number_token = Literal::u32_unsuffixed(number);
-        let action = self.action(number + 1, &step.action);
+        let action = self.action(number, &step.action);
         quote! {
             #[doc = #doc]
             #number_token => #action
@@ -85,7 +87,13 @@ impl Emitter<'_> {
     }
 
     /// The arm's body; its value is a `Flow`.
-    fn action(&self, next: StepId, action: &Action) -> TokenStream {
+    fn action(&self, step: StepId, action: &Action) -> TokenStream {
+        let next = step + 1;
+        let values = Values {
+            program: self.program,
+            assignment: &self.assignment,
+            step,
+        };
         match action {
             Action::Nothing => {
                 let go = self.go(next);
@@ -97,7 +105,7 @@ impl Emitter<'_> {
                 value,
             } => {
                 let go = self.go(next);
-                let set = self.set_scalar(*target, *update, *value);
+                let set = values.set_scalar(*target, *update, *value);
                 quote!({ #set #go })
             }
             Action::SetStruct {
@@ -106,14 +114,14 @@ impl Emitter<'_> {
                 value,
             } => {
                 let go = self.go(next);
-                let set = self.set_struct(*target, *update, *value);
+                let set = values.set_struct(*target, *update, *value);
                 quote!({ #set #go })
             }
             Action::If {
                 condition,
                 otherwise,
             } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (go, skip) = (self.go(next), self.skip(*otherwise));
                 quote!(if #condition { #go } else { #skip },)
             }
@@ -121,7 +129,7 @@ impl Emitter<'_> {
                 condition,
                 otherwise,
             } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (go, pass) = (self.go(next), self.go(*otherwise));
                 let skip = self.skip(*otherwise);
                 quote! {
@@ -133,7 +141,7 @@ impl Emitter<'_> {
                 quote!(if self.not_taken { #go } else { #pass },)
             }
             Action::While { condition, exit } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (go, exit) = (self.go(next), self.go(*exit));
                 quote!(if #condition { #go } else { #exit },)
             }
@@ -142,7 +150,7 @@ impl Emitter<'_> {
                 quote!(#go,)
             }
             Action::Until { condition, back } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (go, back) = (self.go(next), self.go(*back));
                 quote!(if #condition { #go } else { #back },)
             }
@@ -153,15 +161,19 @@ impl Emitter<'_> {
                 step,
                 exit,
             } => {
-                let (from, to, by) = (self.operand(*from), self.operand(*to), self.operand(*step));
-                let place = self.place(*variable);
+                let (from, to, by) = (
+                    values.operand(*from),
+                    values.operand(*to),
+                    values.operand(*step),
+                );
+                let place = values.place(*variable);
                 let (go, exit) = (self.go(next), self.go(*exit));
                 quote!({
                     let from = #from;
                     let to = #to;
                     let by = #by;
                     let enters = ops::for_test(from, to, by)?;
-                    #place = Some(from);
+                    #place.set(from);
                     if enters { #go } else { #exit }
                 })
             }
@@ -171,8 +183,12 @@ impl Emitter<'_> {
                 step,
                 body,
             } => {
-                let (old, by, to) = (self.read(*variable), self.operand(*step), self.operand(*to));
-                let place = self.place(*variable);
+                let (old, by, to) = (
+                    values.read(*variable),
+                    values.operand(*step),
+                    values.operand(*to),
+                );
+                let place = values.place(*variable);
                 let (again, go) = (self.go(*body), self.go(next));
                 quote!({
                     let value = #old;
@@ -180,12 +196,12 @@ impl Emitter<'_> {
                     let to = #to;
                     let value = ops::add(value, by)?;
                     let repeats = ops::for_test(value, to, by)?;
-                    #place = Some(value);
+                    #place.set(value);
                     if repeats { #again } else { #go }
                 })
             }
             Action::IfGoto { condition, to } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (jump, go) = (self.go(*to), self.go(next));
                 quote!(if #condition { #jump } else { #go },)
             }
@@ -194,7 +210,7 @@ impl Emitter<'_> {
                 quote!({ #call })
             }
             Action::IfGosub { condition, to } => {
-                let condition = self.condition(*condition);
+                let condition = values.condition(*condition);
                 let (call, go) = (self.call(*to, next), self.go(next));
                 quote!(if #condition { #call } else { #go },)
             }
@@ -216,7 +232,7 @@ impl Emitter<'_> {
                 if arguments.is_empty() {
                     return quote!(self.#ask(cx, #op, #target, &[], #next)?,);
                 }
-                let values = self.values(arguments);
+                let values = values.of_arguments(arguments);
                 quote!({
                     let values = #values;
                     self.#ask(cx, #op, #target, &values, #next)?
@@ -232,40 +248,40 @@ impl Emitter<'_> {
                 let go = self.go(next);
                 quote!({
                     let [#(#members,)* ..] = cx.teach(#what, #target)?;
-                    self.#place = [#(Some(#members)),*];
+                    self.#place = [#(#members),*].map(Scalar::of);
                     #go
                 })
             }
             Action::TeachScalar { what, target, into } => {
-                let place = self.place(*into);
+                let place = values.place(*into);
                 let (what, target) = (word::teach(*what), word::target(*target));
                 let go = self.go(next);
                 quote!({
                     let [measured, ..] = cx.teach(#what, #target)?;
-                    #place = Some(measured);
+                    #place.set(measured);
                     #go
                 })
             }
             Action::AdIn { port, into } => {
-                let (place, port) = (self.place(*into), word::port(*port));
+                let (place, port) = (values.place(*into), word::port(*port));
                 let go = self.go(next);
                 quote!({
-                    #place = Some(cx.analog(#port)?);
+                    #place.set(cx.analog(#port)?);
                     #go
                 })
             }
             Action::KeyIn { into } => {
-                let place = self.place(*into);
+                let place = values.place(*into);
                 let go = self.go(next);
                 quote!(if let Some(key) = cx.key() {
-                    #place = Some(key as f64);
+                    #place.set(key as f64);
                     #go
                 } else {
                     Flow::Wait
                 },)
             }
             Action::Message { parts } => {
-                let text = self.message(parts);
+                let text = values.message(parts);
                 let go = self.go(next);
                 quote!({ #text #go })
             }

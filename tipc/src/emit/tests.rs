@@ -81,6 +81,23 @@ fn jumps_name_their_label() {
     assert!(text(&small()).contains("self . go (Self :: L_AGAIN)"));
 }
 
+// clauses: 3.4
+#[test]
+fn a_read_is_tested_where_nothing_is_proved() {
+    let proved = text(&small());
+    assert!(proved.contains("self . v_a . value () < 3.0"), "{proved}");
+    assert!(!proved.contains(". get (1) ?"), "{proved}");
+    let actions = vec![
+        Action::IfGoto {
+            condition: compare(read(1), Relation::Lt, read(1)),
+            to: 0,
+        },
+        Action::Finish(End::End),
+    ];
+    let open = text(&program(&[("A", VariableKind::Var)], actions));
+    assert!(open.contains("self . v_a . get (1) ?"), "{open}");
+}
+
 #[test]
 fn a_label_declared_twice_has_no_constant() {
     let twice = labelled(small(), &[("LOOP", 0), ("LOOP", 1)]);

@@ -13,7 +13,7 @@ use tip_runtime::program::Context;
 impl Interpreter {
     pub(super) fn read(&self, scalar: Scalar) -> Result<f64, Fault> {
         let index = self.program.scalar_index(scalar);
-        ops::get(self.scalars[index], index as u32)
+        self.scalars[index].ok_or(Fault::Unassigned(index as u32))
     }
 
     pub(super) fn operand(&self, operand: Operand) -> Result<f64, Fault> {
