@@ -6,7 +6,7 @@ use tip_runtime::command::Port;
 use tip_runtime::console::Scripted;
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::{Model, generic, hand, titan8};
-use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{Plant, Scene, SimulatedHand, SimulatedPlant};
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::Special;
@@ -41,7 +41,11 @@ fn grasp<const L: usize, const J: usize>(
     model: &Model<L, J>,
     settings: &Settings,
 ) -> Result<String, String> {
-    let plant = SimulatedHand::new(model).with_scene(&settings.scene);
+    let scene = match &settings.scene {
+        Some(name) => Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}"))?,
+        None => Scene::EMPTY,
+    };
+    let plant = SimulatedHand::new(model).with_scene(&scene);
     run_on(program, model, plant, HandSpecials::new(), settings)
 }
 

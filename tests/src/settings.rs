@@ -1,6 +1,5 @@
 //! What happens around a program while it runs: the options of the command line, as a case's header has them.
 
-use tip_runtime::plant::Scene;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -17,8 +16,8 @@ pub struct Settings {
     pub halt: Option<u64>,
     /// Inputs by name, their volts, and the cycle from which they read so.
     pub sensors: Vec<(String, f64, u64)>,
-    /// What stands around the robot.
-    pub scene: Scene,
+    /// What stands around the robot, by its name.
+    pub scene: Option<String>,
 }
 
 impl Settings {
@@ -46,7 +45,7 @@ impl Settings {
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
                 "--cycles" => value.parse().ok().map(|n| self.cycles = Some(n)),
-                "--scene" => Scene::by_name(value).map(|scene| self.scene = scene),
+                "--scene" => Some(self.scene = Some(value.to_owned())),
                 "--halt" => value.parse().ok().map(|n| self.halt = Some(n)),
                 "--keys" => keys(value).map(|keys| self.keys.extend(keys)),
                 "--sensor" => sensor(value).map(|sensor| self.sensors.push(sensor)),
@@ -103,7 +102,7 @@ mod tests {
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
         assert_eq!(settings.keys, [(3, b'a'), (4, 0x1B)]);
         assert_eq!((settings.halt, settings.cycles), (Some(5), Some(100)));
-        assert_eq!(settings.scene, Scene::CYLINDER);
+        assert_eq!(settings.scene.as_deref(), Some("cylinder"));
         assert_eq!(settings.sensors, [("VR1".to_owned(), 8.0, 3)]);
     }
 
@@ -115,7 +114,6 @@ mod tests {
             "--speed 3",
             "--keys 3",
             "--sensor VR1=8",
-            "--scene moon",
         ] {
             assert!(
                 Settings::of_header(&format!("# args: {args}")).is_err(),

@@ -86,13 +86,15 @@ fn nonsense_commands_do_not_make_nonsense() {
 fn a_squeezed_object_is_not_passed_through() {
     let mut plant = over(&Scene::CYLINDER);
     let mut hardest = 0.0_f64;
-    for _ in 0..cycles(1.0) {
+    // Before the two fingers of one side have pushed it away from under the third.
+    for _ in 0..cycles(0.06) {
         write(&mut plant, &closing(1000.0), 1);
         hardest = hardest.max(plant.fingertips()[0].on_objects[0]);
         let at = object(&plant).position;
         for tip in plant.fingertips() {
-            // 1 N·m at 120 mm is 8 N, 1.7 mm of a contact; thrice that when it strikes.
-            assert!((tip.position[0] - at[0]).abs() > 95.0);
+            // 1 N·m over the 0.1 rad up to the object is 0.1 J: two such fingers press the third into
+            // it by no more than all of that in its contact, k d²/2.
+            assert!((tip.position[0] - at[0]).abs() > 100.0 - 11.0);
         }
     }
     assert!(hardest > 5.0, "{hardest} N");
