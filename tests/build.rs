@@ -47,8 +47,10 @@ fn cases(folder: &Path, out: &Path) -> String {
         .unwrap();
         if runs {
             let text = fs::read_to_string(folder.join(format!("{case}.trace"))).unwrap_or_default();
-            let options = Settings::of_header(&text).map(|settings| settings.load);
-            let source = fs::read(folder.join(format!("{case}.prg"))).unwrap_or_default();
+            let path = folder.join(format!("{case}.prg"));
+            let beside = path.parent().unwrap_or(folder);
+            let options = Settings::of_header(&text, beside).map(|settings| settings.load);
+            let source = fs::read(&path).unwrap_or_default();
             // A case that does not load has no program; its test says so.
             programs.add(&case, &source, options.unwrap_or_default());
         }

@@ -12,6 +12,7 @@ use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
 use tipc::Robot;
+use tipc::description::WithModel;
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -21,10 +22,28 @@ const ENDLESS: u64 = 100_000;
 /// # Errors
 /// The program is for another robot, an input has no such name, or the program never ends.
 pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
+    if let Some(description) = &settings.description {
+        return description.with_model(Walk { program, settings });
+    }
     match settings.load.robot {
         Robot::Titan8 => walk(program, &titan8::MODEL, settings),
         Robot::Generic => walk(program, &generic::MODEL, settings),
         Robot::Hand => grasp(program, &hand::MODEL, settings),
+        Robot::Described(_) => Err("the robot has no description".to_owned()),
+    }
+}
+
+/// A run on a robot of any size.
+struct Walk<'a> {
+    program: Box<dyn Program>,
+    settings: &'a Settings,
+}
+
+impl WithModel for Walk<'_> {
+    type Output = Result<String, String>;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
+        walk(self.program, model, self.settings)
     }
 }
 

@@ -1,5 +1,13 @@
 //! What happens around a program while it runs: the options of the command line, as a case's header has them.
+#![expect(
+    clippy::disallowed_methods,
+    reason = "a case may stand beside the description of its robot"
+)]
 
+use std::fs;
+use std::path::Path;
+use tipc::description::{self, Description};
+use tipc::diagnostic::render_short;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -8,6 +16,8 @@ use tipc::{Options, Robot};
 pub struct Settings {
     /// How the program is loaded.
     pub load: Options,
+    /// The robot, if a file beside the case describes it.
+    pub description: Option<Description>,
     /// The most cycles.
     pub cycles: Option<u64>,
     /// Bytes typed, each before the step of its cycle.
@@ -21,26 +31,27 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The options in the header of an expectation.
+    /// The options in the header of an expectation; files that they name stand in `folder`.
     ///
     /// # Errors
     /// An option that does not exist, or a value that is none.
-    pub fn of_header(expectation: &str) -> Result<Self, String> {
+    pub fn of_header(expectation: &str, folder: &Path) -> Result<Self, String> {
         let mut settings = Settings::default();
         for line in expectation.lines().take_while(|line| line.starts_with('#')) {
             if let Some(args) = line.strip_prefix("# args:") {
-                settings.read(args)?;
+                settings.read(args, folder)?;
             }
         }
         Ok(settings)
     }
 
-    fn read(&mut self, args: &str) -> Result<(), String> {
+    fn read(&mut self, args: &str, folder: &Path) -> Result<(), String> {
         let mut words = args.split_whitespace();
         while let Some(option) = words.next() {
             let value = words.next().map(|word| word.trim_matches('\''));
             let value = value.ok_or_else(|| format!("{option} lacks its value"))?;
             let known = match option {
+                "--robot" if value.ends_with(".toml") => Some(self.describe(&folder.join(value))?),
                 "--robot" => Robot::from_name(value).map(|robot| self.load.robot = robot),
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
@@ -53,6 +64,22 @@ impl Settings {
             };
             known.ok_or_else(|| format!("{option} cannot be {value}"))?;
         }
+        Ok(())
+    }
+
+    /// The robot is the one that the file describes.
+    fn describe(&mut self, path: &Path) -> Result<(), String> {
+        let name = path.display().to_string();
+        let bytes = fs::read(path).map_err(|error| format!("{name}: {error}"))?;
+        let description = description::parse(&name, &bytes).map_err(|loaded| {
+            let told = loaded.diagnostics.iter();
+            let told: Vec<String> = told
+                .map(|fault| render_short(&loaded.source, fault))
+                .collect();
+            told.join("\n")
+        })?;
+        self.load.robot = description.robot();
+        self.description = Some(description);
         Ok(())
     }
 }
@@ -96,7 +123,7 @@ mod tests {
     fn every_option_is_read() {
         let header = "# clauses: 2.4\n# args: --robot generic --keys 3:a,4:0x1B --halt 5 --cycles 100\n\
             # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis --scene cylinder\n{\"end\":\"END\"}\n# args: --no\n";
-        let settings = Settings::of_header(header).unwrap();
+        let settings = Settings::of_header(header, Path::new("")).unwrap();
         assert_eq!(settings.load.robot, Robot::Generic);
         assert_eq!(settings.load.tip_version, 2.5);
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
@@ -110,13 +137,14 @@ mod tests {
     fn nonsense_is_refused() {
         for args in [
             "--robot arm",
+            "--robot no/such/file.toml",
             "--cycles",
             "--speed 3",
             "--keys 3",
             "--sensor VR1=8",
         ] {
             assert!(
-                Settings::of_header(&format!("# args: {args}")).is_err(),
+                Settings::of_header(&format!("# args: {args}"), Path::new("")).is_err(),
                 "{args}"
             );
         }

@@ -151,7 +151,9 @@ impl Expectation {
                 "the reference has no clause {clause}"
             );
         }
-        let settings = Settings::of_header(&text).unwrap_or_else(|error| panic!("{error}"));
+        let beside = path(extension);
+        let beside = beside.parent().expect("a case stands in a folder");
+        let settings = Settings::of_header(&text, beside).unwrap_or_else(|error| panic!("{error}"));
         let expectation = Expectation { text, settings };
         let says = expectation.body().iter().any(|line| *line != "...");
         assert!(says, "the case expects nothing");

@@ -28,25 +28,24 @@ pub(crate) struct Arguments {
     /// The path of `include_tip!`, the program of `tip!`.
     pub(crate) text: Text,
     pub(crate) load: tipc::Options,
+    /// The path of a description that takes the place of the robot in `load`.
+    pub(crate) robot_file: Option<Text>,
     pub(crate) spelling: emit::Options,
 }
 
 const INCLUDE_TIP: &str =
     "expected include_tip!([visibility] \"path\" [as Name] [, option = value]…)";
+#[cfg(feature = "robot-files")]
+const INCLUDE_ROBOT: &str =
+    "expected include_robot!([visibility] \"path\" [as NAME] [, runtime = path])";
 const TIP: &str = "expected tip!([visibility] Name, r#\"program\"# [, option = value]…)";
 const OPTIONS: &str = "the options are `robot`, `tip_version`, `encoding` and `runtime`";
-
+const ROBOTS: &str = "`titan8`, `hand`, `generic` or the path of a description, \"robot.toml\"";
 /// `[visibility] "path" [as Name] [, option = value]…`
 pub(crate) fn include_tip(input: TokenStream) -> Result<Arguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_TIP);
-    let visibility = input.visibility();
-    let text = input.string()?;
-    let mut arguments = Arguments::new(text, visibility);
-    if input.keyword("as") {
-        arguments.spelling.name = Some(input.name()?);
-    }
-    input.options(&mut arguments)?;
-    Ok(arguments)
+    let arguments = input.file()?;
+    arguments.with(input.options()?)
 }
 
 /// `[visibility] Name, "program" [, option = value]…`
@@ -58,7 +57,30 @@ pub(crate) fn tip(input: TokenStream) -> Result<Arguments, Misuse> {
     let text = input.string()?;
     let mut arguments = Arguments::new(text, visibility);
     arguments.spelling.name = Some(name);
-    input.options(&mut arguments)?;
+    arguments.with(input.options()?)
+}
+
+/// An invocation that is about a robot, understood.
+#[cfg(feature = "robot-files")]
+#[derive(Debug)]
+pub(crate) struct RobotArguments {
+    /// The path of the description.
+    pub(crate) text: Text,
+    pub(crate) spelling: emit::Options,
+}
+
+/// `[visibility] "path" [as NAME] [, runtime = path]`
+#[cfg(feature = "robot-files")]
+pub(crate) fn include_robot(input: TokenStream) -> Result<RobotArguments, Misuse> {
+    let mut input = Input::new(input, INCLUDE_ROBOT);
+    let Arguments { text, spelling, .. } = input.file()?;
+    let mut arguments = RobotArguments { text, spelling };
+    for (option, value) in input.options()? {
+        if option != "runtime" {
+            return Err(Misuse::new(option.span(), input.expected));
+        }
+        arguments.spelling.runtime = runtime(&option, value)?;
+    }
     Ok(arguments)
 }
 
@@ -67,11 +89,19 @@ impl Arguments {
         Arguments {
             text,
             load: tipc::Options::default(),
+            robot_file: None,
             spelling: emit::Options {
                 visibility,
                 ..emit::Options::default()
             },
         }
+    }
+
+    fn with(mut self, options: Vec<(Ident, Vec<TokenTree>)>) -> Result<Self, Misuse> {
+        for (option, value) in options {
+            self.set(&option, value)?;
+        }
+        Ok(self)
     }
 
     fn set(&mut self, option: &Ident, value: Vec<TokenTree>) -> Result<(), Misuse> {
@@ -81,8 +111,11 @@ impl Arguments {
         let wrong = |expected: &str| Err(Misuse::new(value_span, format!("expected {expected}")));
         match name.as_str() {
             "robot" => match word.as_deref().and_then(Robot::from_name) {
-                Some(robot) => self.load.robot = robot,
-                None => return wrong("`titan8`, `hand` or `generic`"),
+                Some(robot) => (self.load.robot, self.robot_file) = (robot, None),
+                None => match description(&value) {
+                    Some(path) => self.robot_file = Some(path),
+                    None => return wrong(ROBOTS),
+                },
             },
             "tip_version" => match word.and_then(|word| word.parse().ok()) {
                 Some(version) => self.load.tip_version = version,
@@ -92,8 +125,7 @@ impl Arguments {
                 Some(encoding) => self.load.encoding = encoding,
                 None => return wrong("`auto`, `utf8` or `shift_jis`"),
             },
-            "runtime" if value.is_empty() => return wrong("a path, such as ::tip_runtime"),
-            "runtime" => self.spelling.runtime = value.into_iter().collect(),
+            "runtime" => self.spelling.runtime = runtime(option, value)?,
             _ => {
                 let message = format!("unknown option `{name}`: {OPTIONS}");
                 return Err(Misuse::new(option.span(), message));
@@ -101,6 +133,24 @@ impl Arguments {
         }
         Ok(())
     }
+}
+
+fn runtime(option: &Ident, value: Vec<TokenTree>) -> Result<TokenStream, Misuse> {
+    match value.is_empty() {
+        true => {
+            let expected = "expected a path, such as ::tip_runtime";
+            Err(Misuse::new(option.span(), expected))
+        }
+        false => Ok(value.into_iter().collect()),
+    }
+}
+
+/// The path of a description.
+fn description(value: &[TokenTree]) -> Option<Text> {
+    let [token] = value else {
+        return None;
+    };
+    literal::string(token).filter(|text| text.value.ends_with(".toml"))
 }
 
 fn encoding(word: &str) -> Option<Encoding> {
@@ -180,8 +230,20 @@ impl Input {
         }
     }
 
+    /// `[visibility] "path" [as Name]`
+    fn file(&mut self) -> Result<Arguments, Misuse> {
+        let visibility = self.visibility();
+        let text = self.string()?;
+        let mut arguments = Arguments::new(text, visibility);
+        if self.keyword("as") {
+            arguments.spelling.name = Some(self.name()?);
+        }
+        Ok(arguments)
+    }
+
     /// Everything behind path or program: `, option = value` as often as one likes, and a last comma.
-    fn options(&mut self, arguments: &mut Arguments) -> Result<(), Misuse> {
+    fn options(&mut self) -> Result<Vec<(Ident, Vec<TokenTree>)>, Misuse> {
+        let mut options = Vec::new();
         while self.tokens.peek().is_some() {
             self.comma()?;
             if self.tokens.peek().is_none() {
@@ -195,9 +257,9 @@ impl Input {
             while let Some(token) = self.tokens.next_if(|token| !is_punct(token, ',')) {
                 value.push(token);
             }
-            arguments.set(&option, value)?;
+            options.push((option, value));
         }
-        Ok(())
+        Ok(options)
     }
 }
 

@@ -1,7 +1,8 @@
 //! From an invocation to the items that replace it.
 
 use crate::arguments::{self, Arguments, Misuse};
-use crate::file;
+use crate::file::{self, Found};
+use crate::literal::Text;
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use std::path::Path;
@@ -14,62 +15,128 @@ use tipc::syntax::Span;
 /// `invoking` is the file that the invocation stands in, if the compiler knows one.
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     match arguments::include_tip(input) {
-        Ok(arguments) => include(&arguments, invoking),
+        Ok(arguments) => {
+            let Arguments { text, spelling, .. } = &arguments;
+            let compile = |bytes: &[u8]| compiled(&text.value, bytes, &arguments, invoking);
+            included(text, invoking, compile)
+                .unwrap_or_else(|failure| failure.beside(emit::skeleton(&text.value, spelling)))
+        }
         Err(misuse) => complaint(&misuse),
     }
 }
 
-pub(crate) fn tip(input: TokenStream) -> TokenStream {
+pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     match arguments::tip(input) {
         Ok(arguments) => {
-            let name = arguments.spelling.name_for("").to_string();
-            compiled(&name, arguments.text.value.as_bytes(), &arguments)
+            let Arguments { text, spelling, .. } = &arguments;
+            let name = spelling.name_for("").to_string();
+            compiled(&name, text.value.as_bytes(), &arguments, invoking)
+                .unwrap_or_else(|failure| failure.beside(emit::skeleton(&name, spelling)))
         }
         Err(misuse) => complaint(&misuse),
     }
 }
 
-fn include(arguments: &Arguments, invoking: Option<&Path>) -> TokenStream {
-    let Arguments { text, spelling, .. } = arguments;
-    match file::find(&text.value, invoking) {
-        Ok(file::Found { path, bytes }) => {
-            let items = compiled(&text.value, &bytes, arguments);
-            let path = path.display().to_string();
-            // Naming the file here makes Cargo build again when it changes.
-            quote! {
-                #items
-                const _: &[u8] = ::core::include_bytes!(#path);
-            }
+#[cfg(feature = "robot-files")]
+pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
+    use tipc::description::skeleton;
+    match arguments::include_robot(input) {
+        Ok(arguments::RobotArguments { text, spelling }) => {
+            let compile = |bytes: &[u8]| {
+                let described = tipc::embed::describe(&text.value, bytes);
+                described
+                    .map(|description| description.to_rust(&spelling))
+                    .map_err(|errors| Failure::at(&text, errors))
+            };
+            included(&text, invoking, compile)
+                .unwrap_or_else(|failure| failure.beside(skeleton(&text.value, &spelling)))
         }
-        Err(reason) => {
-            let missing = Diagnostic::new(Code::FileNotFound, Span::default(), "");
-            let title = missing.about(&text.value).title();
-            let code = Code::FileNotFound.id();
-            let error = error(text.span, &format!("{code}: {title}: {reason}"));
-            let skeleton = emit::skeleton(&text.value, spelling);
-            quote!(#error #skeleton)
-        }
+        Err(misuse) => complaint(&misuse),
     }
 }
 
-/// The program's items, or its errors and its skeleton.
-fn compiled(name: &str, bytes: &[u8], arguments: &Arguments) -> TokenStream {
-    let Arguments {
-        text,
-        load,
-        spelling,
-    } = arguments;
-    match embed(name, bytes, load, spelling) {
-        Ok(items) => items,
-        Err(refusal) => {
-            let errors = refusal
-                .errors
-                .iter()
-                .map(|rendered| error(text.span, &without_level(rendered)));
-            let skeleton = &refusal.skeleton;
-            quote!(#(#errors)* #skeleton)
+/// Errors, and the literal that they belong to.
+struct Failure {
+    span: proc_macro2::Span,
+    errors: Vec<String>,
+}
+
+impl Failure {
+    fn at(literal: &Text, errors: Vec<String>) -> Self {
+        Failure {
+            span: literal.span,
+            errors,
         }
     }
+
+    /// The errors, and what stands in for the item that could not be made.
+    fn beside(&self, skeleton: TokenStream) -> TokenStream {
+        let errors = self.errors.iter();
+        let errors = errors.map(|rendered| error(self.span, &without_level(rendered)));
+        quote!(#(#errors)* #skeleton)
+    }
+}
+
+/// What becomes of a file that a macro names.
+fn included(
+    path: &Text,
+    invoking: Option<&Path>,
+    compile: impl FnOnce(&[u8]) -> Result<TokenStream, Failure>,
+) -> Result<TokenStream, Failure> {
+    let Found { path, bytes } = find(path, invoking)?;
+    let items = compile(&bytes)?;
+    let path = path.display().to_string();
+    // Naming the file here makes Cargo build again when it changes.
+    Ok(quote! {
+        #items
+        const _: &[u8] = ::core::include_bytes!(#path);
+    })
+}
+
+fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
+    file::find(&path.value, invoking).map_err(|reason| {
+        let missing = Diagnostic::new(Code::FileNotFound, Span::default(), "");
+        let title = missing.about(&path.value).title();
+        let code = Code::FileNotFound.id();
+        Failure::at(path, vec![format!("{code}: {title}: {reason}")])
+    })
+}
+
+/// The items of a program, checked for the robot that its options name.
+fn compiled(
+    name: &str,
+    bytes: &[u8],
+    arguments: &Arguments,
+    invoking: Option<&Path>,
+) -> Result<TokenStream, Failure> {
+    let compile = |load: &tipc::Options| {
+        embed(name, bytes, load, &arguments.spelling)
+            .map_err(|errors| Failure::at(&arguments.text, errors))
+    };
+    match &arguments.robot_file {
+        None => compile(&arguments.load),
+        Some(path) => included(path, invoking, |description| {
+            compile(&tipc::Options {
+                robot: described(path, description)?,
+                ..arguments.load
+            })
+        }),
+    }
+}
+
+#[cfg(feature = "robot-files")]
+fn described(path: &Text, description: &[u8]) -> Result<tipc::Robot, Failure> {
+    match tipc::embed::describe(&path.value, description) {
+        Ok(description) => Ok(description.robot()),
+        Err(errors) => Err(Failure::at(path, errors)),
+    }
+}
+
+#[cfg(not(feature = "robot-files"))]
+fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
+    let refusal = "robots from description files need the feature `robot-files` of tip-macros: \
+                   `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
+    Err(Failure::at(path, vec![refusal.to_owned()]))
 }
 
 fn complaint(misuse: &Misuse) -> TokenStream {
@@ -103,7 +170,7 @@ mod tests {
 
     #[test]
     fn a_program_becomes_its_type() {
-        let items = tip(tokens(&format!("pub Wave, \"{WAVE}\""))).to_string();
+        let items = tip(tokens(&format!("pub Wave, \"{WAVE}\"")), None).to_string();
         assert!(items.contains("pub struct Wave"), "{items}");
         assert!(!items.contains("compile_error"), "{items}");
     }
@@ -111,7 +178,7 @@ mod tests {
     // clauses: 1.3
     #[test]
     fn an_error_comes_with_a_skeleton_and_without_the_word_error() {
-        let items = tip(tokens("Wave, \"2.0\nwave\nEND\"")).to_string();
+        let items = tip(tokens("Wave, \"2.0\nwave\nEND\""), None).to_string();
         assert!(
             items.contains("compile_error ! { \"E108: TIP_ERR:Wrong version number"),
             "{items}"
@@ -129,9 +196,67 @@ mod tests {
         assert!(items.contains("struct Gone"), "{items}");
     }
 
+    /// Seen from the folder of this crate, and of every other in the workspace.
+    const HEXAPOD: &str = "../tipc/tests/robots/hexapod.toml";
+
+    #[test]
+    #[cfg(feature = "robot-files")]
+    fn a_program_for_a_described_robot_tracks_both() {
+        let items = tip(
+            tokens(&format!("Wave, \"{WAVE}\", robot = \"{HEXAPOD}\"")),
+            None,
+        )
+        .to_string();
+        assert!(items.contains("robot : \"hexapod\""), "{items}");
+        assert!(items.contains("include_bytes ! (\""), "{items}");
+        assert!(!items.contains("compile_error"), "{items}");
+    }
+
+    #[test]
+    #[cfg(not(feature = "robot-files"))]
+    fn a_description_without_its_feature_is_refused() {
+        let items = tip(
+            tokens(&format!("Wave, \"{WAVE}\", robot = \"{HEXAPOD}\"")),
+            None,
+        )
+        .to_string();
+        assert!(items.contains("compile_error"), "{items}");
+        assert!(items.contains("the feature `robot-files`"), "{items}");
+        assert!(items.contains("struct Wave"), "{items}");
+    }
+
+    #[test]
+    #[cfg(feature = "robot-files")]
+    fn a_description_becomes_a_constant() {
+        let items = include_robot(tokens(&format!("pub \"{HEXAPOD}\" as SIX")), None).to_string();
+        let constant = "pub const SIX : :: tip_runtime :: model :: Model < 6 , 3 >";
+        assert!(items.contains(constant), "{items}");
+        assert!(items.contains("include_bytes"), "{items}");
+        let named = include_robot(tokens(&format!("\"{HEXAPOD}\"")), None).to_string();
+        assert!(named.contains("const HEXAPOD :"), "{named}");
+    }
+
+    #[test]
+    #[cfg(feature = "robot-files")]
+    fn a_description_that_is_not_there_is_an_error_with_a_stand_in() {
+        let robot = include_robot(tokens("\"gone.toml\""), None).to_string();
+        assert!(
+            robot.contains("E103: TIP_ERR:File not found(gone.toml)"),
+            "{robot}"
+        );
+        assert!(robot.contains("const GONE :"), "{robot}");
+        let program = tip(
+            tokens(&format!("Wave, \"{WAVE}\", robot = \"gone.toml\"")),
+            None,
+        )
+        .to_string();
+        assert!(program.contains("File not found(gone.toml)"), "{program}");
+        assert!(program.contains("struct Wave"), "{program}");
+    }
+
     #[test]
     fn misuse_is_an_error_alone() {
-        let items = tip(tokens("Wave")).to_string();
+        let items = tip(tokens("Wave"), None).to_string();
         assert!(items.contains("compile_error"), "{items}");
         assert!(!items.contains("struct"), "{items}");
     }

@@ -26,5 +26,18 @@ pub fn include_tip(input: TokenStream) -> TokenStream {
 /// Line 1 of the program begins right behind the opening quote.
 #[proc_macro]
 pub fn tip(input: TokenStream) -> TokenStream {
-    expand::tip(input.into()).into()
+    let invoking = Span::call_site().local_file();
+    expand::tip(input.into(), invoking.as_deref()).into()
+}
+
+/// Compiles the description of a robot to a constant that holds its model:
+/// `include_robot!([visibility] "path" [as NAME] [, runtime = path])`.
+///
+/// The path is looked up as [`include_tip!`] does. The constant is named after the file, in capitals, unless
+/// `as` names it; its type is `tip_runtime::model::Model<L, J>`, for L legs of J joints.
+#[cfg(feature = "robot-files")]
+#[proc_macro]
+pub fn include_robot(input: TokenStream) -> TokenStream {
+    let invoking = Span::call_site().local_file();
+    expand::include_robot(input.into(), invoking.as_deref()).into()
 }

@@ -28,6 +28,8 @@ pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
 pub(crate) use names::is_reserved;
 pub(crate) use resolve::Resolved;
+#[cfg(feature = "robot-files")]
+pub(crate) use suggest::nearest;
 pub(crate) use usage::ReadPlace;
 
 /// What the passes found out about a module, statement by statement.

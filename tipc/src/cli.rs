@@ -8,6 +8,7 @@ mod input;
 mod migrate;
 mod output;
 mod report;
+mod robot;
 mod run;
 mod scene;
 mod script;

@@ -84,6 +84,8 @@ codes! {
     Structure "E207" Some(Kind::Syntax), "Control structure mismatch";
     /// A variable that is read and never assigned.
     NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED;
+    /// A robot's description that cannot be used.
+    Description "E401" Some(Kind::Robot), "Wrong robot description";
     /// A variable that nothing uses.
     Unused "W101" None, "variable \"{}\" is declared but never used";
     /// A variable that nothing reads.

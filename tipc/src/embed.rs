@@ -1,43 +1,45 @@
 //! From the bytes of a source to Rust items: the one road that macros and build scripts share.
 
 use crate::codes::Level;
+#[cfg(feature = "robot-files")]
+use crate::description::{self, Description};
 use crate::diagnostic::render_human;
-use crate::emit::{self, emit, skeleton};
-use crate::load::{self, load};
+use crate::emit::{self, emit};
+use crate::load::{self, Loaded, load};
 use proc_macro2::TokenStream;
-
-/// Why a source did not become Rust, and what may stand in for it.
-#[derive(Clone, Debug)]
-pub struct Refusal {
-    /// Each error with its place, its line and a caret, in the order of the source.
-    pub errors: Vec<String>,
-    /// A type of the program's name, so that nothing but the errors is reported.
-    pub skeleton: TokenStream,
-}
 
 /// Compiles a source to the items that stand for it in a Rust crate.
 ///
 /// # Errors
-/// The source's errors, rendered for people.
+/// The source's errors, each with its place, its line and a caret, in the order of the source.
 pub fn embed(
     name: &str,
     bytes: &[u8],
     options: &load::Options,
     spelling: &emit::Options,
-) -> Result<TokenStream, Refusal> {
+) -> Result<TokenStream, Vec<String>> {
     let loaded = load(name, bytes, options);
     match &loaded.program {
         Some(program) => Ok(emit(program, spelling)),
-        None => Err(Refusal {
-            errors: loaded
-                .diagnostics
-                .iter()
-                .filter(|diagnostic| diagnostic.level() == Level::Error)
-                .map(|diagnostic| render_human(&loaded.source, diagnostic, false))
-                .collect(),
-            skeleton: skeleton(name, spelling),
-        }),
+        None => Err(errors(&loaded)),
     }
+}
+
+/// Reads the description of a robot.
+///
+/// # Errors
+/// The description's errors, as those of a program.
+#[cfg(feature = "robot-files")]
+pub fn describe(name: &str, bytes: &[u8]) -> Result<Description, Vec<String>> {
+    description::parse(name, bytes).map_err(|loaded| errors(&loaded))
+}
+
+fn errors(loaded: &Loaded) -> Vec<String> {
+    let diagnostics = loaded.diagnostics.iter();
+    diagnostics
+        .filter(|diagnostic| diagnostic.level() == Level::Error)
+        .map(|diagnostic| render_human(&loaded.source, diagnostic, false))
+        .collect()
 }
 
 #[cfg(test)]
@@ -55,15 +57,13 @@ mod tests {
 
     // clauses: 1.3
     #[test]
-    fn an_error_comes_with_its_place_and_a_skeleton() {
+    fn an_error_comes_with_its_place() {
         let (options, spelling) = (load::Options::default(), emit::Options::default());
-        let refusal =
-            embed("motions/old.prg", b"2.0\nold\nEND\n", &options, &spelling).unwrap_err();
-        let [error] = refusal.errors.as_slice() else {
-            panic!("one error, not {:?}", refusal.errors);
+        let errors = embed("motions/old.prg", b"2.0\nold\nEND\n", &options, &spelling).unwrap_err();
+        let [error] = errors.as_slice() else {
+            panic!("one error, not {errors:?}");
         };
         assert!(error.contains("Wrong version number"), "{error}");
         assert!(error.contains("--> motions/old.prg:1:1"), "{error}");
-        assert!(refusal.skeleton.to_string().contains("struct Old"));
     }
 }

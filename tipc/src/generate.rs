@@ -38,6 +38,8 @@ pub use error::BuildError;
 
 use crate::Robot;
 use crate::codes::{Code, Level};
+#[cfg(feature = "robot-files")]
+use crate::description::{self, Description};
 use crate::diagnostic::{Diagnostic, render_human, render_short};
 use crate::load::{self, Loaded, load};
 use crate::source::{Encoding, Source};
@@ -70,6 +72,8 @@ pub fn compile(path: impl AsRef<Path>) -> Result<(), BuildError> {
 #[derive(Clone, Debug)]
 pub struct Config {
     load: load::Options,
+    #[cfg(feature = "robot-files")]
+    robot_file: Option<PathBuf>,
     out_dir: Option<PathBuf>,
     runtime_path: String,
     type_name: Option<String>,
@@ -80,6 +84,8 @@ impl Default for Config {
     fn default() -> Self {
         Config {
             load: load::Options::default(),
+            #[cfg(feature = "robot-files")]
+            robot_file: None,
             out_dir: None,
             runtime_path: "::tip_runtime".to_owned(),
             type_name: None,
@@ -97,6 +103,13 @@ impl Config {
     /// The robot that programs are checked for; TITAN VIII if not called.
     pub fn robot(&mut self, robot: Robot) -> &mut Self {
         self.load.robot = robot;
+        self
+    }
+
+    /// The robot that programs are checked for, as a file describes it; it takes the place of [`robot`](Self::robot).
+    #[cfg(feature = "robot-files")]
+    pub fn robot_file(&mut self, path: impl Into<PathBuf>) -> &mut Self {
+        self.robot_file = Some(path.into());
         self
     }
 
@@ -140,14 +153,32 @@ impl Config {
     ///
     /// # Errors
     /// The errors of every program that has some; a setting or file that cannot be used.
-    #[expect(clippy::disallowed_macros, reason = "this is how Cargo is told")]
     pub fn compile(&self, paths: &[impl AsRef<Path>]) -> Result<(), BuildError> {
         let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
         let mut report = Report::default();
         let outcome = self.generate(&paths, &mut report);
-        for line in &report.lines {
-            println!("cargo::{line}");
-        }
+        report.tell_cargo();
+        outcome
+    }
+
+    /// Writes the model of a described robot to a file of its own, `$OUT_DIR/<file's stem>.rs`: a constant
+    /// named after the file, in capitals, unless [`type_name`](Self::type_name) names it.
+    ///
+    /// ```no_run
+    /// fn main() -> Result<(), tipc::BuildError> {
+    ///     // `HEXAPOD`, a `Model<6, 3>`, and the program `March` that runs on it.
+    ///     tipc::Config::new().compile_robot("hexapod.toml")?;
+    ///     tipc::Config::new().robot_file("hexapod.toml").compile(&["march.prg"])
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    /// The errors of the description; a setting or file that cannot be used.
+    #[cfg(feature = "robot-files")]
+    pub fn compile_robot(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
+        let mut report = Report::default();
+        let outcome = self.generate_robot(path.as_ref(), &mut report);
+        report.tell_cargo();
         outcome
     }
 
@@ -155,21 +186,49 @@ impl Config {
         let spelling = self.spelling(paths.len())?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
         let outputs = outputs(paths, &folder)?;
+        let load = self.load(report)?;
         for (output, input) in outputs {
-            report
-                .lines
-                .push(format!("rerun-if-changed={}", input.display()));
-            let Some(program) = self.program(input, report) else {
+            report.depends_on(input);
+            let Some(program) = program(input, &load, report) else {
                 continue;
             };
             let tokens = emit::emit(&program, &spelling);
             let text = emit::pretty(&program, tokens).map_err(BuildError::setting)?;
             files::write_if_changed(&output, &text)?;
         }
-        match report.errors.is_empty() {
-            true => Ok(()),
-            false => Err(BuildError::programs(&report.errors)),
+        report.outcome()
+    }
+
+    #[cfg(feature = "robot-files")]
+    fn generate_robot(&self, path: &Path, report: &mut Report) -> Result<(), BuildError> {
+        let spelling = self.spelling(1)?;
+        let folder = files::out_dir(self.out_dir.as_deref())?;
+        if let Some(description) = describe(path, report) {
+            let outputs = outputs(&[path], &folder)?;
+            for output in outputs.keys() {
+                let text = description.pretty(&spelling).map_err(BuildError::setting)?;
+                files::write_if_changed(output, &text)?;
+            }
         }
+        report.outcome()
+    }
+
+    /// What programs are loaded for: with the robot that the file describes, if there is one.
+    #[cfg(feature = "robot-files")]
+    fn load(&self, report: &mut Report) -> Result<load::Options, BuildError> {
+        let mut load = self.load;
+        if let Some(path) = &self.robot_file {
+            match describe(path, report) {
+                Some(description) => load.robot = description.robot(),
+                None => report.outcome()?,
+            }
+        }
+        Ok(load)
+    }
+
+    #[cfg(not(feature = "robot-files"))]
+    fn load(&self, _: &mut Report) -> Result<load::Options, BuildError> {
+        Ok(self.load)
     }
 
     fn spelling(&self, programs: usize) -> Result<emit::Options, BuildError> {
@@ -188,22 +247,27 @@ impl Config {
             runtime: tokens::<syn::Path>(&self.runtime_path)?,
         })
     }
+}
 
-    fn program(&self, input: &Path, report: &mut Report) -> Option<Program> {
-        let name = input.display().to_string();
-        let Loaded {
-            source,
-            program,
-            diagnostics,
-        } = match files::read(input) {
-            Ok(bytes) => load(&name, &bytes, &self.load),
-            Err(error) => not_found(&name, &error),
-        };
-        for diagnostic in &diagnostics {
-            report.add(&source, diagnostic);
-        }
-        program
-    }
+fn program(input: &Path, options: &load::Options, report: &mut Report) -> Option<Program> {
+    let name = input.display().to_string();
+    let loaded = match files::read(input) {
+        Ok(bytes) => load(&name, &bytes, options),
+        Err(error) => not_found(&name, &error),
+    };
+    report.add_all(&loaded);
+    loaded.program
+}
+
+#[cfg(feature = "robot-files")]
+fn describe(path: &Path, report: &mut Report) -> Option<Description> {
+    report.depends_on(path);
+    let name = path.display().to_string();
+    let described = match files::read(path) {
+        Ok(bytes) => description::parse(&name, &bytes),
+        Err(error) => Err(Box::new(not_found(&name, &error))),
+    };
+    described.map_err(|loaded| report.add_all(&loaded)).ok()
 }
 
 /// What Cargo is told.
@@ -215,6 +279,31 @@ struct Report {
 }
 
 impl Report {
+    #[expect(clippy::disallowed_macros, reason = "this is how Cargo is told")]
+    fn tell_cargo(&self) {
+        for line in &self.lines {
+            println!("cargo::{line}");
+        }
+    }
+
+    fn depends_on(&mut self, input: &Path) {
+        self.lines
+            .push(format!("rerun-if-changed={}", input.display()));
+    }
+
+    fn outcome(&self) -> Result<(), BuildError> {
+        match self.errors.is_empty() {
+            true => Ok(()),
+            false => Err(BuildError::programs(&self.errors)),
+        }
+    }
+
+    fn add_all(&mut self, loaded: &Loaded) {
+        for diagnostic in &loaded.diagnostics {
+            self.add(&loaded.source, diagnostic);
+        }
+    }
+
     fn add(&mut self, source: &Source, diagnostic: &Diagnostic) {
         let level = match diagnostic.level() {
             Level::Warning => "warning",

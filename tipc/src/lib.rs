@@ -6,6 +6,8 @@ pub mod analysis;
 mod check;
 pub mod codes;
 pub mod commands;
+#[cfg(feature = "robot-files")]
+pub mod description;
 pub mod diagnostic;
 pub mod embed;
 pub mod emit;
@@ -30,4 +32,4 @@ mod warn;
 #[cfg(feature = "build")]
 pub use generate::{BuildError, Config, compile};
 pub use load::{Loaded, Options, load};
-pub use robot::Robot;
+pub use robot::{Facts, Robot};

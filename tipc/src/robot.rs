@@ -1,23 +1,53 @@
 //! The robots that a program can be checked for.
 
 use tip_runtime::command::Target;
-use tip_runtime::model::{Range, generic, hand, titan8};
+use tip_runtime::model::{Family, Model, Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
 
-/// A robot that the compiler knows by name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+/// A robot: one that the compiler knows by name, or one that somebody described.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Robot {
     /// TITAN VIII: four legs of three joints.
     #[default]
     Titan8,
     /// Hiroshima Hand: three fingers of three joints, and a slider.
     Hand,
-    /// The generic robot: four legs of three joints.
+    /// The generic robot when no description is given: four legs of three joints.
     Generic,
+    /// Any other robot.
+    Described(Facts),
+}
+
+/// What a program can meet on a robot: all that checking needs of a model or a description.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facts {
+    /// What a program for it must state.
+    pub signature: Signature,
+    /// The sampling times that it accepts: ms.
+    pub periods: Range,
+    /// How many lamps and relays it has.
+    pub lamps: u8,
+    /// Whether it senses and gives torques.
+    pub has_forces: bool,
+    /// Whether it has a slider (`FLOOR`).
+    pub has_slider: bool,
+}
+
+impl Facts {
+    /// Those of a model.
+    pub const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
+        Facts {
+            signature: model.signature(),
+            periods: model.periods,
+            lamps: model.lamps,
+            has_forces: model.forces.is_some(),
+            has_slider: model.slider.is_some(),
+        }
+    }
 }
 
 impl Robot {
-    /// Every robot.
+    /// Every robot that has a name of its own.
     pub const ALL: &'static [Robot] = &[Robot::Titan8, Robot::Hand, Robot::Generic];
 
     /// The robot of that name.
@@ -28,36 +58,29 @@ impl Robot {
             .find(|robot| robot.name() == name)
     }
 
-    /// The name that options use.
+    /// The name that options and messages use.
     pub const fn name(self) -> &'static str {
         self.signature().robot
     }
 
     /// What a program for it must state.
     pub const fn signature(self) -> Signature {
+        self.facts().signature
+    }
+
+    /// What a program can meet on it.
+    pub const fn facts(self) -> Facts {
         match self {
-            Robot::Titan8 => titan8::MODEL.signature(),
-            Robot::Hand => hand::MODEL.signature(),
-            Robot::Generic => generic::MODEL.signature(),
+            Robot::Titan8 => Facts::of(&titan8::MODEL),
+            Robot::Hand => Facts::of(&hand::MODEL),
+            Robot::Generic => Facts::of(&generic::MODEL),
+            Robot::Described(facts) => facts,
         }
     }
 
-    /// The sampling times that it accepts: ms.
-    pub(crate) const fn periods(self) -> Range {
-        match self {
-            Robot::Titan8 => titan8::MODEL.periods,
-            Robot::Hand => hand::MODEL.periods,
-            Robot::Generic => generic::MODEL.periods,
-        }
-    }
-
-    /// How many lamps and relays it has.
-    pub(crate) const fn lamps(self) -> u8 {
-        match self {
-            Robot::Titan8 => titan8::MODEL.lamps,
-            Robot::Hand => hand::MODEL.lamps,
-            Robot::Generic => generic::MODEL.lamps,
-        }
+    /// Whether it has the commands and inputs of the Hiroshima Hand.
+    pub(crate) fn is_hand(self) -> bool {
+        self.signature().family == Family::Hand
     }
 
     /// Whether the robot has the leg, joint or slider.
@@ -65,7 +88,7 @@ impl Robot {
         let Signature { legs, joints, .. } = self.signature();
         match target {
             Target::None | Target::All => true,
-            Target::Floor => self == Robot::Hand,
+            Target::Floor => self.facts().has_slider,
             Target::Foot(leg) => leg <= legs,
             Target::Joint(leg, joint) => leg <= legs && joint <= joints,
         }
@@ -73,13 +96,28 @@ impl Robot {
 
     /// What the robot has, for help texts.
     pub(crate) fn inventory(self) -> String {
+        let Facts {
+            signature,
+            has_slider,
+            ..
+        } = self.facts();
         let Signature {
             robot,
             legs,
             joints,
             ..
-        } = self.signature();
-        let floor = if self == Robot::Hand { ", FLOOR" } else { "" };
-        format!("{robot} has F1…F{legs}, J11…J{legs}{joints}{floor}")
+        } = signature;
+        let feet = span("F1".to_owned(), format!("F{legs}"));
+        let joints = span("J11".to_owned(), format!("J{legs}{joints}"));
+        let floor = if has_slider { ", FLOOR" } else { "" };
+        format!("{robot} has {feet}, {joints}{floor}")
+    }
+}
+
+/// `first…last`, or the one that both are.
+fn span(first: String, last: String) -> String {
+    match first == last {
+        true => first,
+        false => format!("{first}…{last}"),
     }
 }

@@ -53,8 +53,11 @@ impl Case {
         let runs = trace.is_ok();
         let text = trace.or_else(|_| fs::read_to_string(path("check")));
         let text = text.unwrap_or_else(|error| panic!("{name}: {error}"));
-        let settings = Settings::of_header(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let bytes = fs::read(path("prg")).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let program = path("prg");
+        let beside = program.parent().expect("a case stands in a folder");
+        let settings = Settings::of_header(&text, beside);
+        let settings = settings.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let bytes = fs::read(&program).unwrap_or_else(|error| panic!("{name}: {error}"));
         let loaded = tipc::load(&format!("{name}.prg"), &bytes, &settings.load);
         let (module, _) = parse(&loaded.source, settings.load.tip_version);
         Case {

@@ -114,8 +114,9 @@ impl Inverse {
         }
     }
 
-    /// What a chain that fits looks like.
-    const fn wanted(self) -> &'static str {
+    /// What the joints of such a leg must be, in words.
+    #[must_use]
+    pub const fn wanted(self) -> &'static str {
         match self {
             Inverse::YawPitchPitch => {
                 "must be a vertical and two level axes, with links straight outward at 0 and a knee that flexes downwards"

@@ -9,6 +9,7 @@ use crate::codes::{Code, Level};
 use crate::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Argument, Scalar};
+use crate::robot::Robot;
 use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
 use tip_runtime::command::{Op, Target};
 
@@ -64,11 +65,7 @@ impl Resolver<'_> {
         };
         if !command.robots.contains(self.robot) {
             let reason = format!("{} lacks this command", self.robot.name());
-            let help = format!(
-                "{} is a command of {}",
-                command.name,
-                command.robots.names()
-            );
+            let help = self.who_has(command);
             self.report(
                 Diagnostic::new(Code::UnknownCommand, name.span, reason)
                     .about(&name.node)
@@ -77,6 +74,17 @@ impl Resolver<'_> {
             return None;
         }
         Some(command)
+    }
+
+    /// The way to a command that the robot lacks.
+    fn who_has(&self, command: &Command) -> String {
+        let name = command.name;
+        match self.robot {
+            Robot::Described(_) if command.robots.misses_forces(self.robot) => format!(
+                "{name} needs a robot that senses and gives torque: its description has no `[forces]`"
+            ),
+            _ => format!("{name} is a command of {}", command.robots.names()),
+        }
     }
 
     fn unknown_command<T>(&mut self, name: &Word) -> Option<T> {

@@ -20,7 +20,7 @@ impl Resolver<'_> {
     ) {
         let judged = match form.values {
             // The z of a finger is ignored.
-            Values::Three | Values::Position if self.robot == Robot::Hand => 2,
+            Values::Three | Values::Position if self.robot.is_hand() => 2,
             _ => values.len(),
         };
         for (operand, value) in operands.iter().zip(values).take(judged) {
@@ -46,18 +46,20 @@ fn broken(limit: Limit, value: f64, robot: Robot) -> Option<String> {
         Limit::Percent => {
             (value <= 0.0 || value > 100.0).then(|| "more than 0, up to 100".to_owned())
         }
-        Limit::Period => outside(robot.periods()),
+        Limit::Period => outside(robot.facts().periods),
         Limit::Frequency => {
-            let Range { min, max } = robot.periods();
+            let Range { min, max } = robot.facts().periods;
             outside(Range::new(1000.0 / max, 1000.0 / min))
         }
-        Limit::Lamp => {
-            let last = f64::from(robot.lamps()) - 1.0;
-            let fitted = Range::new(0.0, last).contains(value.trunc());
-            (!fitted).then(|| format!("0 to {last}"))
-        }
+        Limit::Lamp => match robot.facts().lamps.checked_sub(1) {
+            None => Some("nothing".to_owned()),
+            Some(last) => {
+                let fitted = Range::new(0.0, f64::from(last)).contains(value.trunc());
+                (!fitted).then(|| format!("0 to {last}"))
+            }
+        },
         Limit::FloorType => {
-            let types = if robot == Robot::Hand { 2.0 } else { 3.0 };
+            let types = if robot.is_hand() { 2.0 } else { 3.0 };
             let known = Range::new(1.0, types).contains(value.trunc());
             (!known).then(|| format!("1 to {types}"))
         }

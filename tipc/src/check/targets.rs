@@ -8,7 +8,6 @@ use crate::diagnostic::Diagnostic;
 use crate::robot::Robot;
 use crate::syntax::{Operand, OperandKind, Word};
 use tip_runtime::command::{Flag, Target};
-use tip_runtime::model::Family;
 
 /// The target that a word names, whatever the robot.
 pub(super) fn target(word: &str) -> Option<Target> {
@@ -74,7 +73,7 @@ impl Resolver<'_> {
         let found = match word {
             "HALT_REQUEST" => Some(Flag::HaltRequest),
             "KB_HIT" => Some(Flag::KbHit),
-            "ANTENNA_ON" => Some(Flag::Antenna).filter(|_| self.robot == Robot::Hand),
+            "ANTENNA_ON" => Some(Flag::Antenna).filter(|_| self.robot.is_hand()),
             _ => self.numbered_flag(word),
         };
         if found.is_none() {
@@ -103,7 +102,7 @@ impl Resolver<'_> {
         match nearest(word, FLAGS.iter().copied()).filter(|near| *near != word) {
             Some(near) => format!("did you mean `{near}`?"),
             None => {
-                let palm = if self.robot == Robot::Hand {
+                let palm = if self.robot.is_hand() {
                     ", ANTENNA_ON"
                 } else {
                     ""
@@ -142,7 +141,7 @@ fn takes(targets: Targets, target: Target, robot: Robot) -> bool {
             Joints::Every => true,
             Joints::Second => joint == 2,
             Joints::Third => joint == 3,
-            Joints::ThirdOfHand => joint == 3 && robot.signature().family == Family::Hand,
+            Joints::ThirdOfHand => joint == 3 && robot.is_hand(),
         },
     }
 }

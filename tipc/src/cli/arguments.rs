@@ -1,5 +1,6 @@
 //! The command line, and the help that teaches it.
 
+use super::robot::RobotChoice;
 use super::scene::SceneChoice;
 use super::script::{Keys, Sensor};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -44,9 +45,9 @@ pub(super) enum Verb {
 /// How a source file is to be read. Every command takes these.
 #[derive(Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for
-    #[arg(long, value_enum, default_value = "titan8")]
-    pub(super) robot: RobotName,
+    /// The robot that the program is for: titan8, hand, generic, or a description
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
+    pub(super) robot: RobotChoice,
 
     /// The version of the language that line 1 must name
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
@@ -63,9 +64,9 @@ pub(super) struct SourceArguments {
 
 impl SourceArguments {
     /// What the compiler is told.
-    pub(super) fn options(&self) -> Options {
+    pub(super) fn options(&self, robot: Robot) -> Options {
         Options {
-            robot: self.robot.robot(),
+            robot,
             tip_version: self.tip_version,
             encoding: self.encoding.encoding(),
         }
@@ -77,6 +78,7 @@ impl SourceArguments {
 #[command(after_help = "Examples:
   tipc check walk.prg turn.prg
   tipc check --robot hand grasp.prg
+  tipc check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
   tipc check --message-format json walk.prg   one object a line, on standard output
   tipc check --message-format short *.prg     FILE:LINE:COLUMN: error: TIP_ERR:...
 
@@ -97,6 +99,7 @@ pub(super) struct Check {
   tipc run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
   tipc run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
   tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
+  tipc run march.prg --robot hexapod.toml
   tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
   tipc run --robot hand grasp.prg --scene cylinder
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
@@ -219,7 +222,7 @@ pub(super) enum RobotName {
 }
 
 impl RobotName {
-    fn robot(self) -> Robot {
+    pub(super) fn robot(self) -> Robot {
         match self {
             RobotName::Titan8 => Robot::Titan8,
             RobotName::Hand => Robot::Hand,

@@ -8,8 +8,16 @@ use tipc::{emit as rust, listing};
 
 /// Writes one form of a program to a file or to standard output.
 pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
-    let loaded = input::load(&arguments.file, &arguments.source.options());
-    report::findings(&loaded, arguments.source.message_format);
+    let format = arguments.source.message_format;
+    let robot = match arguments.source.robot.load() {
+        Ok(robot) => robot.robot(),
+        Err(loaded) => {
+            report::findings(&loaded, format);
+            return Ok(Status::Failure);
+        }
+    };
+    let loaded = input::load(&arguments.file, &arguments.source.options(robot));
+    report::findings(&loaded, format);
     let Some(program) = &loaded.program else {
         return Ok(Status::Failure);
     };

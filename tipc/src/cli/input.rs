@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::{fs, io};
 use tipc::codes::Code;
+use tipc::description::Description;
 use tipc::diagnostic::Diagnostic;
 use tipc::migrate::Migration;
 use tipc::source::{Encoding, Source};
@@ -23,6 +24,15 @@ pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<
     let name = path.display().to_string();
     match fs::read(path) {
         Ok(bytes) => tipc::migrate::migrate(&name, &bytes, encoding),
+        Err(error) => Err(Box::new(unreadable(name, &error))),
+    }
+}
+
+/// Reads the description of a robot at `path`.
+pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
+    let name = path.display().to_string();
+    match fs::read(path) {
+        Ok(bytes) => tipc::description::parse(&name, &bytes),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }

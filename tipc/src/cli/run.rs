@@ -10,6 +10,7 @@ mod trace;
 
 use super::arguments::{RobotName, Run};
 use super::error::Error;
+use super::robot::ChosenRobot;
 use super::script::Sensor;
 use super::{Status, input, report, scene};
 use emergency::describe;
@@ -22,17 +23,40 @@ use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
 use tip_runtime::record::Ending;
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
+use tipc::description::WithModel;
 use tipc::interp::Interpreter;
 use tipc::program::Program;
 use tipc::source::Source;
+use tipc::{Facts, Robot};
 use trace::Trace;
 
 /// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
-    match arguments.source.robot {
-        RobotName::Titan8 => walk(&titan8::MODEL, arguments),
-        RobotName::Generic => walk(&generic::MODEL, arguments),
-        RobotName::Hand => grasp(&hand::MODEL, arguments),
+    let robot = match arguments.source.robot.load() {
+        Ok(robot) => robot,
+        Err(loaded) => {
+            report::findings(&loaded, arguments.source.message_format);
+            return Ok(Status::Failure);
+        }
+    };
+    match &robot {
+        ChosenRobot::Described(description) => description.with_model(Walk { arguments }),
+        ChosenRobot::Named(RobotName::Titan8) => walk(&titan8::MODEL, arguments),
+        ChosenRobot::Named(RobotName::Generic) => walk(&generic::MODEL, arguments),
+        ChosenRobot::Named(RobotName::Hand) => grasp(&hand::MODEL, arguments),
+    }
+}
+
+/// A run on a robot of any size.
+struct Walk<'a> {
+    arguments: &'a Run,
+}
+
+impl WithModel for Walk<'_> {
+    type Output = Result<Status, Error>;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
+        walk(model, self.arguments)
     }
 }
 
@@ -67,18 +91,19 @@ fn grasp<const L: usize, const J: usize>(
 
 /// Loads the program and runs it on `robot`.
 fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
-    robot: Simulated<'_, P, S, L, J>,
+    simulated: Simulated<'_, P, S, L, J>,
     arguments: &Run,
 ) -> Result<Status, Error> {
-    check_sensors(&robot, &arguments.sensors)?;
-    let loaded = input::load(&arguments.file, &arguments.source.options());
+    check_sensors(&simulated, &arguments.sensors)?;
+    let robot = Robot::Described(Facts::of(simulated.model));
+    let loaded = input::load(&arguments.file, &arguments.source.options(robot));
     report::findings(&loaded, arguments.source.message_format);
     let logs = match &arguments.out_dir {
         Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
         _ => None,
     };
     match loaded.program {
-        Some(program) => simulate(robot, arguments, &loaded.source, program, logs),
+        Some(program) => simulate(simulated, arguments, &loaded.source, program, logs),
         None => Ok(Status::Failure),
     }
 }

@@ -3,19 +3,25 @@
 use crate::robot::Robot;
 use tip_runtime::model::Family;
 
-/// A set of robot families.
+/// A set of robots: families, and whether a member must sense and give torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Robots {
     titan: bool,
     hand: bool,
     generic: bool,
+    with_forces: bool,
 }
 
 impl Robots {
     /// Every robot.
     pub const ALL: Robots = Robots::new(true, true, true);
-    /// Robots that sense and give torque.
-    pub const FORCE: Robots = Robots::new(false, true, true);
+    /// The Hiroshima Hand and generic robots.
+    pub const LATER: Robots = Robots::new(false, true, true);
+    /// Those of them that sense and give torque.
+    pub const FORCE: Robots = Robots {
+        with_forces: true,
+        ..Robots::LATER
+    };
     /// TITAN VIII alone.
     pub const TITAN: Robots = Robots::new(true, false, false);
     /// TITAN VIII and the Hiroshima Hand.
@@ -28,12 +34,23 @@ impl Robots {
             titan,
             hand,
             generic,
+            with_forces: false,
         }
     }
 
     /// Whether the robot is in the set.
     pub const fn contains(self, robot: Robot) -> bool {
-        match robot.signature().family {
+        self.has_family(robot.signature().family) && !self.misses_forces(robot)
+    }
+
+    /// Whether the robot would have to sense and give torque, and does not.
+    pub(crate) const fn misses_forces(self, robot: Robot) -> bool {
+        let facts = robot.facts();
+        self.with_forces && self.has_family(facts.signature.family) && !facts.has_forces
+    }
+
+    const fn has_family(self, family: Family) -> bool {
+        match family {
             Family::Titan => self.titan,
             Family::Hand => self.hand,
             Family::Generic => self.generic,

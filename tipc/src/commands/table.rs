@@ -110,8 +110,8 @@ pub const COMMANDS: &[Command] = rows! {
     "MESSAGE_CLEAR", None, "§7-9-5", "7.34", Meaning::MessageClear, Form::Robot(Arguments::BARE), Robots::ALL, "", Cycles::One, outcome::NONE, "Clears the message line.";
     Op::LampOn.name(), None, "§7-9-6", "7.36", Meaning::Robot(Op::LampOn), Form::Robot(Arguments::setting(Targets::NONE, Values::One, Limit::Lamp)), Robots::ALL, "", Cycles::One, outcome::NONE, "Switches a lamp or relay on.";
     Op::LampOff.name(), None, "§7-9-7", "7.36", Meaning::Robot(Op::LampOff), Form::Robot(Arguments::setting(Targets::NONE, Values::One, Limit::Lamp)), Robots::ALL, "", Cycles::One, outcome::NONE, "Switches a lamp or relay off.";
-    Op::SilentOn.name(), None, "§7-9-8", "7.37", Meaning::Robot(Op::SilentOn), Form::Robot(Arguments::BARE), Robots::FORCE, "", Cycles::One, outcome::NONE, "Shows as little as possible on the screen.";
-    Op::SilentOff.name(), None, "§7-9-9", "7.37", Meaning::Robot(Op::SilentOff), Form::Robot(Arguments::BARE), Robots::FORCE, "", Cycles::One, outcome::NONE, "Shows everything again.";
+    Op::SilentOn.name(), None, "§7-9-8", "7.37", Meaning::Robot(Op::SilentOn), Form::Robot(Arguments::BARE), Robots::LATER, "", Cycles::One, outcome::NONE, "Shows as little as possible on the screen.";
+    Op::SilentOff.name(), None, "§7-9-9", "7.37", Meaning::Robot(Op::SilentOff), Form::Robot(Arguments::BARE), Robots::LATER, "", Cycles::One, outcome::NONE, "Shows everything again.";
     "REM", None, "§7-10-2", "7.38", Meaning::Word, Form::Words("[text]"), Robots::ALL, "", Cycles::One, outcome::NONE, "Does nothing for one cycle.";
     "END", None, "§7-10-3", "7.39", Meaning::Word, Form::Words(""), Robots::ALL, "", Cycles::One, outcome::NONE, "Ends the program, and its text.";
     "EXIT", None, "§7-10-4", "7.39", Meaning::Word, Form::Words(""), Robots::ALL, "", Cycles::One, outcome::NONE, "Ends the program.";

@@ -2,8 +2,7 @@
 
 use super::{Arguments, Command, Form, Joints, Meaning, Targets, Values};
 use crate::robot::Robot;
-use tip_runtime::command::Teach;
-use tip_runtime::model::Family;
+use tip_runtime::command::{Target, Teach};
 
 impl Command {
     /// Every way to write it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
@@ -81,18 +80,17 @@ impl Arguments {
 impl Targets {
     /// One target of each sort that the robot has.
     pub(crate) fn examples(self, robot: Robot) -> String {
-        let is_hand = robot.signature().family == Family::Hand;
-        let joint = match self.joints {
-            Joints::Every => "J11",
-            Joints::Second => "J12",
-            Joints::Third => "J13",
-            Joints::ThirdOfHand if is_hand => "J13",
-            Joints::ThirdOfHand | Joints::None => "",
+        let (joint, named) = match self.joints {
+            Joints::Every => (1, "J11"),
+            Joints::Second => (2, "J12"),
+            Joints::Third => (3, "J13"),
+            Joints::ThirdOfHand if robot.is_hand() => (3, "J13"),
+            Joints::ThirdOfHand | Joints::None => (0, ""),
         };
         let sorts = [
             (self.foot, "F1"),
-            (!joint.is_empty(), joint),
-            (self.floor && is_hand, "FLOOR"),
+            (joint > 0 && robot.has(Target::Joint(1, joint)), named),
+            (self.floor && robot.has(Target::Floor), "FLOOR"),
             (self.all, "ALL"),
         ];
         let examples: Vec<&str> = sorts

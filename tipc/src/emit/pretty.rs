@@ -9,10 +9,11 @@ use proc_macro2::TokenStream;
 /// # Errors
 /// The tokens are no Rust file; a visibility or run-time path that is none can cause it.
 pub fn pretty(program: &Program, tokens: TokenStream) -> Result<String, syn::Error> {
+    under(&header(program), tokens)
+}
+
+/// Tokens as formatted source text under a header.
+pub(crate) fn under(header: &str, tokens: TokenStream) -> Result<String, syn::Error> {
     let file = syn::parse2(tokens)?;
-    Ok(format!(
-        "// {}\n\n{}",
-        header(program),
-        prettyplease::unparse(&file)
-    ))
+    Ok(format!("// {header}\n\n{}", prettyplease::unparse(&file)))
 }

@@ -30,7 +30,10 @@ impl Emitter<'_> {
             ..
         } = self;
         let source = self.program.source_name.replace('`', "'");
-        let header = format!(" {}", header_of(self.program, &format!("`{source}`")));
+        let header = format!(
+            " {}",
+            header_of(&format!("`{source}`"), self.program.source_hash)
+        );
         let robot = self.program.signature.robot;
         let about = format!(" The motion program `{source}`, compiled for the robot `{robot}`.");
         let fields = self.program.variables.iter().map(|variable| {

@@ -6,7 +6,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// A number that reads back to the same bits.
-pub(super) fn number(value: f64) -> TokenStream {
+pub(crate) fn number(value: f64) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed(value.abs());
     if value.is_sign_negative() {
         quote!(-#magnitude)

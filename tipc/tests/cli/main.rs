@@ -5,6 +5,7 @@ mod emit;
 mod logs;
 mod migrate;
 mod readme;
+mod robot;
 mod run;
 mod script;
 mod support;

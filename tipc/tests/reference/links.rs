@@ -11,9 +11,11 @@ fn links_lead_to_files_and_headings() {
             let folder = document.rsplit_once('/').map_or("", |(folder, _)| folder);
             let target = match path {
                 "" => document.clone(),
-                _ => format!("{folder}/{path}"),
+                _ => format!("{folder}/{path}")
+                    .trim_start_matches('/')
+                    .to_owned(),
             };
-            let file = workspace().join(target.trim_start_matches('/'));
+            let file = workspace().join(&target);
             assert!(file.exists(), "{document}: {link}");
             let found = place.is_empty() || anchors(&read(&target)).contains(&place.to_owned());
             assert!(found, "{document}: {link} has no such heading");

@@ -2,6 +2,8 @@
 //! and that nothing is missing in them. `TIP_BLESS=1` rewrites what is generated.
 #![expect(clippy::disallowed_methods, reason = "documents are files")]
 
+#[cfg(feature = "robot-files")]
+mod descriptions;
 mod entries;
 mod facts;
 mod links;

@@ -68,7 +68,7 @@ fn describes(clause: &str, name: &str) -> bool {
 }
 
 /// The text with the part between a pair of markers replaced.
-fn replace(text: &str, name: &str, content: &str) -> String {
+pub(crate) fn replace(text: &str, name: &str, content: &str) -> String {
     let (begin, end) = (
         format!("<!-- {name}: begin -->\n"),
         format!("<!-- {name}: end -->"),

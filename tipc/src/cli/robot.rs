@@ -1,0 +1,61 @@
+//! The robot of the command line: one with a name, or one with a description.
+
+use super::arguments::RobotName;
+use super::input;
+use clap::ValueEnum;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use tipc::description::Description;
+use tipc::{Loaded, Robot};
+
+/// `NAME` or `FILE.toml`, as `--robot` has it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum RobotChoice {
+    Named(RobotName),
+    File(PathBuf),
+}
+
+impl FromStr for RobotChoice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
+        match RobotName::from_str(text, false) {
+            Ok(name) => Ok(RobotChoice::Named(name)),
+            Err(_) if is_file => Ok(RobotChoice::File(text.into())),
+            Err(_) => Err(
+                "the robots are titan8, hand and generic; any other one is a description, FILE.toml"
+                    .to_owned(),
+            ),
+        }
+    }
+}
+
+/// A robot that is there to be used.
+pub(super) enum ChosenRobot {
+    Named(RobotName),
+    Described(Box<Description>),
+}
+
+impl RobotChoice {
+    /// Reads the description, if there is one.
+    pub(super) fn load(&self) -> Result<ChosenRobot, Box<Loaded>> {
+        match self {
+            RobotChoice::Named(name) => Ok(ChosenRobot::Named(*name)),
+            RobotChoice::File(path) => {
+                let description = input::describe(path)?;
+                Ok(ChosenRobot::Described(Box::new(description)))
+            }
+        }
+    }
+}
+
+impl ChosenRobot {
+    /// What programs are checked for.
+    pub(super) fn robot(&self) -> Robot {
+        match self {
+            ChosenRobot::Named(name) => name.robot(),
+            ChosenRobot::Described(description) => description.robot(),
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Robots from descriptions: the text of a TOML file becomes a [`Description`], and that whatever is needed of it.
+//!
+//! A description says where the legs stand and what their joints are; everything else has a default.
+//! All keys are in the table [`KEYS`]; `docs/robots.md` shows them with an example.
+//!
+//! ```
+//! let text = br#"
+//! name = "tripod"
+//! joint = [
+//!     { axis = "z", link = [50, 0, 0], limits = [-60, 60] },
+//!     { axis = "-y", link = [100, 0, 0], limits = [-60, 75] },
+//!     { axis = "y", link = [120, 0, 0], limits = [5, 150] },
+//! ]
+//! leg = [
+//!     { base = [80, 0, 0] },
+//!     { base = [-40, 70, 0], turn = 120 },
+//!     { base = [-40, -70, 0], turn = 240 },
+//! ]
+//! "#;
+//! let description = tipc::description::parse("tripod.toml", text).unwrap();
+//! let options = tipc::Options { robot: description.robot(), ..tipc::Options::default() };
+//! let program = b"3.1\nlift a foot\nREL_PTP F3 0 0 20\nWAIT_INPOS F3\nEND\n";
+//! assert!(tipc::load("lift.prg", program, &options).program.is_some());
+//! assert!(description.model::<3, 3>().is_some());
+//! ```
+
+mod keys;
+mod legs;
+mod model;
+mod name;
+mod rust;
+mod section;
+mod settings;
+
+#[cfg(test)]
+mod tests;
+
+pub use keys::{KEYS, Key, Part};
+pub use model::WithModel;
+pub use rust::{const_name, skeleton};
+
+use crate::diagnostic::Diagnostic;
+use crate::load::Loaded;
+use crate::source::{Encoding, Source};
+use crate::syntax::Span;
+use section::{Found, Section, fault};
+use tip_runtime::model::{Body, Forces, Inverse, Joint, Range, Slider, Standards};
+use toml::de::DeTable;
+
+/// A robot as its description tells it: 1 to 9 legs with 1 to 9 joints each, as many on every leg.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    source_name: String,
+    source_hash: u64,
+    name: &'static str,
+    legs: Vec<Leg>,
+    inverse: Inverse,
+    body: Option<Body>,
+    standards: Standards,
+    periods: Range,
+    contact: f64,
+    lamps: u8,
+    forces: Option<Forces>,
+    slider: Option<Slider>,
+}
+
+/// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints.
+#[derive(Clone, Debug, PartialEq)]
+struct Leg {
+    base: [f64; 3],
+    joints: Vec<Joint>,
+    initial: Vec<f64>,
+}
+
+/// Reads a description. `name` is how diagnostics call the file.
+///
+/// The robot's name stays in memory for good: programs and models refer to it as long as they please.
+///
+/// # Errors
+/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
+    let (source, undecodable) = Source::decode(name, bytes, Encoding::Utf8);
+    let outcome = match undecodable {
+        Some(fault) => Err(vec![fault]),
+        None => read(&source),
+    };
+    outcome.map_err(|mut diagnostics| {
+        diagnostics.sort_by_key(|diagnostic| diagnostic.span);
+        Box::new(Loaded {
+            source,
+            program: None,
+            diagnostics,
+        })
+    })
+}
+
+fn read(source: &Source) -> Result<Description, Found> {
+    let (table, errors) = DeTable::parse_recoverable(source.text());
+    if !errors.is_empty() {
+        let mut found: Found = errors.iter().map(not_toml).collect();
+        // What follows in a line is told by its first fault.
+        found.sort_by_key(|fault| fault.span);
+        found.dedup_by_key(|fault| source.line_column(fault.span.start).0);
+        return Err(found);
+    }
+    let mut found = Found::new();
+    let robot = Section::new(
+        keys::Part::Robot,
+        Span::default(),
+        table.get_ref(),
+        &mut found,
+    );
+    match describe(source, robot, &mut found) {
+        Some(description) if found.is_empty() => Ok(description),
+        _ => Err(found),
+    }
+}
+
+/// A place where the text is not even TOML.
+fn not_toml(error: &toml::de::Error) -> Diagnostic {
+    let place = error.span().unwrap_or_default();
+    let help = "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`";
+    fault(Span::new(place.start, place.end), error.message(), help)
+}
+
+/// Everything is read before anything is given up, so that every fault is found.
+fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<Description> {
+    let name = name::read(robot, found);
+    let legs = legs::read(robot, found);
+    let periods = settings::periods(robot, found);
+    let standards = settings::standards(robot, periods, found);
+    let contact = settings::contact(robot, found);
+    let lamps = settings::lamps(robot, found);
+    let body = settings::body(robot, found);
+    let slider = settings::slider(robot, found);
+    let chosen = settings::inverse(robot, found);
+    let legs = legs?;
+    let forces = settings::forces(robot, &legs, found);
+    let inverse = model::inverse(robot, chosen, &legs, found)?;
+    // A name that does not end up in a robot need not stay in memory.
+    let name = name.filter(|_| found.is_empty())?;
+    Some(Description {
+        source_name: source.name().to_owned(),
+        source_hash: source.hash(),
+        name: Box::leak(name.to_owned().into_boxed_str()),
+        legs,
+        inverse,
+        body,
+        standards,
+        periods,
+        contact,
+        lamps,
+        forces,
+        slider,
+    })
+}

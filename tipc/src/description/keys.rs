@@ -1,0 +1,137 @@
+//! The one table of every key of a description. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
+
+/// A table of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Keys above the first table.
+    Robot,
+    /// `[[joint]]`, or `[[leg.joint]]`.
+    Joint,
+    /// `[[leg]]`.
+    Leg,
+    /// `[body]`.
+    Body,
+    /// `[standards]`.
+    Standards,
+    /// `[forces]`.
+    Forces,
+    /// `[slider]`.
+    Slider,
+}
+
+impl Part {
+    /// Every table, in the order of the documentation.
+    pub const ALL: &'static [Part] = &[
+        Part::Robot,
+        Part::Joint,
+        Part::Leg,
+        Part::Body,
+        Part::Standards,
+        Part::Forces,
+        Part::Slider,
+    ];
+
+    /// How the file spells it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Part::Robot => "the robot",
+            Part::Joint => "[[joint]]",
+            Part::Leg => "[[leg]]",
+            Part::Body => "[body]",
+            Part::Standards => "[standards]",
+            Part::Forces => "[forces]",
+            Part::Slider => "[slider]",
+        }
+    }
+
+    /// Its keys.
+    pub fn keys(self) -> impl Iterator<Item = &'static Key> {
+        KEYS.iter().filter(move |key| key.part == self)
+    }
+
+    /// The key of that name.
+    pub(super) fn key(self, name: &str) -> Option<&'static Key> {
+        self.keys().find(|key| key.name == name)
+    }
+}
+
+/// A key of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key {
+    /// Where it may stand.
+    pub part: Part,
+    /// Its name.
+    pub name: &'static str,
+    /// How its value is written.
+    pub form: &'static str,
+    /// What it is without the key; `None` if it must stand there.
+    pub default: Option<&'static str>,
+    /// What it says.
+    pub meaning: &'static str,
+}
+
+macro_rules! keys {
+    ($( $part:ident $name:literal, $form:literal, $default:expr, $meaning:literal; )*) => {
+        /// Every key.
+        pub const KEYS: &[Key] = &[$( Key {
+            part: Part::$part,
+            name: $name,
+            form: $form,
+            default: $default,
+            meaning: $meaning,
+        }, )*];
+    };
+}
+
+keys! {
+    Robot "name", "a text", None, "what programs, messages and traces call the robot: letters, digits, blanks, `-`, `_`, `.`";
+    Robot "joint", "a list of [[joint]] tables", Some("none"), "the joints of every leg that has none of its own, from base to foot";
+    Robot "leg", "a list of [[leg]] tables", None, "the legs, F1 first: 1 to 9, each with the same number of joints";
+    Robot "initial", "[deg, …], a number for each joint", Some("the middle of each joint's limits"), "the initial posture of every leg that has none of its own";
+    Robot "inverse", "\"yaw-pitch-pitch\", \"planar\" or \"least-squares\"", Some("the first of the three that fits the legs"), "how joint angles follow from a foot's position";
+    Robot "body", "a [body] table", Some("none: the robot is bolted down"), "the body of a robot that walks";
+    Robot "standards", "a [standards] table", Some("the values below"), "what parameter commands set, at its standard value";
+    Robot "forces", "a [forces] table", Some("none: no command of torque, force or compliance"), "that the robot senses and gives torques";
+    Robot "slider", "a [slider] table", Some("none: no `FLOOR`"), "a slider that carries the floor";
+    Robot "periods", "[min, max] in ms", Some("[1, 1000]"), "the sampling times that it accepts";
+    Robot "contact", "a number in V", Some("0.25"), "the reading of a sole from which its foot stands on something";
+    Robot "lamps", "a whole number, 0 to 255", Some("16"), "how many lamps and relays it has";
+
+    Joint "axis", "\"x\", \"-y\", … or [x, y, z]", None, "the axis of the joint, right-handed, in the frame of the link before";
+    Joint "link", "[x, y, z] in mm", None, "from this joint to the next, or to the foot, at angle 0";
+    Joint "limits", "[min, max] in deg", Some("[-180, 180]"), "the working limits";
+    Joint "outer", "[min, max] in deg", Some("5 beyond the limits"), "the limits of the potentiometer, beyond which nothing may move";
+    Joint "mass", "a number in kg", Some("0.1"), "the mass of the link";
+    Joint "torque", "a number in N·m", Some("10"), "the most that the motor gives";
+
+    Leg "base", "[x, y, z] in mm", None, "the first joint in the robot frame";
+    Leg "turn", "a number in deg", Some("0"), "turns the joints about z, counterclockwise seen from above";
+    Leg "mirror", "letters of \"x\", \"y\", \"z\"", Some("\"\""), "then mirrors them: \"x\" makes a right leg a left one; equal angles are mirrored postures";
+    Leg "initial", "[deg, …], a number for each joint", Some("that of the robot"), "the initial posture";
+    Leg "joint", "a list of [[leg.joint]] tables", Some("the [[joint]] tables of the robot"), "the joints of this leg, from base to foot";
+
+    Body "x", "[min, max] in mm", None, "the extent of the body along x";
+    Body "y", "[min, max] in mm", None, "along y";
+    Body "z", "[min, max] in mm", None, "along z; the lower end is the belly";
+    Body "mass", "a number in kg", Some("1"), "the mass without legs";
+
+    Standards "v_max", "a number in mm/s", Some("300"), "`V_MAX`";
+    Standards "a_max", "a number in mm/s²", Some("600"), "`A_MAX`";
+    Standards "omega_max", "a number in deg/s", Some("90"), "`OMEGA_MAX`";
+    Standards "omega_dot_max", "a number in deg/s²", Some("360"), "`OMEGA_DOT_MAX`";
+    Standards "just_position", "a number in mm", Some("2"), "`JUST_POSITION`";
+    Standards "just_angle", "a number in deg", Some("1"), "`JUST_ANGLE`";
+    Standards "near_position", "a number in mm", Some("10"), "`NEAR_POSITION`";
+    Standards "near_angle", "a number in deg", Some("5"), "`NEAR_ANGLE`";
+    Standards "period", "a number in ms", Some("20"), "the sampling time";
+
+    Forces "unit", "\"N·m\" or \"mN·m\"", Some("\"N·m\""), "the unit of every torque that is commanded or sensed";
+    Forces "torque_max", "a torque, a number", Some("the torque of the strongest joint"), "`TORQUE_MAX`";
+    Forces "angle_stiffness", "torque per deg, a number", Some("2 N·m/deg"), "`ANGLE_STIFFNESS`";
+    Forces "position_stiffness", "a number in N/mm", Some("1"), "`POSITION_STIFFNESS`, along each axis";
+
+    Slider "initial", "[x, y, z] in mm", None, "where it stands at first";
+    Slider "x", "[min, max] in mm", Some("it stays"), "how far it goes along x";
+    Slider "y", "[min, max] in mm", Some("it stays"), "along y";
+    Slider "z", "[min, max] in mm", Some("it stays"), "along z";
+}

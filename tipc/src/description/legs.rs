@@ -1,0 +1,238 @@
+//! Legs: where they stand, and their joints, drawn once and turned or mirrored for each leg.
+
+use super::Leg;
+use super::keys::Part;
+use super::section::{Found, Section, Sign, fault};
+use crate::syntax::Span;
+use tip_runtime::command::MAX;
+use tip_runtime::model::{Joint, Range};
+
+/// How far the potentiometers go beyond the working limits, unless the file says so: deg.
+const OUTER: f64 = 5.0;
+
+/// Every leg of the robot, F1 first; `None` after a fault that leaves none.
+pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
+    let common = joints(robot, found);
+    let sections = robot.tables("leg", Part::Leg, found)?;
+    if !(1..=MAX).contains(&sections.len()) {
+        let reason = format!(
+            "a robot has 1 to {MAX} legs, and here are {}",
+            sections.len()
+        );
+        return robot.refuse("leg", robot.place_of("leg"), reason, found);
+    }
+    let initial = robot
+        .list("initial", Sign::Any, found)
+        .map(|(_, initial)| initial);
+    let mut legs = Vec::new();
+    for (number, section) in (1..).zip(&sections) {
+        let own = joints(*section, found);
+        let drawn = own.as_deref().or(common.as_deref());
+        // Joints that were refused have been told.
+        if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
+            let reason = format!("leg F{number} has no joints");
+            let help = "describe them under [[joint]], for every leg, or under [[leg.joint]], for this one";
+            found.push(fault(section.place, reason, help));
+        }
+        let leg = leg(*section, drawn, initial.as_deref(), found);
+        if leg.as_ref().is_some_and(Leg::is_point) {
+            let reason = format!("leg F{number} has no length");
+            let help = "the link of one joint at least is not [0, 0, 0]";
+            found.push(fault(section.place, reason, help));
+        }
+        legs.extend(leg);
+    }
+    let whole = legs.len() == sections.len();
+    (whole && same_size(&sections, &legs, found)).then_some(legs)
+}
+
+/// Whether each leg has as many joints as the first one.
+fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool {
+    let first = legs.first().map_or(0, |leg| leg.joints.len());
+    let mut same = true;
+    for (number, (section, leg)) in (1..).zip(sections.iter().zip(legs)) {
+        let count = leg.joints.len();
+        if count != first {
+            let reason = format!("leg F{number} has {}, F1 has {first}", plural(count));
+            let help = "every leg needs the same number of joints: the language names them J1…Jn";
+            found.push(fault(section.place, reason, help));
+            same = false;
+        }
+    }
+    same
+}
+
+fn plural(joints: usize) -> String {
+    let end = if joints == 1 { "" } else { "s" };
+    format!("{joints} joint{end}")
+}
+
+/// The `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
+fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Joint>> {
+    let sections = section.tables("joint", Part::Joint, found)?;
+    if !(1..=MAX).contains(&sections.len()) {
+        let reason = format!(
+            "a leg has 1 to {MAX} joints, and here are {}",
+            sections.len()
+        );
+        return section.refuse("joint", section.place_of("joint"), reason, found);
+    }
+    let joints: Vec<Option<Joint>> = sections.iter().map(|own| joint(*own, found)).collect();
+    joints.into_iter().collect()
+}
+
+fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
+    let axis = axis(section, found);
+    let link = section.numbers("link", Sign::Any, found);
+    let limits = section.range("limits", Sign::Any, found);
+    let limits = limits.unwrap_or(Range::new(-180.0, 180.0));
+    let outer = section.range("outer", Sign::Any, found);
+    let outer = outer.unwrap_or(limits.widened(OUTER));
+    if !(outer.min <= limits.min && limits.max <= outer.max) {
+        let reason = format!(
+            "the outer limits must contain the working limits {} to {}",
+            limits.min, limits.max
+        );
+        section.refuse::<()>("outer", section.place_of("outer"), reason, found);
+    }
+    let mass = section.number("mass", Sign::NotNegative, found);
+    let torque = section.number("torque", Sign::Positive, found);
+    Some(Joint {
+        axis: axis?,
+        link: link?,
+        limits,
+        outer,
+        mass: mass.unwrap_or(0.1),
+        torque: torque.unwrap_or(10.0),
+    })
+}
+
+/// A unit vector: `"z"`, `"-y"` or any direction.
+fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
+    if section.is_text("axis") {
+        let words = [
+            ("x", [1.0, 0.0, 0.0]),
+            ("y", [0.0, 1.0, 0.0]),
+            ("z", [0.0, 0.0, 1.0]),
+            ("-x", [-1.0, 0.0, 0.0]),
+            ("-y", [0.0, -1.0, 0.0]),
+            ("-z", [0.0, 0.0, -1.0]),
+        ];
+        return section.choice("axis", &words, found);
+    }
+    let axis: [f64; 3] = section.numbers("axis", Sign::Any, found)?;
+    let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if length < 1e-6 {
+        let reason = "an axis of length 0 has no direction";
+        return section.refuse("axis", section.place_of("axis"), reason, found);
+    }
+    Some(axis.map(|part| part / length))
+}
+
+impl Leg {
+    /// Whether its foot cannot be anywhere but at its base.
+    fn is_point(&self) -> bool {
+        self.joints.iter().all(|joint| joint.link == [0.0; 3])
+    }
+}
+
+/// A leg whose joints are those of `drawn`, turned and mirrored as the leg says.
+fn leg(
+    section: Section<'_>,
+    drawn: Option<&[Joint]>,
+    common: Option<&[f64]>,
+    found: &mut Found,
+) -> Option<Leg> {
+    let base = section.numbers("base", Sign::Any, found);
+    let turn = section.number("turn", Sign::Any, found).unwrap_or(0.0);
+    let mirror = mirror(section, found).unwrap_or([1.0; 3]);
+    let own = section.list("initial", Sign::Any, found);
+    let drawn = drawn?;
+    let initial = initial(section, drawn, own, common, found);
+    Some(Leg {
+        base: base?,
+        joints: drawn
+            .iter()
+            .map(|joint| placed(joint, turn, mirror))
+            .collect(),
+        initial: initial?,
+    })
+}
+
+/// A joint turned about z, then mirrored.
+fn placed(joint: &Joint, turn: f64, mirror: [f64; 3]) -> Joint {
+    let [sin, cos] = sin_cos(turn);
+    let turned = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
+    let (axis, link) = (turned(joint.axis), turned(joint.link));
+    // An axis is a pseudovector: a mirror turns it round as well.
+    let side: f64 = mirror.iter().product();
+    Joint {
+        axis: [0, 1, 2].map(|i| side * mirror[i] * axis[i]),
+        link: [0, 1, 2].map(|i| mirror[i] * link[i]),
+        ..*joint
+    }
+}
+
+/// The sign that a mirror gives each coordinate.
+fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
+    let (place, letters) = section.text("mirror", found)?;
+    let mut signs = [1.0; 3];
+    for letter in letters.chars() {
+        let sign = "xyz".find(letter).and_then(|axis| signs.get_mut(axis));
+        match sign {
+            Some(sign) if *sign > 0.0 => *sign = -1.0,
+            _ => {
+                let reason = format!("{letter:?} is no coordinate, or stands here twice");
+                return section.refuse("mirror", place, reason, found);
+            }
+        }
+    }
+    Some(signs)
+}
+
+/// The leg's own initial posture, that of all legs, or the middle of all limits.
+fn initial(
+    section: Section<'_>,
+    joints: &[Joint],
+    own: Option<(Span, Vec<f64>)>,
+    common: Option<&[f64]>,
+    found: &mut Found,
+) -> Option<Vec<f64>> {
+    let place = own.as_ref().map_or(section.place, |(place, _)| *place);
+    let middle = |joint: &Joint| (joint.limits.min + joint.limits.max) / 2.0;
+    let angles = match (own, common) {
+        (Some((_, own)), _) => own,
+        (None, Some(common)) => common.to_vec(),
+        (None, None) => joints.iter().map(middle).collect(),
+    };
+    if angles.len() != joints.len() {
+        let reason = format!(
+            "the initial posture has {} angles, the leg has {}",
+            angles.len(),
+            plural(joints.len())
+        );
+        return section.refuse("initial", place, reason, found);
+    }
+    for (number, (angle, joint)) in (1..).zip(angles.iter().zip(joints)) {
+        let Range { min, max } = joint.limits;
+        if !joint.limits.contains(*angle) {
+            let reason = format!(
+                "the initial angle {angle} of joint {number} is outside its limits {min} to {max}"
+            );
+            return section.refuse("initial", place, reason, found);
+        }
+    }
+    Some(angles)
+}
+
+/// Sine and cosine of an angle in degrees, exact at every quarter turn.
+fn sin_cos(angle: f64) -> [f64; 2] {
+    let quarters = (angle / 90.0).floor();
+    let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => [sin, cos],
+        1 => [cos, -sin],
+        2 => [-sin, -cos],
+        _ => [-cos, sin],
+    }
+}

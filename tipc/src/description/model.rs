@@ -1,0 +1,120 @@
+//! What becomes of a description: what programs are checked for, and a model of the run-time.
+
+use super::section::{Found, Section};
+use super::{Description, Leg};
+use crate::robot::{Facts, Robot};
+use tip_runtime::model::{self, Family, Inverse, Model};
+use tip_runtime::program::Signature;
+
+/// What is to be done with the model of a robot, whatever the number of its legs and joints.
+pub trait WithModel {
+    /// What comes of it.
+    type Output;
+
+    /// Does it with a robot of `L` legs with `J` joints each.
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output;
+}
+
+/// Chooses the size of a model at run time: one arm for each number of legs and joints.
+macro_rules! any_size {
+    ($description:expr, $with:expr; $($legs:literal)*) => {
+        any_size!(@legs $description, $with; $($legs)*; [1 2 3 4 5 6 7 8 9])
+    };
+    (@legs $description:expr, $with:expr; $($legs:literal)*; $joints:tt) => {
+        match $description.legs.len() {
+            $( $legs => any_size!(@joints $description, $with; $legs; $joints), )*
+            _ => None,
+        }
+    };
+    (@joints $description:expr, $with:expr; $legs:literal; [$($joints:literal)*]) => {
+        match $description.joints() {
+            $( $joints => $description.model::<$legs, $joints>().map(|model| $with.with(&model)), )*
+            _ => None,
+        }
+    };
+}
+
+impl Description {
+    /// What the robot is called.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The number of joints on each leg.
+    pub(super) fn joints(&self) -> usize {
+        self.legs.first().map_or(0, |leg| leg.joints.len())
+    }
+
+    /// The robot that programs are checked for.
+    pub fn robot(&self) -> Robot {
+        Robot::Described(Facts {
+            signature: Signature {
+                robot: self.name,
+                family: Family::Generic,
+                legs: self.legs.len() as u8,
+                joints: self.joints() as u8,
+            },
+            periods: self.periods,
+            lamps: self.lamps,
+            has_forces: self.forces.is_some(),
+            has_slider: self.slider.is_some(),
+        })
+    }
+
+    /// The robot as the run-time knows it; `None` unless it has `L` legs with `J` joints each.
+    pub fn model<const L: usize, const J: usize>(&self) -> Option<Model<L, J>> {
+        let legs: Option<Vec<model::Leg<J>>> = self.legs.iter().map(Leg::sized).collect();
+        Some(Model {
+            inverse: self.inverse,
+            body: self.body,
+            standards: self.standards,
+            periods: self.periods,
+            contact: self.contact,
+            lamps: self.lamps,
+            forces: self.forces,
+            slider: self.slider,
+            ..Model::generic(self.name, legs?.try_into().ok()?)
+        })
+    }
+
+    /// Does something with the model, which has 1 to 9 legs of 1 to 9 joints.
+    ///
+    /// # Panics
+    /// Never: a description has legs and joints of these numbers.
+    pub fn with_model<W: WithModel>(&self, with: W) -> W::Output {
+        any_size!(self, with; 1 2 3 4 5 6 7 8 9).expect("1 to 9 legs of 1 to 9 joints")
+    }
+}
+
+impl Leg {
+    fn sized<const J: usize>(&self) -> Option<model::Leg<J>> {
+        Some(model::Leg {
+            base: self.base,
+            joints: self.joints.as_slice().try_into().ok()?,
+            initial: self.initial.as_slice().try_into().ok()?,
+        })
+    }
+}
+
+/// The inverse kinematics: as `chosen`, if every leg is such a chain; else the first that fits all legs.
+pub(super) fn inverse(
+    robot: Section<'_>,
+    chosen: Option<Inverse>,
+    legs: &[Leg],
+    found: &mut Found,
+) -> Option<Inverse> {
+    let misfit = |inverse: Inverse| legs.iter().position(|leg| !inverse.fits(&leg.joints));
+    let Some(inverse) = chosen else {
+        let all = [
+            Inverse::YawPitchPitch,
+            Inverse::Planar,
+            Inverse::LeastSquares,
+        ];
+        return all.into_iter().find(|inverse| misfit(*inverse).is_none());
+    };
+    let Some(leg) = misfit(inverse) else {
+        return Some(inverse);
+    };
+    let reason = format!("the joints of leg F{} {}", leg + 1, inverse.wanted());
+    robot.refuse("inverse", robot.place_of("inverse"), reason, found)
+}

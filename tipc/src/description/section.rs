@@ -1,0 +1,272 @@
+//! A table of the file, read key by key: every value that cannot be used is reported at its place.
+
+use super::keys::Part;
+use crate::check::nearest;
+use crate::codes::Code;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::Span;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// No measure of a robot is larger, be it mm, deg or anything else: arithmetic stays far from infinity.
+const LARGEST: f64 = 1e6;
+
+/// What a number must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sign {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+/// A table with its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section<'a> {
+    pub(super) part: Part,
+    pub(super) place: Span,
+    table: &'a DeTable<'a>,
+}
+
+/// Where faults are collected.
+pub(super) type Found = Vec<Diagnostic>;
+
+/// A finding about the description.
+pub(super) fn fault(place: Span, reason: impl Into<String>, help: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Code::Description, place, reason).help(help)
+}
+
+impl<'a> Section<'a> {
+    /// The table; reports the keys that it cannot have and those that it lacks.
+    pub(super) fn new(part: Part, place: Span, table: &'a DeTable<'a>, found: &mut Found) -> Self {
+        let section = Section { part, place, table };
+        for key in table.keys() {
+            let name: &str = key.get_ref();
+            if part.key(name).is_none() {
+                found.push(section.unknown(name, span(key)));
+            }
+        }
+        for key in part.keys().filter(|key| key.default.is_none()) {
+            if !table.contains_key(key.name) {
+                let reason = format!("{} lacks `{}`", part.name(), key.name);
+                let help = format!("`{}` is {}: {}", key.name, key.form, key.meaning);
+                found.push(fault(place, reason, help));
+            }
+        }
+        section
+    }
+
+    fn unknown(self, name: &str, place: Span) -> Diagnostic {
+        let part = self.part.name();
+        let names = || self.part.keys().map(|key| key.name);
+        let elsewhere = Part::ALL.iter().find(|part| part.key(name).is_some());
+        let help = match (nearest(name, names()), elsewhere) {
+            (Some(near), _) => format!("did you mean `{near}`?"),
+            (None, Some(part)) => format!("`{name}` belongs to {}", part.name()),
+            (None, None) => {
+                let names: Vec<&str> = names().collect();
+                format!("the keys of {part} are {}", names.join(", "))
+            }
+        };
+        fault(place, format!("{part} has no key `{name}`"), help)
+    }
+
+    fn value(self, key: &str) -> Option<(Span, &'a DeValue<'a>)> {
+        let value = self.table.get(key)?;
+        Some((span(value), value.get_ref()))
+    }
+
+    /// The place of a key's value, else of the table.
+    pub(super) fn place_of(self, key: &str) -> Span {
+        self.value(key).map_or(self.place, |(place, _)| place)
+    }
+
+    /// Refuses the value of `key`, and says how it is written.
+    pub(super) fn refuse<T>(
+        self,
+        key: &str,
+        place: Span,
+        reason: impl Into<String>,
+        found: &mut Found,
+    ) -> Option<T> {
+        let help = self.part.key(key).map(|key| key.form).unwrap_or_default();
+        found.push(fault(place, reason, format!("`{key}` is {help}")));
+        None
+    }
+
+    /// A number; `None` if there is none or it was refused.
+    pub(super) fn number(self, key: &str, sign: Sign, found: &mut Found) -> Option<f64> {
+        let (place, value) = self.value(key)?;
+        self.sound(key, place, value, sign, found)
+    }
+
+    /// As many numbers as there are places in the array.
+    pub(super) fn numbers<const N: usize>(
+        self,
+        key: &str,
+        sign: Sign,
+        found: &mut Found,
+    ) -> Option<[f64; N]> {
+        let (place, numbers) = self.list(key, sign, found)?;
+        let count = numbers.len();
+        match numbers.try_into() {
+            Ok(numbers) => Some(numbers),
+            Err(_) => {
+                let reason = format!("{N} numbers belong here, and there are {count}");
+                self.refuse(key, place, reason, found)
+            }
+        }
+    }
+
+    /// Any number of numbers, with the place of the list.
+    pub(super) fn list(self, key: &str, sign: Sign, found: &mut Found) -> Option<(Span, Vec<f64>)> {
+        let (place, value) = self.value(key)?;
+        let DeValue::Array(items) = value else {
+            return self.wrong_type(key, place, value, found);
+        };
+        let told = found.len();
+        let numbers: Vec<f64> = items
+            .iter()
+            .filter_map(|item| self.sound(key, span(item), item.get_ref(), sign, found))
+            .collect();
+        (found.len() == told).then_some((place, numbers))
+    }
+
+    /// `[min, max]`, in this order.
+    pub(super) fn range(
+        self,
+        key: &str,
+        sign: Sign,
+        found: &mut Found,
+    ) -> Option<tip_runtime::model::Range> {
+        let [min, max] = self.numbers(key, sign, found)?;
+        if min <= max {
+            return Some(tip_runtime::model::Range::new(min, max));
+        }
+        let reason = format!("{min} is above {max}");
+        self.refuse(key, self.place_of(key), reason, found)
+    }
+
+    /// Text with its place.
+    pub(super) fn text(self, key: &str, found: &mut Found) -> Option<(Span, &'a str)> {
+        let (place, value) = self.value(key)?;
+        match value {
+            DeValue::String(text) => Some((place, text)),
+            _ => self.wrong_type(key, place, value, found),
+        }
+    }
+
+    /// One of some words.
+    pub(super) fn choice<T: Copy>(
+        self,
+        key: &str,
+        words: &[(&str, T)],
+        found: &mut Found,
+    ) -> Option<T> {
+        let (place, text) = self.text(key, found)?;
+        match words.iter().find(|(word, _)| *word == text) {
+            Some((_, meant)) => Some(*meant),
+            None => {
+                let reason = format!("`{key}` cannot be this");
+                self.refuse(key, place, reason, found)
+            }
+        }
+    }
+
+    /// Whether the key stands there at all.
+    pub(super) fn has(self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    /// Whether the value is text.
+    pub(super) fn is_text(self, key: &str) -> bool {
+        self.table
+            .get(key)
+            .is_some_and(|value| value.get_ref().is_str())
+    }
+
+    /// A table.
+    pub(super) fn table(self, key: &str, part: Part, found: &mut Found) -> Option<Section<'a>> {
+        let (place, value) = self.value(key)?;
+        match value {
+            DeValue::Table(table) => Some(Section::new(part, place, table, found)),
+            _ => self.wrong_type(key, place, value, found),
+        }
+    }
+
+    /// Tables, one or many; `None` if there are none.
+    pub(super) fn tables(
+        self,
+        key: &str,
+        part: Part,
+        found: &mut Found,
+    ) -> Option<Vec<Section<'a>>> {
+        let (place, value) = self.value(key)?;
+        let DeValue::Array(items) = value else {
+            return self.wrong_type(key, place, value, found);
+        };
+        let mut sections = Vec::new();
+        for item in items.iter() {
+            match item.get_ref() {
+                DeValue::Table(table) => {
+                    sections.push(Section::new(part, span(item), table, found));
+                }
+                other => return self.wrong_type(key, span(item), other, found),
+            }
+        }
+        Some(sections)
+    }
+
+    fn sound(
+        self,
+        key: &str,
+        place: Span,
+        value: &DeValue<'_>,
+        sign: Sign,
+        found: &mut Found,
+    ) -> Option<f64> {
+        let number = match value {
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .map_or(f64::INFINITY, |number| number as f64),
+            DeValue::Float(digits) => digits.as_str().parse().unwrap_or(f64::NAN),
+            _ => return self.wrong_type(key, place, value, found),
+        };
+        // A comparison with NaN is false.
+        if !(-LARGEST..=LARGEST).contains(&number) {
+            let reason = format!("a number from -{LARGEST} to {LARGEST} belongs here");
+            return self.refuse(key, place, reason, found);
+        }
+        let wrong = match sign {
+            Sign::Any => None,
+            Sign::NotNegative => (number < 0.0).then_some("it cannot be below 0"),
+            Sign::Positive => (number <= 0.0).then_some("it must be above 0"),
+        };
+        match wrong {
+            None => Some(number),
+            Some(reason) => self.refuse(key, place, reason, found),
+        }
+    }
+
+    fn wrong_type<T>(
+        self,
+        key: &str,
+        place: Span,
+        value: &DeValue<'_>,
+        found: &mut Found,
+    ) -> Option<T> {
+        let stands = match value {
+            DeValue::String(_) => "text",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "true or false",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "a list",
+            DeValue::Table(_) => "a table",
+        };
+        self.refuse(key, place, format!("{stands} cannot stand here"), found)
+    }
+}
+
+/// Where a key or value stands.
+fn span<T>(spanned: &Spanned<T>) -> Span {
+    let range = spanned.span();
+    Span::new(range.start, range.end)
+}

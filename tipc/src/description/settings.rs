@@ -1,0 +1,138 @@
+//! What a description says beside its legs; everything has a default.
+
+use super::Leg;
+use super::keys::Part;
+use super::section::{Found, Section, Sign};
+use tip_runtime::model::{Body, Forces, Inverse, Range, Slider, Standards, TorqueUnit, generic};
+
+/// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
+pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -> Standards {
+    let standard = Standards {
+        period: generic::MODEL
+            .standards
+            .period
+            .clamp(periods.min, periods.max),
+        ..generic::MODEL.standards
+    };
+    let Some(section) = robot.table("standards", Part::Standards, found) else {
+        return standard;
+    };
+    let mut number = |key, standard| {
+        let given = section.number(key, Sign::Positive, found);
+        given.unwrap_or(standard)
+    };
+    let standards = Standards {
+        v_max: number("v_max", standard.v_max),
+        a_max: number("a_max", standard.a_max),
+        omega_max: number("omega_max", standard.omega_max),
+        omega_dot_max: number("omega_dot_max", standard.omega_dot_max),
+        just_position: number("just_position", standard.just_position),
+        just_angle: number("just_angle", standard.just_angle),
+        near_position: number("near_position", standard.near_position),
+        near_angle: number("near_angle", standard.near_angle),
+        period: number("period", standard.period),
+    };
+    if !periods.contains(standards.period) {
+        let Range { min, max } = periods;
+        let reason = format!("the robot accepts sampling times of {min} to {max} ms only");
+        section.refuse::<()>("period", section.place_of("period"), reason, found);
+    }
+    standards
+}
+
+/// The sampling times that the robot accepts.
+pub(super) fn periods(robot: Section<'_>, found: &mut Found) -> Range {
+    let periods = robot.range("periods", Sign::Positive, found);
+    periods.unwrap_or(generic::MODEL.periods)
+}
+
+/// The voltage of a sole that stands on something.
+pub(super) fn contact(robot: Section<'_>, found: &mut Found) -> f64 {
+    let contact = robot.number("contact", Sign::Positive, found);
+    contact.unwrap_or(generic::MODEL.contact)
+}
+
+/// How many lamps there are.
+pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
+    let standard = generic::MODEL.lamps;
+    let Some(number) = robot.number("lamps", Sign::NotNegative, found) else {
+        return standard;
+    };
+    if number > f64::from(u8::MAX) || number.fract() != 0.0 {
+        let reason = "this is no number of lamps";
+        robot.refuse::<()>("lamps", robot.place_of("lamps"), reason, found);
+        return standard;
+    }
+    number as u8
+}
+
+/// The body, if the robot walks.
+pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<Body> {
+    let section = robot.table("body", Part::Body, found)?;
+    let x = section.range("x", Sign::Any, found);
+    let y = section.range("y", Sign::Any, found);
+    let z = section.range("z", Sign::Any, found);
+    let mass = section.number("mass", Sign::Positive, found);
+    Some(Body {
+        x: x?,
+        y: y?,
+        z: z?,
+        mass: mass.unwrap_or(1.0),
+    })
+}
+
+/// What torques the robot senses and gives, if it does. The search commands of the hand are none of its.
+pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Option<Forces> {
+    let section = robot.table("forces", Part::Forces, found)?;
+    let units = [
+        ("N·m", TorqueUnit::NewtonMetre),
+        ("mN·m", TorqueUnit::MillinewtonMetre),
+    ];
+    let unit = section.choice("unit", &units, found);
+    let unit = unit.unwrap_or(TorqueUnit::NewtonMetre);
+    let scale = unit.per_newton_metre();
+    let standard = generic::MODEL.forces?;
+    let joints = legs.iter().flat_map(|leg| &leg.joints);
+    let strongest = joints.map(|joint| joint.torque).fold(0.0, f64::max);
+    let mut number = |key, standard| {
+        let given = section.number(key, Sign::Positive, found);
+        given.unwrap_or(standard)
+    };
+    Some(Forces {
+        unit,
+        torque_max: number("torque_max", strongest * scale),
+        angle_stiffness: number("angle_stiffness", standard.angle_stiffness * scale),
+        position_stiffness: number("position_stiffness", standard.position_stiffness),
+        search_torque: standard.search_torque * scale,
+        contact_torque: standard.contact_torque * scale,
+        ..standard
+    })
+}
+
+/// The slider that carries the floor, if there is one.
+pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
+    let section = robot.table("slider", Part::Slider, found)?;
+    let initial: [f64; 3] = section.numbers("initial", Sign::Any, found)?;
+    let mut travel = initial.map(|at| Range::new(at, at));
+    for ((key, at), travel) in ["x", "y", "z"].into_iter().zip(initial).zip(&mut travel) {
+        let Some(given) = section.range(key, Sign::Any, found) else {
+            continue;
+        };
+        *travel = given;
+        if !given.contains(at) {
+            let reason = format!("the slider stands at {at} first, which is outside");
+            section.refuse::<()>(key, section.place_of(key), reason, found);
+        }
+    }
+    Some(Slider { initial, travel })
+}
+
+/// The inverse kinematics that the file asks for.
+pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
+    let words = [
+        ("yaw-pitch-pitch", Inverse::YawPitchPitch),
+        ("planar", Inverse::Planar),
+        ("least-squares", Inverse::LeastSquares),
+    ];
+    robot.choice("inverse", &words, found)
+}

@@ -1,0 +1,325 @@
+//! Every fault at its place, with its reason and the way out.
+
+use crate::codes::Code;
+use crate::description::parse;
+
+/// `LINE:COLUMN: reason (help)` of each fault.
+fn faults(text: &str) -> Vec<String> {
+    let loaded = parse("robot.toml", text.as_bytes()).expect_err("it has a fault");
+    let told = loaded.diagnostics.iter().map(|fault| {
+        assert_eq!(fault.code, Code::Description);
+        let (line, column) = loaded.source.line_column(fault.span.start);
+        let help = fault.help.as_deref().expect("every fault says a way out");
+        format!("{line}:{column}: {} ({help})", fault.reason)
+    });
+    told.collect()
+}
+
+/// A description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
+fn with(more: &str) -> String {
+    format!(
+        "name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, 9] }}]\n{more}"
+    )
+}
+
+/// The same with these keys in its joint as well, from column 42 on.
+fn with_joint(keys: &str) -> String {
+    with("").replace("9] }", &format!("9], {keys} }}"))
+}
+
+#[track_caller]
+fn only(text: &str, expected: &str) {
+    assert_eq!(faults(text), [expected], "{text}");
+}
+
+#[test]
+fn a_key_that_does_not_exist() {
+    only(
+        &with("lampz = 3"),
+        "4:1: the robot has no key `lampz` (did you mean `lamps`?)",
+    );
+    only(
+        &with("mass = 3"),
+        "4:1: the robot has no key `mass` (`mass` belongs to [[joint]])",
+    );
+    only(
+        &with("[slider]\ninitial = [0, 0, 0]\ncolour = 3"),
+        "6:1: [slider] has no key `colour` (the keys of [slider] are initial, x, y, z)",
+    );
+}
+
+#[test]
+fn a_key_that_is_missing() {
+    assert_eq!(
+        faults(""),
+        [
+            "1:1: the robot lacks `name` (`name` is a text: what programs, messages and traces call the robot: letters, digits, blanks, `-`, `_`, `.`)",
+            "1:1: the robot lacks `leg` (`leg` is a list of [[leg]] tables: the legs, F1 first: 1 to 9, each with the same number of joints)",
+        ]
+    );
+    only(
+        &with("[body]\nx = [-1, 1]\nz = [-1, 1]"),
+        "4:1: [body] lacks `y` (`y` is [min, max] in mm: along y)",
+    );
+}
+
+#[test]
+fn a_value_of_another_type() {
+    for (value, stands) in [
+        ("\"9\"", "text"),
+        ("9", "a number"),
+        ("9.5", "a number"),
+        ("true", "true or false"),
+        ("2026-01-01", "a date"),
+        ("{}", "a table"),
+    ] {
+        only(
+            &with(&format!("periods = {value}")),
+            &format!("4:11: {stands} cannot stand here (`periods` is [min, max] in ms)"),
+        );
+    }
+    only(
+        &with("lamps = [1]"),
+        "4:9: a list cannot stand here (`lamps` is a whole number, 0 to 255)",
+    );
+    only(
+        &with("body = 1"),
+        "4:8: a number cannot stand here (`body` is a [body] table)",
+    );
+    only(
+        &with("periods = [1, \"2\"]"),
+        "4:15: text cannot stand here (`periods` is [min, max] in ms)",
+    );
+}
+
+#[test]
+fn a_number_out_of_range() {
+    let mass = |value| with_joint(&format!("mass = {value}"));
+    for endless in [
+        "inf",
+        "-inf",
+        "nan",
+        "1e999",
+        "1e7",
+        "-1000001",
+        "99999999999999999999",
+    ] {
+        only(
+            &mass(endless),
+            "3:49: a number from -1000000 to 1000000 belongs here (`mass` is a number in kg)",
+        );
+    }
+    only(
+        &mass("-1"),
+        "3:49: it cannot be below 0 (`mass` is a number in kg)",
+    );
+    only(
+        &with_joint("torque = 0"),
+        "3:51: it must be above 0 (`torque` is a number in N·m)",
+    );
+    for lamps in ["256", "1.5"] {
+        only(
+            &with(&format!("lamps = {lamps}")),
+            "4:9: this is no number of lamps (`lamps` is a whole number, 0 to 255)",
+        );
+    }
+}
+
+#[test]
+fn limits_that_contain_nothing() {
+    only(
+        &with_joint("limits = [10, -10]"),
+        "3:51: 10 is above -10 (`limits` is [min, max] in deg)",
+    );
+    only(
+        &with_joint("limits = [10, 20, 30]"),
+        "3:51: 2 numbers belong here, and there are 3 (`limits` is [min, max] in deg)",
+    );
+    only(
+        &with_joint("limits = [-10, 10], outer = [-9, 20]"),
+        "3:70: the outer limits must contain the working limits -10 to 10 (`outer` is [min, max] in deg)",
+    );
+}
+
+#[test]
+fn an_axis_without_direction() {
+    only(
+        &with("").replace("\"x\"", "[0, 0, 0]"),
+        "3:19: an axis of length 0 has no direction (`axis` is \"x\", \"-y\", … or [x, y, z])",
+    );
+    let text = with("").replace("\"x\"", "\"up\"");
+    only(
+        &text,
+        "3:19: `axis` cannot be this (`axis` is \"x\", \"-y\", … or [x, y, z])",
+    );
+}
+
+#[test]
+fn legs_and_joints_that_are_too_many_or_too_few() {
+    let leg = "{ base = [0, 0, 0] },";
+    let joint = "{ axis = \"x\", link = [0, 0, 9] },";
+    let robot = |legs, joints| {
+        let (legs, joints) = (leg.repeat(legs), joint.repeat(joints));
+        format!("name = \"test\"\nleg = [{legs}]\njoint = [{joints}]")
+    };
+    let help = "(`leg` is a list of [[leg]] tables)";
+    only(
+        &robot(10, 1),
+        &format!("2:7: a robot has 1 to 9 legs, and here are 10 {help}"),
+    );
+    only(
+        &robot(0, 1),
+        &format!("2:7: a robot has 1 to 9 legs, and here are 0 {help}"),
+    );
+    let help = "(`joint` is a list of [[joint]] tables)";
+    only(
+        &robot(1, 10),
+        &format!("3:9: a leg has 1 to 9 joints, and here are 10 {help}"),
+    );
+    only(
+        &robot(1, 0),
+        &format!("3:9: a leg has 1 to 9 joints, and here are 0 {help}"),
+    );
+}
+
+#[test]
+fn legs_that_differ() {
+    let text = with("").replace(
+        "leg = [{ base = [0, 0, 0] }]",
+        "leg = [{ base = [0, 0, 0] }, { base = [1, 0, 0], joint = [\
+         { axis = \"x\", link = [1, 0, 0] }, { axis = \"y\", link = [1, 0, 0] }] }]",
+    );
+    only(
+        &text,
+        "2:30: leg F2 has 2 joints, F1 has 1 (every leg needs the same number of joints: the language names them J1…Jn)",
+    );
+}
+
+#[test]
+fn a_leg_without_length() {
+    only(
+        &with("").replace("9", "0"),
+        "2:8: leg F1 has no length (the link of one joint at least is not [0, 0, 0])",
+    );
+}
+
+#[test]
+fn legs_without_joints() {
+    only(
+        "name = \"test\"\n[[leg]]\nbase = [0, 0, 0]",
+        "2:1: leg F1 has no joints (describe them under [[joint]], for every leg, or under [[leg.joint]], for this one)",
+    );
+}
+
+#[test]
+fn an_initial_posture_that_does_not_fit() {
+    only(
+        &with("initial = [1, 2]"),
+        "2:8: the initial posture has 2 angles, the leg has 1 joint (`initial` is [deg, …], a number for each joint)",
+    );
+    let text = with("").replace("base", "initial = [200], base");
+    only(
+        &text,
+        "2:20: the initial angle 200 of joint 1 is outside its limits -180 to 180 (`initial` is [deg, …], a number for each joint)",
+    );
+}
+
+#[test]
+fn a_mirror_of_other_letters() {
+    for (letters, letter) in [("w", 'w'), ("xyx", 'x'), ("X", 'X')] {
+        let text = with("").replace("base", &format!("mirror = \"{letters}\", base"));
+        only(
+            &text,
+            &format!(
+                "2:19: {letter:?} is no coordinate, or stands here twice (`mirror` is letters of \"x\", \"y\", \"z\")"
+            ),
+        );
+    }
+}
+
+#[test]
+fn an_inverse_that_does_not_fit() {
+    let help = "(`inverse` is \"yaw-pitch-pitch\", \"planar\" or \"least-squares\")";
+    only(
+        &with("inverse = \"planar\""),
+        &format!("4:11: the joints of leg F1 must have vertical axes only {help}"),
+    );
+    only(
+        &with("inverse = \"yaw-pitch-pitch\""),
+        &format!(
+            "4:11: the joints of leg F1 must be a vertical and two level axes, with links straight outward at 0 and a knee that flexes downwards {help}"
+        ),
+    );
+    only(
+        &with("inverse = \"guess\""),
+        &format!("4:11: `inverse` cannot be this {help}"),
+    );
+}
+
+#[test]
+fn times_and_travels_that_leave_their_ranges() {
+    only(
+        &with("periods = [5, 50]\n[standards]\nperiod = 4"),
+        "6:10: the robot accepts sampling times of 5 to 50 ms only (`period` is a number in ms)",
+    );
+    only(
+        &with("[slider]\ninitial = [0, 9, 0]\ny = [10, 20]"),
+        "6:5: the slider stands at 9 first, which is outside (`y` is [min, max] in mm)",
+    );
+}
+
+#[test]
+fn a_name_that_is_none() {
+    let help = "(`name` is a text)";
+    for (name, reason) in [
+        ("", "a robot needs a name"),
+        ("  ", "a robot needs a name"),
+        (" a", "a name neither begins nor ends with a blank"),
+        ("a\\nb", "'\\n' cannot stand in a name"),
+        ("a/b", "'/' cannot stand in a name"),
+        (
+            "generic",
+            "this is the name of a robot that the compiler knows itself",
+        ),
+        (&"n".repeat(41), "a name has 40 characters at most"),
+    ] {
+        let text = with("").replace("\"test\"", &format!("\"{name}\""));
+        only(&text, &format!("1:8: {reason} {help}"));
+    }
+}
+
+#[test]
+fn all_faults_of_a_file_are_told_in_their_order() {
+    let text = "name = 3
+legz = 1
+[[leg]]
+base = [0, 0]
+[[joint]]
+axis = \"x\"
+limits = [3, 2]
+[standards]
+v_max = -1";
+    let places: Vec<String> = faults(text)
+        .iter()
+        .map(|fault| fault.split(": ").next().unwrap_or_default().to_owned())
+        .collect();
+    // `legz`; the leg's `base`; the joint's missing `link` and its `limits`; `v_max`.
+    assert_eq!(places, ["1:8", "2:1", "4:8", "5:1", "7:10", "9:9"]);
+}
+
+#[test]
+fn text_that_is_no_toml() {
+    let help = "(descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`)";
+    let told = faults("name = \"test\"\nlamps = = 3 4\nperiods = 1 2\n");
+    assert_eq!(told.len(), 2, "one for each line: {told:?}");
+    for (line, fault) in ["2:", "3:"].iter().zip(&told) {
+        assert!(fault.starts_with(line) && fault.ends_with(help), "{fault}");
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let loaded = parse("robot.toml", b"name = \"\xFF\"").unwrap_err();
+    assert_eq!(loaded.diagnostics.len(), 1);
+    assert_eq!(loaded.diagnostics[0].code, Code::Format);
+}

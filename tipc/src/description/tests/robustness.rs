@@ -1,0 +1,109 @@
+//! Whatever stands in a file: an answer, never a panic, and no nonsense in a model.
+
+use super::one_leg;
+use crate::description::{WithModel, parse};
+use tip_runtime::model::{Model, ModelError};
+
+const EXAMPLE: &str = include_str!("../../../tests/robots/hexapod.toml");
+
+/// A cheap generator of the same numbers on every machine (Marsaglia's xorshift).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit as u64) as usize
+    }
+}
+
+/// Reads the bytes; a description that comes of them is sound, a refusal says something.
+fn read(bytes: &[u8]) {
+    match parse("random.toml", bytes) {
+        Ok(description) => assert_eq!(description.with_model(Check), Ok(())),
+        Err(loaded) => assert!(!loaded.diagnostics.is_empty()),
+    }
+}
+
+/// Whether the run-time takes the robot for one.
+struct Check;
+
+impl WithModel for Check {
+    type Output = Result<(), ModelError>;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
+        model.check()
+    }
+}
+
+#[test]
+fn a_file_that_breaks_off_anywhere() {
+    for end in 0..=EXAMPLE.len() {
+        read(&EXAMPLE.as_bytes()[..end]);
+    }
+}
+
+#[test]
+fn bytes_that_were_damaged() {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    for _ in 0..2000 {
+        let mut bytes = EXAMPLE.as_bytes().to_vec();
+        for _ in 0..=random.below(4) {
+            let at = random.below(bytes.len());
+            match random.below(3) {
+                0 => bytes[at] = random.below(256) as u8,
+                1 => drop(bytes.remove(at)),
+                _ => bytes.insert(at, b"[]{}=\",.#\n-9e"[random.below(13)]),
+            }
+        }
+        read(&bytes);
+    }
+}
+
+#[test]
+fn bytes_out_of_the_blue() {
+    let mut random = Random(1);
+    for length in 0..300 {
+        let bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
+        read(&bytes);
+        let words = [
+            "[", "]", "[[leg]]", "=", "joint", "base", "{", "}", "1e308", "nan", ",", "\n", "\"",
+            "'''",
+        ];
+        let text: Vec<&str> = (0..length)
+            .map(|_| words[random.below(words.len())])
+            .collect();
+        read(text.concat().as_bytes());
+    }
+}
+
+#[test]
+fn numbers_at_the_edge() {
+    for number in [
+        "1e6",
+        "-1e6",
+        "1e-320",
+        "-0.0",
+        "0x7fffffffffffffff",
+        "1e400",
+        "+inf",
+        "-nan",
+        "1_000",
+    ] {
+        for key in ["turn", "base"] {
+            let value = match key {
+                "base" => format!("base = [{number}, {number}, {number}]"),
+                _ => format!("turn = {number}, base = [0, 0, 0]"),
+            };
+            let text = one_leg("{ axis = [1, 1, 1], link = [0, 0, 9] }");
+            read(text.replace("base = [0, 0, 0]", &value).as_bytes());
+        }
+        read(
+            one_leg(&format!(
+                "{{ axis = [{number}, 0, 1e-300], link = [{number}, 0, 9] }}"
+            ))
+            .as_bytes(),
+        );
+    }
+}

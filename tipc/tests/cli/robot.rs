@@ -1,0 +1,132 @@
+//! `--robot FILE.toml`
+
+use crate::support::Folder;
+
+const HEXAPOD: &str = include_str!("../robots/hexapod.toml");
+
+/// Lifts the last foot, then turns the last joint.
+const LIFT: &str = "REL_PTP F6 0 0 20\nWAIT_INPOS F6\nREL_PTP_ANGLE J63 5\nEND";
+
+fn folder(name: &str) -> Folder {
+    Folder::new(name)
+        .file("hexapod.toml", HEXAPOD)
+        .program("lift.prg", LIFT)
+}
+
+#[test]
+fn every_command_takes_a_description() {
+    let folder = folder("described");
+    let checked = folder
+        .tipc(&["check", "lift.prg", "--robot", "hexapod.toml"])
+        .expect(0);
+    assert!(
+        checked.err.contains("4 steps for hexapod"),
+        "{}",
+        checked.err
+    );
+    let emitted = folder
+        .tipc(&["emit", "rust", "lift.prg", "--robot", "hexapod.toml"])
+        .expect(0);
+    assert!(
+        emitted.out.contains("robot: \"hexapod\""),
+        "{}",
+        emitted.out
+    );
+    let run = folder
+        .tipc(&["run", "lift.prg", "--robot", "hexapod.toml", "--trace", "-"])
+        .expect(0);
+    assert!(
+        run.out.contains("[\"REL_PTP_ANGLE\",\"J63\",5.0]"),
+        "{}",
+        run.out
+    );
+}
+
+#[test]
+fn faults_of_a_description_are_shown_like_those_of_a_program() {
+    let folder =
+        folder("misdescribed").file("bad.toml", "name = \"bad\"\nlegs = 6\n[body]\nmass = -1\n");
+    for command in [&["check"][..], &["emit", "label"], &["run"]] {
+        let arguments = [
+            command,
+            &[
+                "lift.prg",
+                "--robot",
+                "bad.toml",
+                "--message-format",
+                "short",
+            ],
+        ];
+        let outcome = folder.tipc(&arguments.concat()).expect(1);
+        let said = format!("{}{}", outcome.out, outcome.err);
+        for place in [
+            "bad.toml:1:1:",
+            "bad.toml:2:1:",
+            "bad.toml:3:1:",
+            "bad.toml:4:8:",
+        ] {
+            assert!(said.contains(place), "{command:?}: {said}");
+        }
+        assert!(
+            said.contains("TIP_ERR:Wrong robot description (RobotError)"),
+            "{said}"
+        );
+    }
+    let human = folder
+        .tipc(&["check", "lift.prg", "--robot", "bad.toml"])
+        .expect(1);
+    assert!(human.err.contains("did you mean `leg`?"), "{}", human.err);
+}
+
+#[test]
+fn a_description_that_is_not_there_is_a_file_not_found() {
+    let outcome = folder("undescribed")
+        .tipc(&["check", "lift.prg", "--robot", "gone.toml"])
+        .expect(1);
+    assert!(
+        outcome.err.contains("File not found(gone.toml)"),
+        "{}",
+        outcome.err
+    );
+}
+
+#[test]
+fn a_robot_that_nobody_knows_is_wrong_usage() {
+    let outcome = folder("unknown")
+        .tipc(&["check", "lift.prg", "--robot", "hexapod"])
+        .expect(2);
+    assert!(
+        outcome.err.contains("titan8, hand and generic"),
+        "{}",
+        outcome.err
+    );
+}
+
+#[test]
+fn a_robot_of_any_size_runs() {
+    let leg = "{ base = [0, 0, 0] },";
+    let joint = "{ axis = \"y\", link = [10, 0, 0], limits = [-90, 90] },";
+    for (legs, joints) in [(1, 1), (1, 9), (9, 1), (5, 4), (9, 9)] {
+        let robot = format!(
+            "name = \"many\"\nleg = [{}]\njoint = [{}]\n",
+            leg.repeat(legs),
+            joint.repeat(joints)
+        );
+        let program = format!(
+            "DEF_JOINT Q\nPTP_ANGLE HS J{legs}{joints} 10\nWAIT_INPOS J{legs}{joints}\n\
+             TEACH_ANGLE F{legs} Q\nMESSAGE %ANGLE.0%\nEND"
+        );
+        let program = program.replace(
+            "MESSAGE",
+            &format!("DEF_VAR ANGLE\nANGLE = Q.J{joints}\nMESSAGE"),
+        );
+        let folder = Folder::new(&format!("size-{legs}-{joints}"))
+            .file("many.toml", robot)
+            .program("turn.prg", &program);
+        let outcome = folder
+            .tipc(&["run", "turn.prg", "--robot", "many.toml", "--cycles", "500"])
+            .expect(0);
+        let angle: f64 = outcome.out.trim().parse().expect("a number");
+        assert!((9.0..=10.0).contains(&angle), "{legs} × {joints}: {angle}");
+    }
+}
