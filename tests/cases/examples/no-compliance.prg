@@ -1,10 +1,9 @@
 3.1
-Soft for a while, then stiff where it is
+Soft for a while, then stiff where the fingers are
 COMPLIANCE_ANGLE ALL R 0 R 0 R 0
-SLEEP 1000
+SLEEP 200
 NO_COMPLIANCE F1
 NO_COMPLIANCE F2
 NO_COMPLIANCE F3
-NO_COMPLIANCE F4
 WAIT_INPOS ALL
 END

@@ -1,9 +1,13 @@
 3.1
-The spring's target goes deeper, so the foot presses harder
-COMPLIANCE_POSITION F1 R 0 R 0 R 0
-REL_COMPLIANCE_POSITION F1 0 0 -10
+The spring's target goes deeper, so the fingertip presses harder
+DEF_VAR Y
+DEF_POS F
+COMPLIANCE_POSITION F1 R 0 -140 0
 SLEEP 500
-REL_COMPLIANCE_POSITION F1 0 0 -10
+REL_COMPLIANCE_POSITION F1 0 -20 0
 SLEEP 500
+TEACH_FORCE F1 F
+Y = F.Y
+MESSAGE %Y.1% N
 NO_COMPLIANCE F1
 END

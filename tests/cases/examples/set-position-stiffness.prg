@@ -1,6 +1,6 @@
 3.1
-All feet soft upwards
-SET_POSITION_STIFFNESS ALL 1 1 0.1
+All fingertips soft along the floor
+SET_POSITION_STIFFNESS ALL 0.02 0.2 0
 COMPLIANCE_POSITION ALL R 0 R 0 R 0
 SLEEP 200
 END

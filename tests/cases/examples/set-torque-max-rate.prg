@@ -1,6 +1,6 @@
 3.1
-A quarter of the torque
-SET_TORQUE_MAX_RATE ALL 25
-PTP_ANGLE J11 20
-WAIT_INPOS J11
+A tenth of the torque, so that a finger is easily stopped
+SET_TORQUE_MAX_RATE ALL 10
+REL_PTP_ANGLE F2 0 10 -10
+WAIT_INPOS F2
 END

@@ -1,8 +1,8 @@
 3.1
-A weak hip, a strong knee, then as usual
+A weak base, a strong fingertip, then as usual
 SET_TORQUE_MAX_SOFT J11
 SET_TORQUE_MAX_FIRMLY J13
-PTP_ANGLE F1 20 10 80
+REL_PTP_ANGLE F1 0 10 -10
 WAIT_INPOS F1
 SET_TORQUE_MAX_NORMAL ALL
 END

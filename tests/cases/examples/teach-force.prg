@@ -1,11 +1,11 @@
 3.1
-Read the force that was asked for
-DEF_VAR Z
+How hard a fingertip presses onto the floor
+DEF_VAR Y
 DEF_POS F
-FORCE F1 0 0 -20
-SLEEP 100
+COMPLIANCE_POSITION F1 R 0 -150 0
+SLEEP 800
 TEACH_FORCE F1 F
-Z = F.Z
-MESSAGE it pushes with %Z.1% N
+Y = F.Y
+MESSAGE it pushes with %Y.1% N along y
 NO_COMPLIANCE F1
 END

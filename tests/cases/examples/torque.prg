@@ -1,8 +1,13 @@
 3.1
-Press a foot onto the floor with a torque
-TORQUE J12 -4                // N m: the thigh turns down
+Press a finger onto the floor with a torque
+DEF_VAR Y
+DEF_POS P
+TORQUE J11 8                 // mN m
+SLEEP 500
+TORQUE J11 R 4               // 4 more: 12
 SLEEP 200
-TORQUE J12 R -4              // 4 more: -8
-SLEEP 200
-NO_COMPLIANCE J12
+TEACH_POSITION F1 P
+Y = P.Y
+MESSAGE the fingertip is at %Y.0% mm
+NO_COMPLIANCE J11
 END

@@ -152,9 +152,21 @@ fn of_equation(form: &Sentence, outcome: Outcome) -> Possible {
         | Outcome::UnknownVariable
         | Outcome::NeverAssigned
         | Outcome::Unassigned => Ok(()),
+        Outcome::OutOfRange => rule(has_a_domain(&form.text), "no limit"),
         Outcome::Domain => rule(can_overflow(&form.text), "always finite"),
         _ => Err("equations only"),
     }
+}
+
+/// Whether a constant alone can leave the equation without a result ([4.9]).
+fn has_a_domain(equation: &str) -> bool {
+    let Some(("S", right)) = equation.split_once(' ') else {
+        return false;
+    };
+    let narrow = ["SQRT", "ASIN", "ACOS", "ATAN", "ATAN2"];
+    right == "/= S"
+        || right.ends_with("S / S")
+        || right.split(' ').any(|word| narrow.contains(&word))
 }
 
 /// Whether a value can be no finite number, or the function has none ([4.9]).

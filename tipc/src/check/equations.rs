@@ -23,6 +23,7 @@ impl Resolver<'_> {
         if equation.update.is_some() {
             self.read(target, place);
         }
+        self.warn_of_domain(equation);
         Some(action)
     }
 

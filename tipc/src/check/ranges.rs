@@ -1,12 +1,12 @@
-//! Constants that a command refuses at run time.
+//! Constants that a command or an equation refuses at run time.
 
 use super::resolve::Resolver;
 use crate::codes::Code;
 use crate::commands::{Arguments, Limit, Values};
 use crate::diagnostic::Diagnostic;
-use crate::program::{Argument, Operand};
+use crate::program::{Argument, Arithmetic, Operand};
 use crate::robot::Robot;
-use crate::syntax::{self, Word};
+use crate::syntax::{self, Equation, Expression, OperandKind, Span, Word};
 use tip_runtime::model::Range;
 
 impl Resolver<'_> {
@@ -32,6 +32,73 @@ impl Resolver<'_> {
                 self.report(Diagnostic::new(Code::OutOfRange, operand.span, reason).help(help));
             }
         }
+    }
+}
+
+impl Resolver<'_> {
+    /// Warns of a constant for which an equation has no result, whatever its variables are.
+    pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
+        if let Some((place, reason, help)) = impossible(equation) {
+            self.report(Diagnostic::new(Code::OutOfRange, place, reason).help(help));
+        }
+    }
+}
+
+/// Where such a constant stands, why it has no result, and what to write instead.
+fn impossible(equation: &Equation) -> Option<(Span, String, String)> {
+    match &equation.value {
+        Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
+            division(divisor)
+        }
+        Expression::Binary {
+            operation: Arithmetic::Div,
+            right,
+            ..
+        } => division(right),
+        Expression::Function { name, operands } => outside(&name.node, operands),
+        Expression::Operand(_) | Expression::Binary { .. } => None,
+    }
+}
+
+fn division(divisor: &syntax::Operand) -> Option<(Span, String, String)> {
+    let reason = "nothing can be divided by 0".to_owned();
+    let help = "divide by another number".to_owned();
+    (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
+}
+
+/// A constant outside the domain of a function.
+fn outside(name: &str, operands: &[syntax::Operand]) -> Option<(Span, String, String)> {
+    let first = operands.first()?;
+    let value = constant(first)?;
+    match name {
+        "SQRT" if value < 0.0 => {
+            let reason = "a negative number has no square root".to_owned();
+            Some((first.span, reason, "SQRT takes 0 or more".to_owned()))
+        }
+        "ASIN" | "ACOS" | "ATAN" if !(-1.0..=1.0).contains(&value) => {
+            let reason = format!("{name} has no result here");
+            let wider = if name == "ATAN" {
+                "; `ATAN2 y x` takes any ratio"
+            } else {
+                ""
+            };
+            Some((first.span, reason, format!("{name} takes -1 to 1{wider}")))
+        }
+        "ATAN2" => {
+            let second = operands.get(1)?;
+            let reason = "the point (0, 0) has no direction".to_owned();
+            let help = "one of the two has to be another number than 0".to_owned();
+            let nowhere = value == 0.0 && constant(second)? == 0.0;
+            nowhere.then(|| (first.span.to(second.span), reason, help))
+        }
+        _ => None,
+    }
+}
+
+fn constant(operand: &syntax::Operand) -> Option<f64> {
+    match operand.kind {
+        OperandKind::Number(value) => Some(value),
+        OperandKind::Name { .. } => None,
     }
 }
 

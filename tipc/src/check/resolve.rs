@@ -149,7 +149,8 @@ impl Resolver<'_> {
         let number = self.number(step, Code::Argument)?;
         if number == program::Operand::Constant(0.0) {
             let reason = "FOR never ends with a step of 0";
-            self.report(Diagnostic::new(Code::OutOfRange, step.span, reason));
+            let warning = Diagnostic::new(Code::OutOfRange, step.span, reason);
+            self.report(warning.help("count by another number, or leave STEP out to count by 1"));
         }
         Some(number)
     }

@@ -131,25 +131,36 @@ fn rewritten(text: &str) -> String {
 fn generated(names: &[String], example: &str) -> String {
     let commands: Vec<&Command> = names.iter().filter_map(|name| find(name)).collect();
     let facts = facts(&commands);
-    let robot = match robot(example) {
+    let options = options(example);
+    let robot = match robot(&options) {
         Robot::Titan8 => String::new(),
         other => format!(" {}", other.name()),
     };
-    format!("{facts}\n```tip{robot}\n{}```\n", program(example))
+    let program = program(example);
+    format!(
+        "{facts}- Try it: `tipc run {EXAMPLES}/{example}{options}`\n\n```tip{robot}\n{program}```\n"
+    )
 }
 
 fn program(example: &str) -> String {
     read(&format!("{EXAMPLES}/{example}"))
 }
 
-/// The robot that the case is for.
-fn robot(example: &str) -> Robot {
+/// The options that the case runs with, each behind a blank.
+fn options(example: &str) -> String {
     let case = workspace().join(EXAMPLES).join(example);
     let expectation = ["trace", "check"]
         .iter()
         .find_map(|kind| fs::read_to_string(case.with_extension(kind)).ok());
     let expectation = expectation.unwrap_or_else(|| panic!("{example} expects nothing"));
-    let name = expectation.split_once("--robot ").map(|(_, rest)| rest);
+    let lines = expectation.lines().take_while(|line| line.starts_with('#'));
+    lines
+        .filter_map(|line| line.strip_prefix("# args:"))
+        .collect()
+}
+
+fn robot(options: &str) -> Robot {
+    let name = options.split_once("--robot ").map(|(_, rest)| rest);
     let name = name.and_then(|rest| rest.split_whitespace().next());
     name.and_then(Robot::from_name).unwrap_or_default()
 }
