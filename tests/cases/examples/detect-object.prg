@@ -1,5 +1,6 @@
 3.1
-Close the fingers until they touch
-DETECT_OBJECT 3
-MESSAGE it is there
+Take hold of what stands between the fingers
+DETECT_OBJECT 1
+TORQUE J11 20                // and press from the left
+MESSAGE held
 END
