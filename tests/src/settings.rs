@@ -56,7 +56,10 @@ impl Settings {
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
                 "--cycles" => value.parse().ok().map(|n| self.cycles = Some(n)),
-                "--scene" => Some(self.scene = Some(value.to_owned())),
+                "--scene" => {
+                    self.scene = Some(value.to_owned());
+                    Some(())
+                }
                 "--halt" => value.parse().ok().map(|n| self.halt = Some(n)),
                 "--keys" => keys(value).map(|keys| self.keys.extend(keys)),
                 "--sensor" => sensor(value).map(|sensor| self.sensors.push(sensor)),

@@ -4,6 +4,7 @@
     clippy::disallowed_methods,
     reason = "the table is a file, made of files"
 )]
+#![allow(unreachable_pub, reason = "nothing of a test can be reached")]
 
 mod command;
 mod document;
