@@ -18,7 +18,7 @@ use tipc::{Options, Robot};
   tipc check walk.prg                 what is wrong with it, all at once
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc emit rust walk.prg -o walk.rs  the same program as Rust source
-  tipc migrate old.prg -o walk.prg    a program of version 1 or 2 as one of 3.1
+  tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
 
 'tipc help run' and its like show examples of each command.
 Exit status: 0 done, 1 the program does not load or a file cannot be written,
@@ -104,9 +104,9 @@ pub(super) struct Check {
   tipc run --robot hand grasp.prg --scene cylinder
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
 
-One cycle is one step of the program: 20 ms of the robot's time unless the program sets another
-sampling time. On a terminal keys reach the program as they are pressed, RETURN is the emergency
-stop and ESC the halt request; Ctrl-C ends the run and completes its trace.
+One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
+program sets another. On a terminal keys reach the program as they are pressed, RETURN is the
+emergency stop and ESC the halt request; Ctrl-C ends the run and completes its trace.
 
 Exit status: 0 END, EXIT or --cycles used up, 1 the program does not load, 2 wrong usage,
 3 emergency stop, 130 interrupted.")]
@@ -118,7 +118,7 @@ pub(super) struct Run {
     pub(super) source: SourceArguments,
 
     /// Stop after this many control cycles
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(super) cycles: Option<u64>,
 
     /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
@@ -134,7 +134,7 @@ pub(super) struct Run {
     pub(super) keys: Option<Keys>,
 
     /// Request a halt before the step of this cycle
-    #[arg(long, value_name = "CYCLE")]
+    #[arg(long, value_name = "CYCLE", allow_negative_numbers = true)]
     pub(super) halt: Option<u64>,
 
     /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
