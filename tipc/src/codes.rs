@@ -86,6 +86,8 @@ codes! {
     NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED;
     /// A robot's description that cannot be used.
     Description "E401" Some(Kind::Robot), "Wrong robot description";
+    /// A scene that cannot be used.
+    Scene "E402" Some(Kind::Robot), "Wrong scene";
     /// A variable that nothing uses.
     Unused "W101" None, "variable \"{}\" is declared but never used";
     /// A variable that nothing reads.

@@ -29,6 +29,8 @@ mod legs;
 mod model;
 mod name;
 mod rust;
+#[cfg(feature = "cli")]
+mod scene;
 mod section;
 mod settings;
 
@@ -38,6 +40,8 @@ mod tests;
 pub use keys::{KEYS, Key, Part};
 pub use model::WithModel;
 pub use rust::{const_name, skeleton};
+#[cfg(feature = "cli")]
+pub use scene::parse_scene;
 
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
@@ -79,10 +83,20 @@ struct Leg {
 /// # Errors
 /// Everything that is wrong with the file, each fault at its place; there is no program in it.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
+    open(name, bytes, Part::Robot, describe)
+}
+
+/// Reads a file whose top is `part`.
+fn open<T>(
+    name: &str,
+    bytes: &[u8],
+    part: Part,
+    build: impl FnOnce(&Source, Section<'_>, &mut Found) -> Option<T>,
+) -> Result<T, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, Encoding::Utf8);
     let outcome = match undecodable {
         Some(fault) => Err(vec![fault]),
-        None => read(&source),
+        None => read(&source, part, build),
     };
     outcome.map_err(|mut diagnostics| {
         diagnostics.sort_by_key(|diagnostic| diagnostic.span);
@@ -94,9 +108,14 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
     })
 }
 
-fn read(source: &Source) -> Result<Description, Found> {
+fn read<T>(
+    source: &Source,
+    part: Part,
+    build: impl FnOnce(&Source, Section<'_>, &mut Found) -> Option<T>,
+) -> Result<T, Found> {
     let (table, errors) = DeTable::parse_recoverable(source.text());
     if !errors.is_empty() {
+        let not_toml = |error| not_toml(part, error);
         let mut found: Found = errors.iter().map(not_toml).collect();
         // What follows in a line is told by its first fault.
         found.sort_by_key(|fault| fault.span);
@@ -104,23 +123,23 @@ fn read(source: &Source) -> Result<Description, Found> {
         return Err(found);
     }
     let mut found = Found::new();
-    let robot = Section::new(
-        keys::Part::Robot,
-        Span::default(),
-        table.get_ref(),
-        &mut found,
-    );
-    match describe(source, robot, &mut found) {
-        Some(description) if found.is_empty() => Ok(description),
+    let top = Section::new(part, Span::default(), table.get_ref(), &mut found);
+    match build(source, top, &mut found) {
+        Some(built) if found.is_empty() => Ok(built),
         _ => Err(found),
     }
 }
 
 /// A place where the text is not even TOML.
-fn not_toml(error: &toml::de::Error) -> Diagnostic {
+fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
     let help = "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`";
-    fault(Span::new(place.start, place.end), error.message(), help)
+    fault(
+        part,
+        Span::new(place.start, place.end),
+        error.message(),
+        help,
+    )
 }
 
 /// Everything is read before anything is given up, so that every fault is found.

@@ -141,8 +141,8 @@ pub(super) struct Run {
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     pub(super) sensors: Vec<Sensor>,
 
-    /// What stands around the robot: cylinder, an object to grasp under a hand
-    #[arg(long, value_name = "NAME")]
+    /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
+    #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) scene: Option<SceneChoice>,
 
     /// Write the log files of the language into this folder

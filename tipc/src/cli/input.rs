@@ -1,7 +1,8 @@
-//! Programs from files.
+//! Programs, descriptions and scenes from files.
 
 use std::path::Path;
 use std::{fs, io};
+use tip_runtime::plant::Scene;
 use tipc::codes::Code;
 use tipc::description::Description;
 use tipc::diagnostic::Diagnostic;
@@ -33,6 +34,15 @@ pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let name = path.display().to_string();
     match fs::read(path) {
         Ok(bytes) => tipc::description::parse(&name, &bytes),
+        Err(error) => Err(Box::new(unreadable(name, &error))),
+    }
+}
+
+/// Reads the scene at `path`.
+pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
+    let name = path.display().to_string();
+    match fs::read(path) {
+        Ok(bytes) => tipc::description::parse_scene(&name, &bytes),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }

@@ -19,7 +19,7 @@ use screen::Screen;
 use simulation::{Simulated, Simulation};
 use tip_runtime::console::{LogFiles, Scripted};
 use tip_runtime::model::{Model, generic, hand, titan8};
-use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{Plant, Scene, SimulatedHand, SimulatedPlant};
 use tip_runtime::record::Ending;
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
@@ -39,54 +39,60 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
             return Ok(Status::Failure);
         }
     };
+    let scene = match scene::load(arguments.scene.as_ref()) {
+        Ok(scene) => scene,
+        Err(loaded) => {
+            report::findings(&loaded, arguments.source.message_format);
+            return Ok(Status::Failure);
+        }
+    };
+    let run = PlantRun {
+        scene: &scene,
+        arguments,
+    };
     match &robot {
-        ChosenRobot::Described(description) => description.with_model(Walk { arguments }),
-        ChosenRobot::Named(RobotName::Titan8) => walk(&titan8::MODEL, arguments),
-        ChosenRobot::Named(RobotName::Generic) => walk(&generic::MODEL, arguments),
-        ChosenRobot::Named(RobotName::Hand) => grasp(&hand::MODEL, arguments),
+        ChosenRobot::Described(description) => description.with_model(run),
+        ChosenRobot::Named(RobotName::Titan8) => run.walk(&titan8::MODEL),
+        ChosenRobot::Named(RobotName::Generic) => run.walk(&generic::MODEL),
+        ChosenRobot::Named(RobotName::Hand) => run.grasp(&hand::MODEL),
     }
 }
 
-/// A run on a robot of any size.
-struct Walk<'a> {
+/// A run on a robot of any size, over a scene.
+struct PlantRun<'a> {
+    scene: &'a Scene,
     arguments: &'a Run,
 }
 
-impl WithModel for Walk<'_> {
+impl WithModel for PlantRun<'_> {
     type Output = Result<Status, Error>;
 
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
-        walk(model, self.arguments)
+        self.walk(model)
     }
 }
 
-/// Runs the program on a walking robot.
-fn walk<const L: usize, const J: usize>(
-    model: &Model<L, J>,
-    arguments: &Run,
-) -> Result<Status, Error> {
-    let scene = scene::load(arguments.scene.as_ref());
-    let floor = scene::floor(&scene, model.name)?;
-    let robot = Simulated {
-        model,
-        plant: SimulatedPlant::new(model).with_floor(floor),
-        special: (),
-    };
-    run_on(robot, arguments)
-}
+impl PlantRun<'_> {
+    /// Runs the program on a walking robot.
+    fn walk<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Result<Status, Error> {
+        let floor = scene::floor(self.scene, model.name)?;
+        let robot = Simulated {
+            model,
+            plant: SimulatedPlant::new(model).with_floor(floor),
+            special: (),
+        };
+        run_on(robot, self.arguments)
+    }
 
-/// Runs the program on a hand.
-fn grasp<const L: usize, const J: usize>(
-    model: &Model<L, J>,
-    arguments: &Run,
-) -> Result<Status, Error> {
-    let scene = scene::load(arguments.scene.as_ref());
-    let robot = Simulated {
-        model,
-        plant: SimulatedHand::new(model).with_scene(&scene),
-        special: HandSpecials::new(),
-    };
-    run_on(robot, arguments)
+    /// Runs the program on a hand.
+    fn grasp<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Result<Status, Error> {
+        let robot = Simulated {
+            model,
+            plant: SimulatedHand::new(model).with_scene(self.scene),
+            special: HandSpecials::new(),
+        };
+        run_on(robot, self.arguments)
+    }
 }
 
 /// Loads the program and runs it on `robot`.

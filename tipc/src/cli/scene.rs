@@ -1,25 +1,39 @@
 //! `--scene`: what stands around the robot.
 
 use super::error::Error;
+use super::input;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tip_runtime::plant::{Floor, Scene};
+use tipc::Loaded;
 
-/// A scene by its name.
+/// `NAME` or `FILE.toml`.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct SceneChoice(Box<Scene>);
+pub(super) enum SceneChoice {
+    Named(Box<Scene>),
+    File(PathBuf),
+}
 
 impl FromStr for SceneChoice {
     type Err = String;
 
-    fn from_str(name: &str) -> Result<Self, String> {
-        let scene = Scene::by_name(name).map(|scene| SceneChoice(Box::new(scene)));
-        scene.ok_or_else(|| "the scenes are cylinder and nothing else".to_owned())
+    fn from_str(text: &str) -> Result<Self, String> {
+        let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
+        match Scene::by_name(text) {
+            Some(scene) => Ok(SceneChoice::Named(Box::new(scene))),
+            None if is_file => Ok(SceneChoice::File(text.into())),
+            None => Err("the scene is cylinder, or one of your own in a FILE.toml".to_owned()),
+        }
     }
 }
 
 /// The scene that was asked for; without one, a level floor.
-pub(super) fn load(choice: Option<&SceneChoice>) -> Scene {
-    choice.map_or(Scene::EMPTY, |SceneChoice(scene)| **scene)
+pub(super) fn load(choice: Option<&SceneChoice>) -> Result<Scene, Box<Loaded>> {
+    match choice {
+        None => Ok(Scene::EMPTY),
+        Some(SceneChoice::Named(scene)) => Ok(**scene),
+        Some(SceneChoice::File(path)) => input::scene(path),
+    }
 }
 
 /// What a walking robot uses of a scene.

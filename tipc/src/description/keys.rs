@@ -1,4 +1,6 @@
-//! The one table of every key of a description. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
+//! The one table of every key of a description or scene. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
+
+use crate::codes::Code;
 
 /// A table of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,10 +19,16 @@ pub enum Part {
     Forces,
     /// `[slider]`.
     Slider,
+    /// Keys above the first table of a scene.
+    Scene,
+    /// `[floor]` of a scene.
+    Floor,
+    /// `[[object]]` of a scene.
+    Object,
 }
 
 impl Part {
-    /// Every table, in the order of the documentation.
+    /// Every table of a description, in the order of the documentation.
     pub const ALL: &'static [Part] = &[
         Part::Robot,
         Part::Joint,
@@ -30,6 +38,27 @@ impl Part {
         Part::Forces,
         Part::Slider,
     ];
+
+    /// Every table of a scene, in the order of the documentation.
+    pub const SCENE: &'static [Part] = &[Part::Scene, Part::Floor, Part::Object];
+
+    /// The tables of the same file.
+    pub(super) fn beside(self) -> &'static [Part] {
+        if Part::SCENE.contains(&self) {
+            Part::SCENE
+        } else {
+            Part::ALL
+        }
+    }
+
+    /// The code of what is wrong with its file.
+    pub(super) fn code(self) -> Code {
+        if Part::SCENE.contains(&self) {
+            Code::Scene
+        } else {
+            Code::Description
+        }
+    }
 
     /// How the file spells it.
     pub const fn name(self) -> &'static str {
@@ -41,6 +70,9 @@ impl Part {
             Part::Standards => "[standards]",
             Part::Forces => "[forces]",
             Part::Slider => "[slider]",
+            Part::Scene => "the scene",
+            Part::Floor => "[floor]",
+            Part::Object => "[[object]]",
         }
     }
 
@@ -134,4 +166,19 @@ keys! {
     Slider "x", "[min, max] in mm", Some("it stays"), "how far it goes along x";
     Slider "y", "[min, max] in mm", Some("it stays"), "along y";
     Slider "z", "[min, max] in mm", Some("it stays"), "along z";
+
+    Scene "floor", "a [floor] table", Some("level, friction 0.5"), "what carries the objects, or a walking robot";
+    Scene "object", "a list of [[object]] tables", Some("none"), "what a hand may grasp: 4 at most";
+
+    Floor "height", "a number in mm", Some("0"), "above the slider of a hand";
+    Floor "slope", "[x, y], mm for each mm", Some("[0, 0]"), "how it rises; under a hand along x only";
+    Floor "friction", "a number", Some("0.5"), "its coefficient of friction; feet of walking robots do not slip";
+
+    Object "size", "[width, height] in mm", Some("`radius` must be there"), "that it is a box, or an upright cylinder";
+    Object "radius", "a number in mm", Some("`size` must be there"), "that it is a disc: a cylinder that lies along z";
+    Object "mass", "a number in kg, 0.01 or more", None, "its mass";
+    Object "friction", "a number", Some("0.5"), "its coefficient of friction; where two things touch the smaller one counts";
+    Object "x", "a number in mm", Some("0"), "where its centre is at first";
+    Object "y", "a number in mm", Some("it stands on the floor"), "where its centre is at first";
+    Object "angle", "a number in deg", Some("0"), "how far it is turned at first, from x to y";
 }

@@ -32,13 +32,13 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
             let reason = format!("leg F{number} has no joints");
             let help = "describe them under [[joint]], for every leg, or under [[leg.joint]], for this one";
-            found.push(fault(section.place, reason, help));
+            found.push(fault(section.part, section.place, reason, help));
         }
         let leg = leg(*section, drawn, initial.as_deref(), found);
         if leg.as_ref().is_some_and(Leg::is_point) {
             let reason = format!("leg F{number} has no length");
             let help = "the link of one joint at least is not [0, 0, 0]";
-            found.push(fault(section.place, reason, help));
+            found.push(fault(section.part, section.place, reason, help));
         }
         legs.extend(leg);
     }
@@ -55,7 +55,7 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
         if count != first {
             let reason = format!("leg F{number} has {}, F1 has {first}", plural(count));
             let help = "every leg needs the same number of joints: the language names them J1…Jn";
-            found.push(fault(section.place, reason, help));
+            found.push(fault(section.part, section.place, reason, help));
             same = false;
         }
     }

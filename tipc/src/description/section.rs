@@ -2,7 +2,6 @@
 
 use super::keys::Part;
 use crate::check::nearest;
-use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::Span;
 use toml::Spanned;
@@ -30,9 +29,14 @@ pub(super) struct Section<'a> {
 /// Where faults are collected.
 pub(super) type Found = Vec<Diagnostic>;
 
-/// A finding about the description.
-pub(super) fn fault(place: Span, reason: impl Into<String>, help: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(Code::Description, place, reason).help(help)
+/// A finding about the file that a table is of.
+pub(super) fn fault(
+    part: Part,
+    place: Span,
+    reason: impl Into<String>,
+    help: impl Into<String>,
+) -> Diagnostic {
+    Diagnostic::new(part.code(), place, reason).help(help)
 }
 
 impl<'a> Section<'a> {
@@ -49,7 +53,7 @@ impl<'a> Section<'a> {
             if !table.contains_key(key.name) {
                 let reason = format!("{} lacks `{}`", part.name(), key.name);
                 let help = format!("`{}` is {}: {}", key.name, key.form, key.meaning);
-                found.push(fault(place, reason, help));
+                found.push(fault(part, place, reason, help));
             }
         }
         section
@@ -58,7 +62,8 @@ impl<'a> Section<'a> {
     fn unknown(self, name: &str, place: Span) -> Diagnostic {
         let part = self.part.name();
         let names = || self.part.keys().map(|key| key.name);
-        let elsewhere = Part::ALL.iter().find(|part| part.key(name).is_some());
+        let mut beside = self.part.beside().iter();
+        let elsewhere = beside.find(|part| part.key(name).is_some());
         let help = match (nearest(name, names()), elsewhere) {
             (Some(near), _) => format!("did you mean `{near}`?"),
             (None, Some(part)) => format!("`{name}` belongs to {}", part.name()),
@@ -67,7 +72,8 @@ impl<'a> Section<'a> {
                 format!("the keys of {part} are {}", names.join(", "))
             }
         };
-        fault(place, format!("{part} has no key `{name}`"), help)
+        let reason = format!("{part} has no key `{name}`");
+        fault(self.part, place, reason, help)
     }
 
     fn value(self, key: &str) -> Option<(Span, &'a DeValue<'a>)> {
@@ -89,7 +95,12 @@ impl<'a> Section<'a> {
         found: &mut Found,
     ) -> Option<T> {
         let help = self.part.key(key).map(|key| key.form).unwrap_or_default();
-        found.push(fault(place, reason, format!("`{key}` is {help}")));
+        found.push(fault(
+            self.part,
+            place,
+            reason,
+            format!("`{key}` is {help}"),
+        ));
         None
     }
 

@@ -135,6 +135,16 @@ fn a_scene_has_objects_for_a_hand_only() {
         .tipc(&["run", "p.prg", "--robot", "generic", "--scene", "cylinder"])
         .expect(2);
     assert!(refused.err.contains("--robot hand"), "{refused:#?}");
+    // The same cylinder from a file, then one with a fault, then none.
+    let own = "[[object]]\nsize = [200, 60]\nmass = 0.6\nfriction = 1.5\n";
+    let folder = folder
+        .file("own.toml", own)
+        .file("bad.toml", own.replace("0.6", "0"));
+    let same = folder.tipc(&[&hand[..], &["own.toml"]].concat()).expect(0);
+    assert_eq!(same.out, held.out);
+    let bad = folder.tipc(&[&hand[..], &["bad.toml"]].concat()).expect(1);
+    assert!(bad.err.contains("bad.toml:3:8"), "{bad:#?}");
+    folder.tipc(&[&hand[..], &["none.toml"]].concat()).expect(1);
 }
 
 #[test]

@@ -10,17 +10,18 @@ fn keys_and_example_are_those_of_the_compiler_and_its_tests() {
     let text = read("docs/robots.md");
     let example = read("tipc/tests/robots/hexapod.toml");
     let fresh = replace(&text, "example", &format!("\n```toml\n{example}```\n\n"));
-    let fresh = replace(&fresh, "keys", &keys());
+    let fresh = replace(&fresh, "keys", &keys(Part::ALL));
+    let fresh = replace(&fresh, "scenes", &keys(Part::SCENE));
     hold("docs/robots.md", &text, &fresh);
 }
 
-fn keys() -> String {
+fn keys(parts: &[Part]) -> String {
     let mut table = String::from(
         "\n| where | key | value | without it | what it says |\n|---|---|---|---|---|\n",
     );
-    for part in Part::ALL {
+    for part in parts {
         let place = match part {
-            Part::Robot => "top".to_owned(),
+            Part::Robot | Part::Scene => "top".to_owned(),
             part => format!("`{}`", part.name()),
         };
         for key in part.keys() {
