@@ -32,7 +32,7 @@ use contacts::Contacts;
 use fall::FallWatch;
 use links::{LegLinks, Mass};
 use nalgebra::Vector3;
-use servo::Servo;
+use servo::{JointLoad, Servo};
 use stance::Stance;
 use support::{Load, Support};
 
@@ -220,9 +220,15 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         for (((servos, leg), (links, load)), commands) in legs.zip(forces).zip(commands) {
             let push = -gravity * *load;
             let torques = links.load_torques(leg, push, gravity);
+            let stiffness = if *load > 0.0 { support::STIFFNESS } else { 0.0 };
+            let loads = torques
+                .into_iter()
+                .zip(links.stiffness(-gravity, stiffness));
             let joints = servos.iter_mut().zip(&leg.joints);
-            for (((servo, joint), command), torque) in joints.zip(commands).zip(torques) {
-                servo.advance(joint, *command, torque, dt, &self.dynamics);
+            for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads)
+            {
+                let load = JointLoad { torque, stiffness };
+                servo.advance(joint, *command, load, dt, &self.dynamics);
             }
         }
     }

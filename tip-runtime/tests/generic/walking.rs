@@ -1,10 +1,10 @@
 //! Robots of other shapes on the floor.
 
-use crate::program::{Step, run};
+use crate::program::{Step, bench, run};
 use crate::shapes::{ARM, BIPED, HEXAPOD, NINE, PENDULUM, SLED, SPIDER, TRIPOD};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::Chain;
-use tip_runtime::model::{Inverse, Model};
+use tip_runtime::model::{Inverse, Model, generic};
 use tip_runtime::plant::SimulatedPlant;
 
 const ALL: Target = Target::All;
@@ -167,4 +167,38 @@ fn a_hexapod_walks_with_either_inverse_kinematics() {
     }
     let gap = ends[0].y - ends[1].y;
     assert!(gap.abs() < 1e-3, "{ends:?}");
+}
+
+// clauses: 7.12
+#[test]
+fn a_foot_on_a_spring_comes_to_rest_on_the_floor() {
+    let model = &generic::MODEL;
+    let target = [-391.0, 201.0, -230.0];
+    let mut steps = feet(model, |_, [x, y, _]| [x, y, -220.0]);
+    steps.push((Op::CompliancePosition, Target::Foot(1), target.to_vec()));
+    steps.push((Op::Sleep, NONE, vec![1e9]));
+    let mut bench = bench(model, steps);
+    for _ in 0..300 {
+        bench.cycle();
+    }
+    let before = bench.hardware().angles()[0];
+    bench.cycle();
+    let plant = bench.hardware();
+    let angles = plant.angles()[0];
+    for (angle, before) in angles.iter().zip(before) {
+        assert!((angle - before).abs() < 1e-4, "{angle} {before}");
+    }
+    // The thigh's joint balances spring (1 N/mm), floor, and thigh and shank with their weight in the
+    // middle.
+    let chain = Chain::new(&model.legs[0], &angles);
+    let jacobian = chain.foot_jacobian();
+    let of_foot = jacobian.column(1);
+    let to_knee = chain.joint_jacobian(2).expect("a knee")[(2, 1)];
+    let pull: f64 = (0..3)
+        .map(|axis| of_foot[axis] * (target[axis] - chain.foot()[axis]))
+        .sum();
+    let push = of_foot[2] * plant.feet()[0].load;
+    let links = 0.8 * to_knee / 2.0 + 0.4 * (to_knee + of_foot[2]) / 2.0;
+    let rest = pull + push - 9.80665 * links;
+    assert!(rest.abs() < 0.01 * push.abs(), "{rest} {pull} {push}");
 }

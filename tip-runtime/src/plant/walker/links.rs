@@ -87,6 +87,18 @@ impl<const J: usize> LegLinks<J> {
         links
     }
 
+    /// How stiffly each joint feels a foot whose contact gives way by `stiffness` (N/mm) along
+    /// `normal`: N·m/rad. All joints turn at once, so that a joint is lent what it shares with the
+    /// others: row sums, which are no less than the stiffness of any motion of the leg.
+    pub(super) fn stiffness(&self, normal: Point, stiffness: f64) -> [f64; J] {
+        let mut levers = [0.0; J];
+        for (lever, (joint, axis)) in levers.iter_mut().zip(self.joints.iter().zip(&self.axes)) {
+            *lever = libm::fabs(axis.cross(&(self.foot - joint)).dot(&normal));
+        }
+        let sum: f64 = levers.iter().sum();
+        levers.map(|lever| stiffness * lever * sum / 1000.0)
+    }
+
     /// Torque about each joint axis that the floor's `push` at the foot (N) and the links' own
     /// weight exert: Jᵀ F (e.g. Siciliano et al., Robotics, 2009, §3.8), N·m. `down` is the
     /// direction of gravity. All in the robot frame.

@@ -25,6 +25,15 @@ impl Default for ServoDynamics {
     }
 }
 
+/// What the world does to a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct JointLoad {
+    /// N·m.
+    pub(super) torque: f64,
+    /// By how much the torque opposes a turn: N·m/rad.
+    pub(super) stiffness: f64,
+}
+
 /// One joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Servo {
@@ -40,12 +49,15 @@ impl Servo {
         Servo { angle, torque: 0.0 }
     }
 
-    /// Moves for `dt` s while the load exerts the torque `load`.
+    /// Moves for `dt` s under a load.
     pub(super) fn advance(
         &mut self,
         joint: &Joint,
         command: JointCommand,
-        load: f64,
+        JointLoad {
+            torque: load,
+            stiffness,
+        }: JointLoad,
         dt: f64,
         dynamics: &ServoDynamics,
     ) {
@@ -63,9 +75,12 @@ impl Servo {
                 (target - self.angle) * share
             }
             JointCommand::Torque(torque) => {
-                // Without inertia a torque that nothing balances turns a viscous joint.
+                // Without inertia a torque that nothing balances turns a viscous joint. The load is
+                // taken as it is behind the turn (the implicit Euler method): a foot on a stiff floor
+                // would bounce for good under the load that it had before.
                 self.torque = within(torque, -strongest, strongest);
-                farthest * (self.torque + load) / strongest
+                let opposed = 1.0 + farthest.to_radians() * stiffness / strongest;
+                farthest * (self.torque + load) / strongest / opposed
             }
         };
         if turn.is_finite() {
@@ -94,10 +109,18 @@ mod tests {
 
     const KNEE: Joint = titan8::MODEL.legs[0].joints[2];
 
+    /// A torque that no turn changes.
+    const fn free(torque: f64) -> JointLoad {
+        JointLoad {
+            torque,
+            stiffness: 0.0,
+        }
+    }
+
     fn advanced(command: JointCommand, load: f64, cycles: u32) -> Servo {
         let mut servo = Servo::at(90.0);
         for _ in 0..cycles {
-            servo.advance(&KNEE, command, load, 0.02, &ServoDynamics::default());
+            servo.advance(&KNEE, command, free(load), 0.02, &ServoDynamics::default());
         }
         servo
     }
@@ -116,7 +139,7 @@ mod tests {
             speed: 1e9,
         };
         let mut servo = Servo::at(90.0);
-        servo.advance(&KNEE, JointCommand::Angle(80.0), 0.0, 0.02, &dynamics);
+        servo.advance(&KNEE, JointCommand::Angle(80.0), free(0.0), 0.02, &dynamics);
         assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
     }
 
@@ -143,5 +166,30 @@ mod tests {
         assert_eq!(advanced(JointCommand::Torque(40.0), 0.0, 1000).angle, 157.0);
         assert_eq!(advanced(JointCommand::Torque(-40.0), 0.0, 1000).angle, -2.0);
         assert_eq!(advanced(JointCommand::Angle(f64::NAN), 0.0, 5).angle, 90.0);
+    }
+
+    #[test]
+    fn a_torque_settles_on_a_stiff_floor_without_bouncing() {
+        const STIFFNESS: f64 = 1e6;
+        let mut servo = Servo::at(90.0);
+        let mut depth = 0.0_f64;
+        for _ in 0..50 {
+            let torque = -STIFFNESS * depth.to_radians();
+            let load = JointLoad {
+                torque,
+                stiffness: STIFFNESS,
+            };
+            servo.advance(
+                &KNEE,
+                JointCommand::Torque(10.0),
+                load,
+                0.02,
+                &ServoDynamics::default(),
+            );
+            assert!(servo.angle - 90.0 >= depth, "it bounces");
+            depth = servo.angle - 90.0;
+        }
+        // 10 N·m against 10⁶ N·m/rad.
+        assert!((depth.to_radians() - 1e-5).abs() < 1e-9);
     }
 }

@@ -11,7 +11,7 @@ use super::contacts::Contacts;
 use nalgebra::{Matrix3, Vector3};
 
 /// Of a foot with its leg, and of the belly: N/mm.
-const STIFFNESS: f64 = 200.0;
+pub(super) const STIFFNESS: f64 = 200.0;
 /// Turns of the frame in one go.
 const TURNS: u32 = 6;
 /// Steps of Newton's method in one frame.
