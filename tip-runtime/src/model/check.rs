@@ -291,8 +291,8 @@ fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
             && dot(joint.link, outward) > 0.0
     };
     let flexed = -dot(across, knee.axis) * (knee.limits.min + knee.limits.max);
-    let [_, _, rise] = outward;
-    is_along(yaw.axis, Z) && rise == 0.0 && goes_on(thigh) && goes_on(knee) && flexed > 0.0
+    let is_level = is_along(cross(across, Z), outward);
+    is_along(yaw.axis, Z) && is_level && goes_on(thigh) && goes_on(knee) && flexed > 0.0
 }
 
 /// Whether two vectors lie on one line; one without length does not.
