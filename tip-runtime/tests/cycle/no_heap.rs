@@ -1,6 +1,6 @@
 //! A control cycle takes nothing from the heap.
 
-use crate::program::{Step, bench};
+use crate::program::{Step, bench, hand_bench};
 use allocation_counter::measure;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::machine::Status;
@@ -33,6 +33,37 @@ fn no_cycle_allocates_from_the_first_to_beyond_the_last() {
         "{:?}",
         machine.emergency()
     );
+    assert_eq!(heap.count_total, 0);
+}
+
+const GRASPING: [Step; 14] = [
+    (Op::Special, Target::None, &[20.0, 0.0, 1.0]),
+    (Op::Special, Target::None, &[20.0, 1.0, 1.0]),
+    (Op::Special, Target::None, &[1.0]),
+    (Op::Special, Target::None, &[2.0, 2.0]),
+    (Op::Torque, Target::Foot(1), &[60.0, 60.0, 60.0]),
+    (Op::Torque, Target::Foot(2), &[60.0, 60.0, 60.0]),
+    (Op::Torque, Target::Foot(3), &[60.0, 60.0, 60.0]),
+    (Op::Special, Target::None, &[11.0, 4.0, 2.0]),
+    (Op::Special, Target::None, &[14.0, 60.0]),
+    (Op::Sleep, Target::None, &[500.0]),
+    (Op::Special, Target::None, &[10.0]),
+    (Op::Special, Target::None, &[5.0, 2.0, 1.0]),
+    (Op::Special, Target::None, &[6.0, 0.0, 5.0]),
+    (Op::Sleep, Target::None, &[100.0]),
+];
+
+// clauses: 7.48
+#[test]
+fn native_commands_take_nothing_from_the_heap_either() {
+    let mut machine = hand_bench(&GRASPING);
+    let heap = measure(|| {
+        for _ in 0..400 {
+            machine.cycle();
+        }
+    });
+    let ended = matches!(machine.status(), Status::Finished(_));
+    assert!(ended, "{:?}", machine.emergency());
     assert_eq!(heap.count_total, 0);
 }
 

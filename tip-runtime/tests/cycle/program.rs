@@ -3,9 +3,10 @@
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Machine;
-use tip_runtime::model::{Model, titan8};
-use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::model::{Model, hand, titan8};
+use tip_runtime::plant::{Scene, SimulatedHand, SimulatedPlant};
 use tip_runtime::program::{Context, End, Flow, Program, Signature};
+use tip_runtime::special::hand::HandSpecials;
 
 pub(crate) static MODEL: Model<4, 3> = titan8::MODEL;
 
@@ -13,11 +14,25 @@ pub(crate) static MODEL: Model<4, 3> = titan8::MODEL;
 pub(crate) type Step = (Op, Target, &'static [f64]);
 
 /// Runs its steps one after the other, then ends.
-pub(crate) struct List(pub(crate) &'static [Step], u32);
+pub(crate) struct List {
+    steps: &'static [Step],
+    at: u32,
+    robot: Signature,
+}
+
+impl List {
+    fn new(steps: &'static [Step], robot: Signature) -> Self {
+        List {
+            steps,
+            at: 0,
+            robot,
+        }
+    }
+}
 
 impl Program for List {
     fn signature(&self) -> Signature {
-        MODEL.signature()
+        self.robot
     }
     fn name(&self) -> &str {
         "list"
@@ -26,10 +41,10 @@ impl Program for List {
         ""
     }
     fn at(&self) -> u32 {
-        self.1
+        self.at
     }
     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-        let Some((op, target, numbers)) = self.0.get(self.1 as usize) else {
+        let Some((op, target, numbers)) = self.steps.get(self.at as usize) else {
             return Ok(Flow::Finished(End::End));
         };
         let mut values = [Value::absolute(0.0); 3];
@@ -46,7 +61,7 @@ impl Program for List {
             return Ok(Flow::Wait);
         }
         cx.message(&op.name());
-        self.1 += 1;
+        self.at += 1;
         Ok(Flow::Next)
     }
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
@@ -56,7 +71,7 @@ impl Program for List {
         step + 3
     }
     fn reset(&mut self) {
-        self.1 = 0;
+        self.at = 0;
     }
 }
 
@@ -64,7 +79,17 @@ pub(crate) type Bench = Machine<'static, List, SimulatedPlant<4, 3>, (), (), 4, 
 
 pub(crate) fn bench(steps: &'static [Step]) -> Bench {
     let plant = SimulatedPlant::new(&MODEL);
-    Machine::new(List(steps, 0), &MODEL, plant, (), ()).expect("made for this robot")
+    let program = List::new(steps, MODEL.signature());
+    Machine::new(program, &MODEL, plant, (), ()).expect("made for this robot")
+}
+
+pub(crate) type HandBench = Machine<'static, List, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+
+/// The hand, its native commands and something to grasp.
+pub(crate) fn hand_bench(steps: &'static [Step]) -> HandBench {
+    let plant = SimulatedHand::new(&hand::MODEL).with_scene(&Scene::CYLINDER);
+    let program = List::new(steps, hand::MODEL.signature());
+    Machine::new(program, &hand::MODEL, plant, (), HandSpecials::new()).expect("made for the hand")
 }
 
 /// Runs to the end, which must come in time and without an emergency.
