@@ -1,12 +1,15 @@
 //! SPECIAL commands of a user, written in Rust, behind a program that runs on either engine.
 
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
+use tip_runtime::console::{Bars, Console};
 use tip_runtime::fault::Fault;
+use tip_runtime::hardware::Hardware;
 use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::titan8;
-use tip_runtime::plant::SimulatedPlant;
+use tip_runtime::model::{hand, titan8};
+use tip_runtime::plant::{SimulatedHand, SimulatedPlant};
 use tip_runtime::program::{Program, Robot};
 use tip_runtime::record::{Ending, JsonLines};
+use tip_runtime::special::hand::HandSpecials;
 use tip_runtime::special::{Call, Special};
 use tipc::interp::Interpreter;
 
@@ -69,8 +72,12 @@ impl Special for Handler {
     }
 }
 
-fn interpreted() -> Interpreter {
-    let loaded = tipc::load("Native", SOURCE.as_bytes(), &tipc::Options::default());
+fn interpreted(source: &str, robot: tipc::Robot) -> Interpreter {
+    let options = tipc::Options {
+        robot,
+        ..tipc::Options::default()
+    };
+    let loaded = tipc::load("Native", source.as_bytes(), &options);
     Interpreter::new(loaded.program.expect("it has no errors"))
 }
 
@@ -79,6 +86,21 @@ fn trace(program: impl Program, special: impl Special) -> (String, bool) {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     let mut machine =
         Machine::new(program, &titan8::MODEL, plant, (), special).expect("it is for TITAN VIII");
+    let lines = trace_of(&mut machine);
+    let shines = machine.outputs().lamps[0] & 0b10 != 0;
+    (lines, shines)
+}
+
+/// The trace of a run to its end.
+fn trace_of<P, H, C, S, const L: usize, const J: usize>(
+    machine: &mut Machine<'_, P, H, C, S, L, J>,
+) -> String
+where
+    P: Program,
+    H: Hardware<L, J>,
+    C: Console,
+    S: Special,
+{
     let mut lines = JsonLines::new(String::new(), false);
     let ending = loop {
         match machine.cycle_traced(&mut lines) {
@@ -90,8 +112,7 @@ fn trace(program: impl Program, special: impl Special) -> (String, bool) {
         }
     };
     lines.end(ending, machine.cycles());
-    let shines = machine.outputs().lamps[0] & 0b10 != 0;
-    (lines.get_mut().clone(), shines)
+    lines.into_inner()
 }
 
 // clauses: 2.17 5.1 7.43 7.48
@@ -110,7 +131,7 @@ fn a_users_command_takes_arguments_and_cycles_and_sets_flags() {
 "#;
     for (text, shines) in [
         trace(Native::new(), Handler::default()),
-        trace(interpreted(), Handler::default()),
+        trace(interpreted(SOURCE, tipc::Robot::Titan8), Handler::default()),
     ] {
         assert_eq!(text, expected);
         assert!(shines);
@@ -122,7 +143,108 @@ fn a_users_command_takes_arguments_and_cycles_and_sets_flags() {
 fn without_native_code_every_number_is_unknown() {
     let expected =
         r#"{"end":"EMERGENCY","error":"Domain error","kind":"RuntimeError","step":1,"cycles":1}"#;
-    for (text, _) in [trace(Native::new(), ()), trace(interpreted(), ())] {
+    for (text, _) in [
+        trace(Native::new(), ()),
+        trace(interpreted(SOURCE, tipc::Robot::Titan8), ()),
+    ] {
         assert_eq!(text.lines().last(), Some(expected));
     }
+}
+
+const BESIDE: &str = r#"3.1
+A command beside those of the hand
+SPECIAL 20 0 1
+SPECIAL 11 1 2
+SPECIAL 31 3
+IF SPECIAL_FLAG9 GOTO DONE:
+SPECIAL 99
+DONE:
+SLEEP 250
+SPECIAL 20 0 0
+END
+"#;
+
+tip_macros::tip!(
+    Beside,
+    r#"3.1
+A command beside those of the hand
+SPECIAL 20 0 1
+SPECIAL 11 1 2
+SPECIAL 31 3
+IF SPECIAL_FLAG9 GOTO DONE:
+SPECIAL 99
+DONE:
+SLEEP 250
+SPECIAL 20 0 0
+END
+"#,
+    robot = hand
+);
+
+/// What a console was asked to draw: graph, and number of bars.
+#[derive(Debug, Default)]
+struct Canvas(Vec<(u8, usize)>);
+
+impl Console for Canvas {
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.0.push((graph, bars.0.len()));
+    }
+}
+
+/// Knows 31, which sets flag 9, and lights a lamp in the fifth cycle.
+#[derive(Debug, Default)]
+struct Own {
+    cycles: u32,
+}
+
+impl Special for Own {
+    fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault> {
+        let (31, [Some(3.0), None]) = (call.number, call.arguments) else {
+            return Err(Fault::Domain);
+        };
+        robot.set_special_flag(9, true);
+        Ok(Poll::Done)
+    }
+
+    fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
+        self.cycles += 1;
+        if self.cycles == 5 {
+            robot.command(&Command {
+                op: Op::LampOn,
+                hs: false,
+                target: Target::None,
+                values: &[Value::absolute(1.0)],
+            })?;
+        }
+        Ok(())
+    }
+}
+
+// clauses: 5.1 7.43 7.48
+#[test]
+fn a_users_commands_stand_beside_those_of_the_hand() {
+    fn check(program: impl Program) {
+        let plant = SimulatedHand::new(&hand::MODEL);
+        let special = HandSpecials::beside(Own::default());
+        let canvas = Canvas::default();
+        let mut machine = Machine::new(program, &hand::MODEL, plant, canvas, special)
+            .expect("it is for the hand");
+        let text = trace_of(&mut machine);
+        let mut lines = text.lines();
+        for expected in [
+            r#"{"cycle":0,"step":0,"next":1,"cmd":["SPECIAL",null,20.0,0.0,1.0]}"#,
+            r#"{"cycle":1,"step":1,"next":2,"cmd":["SPECIAL",null,11.0,1.0,2.0]}"#,
+            r#"{"cycle":2,"step":2,"next":3,"cmd":["SPECIAL",null,31.0,3.0]}"#,
+            r#"{"cycle":3,"step":3,"next":5}"#,
+        ] {
+            assert_eq!(lines.next(), Some(expected));
+        }
+        // SLEEP takes 125 cycles of 2 ms, then come the last SPECIAL and END.
+        assert_eq!(lines.last(), Some(r#"{"end":"END","cycles":132}"#));
+        assert_eq!(machine.outputs().lamps[0], 0b10);
+        // The nine joints at 0, 100 and 200 ms, then nothing.
+        assert_eq!(machine.console().0, [(0, 9), (0, 9), (0, 9), (0, 0)]);
+    }
+    check(Beside::new());
+    check(interpreted(BESIDE, tipc::Robot::Hand));
 }
