@@ -109,6 +109,31 @@ fn what_a_robot_lacks_is_told_with_its_name() {
     assert!(help("SET_SAMPLING_TIME 500", Robot::Hand).contains("1 to 100 on hand"));
 }
 
+// clauses: 7.16
+#[test]
+fn a_tolerance_of_version_two_is_sent_where_it_belongs_now() {
+    let reason = |statement| only(&check(statement, Robot::Titan8)).reason.clone();
+    assert!(reason("WAIT_NEAR F1 5").contains("SET_NEAR_POSITION"));
+    assert!(reason("WAIT_INPOS F1 5").contains("one argument too many for WAIT_INPOS"));
+}
+
+// clauses: 4.9
+#[test]
+fn constants_without_a_result_are_told_what_would_have_one() {
+    let help = |right| {
+        help(
+            &format!("DEF_VAR N\nN = 1\nN = N * 2\nN = {right}"),
+            Robot::Titan8,
+        )
+    };
+    assert_eq!(help("N / 0"), "divide by another number");
+    assert_eq!(help("SQRT -1"), "SQRT takes 0 or more");
+    assert_eq!(help("ASIN 2"), "ASIN takes -1 to 1");
+    assert!(help("ATAN 2").contains("`ATAN2 y x` takes any ratio"));
+    assert!(help("ATAN2 0 0").contains("another number than 0"));
+    assert!(help("N\nFOR N = 1 TO 2 STEP 0\nNEXT").contains("leave STEP out"));
+}
+
 // clauses: 8.1
 #[test]
 fn misspelt_words_are_recognized() {

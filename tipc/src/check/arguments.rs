@@ -322,7 +322,13 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                let reason = format!("one argument too many for {}", name.node);
+                let reason = match name.node.as_str() {
+                    // Version 2 had one.
+                    "WAIT_NEAR" => {
+                        "SET_NEAR_POSITION and SET_NEAR_ANGLE set the tolerance".to_owned()
+                    }
+                    name => format!("one argument too many for {name}"),
+                };
                 self.refuse(Code::Argument, operand.span, reason)
             }
         }
