@@ -68,7 +68,26 @@ pub(super) const STAND: &[Failure] = &[
     ),
 ];
 
-pub(super) const SOLE: &[Failure] = &[(Fault::Sensor("PAW1"), "a sole's sensor reads nonsense")];
+pub(super) const SWING: &[Failure] = &[(
+    Fault::JointLimit(1, 1),
+    "a joint that nothing stops swings past its limit; under EMG_OFF it is held there",
+)];
+
+pub(super) const FLOOR: &[Failure] = &[
+    (Fault::Sensor("PAW1"), "a sole's sensor reads nonsense"),
+    (
+        Fault::OutOfReach(Target::Foot(1)),
+        "a foot comes to the end of its reach before it feels the floor",
+    ),
+    NOTHING_THERE,
+];
+
+pub(super) const OBJECT: &[Failure] = &[NOTHING_THERE];
+
+const NOTHING_THERE: Failure = (
+    Fault::JointLimit(1, 1),
+    "a joint comes to its limit, since nothing is there to be felt",
+);
 
 pub(super) const INPUT: &[Failure] = &[(Fault::Sensor("VR1"), "the input reads nonsense")];
 
@@ -89,7 +108,10 @@ pub(super) const BRANCHES: &[Failure] = &[
 
 pub(super) const RETURNS: &[Failure] = &[(Fault::InvalidReturn, "no call is open")];
 
-pub(super) const NATIVE: &[Failure] = &[(Fault::Domain, "no native code answers to the number")];
+pub(super) const NATIVE: &[Failure] = &[(
+    Fault::Domain,
+    "no native code answers to the number, or it refuses the values",
+)];
 
 impl Command {
     /// Every run-time error of its own step.
