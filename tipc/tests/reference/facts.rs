@@ -5,6 +5,13 @@ use tip_runtime::command::Teach;
 use tipc::Robot;
 use tipc::commands::{Arguments, Command, Cycles, Form, Joints, Meaning, Targets, Values};
 
+/// Those with a letter in the reference.
+const ROBOTS: [(&str, Robot); 3] = [
+    ("T", Robot::Titan8),
+    ("G", Robot::Generic),
+    ("H", Robot::Hand),
+];
+
 /// The list below an entry's words; empty for words that are no commands.
 pub(crate) fn facts(commands: &[&Command]) -> String {
     let Some(first) = commands.first() else {
@@ -50,11 +57,7 @@ fn written(commands: &[&Command]) -> String {
 
 fn forms(command: &Command) -> String {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
-    for (letter, robot) in [
-        ("T", Robot::Titan8),
-        ("G", Robot::Generic),
-        ("H", Robot::Hand),
-    ] {
+    for (letter, robot) in ROBOTS {
         if !command.robots.contains(robot) {
             continue;
         }
@@ -98,15 +101,11 @@ fn failures(command: &Command) -> String {
 }
 
 fn refused(command: &Command) -> String {
-    let lacking: Vec<&str> = [
-        ("T", Robot::Titan8),
-        ("H", Robot::Hand),
-        ("G", Robot::Generic),
-    ]
-    .into_iter()
-    .filter(|(_, robot)| !command.robots.contains(*robot))
-    .map(|(letter, _)| letter)
-    .collect();
+    let lacking: Vec<&str> = ROBOTS
+        .into_iter()
+        .filter(|(_, robot)| !command.robots.contains(*robot))
+        .map(|(letter, _)| letter)
+        .collect();
     let unknown = match &lacking[..] {
         [] => String::new(),
         letters => format!("`Unknown command` ({})", letters.join(" ")),
