@@ -2,6 +2,7 @@
 
 mod arguments;
 mod check;
+mod describe;
 mod emit;
 mod error;
 mod input;
@@ -13,7 +14,7 @@ mod run;
 mod scene;
 mod script;
 
-use arguments::{Arguments, Verb};
+use arguments::{Arguments, RobotVerb, Verb};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -51,6 +52,8 @@ pub(crate) fn main() -> ExitCode {
         Verb::Run(arguments) => run::run(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
+        Verb::Robot(RobotVerb::Check(arguments)) => describe::check(arguments),
+        Verb::Robot(RobotVerb::Import(arguments)) => describe::import(arguments),
     };
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error);

@@ -27,6 +27,8 @@ pub mod program;
 mod robot;
 pub mod source;
 pub mod syntax;
+#[cfg(feature = "urdf")]
+pub mod urdf;
 mod warn;
 
 #[cfg(feature = "build")]

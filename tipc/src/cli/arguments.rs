@@ -19,6 +19,7 @@ use tipc::{Options, Robot};
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc emit rust walk.prg -o walk.rs  the same program as Rust source
   tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
+  tipc robot check hexapod.toml       what a robot of your own has
 
 'tipc help run' and its like show examples of each command.
 Exit status: 0 done, 1 the program does not load or a file cannot be written,
@@ -40,6 +41,55 @@ pub(super) enum Verb {
     Emit(Emit),
     /// Turn a program of an older version into one of version 3.1
     Migrate(Migrate),
+    /// Descriptions of robots
+    #[command(subcommand)]
+    Robot(RobotVerb),
+}
+
+/// What to do with a robot's description.
+#[derive(Debug, Subcommand)]
+pub(super) enum RobotVerb {
+    /// Report everything that is wrong with a description, or what the robot has
+    Check(CheckRobot),
+    /// Make a description of a URDF file
+    Import(Import),
+}
+
+/// `tipc robot check`
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  tipc robot check hexapod.toml
+
+Exit status: 0 if the description can be used, 1 otherwise.")]
+pub(super) struct CheckRobot {
+    /// The description
+    #[arg(value_name = "FILE.toml")]
+    pub(super) file: PathBuf,
+
+    /// How faults are shown: snippets for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+}
+
+/// `tipc robot import`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
+foot is the link at the end, on a fixed joint. A report on standard error tells what was assumed and what was dropped.
+
+Example:
+  tipc robot import quadruped.urdf -o quadruped.toml
+
+Exit status: 0 if the description is written, 1 otherwise."
+)]
+pub(super) struct Import {
+    /// The URDF file; xacro has to be expanded first
+    #[arg(value_name = "FILE.urdf")]
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT.toml")]
+    pub(super) out: Option<PathBuf>,
 }
 
 /// How a source file is to be read. Every command takes these.

@@ -84,7 +84,8 @@ fn summary(loaded: &Loaded) -> String {
     }
 }
 
-fn plural(count: usize, what: &str) -> String {
+/// So many of something.
+pub(super) fn plural(count: usize, what: &str) -> String {
     let end = if count == 1 { "" } else { "s" };
     format!("{count} {what}{end}")
 }

@@ -1,4 +1,4 @@
-//! `--robot FILE.toml`
+//! `--robot FILE.toml`, and `tipc robot`.
 
 use crate::support::Folder;
 
@@ -129,4 +129,72 @@ fn a_robot_of_any_size_runs() {
         let angle: f64 = outcome.out.trim().parse().expect("a number");
         assert!((9.0..=10.0).contains(&angle), "{legs} × {joints}: {angle}");
     }
+}
+
+/// A leg of one joint.
+const URDF: &str = r#"<robot name="pendulum">
+<link name="base"/><link name="rod"/><link name="tip"/>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/>
+<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="2" velocity="3"/></joint>
+<joint name="end" type="fixed"><parent link="rod"/><child link="tip"/><origin xyz="0 0 -0.5"/></joint>
+</robot>"#;
+
+#[test]
+fn a_urdf_file_becomes_a_description_that_can_be_checked() {
+    let folder = Folder::new("imported").file("pendulum.urdf", URDF);
+    let imported = folder
+        .tipc(&["robot", "import", "pendulum.urdf", "-o", "pendulum.toml"])
+        .expect(0);
+    assert!(
+        imported.err.contains("F1: joint hinge to link tip"),
+        "{}",
+        imported.err
+    );
+    assert!(folder.read("pendulum.toml").contains("link = [0, 0, -500]"));
+    let checked = folder.tipc(&["robot", "check", "pendulum.toml"]).expect(0);
+    assert!(
+        checked
+            .out
+            .contains("pendulum: 1 leg of 1 joint, bolted down"),
+        "{}",
+        checked.out
+    );
+    assert!(
+        checked.out.contains("F1  0.0 0.0 -500.0"),
+        "{}",
+        checked.out
+    );
+}
+
+#[test]
+fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
+    let folder = Folder::new("not-imported")
+        .file("sliding.urdf", URDF.replace("revolute", "prismatic"))
+        .file("broken.urdf", &URDF[..100]);
+    for (file, reason) in [
+        ("sliding.urdf", "joint `hinge` on link `base` is prismatic"),
+        ("broken.urdf", "this is no URDF"),
+        ("gone.urdf", "No such file"),
+    ] {
+        let outcome = folder
+            .tipc(&["robot", "import", file, "-o", "out.toml"])
+            .expect(1);
+        assert!(outcome.err.contains(reason), "{}", outcome.err);
+        assert!(outcome.err.contains(file), "{}", outcome.err);
+        assert!(!folder.has("out.toml"));
+    }
+}
+
+#[test]
+fn robot_check_shows_every_fault() {
+    let folder = Folder::new("robot-check").file("bad.toml", "name = \"bad\"\nlegs = 6\n");
+    let outcome = folder
+        .tipc(&["robot", "check", "bad.toml", "--message-format", "short"])
+        .expect(1);
+    let lines = outcome.lines();
+    assert!(
+        lines[0].starts_with("bad.toml:1:1: error: TIP_ERR:Wrong robot description"),
+        "{lines:?}"
+    );
+    assert!(lines[1].starts_with("bad.toml:2:1: error:"), "{lines:?}");
 }

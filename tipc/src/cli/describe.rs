@@ -1,0 +1,90 @@
+//! `tipc robot`: descriptions of robots.
+
+use super::arguments::{CheckRobot, Format, Import};
+use super::error::Error;
+use super::{Status, input, output, report};
+use std::fmt::Write as _;
+use std::fs;
+use tip_runtime::kinematics::Chain;
+use tip_runtime::model::Model;
+use tipc::description::WithModel;
+use tipc::urdf;
+
+/// Shows every fault of a description, or what the robot has.
+pub(super) fn check(arguments: &CheckRobot) -> Result<Status, Error> {
+    match input::describe(&arguments.file) {
+        Ok(description) => {
+            if arguments.message_format == Format::Human {
+                output::print(description.with_model(Summary))?;
+            }
+            Ok(Status::Success)
+        }
+        Err(loaded) => {
+            report::check(&loaded, arguments.message_format)?;
+            Ok(Status::Failure)
+        }
+    }
+}
+
+/// What a robot has, in words.
+struct Summary;
+
+impl WithModel for Summary {
+    type Output = String;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> String {
+        let standing = match &model.body {
+            Some(body) => format!("body of {} kg", body.mass),
+            None => "bolted down".to_owned(),
+        };
+        let forces = match &model.forces {
+            Some(forces) => format!("torque up to {} {:?}", forces.torque_max, forces.unit),
+            None => "no commands of torque, force and compliance".to_owned(),
+        };
+        let (name, inverse) = (model.name, model.inverse);
+        let (legs, joints) = (report::plural(L, "leg"), report::plural(J, "joint"));
+        let mut text = format!(
+            "{name}: {legs} of {joints}, {standing}\n\
+             F1 to F{L}, J11 to J{L}{J}, members J1 to J{J}; {forces}\n\
+             inverse kinematics: {inverse:?}\n\
+             feet in the initial posture, in mm:\n"
+        );
+        for (number, leg) in (1..).zip(&model.legs) {
+            // Adding 0 makes of −0 a plain 0.
+            let [x, y, z] = Chain::new(leg, &leg.initial).foot().map(|at| at + 0.0);
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
+        }
+        text
+    }
+}
+
+/// Writes the description that a URDF file makes; the report goes to standard error.
+pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
+    let path = &arguments.file;
+    let name = path.display();
+    let read = fs::read(path).map_err(|reason| reason.to_string());
+    let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let imported = text.and_then(|text| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        urdf::import(&name, &text).map_err(|reason| reason.to_string())
+    });
+    let imported = match imported {
+        Ok(imported) => imported,
+        Err(reason) => {
+            report::complain(&format!("error: {name}: {reason}\n"));
+            return Ok(Status::Failure);
+        }
+    };
+    match &arguments.out {
+        Some(out) => {
+            output::refuse_source(out, path)?;
+            output::replace(out, &imported.toml)?;
+        }
+        None => output::print(&imported.toml)?,
+    }
+    for line in &imported.report {
+        report::complain(&format!("{name}: {line}\n"));
+    }
+    Ok(Status::Success)
+}

@@ -1,0 +1,111 @@
+//! Robots from URDF files: each serial chain of revolute joints becomes a leg of a description.
+//!
+//! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
+//! what it needs and URDF lacks is assumed. The report tells both.
+
+mod chain;
+mod pose;
+mod tree;
+mod write;
+
+use crate::description;
+use chain::Chain;
+use pose::Pose;
+use std::fmt;
+use tip_runtime::command::MAX;
+use tree::Tree;
+
+/// A description that was made of a URDF file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Import {
+    /// The text of the description; [`description::parse`] takes it.
+    pub toml: String,
+    /// What was assumed and what was dropped, a line each.
+    pub report: Vec<String>,
+}
+
+/// Why a URDF file is no robot of legs; it names the link or joint, and says a way out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ImportError(String);
+
+impl fmt::Display for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for ImportError {}
+
+impl ImportError {
+    fn new(text: impl Into<String>) -> Self {
+        ImportError(text.into())
+    }
+}
+
+/// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
+///
+/// # Errors
+/// Text that is no URDF; joints that are no tree; a leg that branches or has a joint that does not turn; legs
+/// that differ in their number of joints, or have too many.
+pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
+    let robot = urdf_rs::read_from_string(text)
+        .map_err(|error| ImportError::new(format!("this is no URDF: {error}")))?;
+    let tree = Tree::new(&robot)?;
+    let body = tree.rigid(tree.root(), Pose::ROBOT_FRAME);
+    let first_joints = tree.movable(&body);
+    if first_joints.is_empty() {
+        return Err(ImportError::new(format!(
+            "no joint turns on link `{}`: a robot needs one chain of revolute joints at least",
+            tree.root()
+        )));
+    }
+    let legs = first_joints
+        .into_iter()
+        .map(|(joint, pose)| Chain::follow(&tree, joint, pose))
+        .collect::<Result<Vec<_>, _>>()?;
+    check_sizes(&legs)?;
+    let mass = body.iter().map(|(link, _)| link.inertial.mass.value).sum();
+    let (toml, report) = write::description(source_name, &robot.name, mass, &legs);
+    match description::parse(source_name, toml.as_bytes()) {
+        Ok(_) => Ok(Import { toml, report }),
+        Err(loaded) => {
+            let faults = loaded.diagnostics.iter().map(|fault| fault.reason.as_str());
+            let faults: Vec<&str> = faults.collect();
+            let faults = faults.join("; ");
+            Err(ImportError::new(format!(
+                "its numbers describe no robot: {faults}"
+            )))
+        }
+    }
+}
+
+/// Every leg needs the same number of joints, and the language can name nine of each.
+fn check_sizes(legs: &[Chain<'_>]) -> Result<(), ImportError> {
+    if legs.len() > MAX {
+        return Err(ImportError::new(format!(
+            "{} chains begin on the body, and a robot has {MAX} legs at most: make joints that are no leg fixed",
+            legs.len()
+        )));
+    }
+    let Some(first) = legs.first() else {
+        return Ok(());
+    };
+    for leg in legs {
+        let count = leg.joints.len();
+        if count > MAX {
+            return Err(ImportError::new(format!(
+                "the leg of joint `{}` has {count} joints, and {MAX} are the most: make some of them fixed",
+                leg.name()
+            )));
+        }
+        if count != first.joints.len() {
+            return Err(ImportError::new(format!(
+                "the leg of joint `{}` has {count} joints, that of joint `{}` has {}: every leg needs the same number, so make the others fixed",
+                leg.name(),
+                first.name(),
+                first.joints.len()
+            )));
+        }
+    }
+    Ok(())
+}

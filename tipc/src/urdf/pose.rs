@@ -1,0 +1,49 @@
+//! Where a frame stands in another one.
+
+/// A rotation, and the origin in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pose {
+    rotation: [[f64; 3]; 3],
+    at: [f64; 3],
+}
+
+impl Pose {
+    /// The root link of a URDF file, x forward and y left (REP 103), in a robot frame with x to the right and y forward.
+    pub(super) const ROBOT_FRAME: Pose = Pose {
+        rotation: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        at: [0.0; 3],
+    };
+
+    /// A frame that stands at `origin` in this one.
+    pub(super) fn then(&self, origin: &urdf_rs::Pose) -> Pose {
+        let inner = rotation(*origin.rpy);
+        let column = |j: usize| inner.map(|row| row[j]);
+        let columns = [0, 1, 2].map(|j| self.direction(column(j)));
+        let shift = self.direction(*origin.xyz);
+        Pose {
+            rotation: [0, 1, 2].map(|i| columns.map(|column| column[i])),
+            at: [0, 1, 2].map(|i| self.at[i] + shift[i]),
+        }
+    }
+
+    /// A direction of this frame, as the outer one sees it.
+    pub(super) fn direction(&self, inner: [f64; 3]) -> [f64; 3] {
+        self.rotation
+            .map(|[a, b, c]| a * inner[0] + b * inner[1] + c * inner[2])
+    }
+
+    /// The origin: mm.
+    pub(super) fn origin(&self) -> [f64; 3] {
+        self.at.map(|metres| metres * 1000.0)
+    }
+}
+
+/// URDF's roll, pitch and yaw (rad): turns about the fixed axes x, y and z, one after the other.
+fn rotation([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
+    let [(sr, cr), (sp, cp), (sy, cy)] = [roll, pitch, yaw].map(libm::sincos);
+    [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+}
