@@ -1,0 +1,13 @@
+3.1
+A torque opens a fingertip joint, which the sensor shows
+DEF_VAR T, A
+TORQUE J13 -10
+SLEEP 40
+TEACH_TORQUE J13 T
+TEACH_ANGLE J13 A
+A = 80 - A
+IF A > 1 GOTO TURNED:
+EXIT
+TURNED:
+NO_COMPLIANCE J13
+END
