@@ -66,3 +66,37 @@ fn another_program_and_a_stray_file_keep_what_is_theirs() {
     LogFiles::claim(&folder, "walk.prg", ()).expect_err("EMG.log would be lost");
     assert!(folder.join("WARNING.LOG").exists(), "nothing was touched");
 }
+
+#[test]
+fn a_log_that_cannot_be_written_is_told_once_and_hurts_nothing_else() {
+    let folder = folder("gone");
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    console.sample(&SAMPLE);
+    fs::remove_dir(&folder).expect("nothing is in it");
+    console.ended();
+    let error = console.take_error().expect("there is no folder");
+    assert_eq!(error.path, folder.join("TITAN.LOG"));
+    assert!(console.take_error().is_none());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_the_earlier_file_whole_and_no_part_of_the_new_one() {
+    use std::io::ErrorKind;
+    let folder = folder("full");
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    console.warnings("a warning\n");
+    let log = folder.join("WARNING.LOG");
+    let before = fs::read_to_string(&log).expect("it was written");
+    // What is written beside the log goes to a device that is always full.
+    let part = folder.join(format!("WARNING.LOG.{}.part", std::process::id()));
+    std::os::unix::fs::symlink("/dev/full", part).expect("the folder is writable");
+    console.warnings("another warning\n");
+    let error = console.take_error().expect("the disk is full");
+    assert_eq!(error.reason.kind(), ErrorKind::StorageFull);
+    assert_eq!(fs::read_to_string(&log).expect("it is there"), before);
+    assert_eq!(fs::read_dir(&folder).expect("it exists").count(), 1);
+    console.warnings("another warning\n");
+    let after = fs::read_to_string(&log).expect("there is room again");
+    assert!(after.ends_with("\nanother warning\n"), "{after}");
+}

@@ -53,10 +53,25 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         self.end_if_finished();
     }
 
-    /// Emergency stop: every joint is to stay where it is measured; nothing is controlled.
+    /// Emergency stop: every joint, and the slider, is to stay where it is measured; nothing is
+    /// controlled. What is measured outside of the outer limits, or the travel, is to stay at their
+    /// border; a slider that reads nonsense where it was told to be.
     pub fn emergency(&mut self) {
-        self.drives = self.measured.angles.map(LegDrive::free);
-        self.slider = Track::resting(self.measured.slider);
+        let mut angles = self.measured.angles;
+        let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
+        for (angle, joint) in angles.iter_mut().flatten().zip(joints) {
+            *angle = angle.max(joint.outer.min).min(joint.outer.max);
+        }
+        self.drives = angles.map(LegDrive::free);
+        let mut slider = self.slider.position();
+        let travel = self.model.slider.map(|slider| slider.travel);
+        let axes = self.measured.slider.iter().zip(travel.iter().flatten());
+        for (at, (measured, travel)) in slider.iter_mut().zip(axes) {
+            if measured.is_finite() {
+                *at = measured.max(travel.min).min(travel.max);
+            }
+        }
+        self.slider = Track::resting(slider);
         self.still();
         self.task = Task::Idle;
         self.hold = Hold::Off;

@@ -1,0 +1,63 @@
+//! The table as a page.
+
+use crate::campaign::{Name, Seen};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+const HEAD: &str = "\
+# What comes of a fault
+
+What goes wrong with sensors, hardware, keys and time, where, and what becomes of the program. Each fault broke into a run of a short
+program with motion, waits, inputs and, where the robot has them, torques, forces and springs: one that stops the robot at once in every
+cycle but the first, the others in every fifth, each place from another cycle on. A broken sensor stays broken.
+
+In every cycle of every run the joint commands were numbers, angles within the working limits, torques within TORQUE_MAX, the slider
+within its travel. In every emergency stop the hardware was stopped in each cycle and told nothing more, and people were told once.
+Behind every END the robot came to rest; every wait that did not end was ended by a stop.
+
+Where a cell has several outcomes, each was seen: which one comes depends on the step that runs, and on which joint it is. *Goes on to its
+end* means with other commands than without the fault: no program can tell a wrong measurement from a true one if it is a possible one.
+A robot measures what its model has: a torque or a slider that it lacks is not looked at.
+
+`cargo test -p tip-runtime --features std --test faults` runs the campaign and compares this page; with `TIP_BLESS=1` it writes it anew.
+
+";
+
+pub(crate) fn document(robots: &[(&str, Seen)]) -> String {
+    let mut page = String::from(HEAD);
+    let names: BTreeSet<Name> = robots
+        .iter()
+        .flat_map(|(_, seen)| seen.keys().copied())
+        .collect();
+    page.push_str("| where | fault |");
+    for (robot, _) in robots {
+        let _ = write!(page, " {robot} |");
+    }
+    page.push_str(" runs |\n|---|---|");
+    page.extend(robots.iter().map(|_| "---|"));
+    page.push_str("---|\n");
+    for name in &names {
+        row(&mut page, *name, robots);
+    }
+    let runs: usize = robots
+        .iter()
+        .flat_map(|(_, seen)| seen.values())
+        .map(|cell| cell.trials)
+        .sum();
+    let _ = writeln!(page, "\n{} rows, {runs} runs.", names.len());
+    page
+}
+
+fn row(page: &mut String, name: Name, robots: &[(&str, Seen)]) {
+    let (place, fault) = name;
+    let _ = write!(page, "| {place} | {fault} |");
+    let mut runs = 0;
+    for (_, seen) in robots {
+        let cell = seen.get(&name);
+        let outcomes =
+            cell.map(|cell| cell.outcomes.iter().map(String::as_str).collect::<Vec<_>>());
+        let _ = write!(page, " {} |", outcomes.unwrap_or_default().join("; "));
+        runs += cell.map_or(0, |cell| cell.trials);
+    }
+    let _ = writeln!(page, " {runs} |");
+}
