@@ -90,6 +90,17 @@ fn the_flag_rises_when_the_fingertips_have_really_gone_so_far() {
     }
     close(gone(&bench), rest, 0.01);
     assert!(rest < 6.0, "{rest}");
+    // Pulled back for a second, they are not sent on either.
+    bench.robot.hand.pull = [[0.0, -0.5, 0.0]; 3];
+    for _ in 0..500 {
+        bench.done(6, &[0.0, 20.0]);
+    }
+    assert!(gone(&bench) < 3.0);
+    bench.robot.hand.pull = [[0.0; 3]; 3];
+    for _ in 0..2500 {
+        bench.done(6, &[0.0, 20.0]);
+    }
+    close(gone(&bench), rest, 0.05);
     bench.done(5, &[5.0, 3.0]);
     assert!(!bench.robot.flags[0]);
 }
