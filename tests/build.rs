@@ -38,21 +38,25 @@ fn cases(folder: &Path, out: &Path) -> String {
     let mut tests = String::new();
     for case in seek::cases(folder) {
         let function = case.replace(['/', '-', '.'], "_");
-        let runs = folder.join(format!("{case}.trace")).exists();
-        let test = if runs { "traced" } else { "checked" };
+        let read = |kind: &str| fs::read_to_string(folder.join(format!("{case}.{kind}")));
+        let (test, runs) = match (read("trace"), read("stops")) {
+            (Ok(text), _) => ("traced", Some(text)),
+            (_, Ok(text)) => ("stopped", Some(text)),
+            _ => ("checked", None),
+        };
         writeln!(
             tests,
             "#[test]\nfn {function}() {{ tip_tests::{test}({case:?}); }}"
         )
         .unwrap();
-        if runs {
-            let text = fs::read_to_string(folder.join(format!("{case}.trace"))).unwrap_or_default();
+        if let Some(text) = runs {
             let path = folder.join(format!("{case}.prg"));
             let beside = path.parent().unwrap_or(folder);
-            let options = Settings::of_header(&text, beside).map(|settings| settings.load);
             let source = fs::read(&path).unwrap_or_default();
-            // A case that does not load has no program; its test says so.
-            programs.add(&case, &source, options.unwrap_or_default());
+            for settings in Settings::of_header(&text, beside).unwrap_or_default() {
+                // A case that does not load has no program; its test says so.
+                programs.add(&settings.key(&case), &case, &source, settings.load);
+            }
         }
     }
     write(&out.join("case_tests.rs"), &tests);
@@ -63,7 +67,8 @@ fn random_programs() -> String {
     let mut programs = Programs::default();
     for seed in 0..random::PROGRAMS {
         let source = random::program(seed);
-        programs.add(&seed.to_string(), source.as_bytes(), Options::default());
+        let name = seed.to_string();
+        programs.add(&name, &name, source.as_bytes(), Options::default());
     }
     programs.finish("random")
 }
@@ -83,7 +88,8 @@ struct Programs {
 }
 
 impl Programs {
-    fn add(&mut self, name: &str, source: &[u8], options: Options) {
+    /// `key` is what the program is found by.
+    fn add(&mut self, key: &str, name: &str, source: &[u8], options: Options) {
         let loaded = tipc::load(&format!("{name}.prg"), source, &options);
         let Some(program) = loaded.program else {
             return;
@@ -96,7 +102,7 @@ impl Programs {
         let kind = spelling.name_for(program.source_name());
         let items = emit::emit(&program, &spelling);
         writeln!(self.modules, "mod {module} {{ {items} }}").unwrap();
-        let arm = format!("{name:?} => Box::new({module}::{kind}::new()),");
+        let arm = format!("{key:?} => Box::new({module}::{kind}::new()),");
         writeln!(self.arms, "{arm}").unwrap();
         self.count += 1;
     }

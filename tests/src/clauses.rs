@@ -37,7 +37,7 @@ pub fn of_header(expectation: &str) -> BTreeSet<String> {
 pub fn named_by_tests() -> BTreeSet<String> {
     let folder = root().join("cases");
     let expectations = cases(&folder).into_iter().flat_map(|case| {
-        ["trace", "check"].map(|extension| folder.join(format!("{case}.{extension}")))
+        ["trace", "stops", "check"].map(|extension| folder.join(format!("{case}.{extension}")))
     });
     let mut named: BTreeSet<String> = expectations
         .filter_map(|path| fs::read_to_string(path).ok())

@@ -1,9 +1,10 @@
 //! How the tests run motion programs: the reference interpreter and the generated code, each on the
 //! simulated robot, traced record by record.
 //!
-//! A language case is a file `cases/<area>/<name>.prg` beside `<name>.trace` (what a run writes down)
-//! or `<name>.check` (what the compiler says). Both begin with `#` lines that name the clauses proved,
-//! and the options of the run; `...` in a trace stands for any number of records, `"cycle":*` for any cycle.
+//! A language case is a file `cases/<area>/<name>.prg` beside `<name>.trace` (what a run writes down),
+//! `<name>.check` (what the compiler says) or `<name>.stops` (which of its lines stop it, a run for each: see [`stops`]).
+//! These begin with `#` lines that name the clauses proved, the options of the run, and the robots if there are
+//! several; `...` in a trace stands for any number of records, `"cycle":*` for any cycle.
 
 pub mod clauses;
 mod compare;
@@ -13,6 +14,7 @@ pub mod random;
 mod run;
 mod seek;
 mod settings;
+pub mod stops;
 mod verdict;
 
 pub use compare::matches;
@@ -21,7 +23,7 @@ pub use generated::{case, random as random_program};
 pub use run::run;
 pub use seek::{cases, root};
 pub use settings::Settings;
-pub use verdict::{checked, differential, random_settings, traced};
+pub use verdict::{checked, differential, random_settings, stopped, traced};
 
 /// The examples of the reference compile and run.
 #[cfg(doctest)]

@@ -31,18 +31,38 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The options in the header of an expectation; files that they name stand in `folder`.
+    /// The options in the header of an expectation, once for each robot that `# robots:` names; files that they name
+    /// stand in `folder`.
     ///
     /// # Errors
     /// An option that does not exist, or a value that is none.
-    pub fn of_header(expectation: &str, folder: &Path) -> Result<Self, String> {
+    pub fn of_header(expectation: &str, folder: &Path) -> Result<Vec<Self>, String> {
         let mut settings = Settings::default();
+        let mut robots = Vec::new();
         for line in expectation.lines().take_while(|line| line.starts_with('#')) {
             if let Some(args) = line.strip_prefix("# args:") {
                 settings.read(args, folder)?;
             }
+            if let Some(names) = line.strip_prefix("# robots:") {
+                for name in names.split_whitespace() {
+                    robots.push(Robot::from_name(name).ok_or(format!("no robot {name}"))?);
+                }
+            }
         }
-        Ok(settings)
+        if robots.is_empty() {
+            robots.push(settings.load.robot);
+        }
+        let on = |robot| {
+            let mut settings = settings.clone();
+            settings.load.robot = robot;
+            settings
+        };
+        Ok(robots.into_iter().map(on).collect())
+    }
+
+    /// What the generated code of a case for this robot is found by.
+    pub fn key(&self, case: &str) -> String {
+        format!("{case} on {}", self.load.robot.name())
     }
 
     fn read(&mut self, args: &str, folder: &Path) -> Result<(), String> {
@@ -126,7 +146,9 @@ mod tests {
     fn every_option_is_read() {
         let header = "# clauses: 2.4\n# args: --robot generic --keys 3:a,4:0x1B --halt 5 --cycles 100\n\
             # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis --scene cylinder\n{\"end\":\"END\"}\n# args: --no\n";
-        let settings = Settings::of_header(header, Path::new("")).unwrap();
+        let [settings] = &Settings::of_header(header, Path::new("")).unwrap()[..] else {
+            panic!("one robot");
+        };
         assert_eq!(settings.load.robot, Robot::Generic);
         assert_eq!(settings.load.tip_version, 2.5);
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
@@ -134,6 +156,16 @@ mod tests {
         assert_eq!((settings.halt, settings.cycles), (Some(5), Some(100)));
         assert_eq!(settings.scene.as_deref(), Some("cylinder"));
         assert_eq!(settings.sensors, [("VR1".to_owned(), 8.0, 3)]);
+    }
+
+    #[test]
+    fn a_case_may_be_for_several_robots() {
+        let header = "# clauses: 2.4\n# robots: hand titan8\n# args: --cycles 5\n";
+        let settings = Settings::of_header(header, Path::new("")).unwrap();
+        let robots: Vec<Robot> = settings.iter().map(|one| one.load.robot).collect();
+        assert_eq!(robots, [Robot::Hand, Robot::Titan8]);
+        assert!(settings.iter().all(|one| one.cycles == Some(5)));
+        assert!(Settings::of_header("# robots: arm\n", Path::new("")).is_err());
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::generated;
 use crate::run::run;
 use crate::seek::root;
 use crate::settings::Settings;
+use crate::stops::{self, Stop};
 use crate::{clauses, random};
 use std::fs;
 use tip_runtime::program::Program;
@@ -19,22 +20,48 @@ use tipc::interp::Interpreter;
 /// They do not, or the case is not what a case has to be.
 pub fn traced(case: &str) {
     let expectation = Expectation::read(case, "trace");
-    let loaded = expectation.load(case);
-    let told: Vec<String> = loaded
-        .diagnostics
-        .iter()
-        .filter(|diagnostic| diagnostic.level() == Level::Error)
-        .map(|diagnostic| render_short(&loaded.source, diagnostic))
-        .collect();
-    let program = loaded
-        .program
-        .unwrap_or_else(|| panic!("it does not load:\n{}", told.join("\n")));
-    let compiled = generated::case(case).expect("a case that loads was compiled");
-    let trace = both(program, compiled, &expectation.settings);
-    let records: Vec<String> = trace.lines().map(without_state).collect();
-    let records: Vec<&str> = records.iter().map(String::as_str).collect();
-    if let Err(difference) = matches(&expectation.body(), &records) {
-        panic!("{difference}\n\nthe whole trace:\n{}", records.join("\n"));
+    for settings in &expectation.settings {
+        let (program, compiled) = expectation.engines(case, settings);
+        let trace = both(program, compiled, settings);
+        let records: Vec<String> = trace.lines().map(without_state).collect();
+        let records: Vec<&str> = records.iter().map(String::as_str).collect();
+        if let Err(difference) = matches(&expectation.body(), &records) {
+            let robot = settings.load.robot.name();
+            let records = records.join("\n");
+            panic!("{robot}: {difference}\n\nthe whole trace:\n{records}");
+        }
+    }
+}
+
+/// Runs a case on both engines, once for each line that is expected to stop it: there it stops, with that error. If no
+/// line is wanted it comes to its END.
+///
+/// # Panics
+/// It does not, or the case is not what a case has to be.
+pub fn stopped(case: &str) {
+    let expectation = Expectation::read(case, "stops");
+    for settings in &expectation.settings {
+        let robot = settings.load.robot.name();
+        let (program, _) = expectation.engines(case, settings);
+        let line = |step: u32| program.steps().get(step as usize).map(|step| step.line);
+        let run = |settings: &Settings| {
+            let compiled = generated::case(&settings.key(case)).expect("it was there before");
+            both(program.clone(), compiled, settings)
+        };
+        for text in expectation.body() {
+            let stop = Stop::parse(text).unwrap_or_else(|| panic!("no line and error: {text}"));
+            let trace = run(&stop.settings(settings));
+            let found = stops::emergency(&trace).map(|(step, error)| (line(step), error));
+            let expected = Some((Some(stop.line), stop.error.to_owned()));
+            let wanted = stop.line;
+            assert_eq!(found, expected, "{robot}, line {wanted} wanted:\n{trace}");
+        }
+        let trace = run(&stops::wanting(0, settings));
+        let ends = trace
+            .lines()
+            .last()
+            .is_some_and(|end| end.contains("\"END\""));
+        assert!(ends, "{robot}, no line wanted:\n{trace}");
     }
 }
 
@@ -44,19 +71,21 @@ pub fn traced(case: &str) {
 /// It does not, or the case is not what a case has to be.
 pub fn checked(case: &str) {
     let expectation = Expectation::read(case, "check");
-    let loaded = expectation.load(case);
-    let prefix = format!("{}:", loaded.source.name());
-    let told: Vec<String> = loaded
-        .diagnostics
-        .iter()
-        .map(|diagnostic| render_short(&loaded.source, diagnostic))
-        .map(|line| line.strip_prefix(&prefix).unwrap_or(&line).to_owned())
-        .collect();
-    let expected = match expectation.body().as_slice() {
-        ["ok"] => Vec::new(),
-        lines => lines.to_vec(),
-    };
-    assert_eq!(told, expected);
+    for settings in &expectation.settings {
+        let loaded = expectation.load(case, settings);
+        let prefix = format!("{}:", loaded.source.name());
+        let told: Vec<String> = loaded
+            .diagnostics
+            .iter()
+            .map(|diagnostic| render_short(&loaded.source, diagnostic))
+            .map(|line| line.strip_prefix(&prefix).unwrap_or(&line).to_owned())
+            .collect();
+        let expected = match expectation.body().as_slice() {
+            ["ok"] => Vec::new(),
+            lines => lines.to_vec(),
+        };
+        assert_eq!(told, expected, "{}", settings.load.robot.name());
+    }
 }
 
 /// Runs a random program on both engines.
@@ -129,7 +158,8 @@ fn without_state(record: &str) -> String {
 /// What a case expects.
 struct Expectation {
     text: String,
-    settings: Settings,
+    /// One for each robot.
+    settings: Vec<Settings>,
 }
 
 impl Expectation {
@@ -138,10 +168,11 @@ impl Expectation {
     fn read(case: &str, extension: &str) -> Self {
         let path = |extension: &str| root().join("cases").join(format!("{case}.{extension}"));
         let text = fs::read_to_string(path(extension)).unwrap_or_else(|error| {
-            panic!("neither a .trace nor a .check is beside the program: {error}")
+            panic!("neither .trace nor .stops nor .check is beside the program: {error}")
         });
-        let both = path("trace").exists() && path("check").exists();
-        assert!(!both, "a case has a .trace or a .check, not both");
+        let kinds = ["trace", "stops", "check"].map(|kind| path(kind).exists());
+        let kinds = kinds.into_iter().filter(|exists| *exists).count();
+        assert_eq!(kinds, 1, "a case expects one thing");
         let named = clauses::of_header(&text);
         assert!(!named.is_empty(), "the header names no clause");
         let known = clauses::of_reference();
@@ -165,9 +196,29 @@ impl Expectation {
         lines.filter(|line| !line.is_empty()).collect()
     }
 
-    fn load(&self, case: &str) -> tipc::Loaded {
+    fn load(&self, case: &str, settings: &Settings) -> tipc::Loaded {
         let path = root().join("cases").join(format!("{case}.prg"));
         let bytes = fs::read(path).unwrap_or_else(|error| panic!("{error}"));
-        tipc::load(&format!("{case}.prg"), &bytes, &self.settings.load)
+        tipc::load(&format!("{case}.prg"), &bytes, &settings.load)
+    }
+
+    /// The program, for the interpreter and compiled.
+    fn engines(
+        &self,
+        case: &str,
+        settings: &Settings,
+    ) -> (tipc::program::Program, Box<dyn Program>) {
+        let loaded = self.load(case, settings);
+        let told: Vec<String> = loaded
+            .diagnostics
+            .iter()
+            .filter(|diagnostic| diagnostic.level() == Level::Error)
+            .map(|diagnostic| render_short(&loaded.source, diagnostic))
+            .collect();
+        let program = loaded
+            .program
+            .unwrap_or_else(|| panic!("it does not load:\n{}", told.join("\n")));
+        let compiled = generated::case(&settings.key(case));
+        (program, compiled.expect("a case that loads was compiled"))
     }
 }

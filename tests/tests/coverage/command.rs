@@ -2,6 +2,7 @@
 
 use super::form::Form;
 use super::outcome::Outcome;
+use super::rule::is_optional;
 use super::written::{Names, Written};
 use tipc::Robot;
 use tipc::codes::Code;
@@ -54,7 +55,8 @@ impl Statement<'_> {
         let misfits = written.misfits(form, self.robot);
         let (found, wanted) = (written.pieces.len(), form.length());
         if written.malformed {
-            let prefix = misfits.is_empty() && found <= wanted && written.is_flagged_as(form);
+            let begins = misfits.is_empty() && found <= wanted && wanted > 0;
+            let prefix = begins && written.is_flagged_as(form);
             return prefix.then_some(Outcome::Malformed);
         }
         let head = usize::from(form.head.is_some());
@@ -73,6 +75,9 @@ impl Statement<'_> {
             return None;
         }
         match misfits[..] {
+            // What stands there is another form of the command, and the mistake one in that.
+            [] if found < wanted && is_optional(form, wanted) => None,
+            [] if found > wanted && is_optional(form, wanted + 1) => None,
             [] if found < wanted => Some(Outcome::Missing),
             [] if found > wanted => Some(Outcome::Surplus),
             [] if written.flags.is_empty() => Some(Outcome::WrongType),

@@ -3,6 +3,7 @@
 use super::observe::Seen;
 use super::outcome::Outcome;
 use super::row::Row;
+use super::why;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use tipc::Robot;
@@ -41,6 +42,10 @@ pub fn document(rows: &[Row], seen: &Seen) -> (String, Count) {
     for outcome in Outcome::ALL {
         writeln!(text, "| {} | {} |", outcome.heading(), outcome.meaning()).unwrap();
     }
+    text.push_str("\n| in a cell | why it cannot occur |\n|---|---|\n");
+    for (word, meaning) in why::WORDS {
+        writeln!(text, "| *{word}* | {meaning} |").unwrap();
+    }
     writeln!(
         text,
         "\n{} cells: {} covered, {} empty; {} more cannot occur.",
@@ -68,7 +73,8 @@ const HEAD: &str = "# Coverage
 
 Every command in every form on every robot, each with all that can come of it: it runs, it is refused, or it stops the program.
 A letter stands for a case in `tests/cases` that shows it, named below the table of its command; a plus says that there are more.
-Every case that runs does so in both engines, and both give the same trace. What cannot occur says why. The test `coverage`
+Every case that runs does so in both engines, and both give the same trace. What cannot occur says why, in italics; a column is left
+out where it could occur in no form of the command. The test `coverage`
 derives rows, columns and exceptions from the compiler's table of commands, finds what each case shows by loading and running
 it, and compares this page; `TIP_BLESS=1 cargo test -p tip-tests --test coverage` writes it anew.
 
@@ -196,7 +202,11 @@ fn shown(cell: &Cell<'_>, letters: &BTreeMap<&str, String>) -> String {
             format!("{letter}{more}")
         }
         Cell::Empty => "**empty**".to_owned(),
-        Cell::Impossible(why) => format!("*{why}*"),
+        Cell::Impossible(why) => {
+            let explained = why::WORDS.iter().any(|(word, _)| word == why);
+            assert!(explained, "the legend lacks: {why}");
+            format!("*{why}*")
+        }
     }
 }
 

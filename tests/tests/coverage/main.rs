@@ -15,6 +15,7 @@ mod outcome;
 mod row;
 mod rule;
 mod sentence;
+mod why;
 mod written;
 
 use std::fs;
@@ -29,6 +30,11 @@ fn the_table_is_complete_and_up_to_date() {
         count.contradictions.is_empty(),
         "cases show what the rules call impossible: {:#?}",
         count.contradictions
+    );
+    assert!(
+        count.empty.is_empty(),
+        "no case shows these: {:#?}",
+        count.empty
     );
     let path = root().join("../docs/coverage.md");
     if std::env::var_os("TIP_BLESS").is_some() {

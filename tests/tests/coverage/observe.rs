@@ -7,6 +7,7 @@ use super::sentence;
 use super::written::{Names, names};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use tip_tests::stops::{Stop, wanting};
 use tip_tests::{Settings, root, run};
 use tipc::diagnostic::Diagnostic;
 use tipc::interp::Interpreter;
@@ -31,7 +32,9 @@ impl Seen {
     pub fn in_cases(rows: &[Row]) -> Self {
         let mut seen = Seen::default();
         for case in tip_tests::cases(&root().join("cases")) {
-            Case::read(case).watch(rows, &mut seen);
+            for case in Case::read(&case) {
+                case.watch(rows, &mut seen);
+            }
         }
         seen
     }
@@ -47,32 +50,36 @@ struct Case {
 }
 
 impl Case {
-    fn read(name: String) -> Self {
-        let path = |extension: &str| root().join("cases").join(format!("{name}.{extension}"));
-        let trace = fs::read_to_string(path("trace"));
-        let runs = trace.is_ok();
-        let text = trace.or_else(|_| fs::read_to_string(path("check")));
-        let text = text.unwrap_or_else(|error| panic!("{name}: {error}"));
+    /// The case on each of its robots.
+    fn read(name: &str) -> Vec<Self> {
+        let path = |kind: &str| root().join("cases").join(format!("{name}.{kind}"));
+        let read = |kind: &str| Some((kind.to_owned(), fs::read_to_string(path(kind)).ok()?));
+        let found = ["trace", "stops", "check"].into_iter().find_map(read);
+        let (kind, text) = found.unwrap_or_else(|| panic!("{name} expects nothing"));
         let program = path("prg");
         let beside = program.parent().expect("a case stands in a folder");
         let settings = Settings::of_header(&text, beside);
         let settings = settings.unwrap_or_else(|error| panic!("{name}: {error}"));
         let bytes = fs::read(&program).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let loaded = tipc::load(&format!("{name}.prg"), &bytes, &settings.load);
-        let (module, _) = parse(&loaded.source, settings.load.tip_version);
-        Case {
-            names: names(&module),
-            robot: settings.load.robot,
-            runs: if runs { vec![settings] } else { Vec::new() },
-            name,
-            loaded,
-            module,
-        }
+        let on = |settings: &Settings| {
+            let loaded = tipc::load(&format!("{name}.prg"), &bytes, &settings.load);
+            let (module, _) = parse(&loaded.source, settings.load.tip_version);
+            Case {
+                names: names(&module),
+                robot: settings.load.robot,
+                runs: runs(&kind, &text, settings),
+                name: name.to_owned(),
+                loaded,
+                module,
+            }
+        };
+        settings.iter().map(on).collect()
     }
 
     fn watch(&self, rows: &[Row], seen: &mut Seen) {
         let mut note = |row: usize, outcome: Outcome| {
-            if outcome.is_anywhere() && rows[row].possible(self.robot, outcome).is_err() {
+            let another = outcome.is_anywhere() || rows[row].is_part();
+            if another && rows[row].possible(self.robot, outcome).is_err() {
                 return;
             }
             let cell = seen.0.entry((row, self.robot.name(), outcome)).or_default();
@@ -162,17 +169,28 @@ impl Case {
             self.module.statements.iter().partition(is_step);
         let mut ran = BTreeSet::new();
         let mut came = Vec::new();
+        let mut motions: BTreeMap<char, &syntax::Statement> = BTreeMap::new();
         for record in trace.lines() {
             let step = number(record, "step").and_then(|step| steps.get(step));
-            let outcome = match text(record, "error") {
+            let error = text(record, "error");
+            let outcome = match error {
                 Some(error) => Outcome::of_emergency(error),
                 None if number(record, "step") == number(record, "next") => None,
                 None => Some(Outcome::Valid),
             };
-            if let (Some(step), Some(outcome)) = (step, outcome)
-                && ran.insert((step.span, outcome))
-            {
-                came.extend(self.shown(rows, step).map(|row| (row, outcome)));
+            let (Some(step), Some(outcome)) = (step, outcome) else {
+                continue;
+            };
+            // What befalls a leg on its way is of the last motion that it was sent on.
+            let leg = error.and_then(leg_of);
+            let motion = leg.and_then(|leg| motions.get(&leg)).copied();
+            for statement in [Some(*step), motion].into_iter().flatten() {
+                if ran.insert((statement.span, outcome)) {
+                    came.extend(self.shown(rows, statement).map(|row| (row, outcome)));
+                }
+            }
+            if let Some(leg) = leg_commanded(record) {
+                motions.insert(leg, step);
             }
         }
         let declared = declarations
@@ -194,9 +212,10 @@ impl Case {
     ) -> Box<dyn Iterator<Item = usize> + 'a> {
         if let Some((name, arguments, malformed)) = as_command(statement) {
             let statement = self.command(arguments, malformed);
+            let native = sentence::native_shown(arguments).filter(|_| name == "SPECIAL");
             let shows = move |row: &Row| match row {
                 Row::Command(form) => form.name == name && statement.shows(form),
-                Row::Sentence(_) => false,
+                Row::Sentence(form) => native.as_ref() == Some(form),
             };
             return Box::new((0..rows.len()).filter(move |at| shows(&rows[*at])));
         }
@@ -227,6 +246,21 @@ impl Case {
     }
 }
 
+/// The runs of a case: one of a trace, one for each line that stops it, and none of what the compiler says.
+fn runs(kind: &str, text: &str, settings: &Settings) -> Vec<Settings> {
+    match kind {
+        "trace" => vec![settings.clone()],
+        "stops" => {
+            let stops = text.lines().filter_map(Stop::parse);
+            let wanted = stops.map(|stop| stop.settings(settings));
+            std::iter::once(wanting(0, settings))
+                .chain(wanted)
+                .collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// Name, arguments, and whether more that is malformed stands behind them.
 fn as_command(statement: &syntax::Statement) -> Option<(&str, &[Operand], bool)> {
     match &statement.kind {
@@ -237,6 +271,20 @@ fn as_command(statement: &syntax::Statement) -> Option<(&str, &[Operand], bool)>
         } => Some((&name.node, arguments, malformed.is_some())),
         _ => None,
     }
+}
+
+/// The leg that the command of a record acts on.
+fn leg_commanded(record: &str) -> Option<char> {
+    let command = record.split_once("\"cmd\":[")?.1;
+    let words = command.split(&[',', ']']).take(3);
+    words.map(|word| word.trim_matches('"')).find_map(leg_of)
+}
+
+/// The leg of a target, which may be the last word of a message.
+fn leg_of(text: &str) -> Option<char> {
+    let target = text.rsplit(' ').next()?;
+    let digits = target.strip_prefix(['F', 'J'])?;
+    digits.chars().next().filter(char::is_ascii_digit)
 }
 
 /// A whole number of a record.

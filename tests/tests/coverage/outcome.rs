@@ -50,7 +50,9 @@ outcomes! {
     OutOfRange "constant" "a warning: the constant is out of range";
     Unassigned "unassigned" "`Possible use of Variable before definition`, when the step runs";
     Domain "domain" "`Domain error`";
-    OutOfReach "reach" "`Out of reach …`";
+    OutOfReach "reach" "`Out of reach …`, when the step runs, or on the way of what it set off";
+    JointLimit "limit" "`Joint limit …` on the way of what the step set off";
+    Sensor "sensor" "`Sensor fault …`";
     Mode "mode" "`Invalid control mode`";
     Return "return" "`Invalid Return command`";
     Depth "depth" "`Too deep subroutine call`";
@@ -75,10 +77,13 @@ impl Outcome {
         })
     }
 
-    /// Whether it may befall any statement, and only where the rules have it says something about a form: a foreign
-    /// character, a foot that leaves the reachable space on its way.
+    /// Whether it may befall any statement, and says something about those alone that the rules name: a foreign
+    /// character, or a fault of the robot.
     pub const fn is_anywhere(self) -> bool {
-        matches!(self, Outcome::Format | Outcome::OutOfReach)
+        matches!(
+            self,
+            Outcome::Format | Outcome::OutOfReach | Outcome::JointLimit | Outcome::Sensor
+        )
     }
 
     /// What an emergency's message means; `None` for those that no statement makes.
@@ -90,6 +95,8 @@ impl Outcome {
             "Invalid control mode" => Outcome::Mode,
             "Too deep subroutine call" => Outcome::Depth,
             _ if message.starts_with("Out of reach ") => Outcome::OutOfReach,
+            _ if message.starts_with("Joint limit ") => Outcome::JointLimit,
+            _ if message.starts_with("Sensor fault ") => Outcome::Sensor,
             _ => return None,
         })
     }

@@ -31,10 +31,20 @@ impl Row {
                 _ => rows.extend(Form::all(command).into_iter().map(Row::Command)),
             }
         }
-        for name in [sentence::LABEL, sentence::CONDITION, sentence::EQUATION] {
+        for name in [
+            sentence::NATIVE,
+            sentence::LABEL,
+            sentence::CONDITION,
+            sentence::EQUATION,
+        ] {
             rows.extend(named(name));
         }
         rows
+    }
+
+    /// Whether it is only a part of statements, of which other parts may fail.
+    pub fn is_part(&self) -> bool {
+        [sentence::CONDITION, sentence::NATIVE].contains(&self.name())
     }
 
     /// The statement's name.

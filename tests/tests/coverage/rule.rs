@@ -2,11 +2,12 @@
 
 use super::form::{Form, Head};
 use super::outcome::Outcome;
-use super::sentence::{CONDITION, EQUATION, LABEL, Sentence};
+use super::sentence::{CONDITION, EQUATION, LABEL, NATIVE, Sentence};
 use tip_runtime::command::Op;
+use tip_runtime::fault::Fault;
 use tip_runtime::model::Family;
 use tipc::Robot;
-use tipc::commands::Robots;
+use tipc::commands::{self, Command, Robots};
 
 /// That something can happen, or why it cannot, in a word.
 pub type Possible = Result<(), &'static str>;
@@ -40,7 +41,8 @@ pub fn of_command(form: &Form, robot: Robot, outcome: Outcome) -> Possible {
             form.op() != Some(Op::Special) || robot.signature().family == Family::Hand,
             "no native code",
         ),
-        Outcome::Surplus => Ok(()),
+        Outcome::Surplus => rule(!is_optional(form, form.length() + 1), "optional"),
+        Outcome::Missing if is_optional(form, form.length()) => Err("optional"),
         Outcome::Missing | Outcome::Malformed => rule(form.length() > 0, "no argument"),
         Outcome::WrongType | Outcome::UnknownVariable => {
             rule(!form.values.is_empty(), "no operand")
@@ -50,35 +52,71 @@ pub fn of_command(form: &Form, robot: Robot, outcome: Outcome) -> Possible {
         Outcome::NeverAssigned | Outcome::Unassigned => rule(form.reads(), "reads nothing"),
         Outcome::OutOfRange => rule(form.has_limit() && form.takes_constants(), "no limit"),
         Outcome::Domain => rule(
-            form.has_limit() || form.op() == Some(Op::Special),
+            fails(form.command, |fault| *fault == Fault::Domain),
             "no limit",
         ),
-        Outcome::OutOfReach => rule(form.op().is_some_and(is_sent_to_a_place), "no place"),
+        Outcome::OutOfReach => reach(form),
+        Outcome::JointLimit => limit(form, robot),
+        Outcome::Sensor => rule(senses(form, robot), "no sensor"),
         Outcome::Mode => mode(form),
         _ => Err("control only"),
     }
 }
 
-/// Whether the command refuses a place that cannot be reached ([7.2], [7.3], [7.4], [7.44]).
-fn is_sent_to_a_place(op: Op) -> bool {
-    use Op::{Ptp, PtpAngle, RelPtp, RelPtpAngle, SitDown, StandUp};
-    matches!(
-        op,
-        Ptp | RelPtp | PtpAngle | RelPtpAngle | StandUp | SitDown
-    )
+/// Whether the command can do with and without the last of so many arguments.
+pub fn is_optional(form: &Form, count: usize) -> bool {
+    match form.command.form {
+        commands::Form::KeyIn => count == 1,
+        commands::Form::Special => (2..=3).contains(&count),
+        _ => false,
+    }
 }
 
-/// WAIT_NEAR of a foot or joint that nothing controls ([7.16]); STAND_UP among forces ([7.44]), which
-/// its robots do not have.
+/// Whether a command can fail so, as the table of commands says.
+fn fails(command: &Command, is_so: fn(&Fault) -> bool) -> bool {
+    command.failures().iter().any(|(fault, _)| is_so(fault))
+}
+
+fn reach(form: &Form) -> Possible {
+    let fails = fails(form.command, |fault| matches!(fault, Fault::OutOfReach(_)));
+    rule(fails, "no place")?;
+    rule(!ends_anywhere(form.command), "later")
+}
+
+/// A finger whose joint is at its limit goes on by the others.
+fn limit(form: &Form, robot: Robot) -> Possible {
+    let fails = fails(form.command, |fault| matches!(fault, Fault::JointLimit(..)));
+    let several = form.command.unit.starts_with("mm") && robot.signature().family == Family::Hand;
+    rule(fails, "no limit")?;
+    rule(!ends_anywhere(form.command), "later")?;
+    rule(!several, "others turn")
+}
+
+/// Whether what a command sets off may come to a limit, but need not: torques, springs and searches end where something
+/// stops them. A velocity goes on until it does.
+fn ends_anywhere(command: &Command) -> bool {
+    let on_its_way = fails(command, |fault| matches!(fault, Fault::JointLimit(..)));
+    on_its_way && !command.unit.ends_with("/s")
+}
+
+/// A search feels with soles where a robot has them ([7.45]), else with torques.
+fn senses(form: &Form, robot: Robot) -> bool {
+    let is_input = form.command.form == commands::Form::AdIn;
+    let fails = fails(form.command, |fault| matches!(fault, Fault::Sensor(_)));
+    fails && (is_input || Head::Paw.is_on(robot))
+}
+
+/// A command that wants a mode passes where ALL is its target ([7.16]); no force can be in the way of one that no robot
+/// with forces has ([7.44]).
 fn mode(form: &Form) -> Possible {
-    match form.op() {
-        Some(Op::WaitNear) if form.head != Some(Head::All) => Ok(()),
-        Some(Op::WaitNear) => Err("passes"),
-        Some(Op::StandUp | Op::SitDown) if form.command.robots == Robots::TITAN => {
-            Err("no force mode")
-        }
-        _ => Err("any mode"),
+    if form.head == Some(Head::All) {
+        return Err("passes");
     }
+    if form.command.robots == Robots::TITAN {
+        return Err("no force mode");
+    }
+    let wants = fails(form.command, |fault| *fault == Fault::InvalidMode);
+    rule(wants, "any mode")
 }
 
 /// Whether a statement of this form can come to an outcome on a robot; if not, why.
@@ -92,22 +130,31 @@ pub fn of_sentence(form: &Sentence, robot: Robot, outcome: Outcome) -> Possible 
     if name == CONDITION {
         return of_condition(form, robot, outcome);
     }
+    if name == NATIVE {
+        let comes = matches!(outcome, Outcome::Valid | Outcome::Domain);
+        return rule(comes && robot == Robot::Hand, "no native code");
+    }
+    let can = |fault: Fault| {
+        let command = commands::find(name);
+        command.is_some_and(|command| command.failures().iter().any(|(of, _)| *of == fault))
+    };
     let text = is(&["MESSAGE", "REM"]);
     let lone = is(&["ELSE", "ENDIF", "WEND", "REPEAT"]);
     let compares = has("condition");
     let jumps = has("label:") || is(&["CALL", "GOTO"]) || has("GOTO");
     match outcome {
         Outcome::Valid => Ok(()),
+        Outcome::Argument if is(&["NEXT", "GOTO"]) && form.text.is_empty() => Err("optional"),
         Outcome::Argument => rule(!text && !lone && name != "END", "any words"),
         Outcome::Format => rule(
-            lone || has("name:") || has("name,") || has("text") && name == "MESSAGE",
-            "no text",
+            lone || is(&["SUBROUTINE", LABEL]) || has("name,") || has("text") && name == "MESSAGE",
+            "names nothing",
         ),
         Outcome::LongString => rule(name == "MESSAGE" && has("text"), "no text"),
         Outcome::UnknownLabel => rule(jumps, "no jump"),
         Outcome::DuplicateLabel => rule(is(&["SUBROUTINE", LABEL]), "no label"),
         Outcome::Structure => rule(
-            jumps
+            jumps && name != "CALL"
                 || lone
                 || has("THEN")
                 || is(&["WHILE", "UNTIL", "FOR", "NEXT", "SUBROUTINE", "SUBEND"]),
@@ -121,9 +168,15 @@ pub fn of_sentence(form: &Sentence, robot: Robot, outcome: Outcome) -> Possible 
             "reads nothing",
         ),
         Outcome::OutOfRange => rule(has("STEP"), "no limit"),
-        Outcome::Domain => rule(has("STEP") || name == "NEXT", "no limit"),
-        Outcome::Return => rule(is(&["RETURN", "SUBEND"]), "no return"),
-        Outcome::Depth => rule(is(&["CALL", "GOSUB"]) || has("GOSUB"), "no call"),
+        Outcome::Domain => rule(
+            can(Fault::Domain) && (has("STEP") || name == "NEXT"),
+            "no limit",
+        ),
+        Outcome::Return => rule(can(Fault::InvalidReturn), "no return"),
+        Outcome::Depth => rule(
+            can(Fault::TooDeep) && (name != "IF" || has("GOSUB")),
+            "no call",
+        ),
         _ => Err("commands only"),
     }
 }
@@ -171,10 +224,17 @@ fn has_a_domain(equation: &str) -> bool {
 
 /// Whether a value can be no finite number, or the function has none ([4.9]).
 fn can_overflow(equation: &str) -> bool {
-    let Some(value) = equation.split_once(" = ").map(|(_, value)| value) else {
-        return true;
-    };
-    let tame = ["INT", "ABS", "SIN", "COS", "TAN", "DEG2RAD"];
-    let first = value.split(' ').next().unwrap_or_default();
-    value.contains(' ') && !tame.contains(&first)
+    let mut words = equation.split(' ').skip(1);
+    let update = words.next().unwrap_or_default();
+    let first = words.next().unwrap_or_default();
+    let copies = words.next().is_none();
+    let wave = ["SIN", "COS"].contains(&first);
+    // A sum with so small a number rounds to the larger one.
+    let small = wave || first == "TAN";
+    match update {
+        "=" => !(copies || small || ["INT", "ABS", "DEG2RAD"].contains(&first)),
+        "+=" | "-=" => !small,
+        "*=" => !wave,
+        _ => true,
+    }
 }

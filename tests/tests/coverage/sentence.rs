@@ -3,7 +3,7 @@
 use super::equation;
 use super::written::Names;
 use tipc::commands::{COMMANDS, Form};
-use tipc::syntax::{Condition, Relation, StatementKind, Then, VariableKind};
+use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, Then, VariableKind};
 
 /// A form as text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,6 +18,11 @@ pub struct Sentence {
 pub const EQUATION: &str = "equation";
 pub const CONDITION: &str = "condition";
 pub const LABEL: &str = "label";
+/// What the hand's native commands are called, which SPECIAL runs.
+pub const NATIVE: &str = "native command";
+
+/// Their numbers ([7.48]).
+const NUMBERS: [u8; 12] = [1, 2, 5, 6, 10, 11, 12, 13, 14, 15, 16, 20];
 
 fn sentence(name: &'static str, text: impl Into<String>) -> Sentence {
     Sentence {
@@ -35,6 +40,7 @@ pub fn all() -> Vec<Sentence> {
         }
     }
     all.push(sentence("MESSAGE", "text with %VAR%"));
+    all.extend(NUMBERS.map(native));
     all.push(sentence(LABEL, "name:"));
     all.extend(conditions());
     all.extend(
@@ -198,6 +204,18 @@ fn of_condition(condition: &Condition) -> Sentence {
         }
     };
     sentence(CONDITION, text.unwrap_or_default())
+}
+
+fn native(number: u8) -> Sentence {
+    sentence(NATIVE, format!("SPECIAL {number}"))
+}
+
+/// The native command that a SPECIAL with these arguments runs.
+pub fn native_shown(arguments: &[Operand]) -> Option<Sentence> {
+    match arguments.first()?.kind {
+        OperandKind::Number(number) => Some(native(number as u8)),
+        OperandKind::Name { .. } => None,
+    }
 }
 
 /// END.

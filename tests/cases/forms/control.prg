@@ -1,0 +1,46 @@
+3.1
+Every control statement, and the texts
+DEF_VAR N I
+N = 0
+IF N == 1 THEN
+ELSEIF N == 0 THEN
+N = 1
+ELSE
+N = 9
+ENDIF
+WHILE N < 2
+N += 1
+WEND
+REPEAT
+N += 1
+UNTIL N >= 3
+FOR I = 1 TO 2
+NEXT
+FOR I = 2 TO 1 STEP -1
+NEXT I
+CALL SUB1:
+GOSUB LAB:
+IF N <= 3 GOSUB LAB:
+GOTO ON:
+LAB:
+RETURN
+ON:
+LOOP:
+N += 1
+IF N <> 6 GOTO
+LOOP:
+IF N > 6 GOTO OUT:
+N += 1
+GOTO
+OUT:
+MESSAGE
+MESSAGE done
+MESSAGE N is %N%
+REM
+REM a remark
+IF N == 7 GOTO LAST:
+SUBROUTINE SUB1:
+SUBEND
+LAST:
+EXIT
+END

@@ -1,0 +1,6 @@
+3.1
+The hand finds the floor
+EMG_OFF
+DETECT_FLOOR ALL 1
+DETECT_FLOOR F1 1
+END

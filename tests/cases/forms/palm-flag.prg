@@ -1,0 +1,5 @@
+3.1
+The flag of the palm
+IF ANTENNA_ON GOTO L0:; L0:
+IF !ANTENNA_ON GOTO L1:; L1:
+END

@@ -1,0 +1,23 @@
+3.1
+Inputs and outputs of generic: refused forms
+DEF_VAR V W
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+W = Q.J1
+SET_SAMPLING_TIME +V
+SET_SAMPLING_FREQ +V
+AD_IN 0 1 +V
+AD_IN 0 1 NOPE
+AD_IN VR1 +V
+AD_IN J11 V 4
+AD_IN J11 +V
+AD_IN J11 P.X
+AD_IN J11 NOPE
+KEY_IN +V
+LAMP_ON +V
+LAMP_OFF +V
+SLEEP W
+END

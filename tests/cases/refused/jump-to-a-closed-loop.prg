@@ -1,0 +1,7 @@
+3.1
+IF … GOTO to a LOOP in a closed block
+WHILE KB_HIT
+LOOP:
+WEND
+IF KB_HIT GOTO
+END

@@ -1,0 +1,16 @@
+3.1
+Logs and built ins of generic: refused forms
+DEF_VAR V W
+DEF_POS P
+DEF_JOINT Q
+V = 1
+P.X = V
+Q.J1 = P.X
+W = Q.J1
+SPECIAL +V
+SPECIAL NOPE
+SPECIAL 0 +V
+SPECIAL 0 1 +V
+SPECIAL 0 1 NOPE
+SLEEP W
+END

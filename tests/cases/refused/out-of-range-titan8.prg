@@ -1,0 +1,8 @@
+3.1
+Constants of titan8 that are out of range
+SET_NEAR_POSITION F1 -1
+SET_OMEGA_DOT_MAX ALL -1
+SET_JUST_ANGLE ALL -1
+SET_NEAR_ANGLE F1 -1 2 3
+SET_NEAR_ANGLE J11 -1
+END

@@ -1,0 +1,10 @@
+3.1
+Logs and built ins of generic: what stops a program
+DEF_VAR LINE LATE
+AD_IN VR1 LINE
+IF LINE <> 5 GOTO L5:; SPECIAL 0 LATE; L5:
+IF LINE <> 6 GOTO L6:; SPECIAL 99 1; L6:
+IF LINE <> 7 GOTO L7:; SPECIAL 0 1 LATE; L7:
+IF LINE <> 8 GOTO L8:; SPECIAL 99 1 2; L8:
+LATE = 1
+END

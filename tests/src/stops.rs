@@ -1,0 +1,77 @@
+//! What stops a program, many times over: each line that asks for its own number is a fault of its own.
+//!
+//! A fault ends a run, so a program that shows many of them is run once for each. The knob VR1 reads the number of
+//! the line that is wanted, from the first cycle on; the program reads it and jumps over every other line:
+//! `IF LINE <> 12 GOTO L12:; SET_V_MAX F1 LOW; L12:`.
+
+use crate::settings::Settings;
+
+/// A line of the expectation: `LINE: TIP_ERR:<message> (<kind>)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stop<'a> {
+    /// The line of the program.
+    pub line: u32,
+    /// The classical line of the error.
+    pub error: &'a str,
+}
+
+impl<'a> Stop<'a> {
+    /// Reads a line of an expectation.
+    pub fn parse(text: &'a str) -> Option<Self> {
+        let (line, error) = text.split_once(": ")?;
+        let line = line.parse().ok()?;
+        Some(Stop { line, error })
+    }
+
+    /// The settings of the run that this line is wanted in.
+    pub fn settings(&self, settings: &Settings) -> Settings {
+        wanting(self.line, settings)
+    }
+}
+
+/// The settings of a run in which a line is wanted; no line bears the number 0.
+pub fn wanting(line: u32, settings: &Settings) -> Settings {
+    let mut settings = settings.clone();
+    let knob = ("VR1".to_owned(), f64::from(line), 0);
+    settings.sensors.push(knob);
+    settings
+}
+
+/// The step and the classical line of the emergency that ends a trace.
+pub fn emergency(trace: &str) -> Option<(u32, String)> {
+    let last = trace.lines().last()?;
+    let value = |key: &str| Some(last.split_once(&format!("\"{key}\":"))?.1);
+    let text = |key: &str| {
+        value(key)?
+            .strip_prefix('"')?
+            .split_once('"')
+            .map(|(text, _)| text)
+    };
+    let step = value("step")?.split([',', '}']).next()?.parse().ok()?;
+    Some((
+        step,
+        format!("TIP_ERR:{} ({})", text("error")?, text("kind")?),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_record_says_what_stopped_the_program() {
+        let trace = "{\"cycle\":0,\"step\":0,\"next\":1}\n{\"end\":\"EMERGENCY\",\"error\":\"Domain error\",\
+            \"kind\":\"RuntimeError\",\"step\":12,\"cycles\":1}\n";
+        let error = "TIP_ERR:Domain error (RuntimeError)".to_owned();
+        assert_eq!(emergency(trace), Some((12, error)));
+        assert_eq!(emergency("{\"end\":\"END\",\"cycles\":1}"), None);
+    }
+
+    #[test]
+    fn a_stop_names_a_line_and_an_error() {
+        let error = "TIP_ERR:Out of reach F1 (RobotError)";
+        let text = format!("12: {error}");
+        assert_eq!(Stop::parse(&text), Some(Stop { line: 12, error }));
+        assert_eq!(Stop::parse(error), None);
+    }
+}
