@@ -3,7 +3,7 @@
 pub mod hand;
 mod override_sensors;
 mod scene;
-mod walker;
+pub mod walker;
 
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
 pub use scene::{OBJECTS, Object, Scene, SceneError, Shape};

@@ -17,8 +17,9 @@ use tipc::Robot;
 use walking::engine::interpreter;
 use walking::exit::exit;
 
-/// Time on the robot between two lines of progress: s.
-const REPORT_EVERY: f64 = 0.5;
+/// Time on the robot between two lines of progress: s. No whole number of the vibration's periods, so
+/// that they show it.
+const REPORT_EVERY: f64 = 0.45;
 
 fn main() -> ExitCode {
     exit("grasp", grasp_and_compare())
@@ -26,7 +27,7 @@ fn main() -> ExitCode {
 
 fn grasp_and_compare() -> Result<bool, Box<dyn Error>> {
     let mut out = io::stdout();
-    writeln!(out, "   time   height  contact forces on the cylinder, N")?;
+    writeln!(out, "  time     height  contact forces on the cylinder, N")?;
     let mut due = REPORT_EVERY;
     let mut failure = None;
     let compiled = run(Grasp::new(), &SCENE, Messages, |time, hand| {
@@ -61,7 +62,7 @@ fn grasp_and_compare() -> Result<bool, Box<dyn Error>> {
 /// One line: where the cylinder is, and how the fingers push it.
 fn progress(time: f64, hand: &SimulatedHand<3, 3>) -> io::Result<()> {
     let mut out = io::stdout();
-    write!(out, "{time:6.1} s {:5.1} mm", height(hand) + 0.0)?;
+    write!(out, "{time:6.2} s {:5.1} mm", height(hand) + 0.0)?;
     for (tip, name) in hand.fingertips().iter().zip(["F1", "F2", "F3"]) {
         let [x, y, _] = tip.on_objects;
         write!(out, "  {name} ({:5.2}, {:5.2})", x + 0.0, y + 0.0)?;
