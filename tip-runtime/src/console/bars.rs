@@ -20,7 +20,7 @@ impl fmt::Display for Bars<'_> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use super::Bars;
     use std::string::ToString;
