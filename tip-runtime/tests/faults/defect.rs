@@ -7,7 +7,7 @@ use crate::place::Place;
 pub(crate) enum Reading {
     NotANumber,
     Infinite(f64),
-    /// The largest number there is, with this sign.
+    /// A number that nothing can measure; the largest one of all overflows in every sum.
     Absurd(f64),
     /// One degree beyond what the potentiometer can read, above (1) or below (-1). Angles only.
     JustBeyond(f64),
@@ -16,12 +16,14 @@ pub(crate) enum Reading {
 }
 
 impl Reading {
-    pub(crate) const ALL: [Reading; 8] = [
+    pub(crate) const ALL: [Reading; 10] = [
         Reading::NotANumber,
         Reading::Infinite(1.0),
         Reading::Infinite(-1.0),
-        Reading::Absurd(1.0),
-        Reading::Absurd(-1.0),
+        Reading::Absurd(1e300),
+        Reading::Absurd(-1e300),
+        Reading::Absurd(f64::MAX),
+        Reading::Absurd(-f64::MAX),
         Reading::JustBeyond(1.0),
         Reading::JustBeyond(-1.0),
         Reading::Stuck,
@@ -93,6 +95,7 @@ impl Reading {
         match self {
             Reading::NotANumber => "reads NaN",
             Reading::Infinite(_) => "reads ±infinity",
+            Reading::Absurd(-1e300..=1e300) => "reads ±1e300",
             Reading::Absurd(_) => "reads ±1.8e308",
             Reading::JustBeyond(_) => "reads 1 deg beyond the outer limit",
             Reading::Stuck => "stuck",

@@ -55,7 +55,8 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Faulty<H, L, J> {
                     outer.min - 1.0
                 }
             }
-            (Reading::Absurd(sign) | Reading::JustBeyond(sign), _) => sign * f64::MAX,
+            (Reading::Absurd(value), _) => value,
+            (Reading::JustBeyond(_), _) => unreachable!("angles only"),
             (Reading::Stuck, _) => stuck,
         };
     }
