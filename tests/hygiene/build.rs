@@ -1,7 +1,8 @@
-//! Programs whose types bear the names of the prelude.
+//! Programs and a robot that bear the names of the prelude.
 
 fn main() -> Result<(), tipc::BuildError> {
-    tipc::Config::new()
-        .runtime_path("::robot")
-        .compile(&["motions/ok.prg", "motions/option.prg"])
+    let mut config = tipc::Config::new();
+    config.runtime_path("::robot");
+    config.compile(&["motions/ok.prg", "motions/option.prg"])?;
+    config.compile_robot("motions/some.toml")
 }

@@ -10,11 +10,13 @@
 pub mod generated {
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/ok.rs"));
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/option.rs"));
+    ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/some.rs"));
 }
 
 /// What the macros make.
 pub mod included {
     ::motion_macros::include_tip!(pub "../motions/option.prg" as Some, runtime = ::robot);
+    ::motion_macros::include_robot!(pub "../motions/some.toml" as NOTHING, runtime = ::robot);
     ::motion_macros::tip!(pub Flow, "3.1\nflow\nLOOP:\nGOTO\nEND", runtime = ::robot);
 }
 
@@ -40,8 +42,16 @@ pub mod hostile {
     pub struct Value;
     /// Not the trait.
     pub trait Program {}
+    /// Not the type.
+    #[derive(::core::fmt::Debug)]
+    pub struct Model;
     ::motion_macros::include_tip!(pub "../motions/option.prg" as Walk, runtime = ::robot);
+    ::motion_macros::include_robot!(pub "../motions/some.toml", runtime = ::robot);
 }
+
+/// The robots are robots.
+pub const ROBOTS: [&::robot::model::Model<2, 1>; 3] =
+    [&generated::SOME, &included::NOTHING, &hostile::SOME];
 
 /// The program types are programs, and constructible where nothing runs.
 pub const PROGRAMS: [&dyn ::robot::program::Program; 5] = [

@@ -1,0 +1,5 @@
+tip_macros::include_robot!(HEXAPOD);
+tip_macros::include_robot!("hexapod.toml", robot = generic);
+tip_macros::include_robot!("/no/such/folder/gone.toml");
+
+fn main() {}
