@@ -2,4 +2,5 @@
 
 mod access;
 pub mod assignment;
+pub mod cycles;
 mod flow;

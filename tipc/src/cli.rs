@@ -2,6 +2,8 @@
 
 mod arguments;
 mod check;
+mod checked;
+mod cycles;
 mod describe;
 mod emit;
 mod error;
@@ -51,6 +53,7 @@ pub(crate) fn main() -> ExitCode {
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
+        Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Robot(RobotVerb::Check(arguments)) => describe::check(arguments),
         Verb::Robot(RobotVerb::Import(arguments)) => describe::import(arguments),

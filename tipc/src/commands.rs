@@ -64,6 +64,14 @@ pub fn find(name: &str) -> Option<&'static Command> {
         .find(|command| command.name == name || command.alias == Some(name))
 }
 
+/// Whether a command of the robot can take more than one control cycle.
+pub fn waits(op: Op) -> bool {
+    let mut rows = COMMANDS.iter();
+    rows.any(|command| {
+        command.meaning == Meaning::Robot(op) && matches!(command.cycles, Cycles::Until(_))
+    })
+}
+
 /// What an older version's command is called now (T.I.P. 3.1 §1-1).
 pub fn renamed(word: &str) -> Option<&'static str> {
     let name = match word {

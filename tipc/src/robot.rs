@@ -23,6 +23,8 @@ pub enum Robot {
 pub struct Facts {
     /// What a program for it must state.
     pub signature: Signature,
+    /// The sampling time that programs begin with: ms.
+    pub period: f64,
     /// The sampling times that it accepts: ms.
     pub periods: Range,
     /// How many lamps and relays it has.
@@ -38,6 +40,7 @@ impl Facts {
     pub const fn of<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
         Facts {
             signature: model.signature(),
+            period: model.standards.period,
             periods: model.periods,
             lamps: model.lamps,
             has_forces: model.forces.is_some(),

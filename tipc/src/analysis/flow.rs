@@ -63,6 +63,16 @@ impl Flow {
         &self.nodes
     }
 
+    /// The first node of a step; the number of nodes for one behind the last.
+    pub(super) fn first(&self, step: StepId) -> NodeId {
+        self.nodes.partition_point(|node| node.step < step)
+    }
+
+    /// Every call.
+    pub(super) fn calls(&self) -> impl Iterator<Item = Call> {
+        self.nodes.iter().filter_map(|node| node.call)
+    }
+
     /// For each node, those whose `next` or `call` name it.
     pub(super) fn before(&self) -> Vec<Vec<NodeId>> {
         let mut before = vec![Vec::new(); self.nodes.len()];

@@ -18,6 +18,7 @@ use tipc::{Options, Robot};
   tipc check walk.prg                 what is wrong with it, all at once
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc emit rust walk.prg -o walk.rs  the same program as Rust source
+  tipc cycles walk.prg                how many control cycles its parts take
   tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
   tipc robot check hexapod.toml       what a robot of your own has
 
@@ -39,6 +40,8 @@ pub(super) enum Verb {
     Run(Run),
     /// Write a program in another form
     Emit(Emit),
+    /// Count the control cycles that the parts of a program take
+    Cycles(Cycles),
     /// Turn a program of an older version into one of version 3.1
     Migrate(Migrate),
     /// Descriptions of robots
@@ -223,6 +226,27 @@ pub(super) struct Emit {
     /// Write to a file instead of standard output
     #[arg(short, long, value_name = "OUT")]
     pub(super) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+}
+
+/// `tipc cycles`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the
+most control cycles, and the time at the robot's standard sampling time. One step is one cycle. A step that
+waits counts as the least that it can take, and its part 'waits'. 'or more' stands where nothing bounds a part.
+
+Examples:
+  tipc cycles walk.prg
+  tipc cycles --message-format json walk.prg   one object a line, for tools
+
+Exit status: 0 if the program loads, 1 otherwise."
+)]
+pub(super) struct Cycles {
+    /// The program
+    pub(super) file: PathBuf,
 
     #[command(flatten)]
     pub(super) source: SourceArguments,

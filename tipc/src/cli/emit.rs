@@ -1,32 +1,24 @@
 //! `tipc emit`: a program in another form.
 
 use super::arguments::{Emit, Form};
+use super::checked::checked;
 use super::error::Error;
-use super::{Status, input, output, report};
+use super::{Status, output};
 use tipc::program::Program;
 use tipc::{emit as rust, listing};
 
 /// Writes one form of a program to a file or to standard output.
 pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
-    let format = arguments.source.message_format;
-    let robot = match arguments.source.robot.load() {
-        Ok(robot) => robot.robot(),
-        Err(loaded) => {
-            report::findings(&loaded, format);
-            return Ok(Status::Failure);
-        }
-    };
-    let loaded = input::load(&arguments.file, &arguments.source.options(robot));
-    report::findings(&loaded, format);
-    let Some(program) = &loaded.program else {
+    let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
+    let program = &checked.program;
     let text = match arguments.form {
         Form::Rust => as_rust(program)?,
         Form::Formal => listing::formal(program),
         Form::Label => listing::label(program),
         Form::Obj => listing::object(program),
-        Form::Warning => listing::warnings(&loaded.source, &loaded.diagnostics),
+        Form::Warning => listing::warnings(&checked.source, &checked.diagnostics),
     };
     match &arguments.out {
         Some(out) => {

@@ -54,6 +54,7 @@ impl Description {
                 legs: self.legs.len() as u8,
                 joints: self.joints() as u8,
             },
+            period: self.standards.period,
             periods: self.periods,
             lamps: self.lamps,
             has_forces: self.forces.is_some(),

@@ -1,6 +1,7 @@
 //! The command `tipc`, run as users run it.
 
 mod check;
+mod cycles;
 mod emit;
 mod logs;
 mod migrate;

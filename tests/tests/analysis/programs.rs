@@ -1,0 +1,74 @@
+//! Programs that run, the language cases and the random ones, and what their runs do.
+#![expect(clippy::disallowed_methods, reason = "tests read their cases")]
+
+use crate::watched::{Seen, Watched};
+use std::cell::RefCell;
+use std::fs;
+use std::rc::Rc;
+use std::sync::LazyLock;
+use tip_tests::{Settings, cases, random, random_settings, root, run};
+use tipc::program::Program;
+
+/// What the runs of all programs did.
+pub(crate) struct Runs {
+    /// The reads that they came to.
+    pub(crate) seen: Seen,
+    /// Each program that was run to its end or limit, with its trace.
+    pub(crate) traces: Vec<(Runnable, String)>,
+}
+
+/// Every program run once, its reads watched.
+pub(crate) static RUNS: LazyLock<Runs> = LazyLock::new(|| {
+    let seen = Rc::new(RefCell::new(Seen::new()));
+    let mut traces = Vec::new();
+    for one in all() {
+        let watched = Watched::new(&one.name, one.program.clone(), Rc::clone(&seen));
+        // A program that never ends by itself has no whole trace.
+        if let Ok(trace) = run(Box::new(watched), &one.settings) {
+            traces.push((one, trace));
+        }
+    }
+    let seen = seen.take();
+    Runs { seen, traces }
+});
+
+/// A program, and what happens around it.
+pub(crate) struct Runnable {
+    pub(crate) name: String,
+    pub(crate) program: Program,
+    pub(crate) settings: Settings,
+}
+
+/// Every case with a trace, then every random program.
+pub(crate) fn all() -> Vec<Runnable> {
+    let folder = root().join("cases");
+    let of_case = |name: String| {
+        let expectation = folder.join(format!("{name}.trace"));
+        let header = fs::read_to_string(&expectation).ok()?;
+        let beside = expectation.parent().expect("a case stands in a folder");
+        let settings = Settings::of_header(&header, beside).expect("a header");
+        let source = fs::read(folder.join(format!("{name}.prg"))).expect("a program");
+        runnable(name, &source, settings)
+    };
+    let of_seed = |seed: u64| {
+        let source = random::program(seed);
+        runnable(
+            format!("seed {seed}"),
+            source.as_bytes(),
+            random_settings(seed),
+        )
+    };
+    let cases = cases(&folder).into_iter().filter_map(of_case);
+    cases
+        .chain((0..random::PROGRAMS).filter_map(of_seed))
+        .collect()
+}
+
+fn runnable(name: String, source: &[u8], settings: Settings) -> Option<Runnable> {
+    let program = tipc::load(&name, source, &settings.load).program?;
+    Some(Runnable {
+        name,
+        program,
+        settings,
+    })
+}

@@ -1,0 +1,45 @@
+//! A program that a command is going to use.
+
+use super::arguments::SourceArguments;
+use super::{input, report};
+use std::path::Path;
+use tipc::diagnostic::Diagnostic;
+use tipc::program::Program;
+use tipc::source::Source;
+use tipc::{Loaded, Robot};
+
+/// A program that loads.
+pub(super) struct Checked {
+    /// The robot that it was checked for.
+    pub(super) robot: Robot,
+    pub(super) program: Program,
+    pub(super) source: Source,
+    /// The warnings about it, told already.
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+/// Loads the program at `path` for the robot of the command line, and tells the findings about both;
+/// `None` if one of them does not load.
+pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checked> {
+    let format = arguments.message_format;
+    let robot = match arguments.robot.load() {
+        Ok(robot) => robot.robot(),
+        Err(loaded) => {
+            report::findings(&loaded, format);
+            return None;
+        }
+    };
+    let loaded = input::load(path, &arguments.options(robot));
+    report::findings(&loaded, format);
+    let Loaded {
+        source,
+        program,
+        diagnostics,
+    } = loaded;
+    Some(Checked {
+        robot,
+        program: program?,
+        source,
+        diagnostics,
+    })
+}
