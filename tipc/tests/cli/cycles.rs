@@ -4,11 +4,12 @@ use crate::support::Folder;
 use std::fs;
 use std::path::Path;
 
-/// The code blocks of docs/analysis.md that begin so, without their first word.
-fn shown(start: &str) -> String {
+/// What follows `start` in the code block of docs/analysis.md that begins so.
+fn shown(kind: &str, start: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/analysis.md");
     let text = fs::read_to_string(path).expect("docs/analysis.md is part of the repository");
-    let mut blocks = text.split("```text\n");
+    let fence = format!("```{kind}\n");
+    let mut blocks = text.split(&fence);
     let block = blocks.find_map(|block| block.strip_prefix(start));
     let (code, _) = block
         .and_then(|block| block.split_once("```"))
@@ -18,7 +19,7 @@ fn shown(start: &str) -> String {
 
 /// The program of docs/analysis.md.
 fn step(test: &str) -> Folder {
-    Folder::new(test).file("step.prg", format!("3.1\n{}", shown("3.1\n")))
+    Folder::new(test).file("step.prg", format!("3.1\n{}", shown("tip", "3.1\n")))
 }
 
 // clauses: 2.12 2.13 2.15 2.17
@@ -42,7 +43,7 @@ fn the_table_tells_least_and_most() {
         ]
     );
     assert_eq!(outcome.err, "");
-    assert_eq!(outcome.out, shown("$ tipc cycles step.prg\n"));
+    assert_eq!(outcome.out, shown("text", "$ tipc cycles step.prg\n"));
 }
 
 fn words(line: &str) -> String {
