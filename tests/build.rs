@@ -11,7 +11,7 @@ mod random;
 #[path = "src/seek.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod seek;
-#[path = "src/settings.rs"]
+#[path = "harness/src/settings.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod settings;
 
@@ -27,6 +27,7 @@ fn main() {
     let (root, out) = (Path::new(&root), Path::new(&out));
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=src");
+    println!("cargo::rerun-if-changed=harness/src/settings.rs");
     write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
     write(&out.join("random.rs"), &random_programs());
     write(&out.join("random_tests.rs"), &random_tests());

@@ -8,21 +8,16 @@
 
 pub mod clauses;
 mod compare;
-mod engine;
 mod generated;
 pub mod random;
-mod run;
 mod seek;
-mod settings;
 pub mod stops;
 mod verdict;
 
 pub use compare::matches;
-pub use engine::Boxed;
 pub use generated::{case, random as random_program};
-pub use run::run;
 pub use seek::{cases, root};
-pub use settings::Settings;
+pub use tip_harness::{Boxed, Settings, run};
 pub use verdict::{checked, differential, random_settings, stopped, traced};
 
 /// The examples of the reference compile and run.

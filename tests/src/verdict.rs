@@ -3,12 +3,11 @@
 
 use crate::compare::matches;
 use crate::generated;
-use crate::run::run;
 use crate::seek::root;
-use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use crate::{clauses, random};
 use std::fs;
+use tip_harness::{Settings, run};
 use tip_runtime::program::Program;
 use tipc::codes::Level;
 use tipc::diagnostic::render_short;

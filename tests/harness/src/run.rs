@@ -12,7 +12,7 @@ use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
 use tipc::Robot;
-use tipc::description::WithModel;
+use tipc::description::Description;
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -23,7 +23,7 @@ const ENDLESS: u64 = 100_000;
 /// The program is for another robot, an input has no such name, or the program never ends.
 pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
     if let Some(description) = &settings.description {
-        return description.with_model(Walk { program, settings });
+        return described(program, description, settings);
     }
     match settings.load.robot {
         Robot::Titan8 => walk(program, &titan8::MODEL, settings),
@@ -33,17 +33,23 @@ pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, Str
     }
 }
 
-/// A run on a robot of any size.
-struct Walk<'a> {
+/// A run on a robot that a file describes; of the sizes that the cases have, since each is compiled for itself.
+fn described(
     program: Box<dyn Program>,
-    settings: &'a Settings,
-}
-
-impl WithModel for Walk<'_> {
-    type Output = Result<String, String>;
-
-    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
-        walk(self.program, model, self.settings)
+    description: &Description,
+    settings: &Settings,
+) -> Result<String, String> {
+    if let Some(model) = description.model::<1, 1>() {
+        walk(program, &model, settings)
+    } else if let Some(model) = description.model::<6, 3>() {
+        walk(program, &model, settings)
+    } else if let Some(model) = description.model::<9, 9>() {
+        walk(program, &model, settings)
+    } else {
+        let name = description.name();
+        Err(format!(
+            "no case has had a robot of the size of {name}: it is to be listed here"
+        ))
     }
 }
 
