@@ -38,7 +38,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         tokens: Vec::new(),
         module: Module {
             title: header::title(source),
-            statements: Vec::new(),
+            statements: Vec::with_capacity(source.line_count() as usize),
         },
         diagnostics: Vec::new(),
     };

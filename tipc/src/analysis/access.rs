@@ -6,14 +6,9 @@ use crate::program::{
 };
 use std::ops::Range;
 
-/// The scalars that a step reads, in the order of reading; one may come twice.
-pub(super) fn reads(program: &Program, action: &Action) -> Vec<usize> {
-    let mut reads = Reads {
-        program,
-        found: Vec::new(),
-    };
-    reads.action(action);
-    reads.found
+/// Names the scalars that a step reads, in the order of reading; one may come twice.
+pub(super) fn reads(program: &Program, action: &Action, found: impl FnMut(usize)) {
+    Reads { program, found }.action(action);
 }
 
 /// The scalars that have a value once the step is done: neighbours.
@@ -54,12 +49,12 @@ fn members(program: &Program, variable: VariableId) -> Range<usize> {
     variable.first..variable.first + variable.size()
 }
 
-struct Reads<'a> {
+struct Reads<'a, F> {
     program: &'a Program,
-    found: Vec<usize>,
+    found: F,
 }
 
-impl Reads<'_> {
+impl<F: FnMut(usize)> Reads<'_, F> {
     fn action(&mut self, action: &Action) {
         match action {
             Action::SetScalar {
@@ -119,11 +114,11 @@ impl Reads<'_> {
     }
 
     fn scalar(&mut self, scalar: Scalar) {
-        self.found.push(self.program.scalar_index(scalar));
+        (self.found)(self.program.scalar_index(scalar));
     }
 
     fn variable(&mut self, variable: VariableId) {
-        self.found.extend(members(self.program, variable));
+        members(self.program, variable).for_each(&mut self.found);
     }
 
     fn operands(&mut self, operands: impl IntoIterator<Item = Operand>) {

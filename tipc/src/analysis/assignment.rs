@@ -3,12 +3,15 @@
 //! A data flow over the steps. For each scalar it holds whether a run can come to a step with the
 //! scalar unassigned, and whether with it assigned. A read that finds nothing ends the run, so a run
 //! that goes on has a value there. A call goes on behind it only with what some way through the
-//! subroutine leaves behind: calls and returns match, at any depth. Up to 64 scalars are a machine
-//! word for each step; the time is O(steps · scalars / 64) times the nesting of loops, the memory
-//! O(steps + reads).
+//! subroutine leaves behind: calls and returns match, at any depth. A scalar that each basic block
+//! assigns before it reads it needs no data flow; up to 63 others are a machine word for each block.
+//! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, the memory
+//! O(steps + scalars).
 
 mod batch;
+mod blocks;
 mod gap;
+mod touches;
 mod worklist;
 
 #[cfg(test)]
@@ -16,9 +19,11 @@ mod tests;
 
 pub use gap::{Gap, gaps};
 
-use super::flow::Flow;
+use super::flow::{Flow, NodeId};
 use crate::program::{Program, StepId};
-use batch::Batch;
+use batch::{Batch, Found};
+use blocks::Blocks;
+use touches::{Sorted, Touches};
 
 /// Whether a read finds a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -52,10 +57,30 @@ impl Assignment {
     /// Judges every read of a program.
     pub fn of(program: &Program) -> Self {
         let flow = Flow::of(program);
-        let mut reads: Vec<Read> = batch::all(program)
-            .flat_map(|variables| Batch::new(program, &flow, variables).reads())
-            .collect();
+        let blocks = Blocks::of(&flow);
+        let (batches, certain) =
+            Touches::of(program, &flow).sorted(program.scalar_count(), &blocks);
+        let step = |node: NodeId| flow.nodes()[node].step;
+        let mut reads = Vec::new();
+        let mut is_reached = Vec::new();
+        for Sorted { scalars, touches } in &batches {
+            let (found, reached) = Batch::new(&blocks, touches).found();
+            for read in found {
+                judge(read, step(read.node), scalars, &mut reads);
+            }
+            is_reached = reached;
+        }
+        for (node, scalar) in certain {
+            if is_reached[blocks.of_node(node)] {
+                reads.push(Read {
+                    step: step(node),
+                    scalar,
+                    assigned: Assigned::Always,
+                });
+            }
+        }
         reads.sort_unstable();
+        reads.dedup();
         Assignment { reads }
     }
 
@@ -69,5 +94,24 @@ impl Assignment {
         self.reads
             .binary_search_by_key(&(step, scalar), |read| (read.step, read.scalar))
             .is_ok_and(|place| self.reads[place].assigned == Assigned::Always)
+    }
+}
+
+/// The reads of one node, of those scalars that a run can come there with.
+fn judge(found: Found, step: StepId, scalars: &[usize], reads: &mut Vec<Read>) {
+    let mut left = found.unassigned | found.assigned;
+    while left != 0 {
+        let bit = left & left.wrapping_neg();
+        left ^= bit;
+        let assigned = match (found.assigned & bit != 0, found.unassigned & bit != 0) {
+            (true, false) => Assigned::Always,
+            (true, true) => Assigned::Sometimes,
+            (false, _) => Assigned::Never,
+        };
+        reads.push(Read {
+            step,
+            scalar: scalars[bit.trailing_zeros() as usize],
+            assigned,
+        });
     }
 }

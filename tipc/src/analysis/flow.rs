@@ -4,9 +4,36 @@
 //! Conditions and loops over constants go only the way that they really go.
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
+use std::ops::Deref;
 
 /// The place of a node in its flow. Nodes come in the order of their steps.
 pub(super) type NodeId = usize;
+
+/// What a cycle may run next without a call or return: two nodes at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Next {
+    nodes: [NodeId; 2],
+    count: usize,
+}
+
+impl Deref for Next {
+    type Target = [NodeId];
+
+    fn deref(&self) -> &[NodeId] {
+        &self.nodes[..self.count]
+    }
+}
+
+impl FromIterator<NodeId> for Next {
+    fn from_iter<I: IntoIterator<Item = NodeId>>(nodes: I) -> Self {
+        let mut next = Next::default();
+        for (place, node) in next.nodes.iter_mut().zip(nodes) {
+            *place = node;
+            next.count += 1;
+        }
+        next
+    }
+}
 
 /// A step, as it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,7 +43,7 @@ pub(super) struct Node {
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
     pub(super) is_passed: bool,
     /// What the next cycle may run without a call or return.
-    pub(super) next: Vec<NodeId>,
+    pub(super) next: Next,
     /// The call that it may make.
     pub(super) call: Option<Call>,
     /// RETURN or SUBEND.
@@ -126,12 +153,12 @@ impl Ways {
     }
 
     /// Where ELSEIF and ELSE lead that are reached "taken".
-    fn passed(&self, action: &Action) -> Vec<NodeId> {
+    fn passed(&self, action: &Action) -> Next {
         match action {
             Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => {
                 self.to(*to).into_iter().collect()
             }
-            _ => Vec::new(),
+            _ => Next::default(),
         }
     }
 
@@ -207,7 +234,7 @@ impl Ways {
     }
 }
 
-fn distinct([a, b]: [Option<NodeId>; 2]) -> Vec<NodeId> {
+fn distinct([a, b]: [Option<NodeId>; 2]) -> Next {
     let b = b.filter(|_| a != b);
     a.into_iter().chain(b).collect()
 }

@@ -7,46 +7,50 @@ use crate::syntax::{
 
 /// The line of one statement.
 pub(super) fn line(source: &Source, statement: &Statement) -> String {
-    let fields = Fields { source };
-    match &statement.kind {
-        StatementKind::Label(name) => format!("{}:", name.node),
-        StatementKind::Message { text } if text.node.is_empty() => "MESSAGE".to_owned(),
-        StatementKind::Message { text } => format!("MESSAGE\t{}", text.node),
-        StatementKind::Rem => "REM".to_owned(),
-        kind => fields.of(kind, statement.span).join("\t"),
-    }
+    let mut line = Line {
+        source,
+        // Blanks become tabs and words stay as long as they are, so that a line seldom grows.
+        text: String::with_capacity(statement.span.end - statement.span.start + 2),
+    };
+    line.statement(&statement.kind, statement.span);
+    line.text
 }
 
-struct Fields<'a> {
+/// A line as it grows, field by field.
+struct Line<'a> {
     source: &'a Source,
+    text: String,
 }
 
-impl Fields<'_> {
-    fn of(&self, kind: &StatementKind, span: Span) -> Vec<String> {
+impl Line<'_> {
+    fn statement(&mut self, kind: &StatementKind, span: Span) {
         match kind {
+            StatementKind::Label(name) => self.label(&name.node),
+            StatementKind::Message { text } => {
+                self.field("MESSAGE");
+                if !text.node.is_empty() {
+                    self.field(&text.node);
+                }
+            }
+            StatementKind::Rem => self.field("REM"),
             StatementKind::Equation(equation) => {
-                let mut fields = vec![
-                    self.text(equation.target.span),
-                    self.text(equation.operator),
-                ];
-                fields.extend(self.expression(&equation.value));
-                fields
+                self.source(equation.target.span);
+                self.source(equation.operator);
+                self.expression(&equation.value);
             }
             StatementKind::If {
                 condition, then, ..
             } => {
-                let mut fields = self.with_condition("IF", condition);
+                self.with_condition("IF", condition);
                 match then {
-                    Then::Block => fields.push("THEN".to_owned()),
-                    Then::Goto(jump) => fields.extend(self.jump("GOTO", jump)),
-                    Then::Gosub(jump) => fields.extend(self.jump("GOSUB", jump)),
+                    Then::Block => self.field("THEN"),
+                    Then::Goto(jump) => self.jump("GOTO", jump),
+                    Then::Gosub(jump) => self.jump("GOSUB", jump),
                 }
-                fields
             }
             StatementKind::ElseIf { condition, .. } => {
-                let mut fields = self.with_condition("ELSEIF", condition);
-                fields.push("THEN".to_owned());
-                fields
+                self.with_condition("ELSEIF", condition);
+                self.field("THEN");
             }
             StatementKind::While { condition, .. } => self.with_condition("WHILE", condition),
             StatementKind::Until { condition, .. } => self.with_condition("UNTIL", condition),
@@ -57,83 +61,105 @@ impl Fields<'_> {
                 step,
                 ..
             } => {
-                let mut fields = vec![
-                    "FOR".to_owned(),
-                    self.text(variable.span),
-                    "=".to_owned(),
-                    self.text(from.span),
-                    "TO".to_owned(),
-                    self.text(to.span),
-                ];
+                self.field("FOR");
+                self.source(variable.span);
+                self.field("=");
+                self.source(from.span);
+                self.field("TO");
+                self.source(to.span);
                 if let Some(step) = step {
-                    fields.extend(["STEP".to_owned(), self.text(step.span)]);
+                    self.field("STEP");
+                    self.source(step.span);
                 }
-                fields
             }
-            StatementKind::Next {
-                variable: Some(variable),
-                ..
-            } => vec!["NEXT".to_owned(), self.text(variable.span)],
-            StatementKind::Next { variable: None, .. } => vec!["NEXT".to_owned()],
+            StatementKind::Next { variable, .. } => {
+                self.field("NEXT");
+                if let Some(variable) = variable {
+                    self.source(variable.span);
+                }
+            }
             StatementKind::Subroutine { name, .. } => {
-                vec!["SUBROUTINE".to_owned(), format!("{}:", name.node)]
+                self.field("SUBROUTINE");
+                self.label(&name.node);
             }
             StatementKind::Call(jump) => self.jump("CALL", jump),
             StatementKind::Goto(jump) => self.jump("GOTO", jump),
             StatementKind::Gosub(jump) => self.jump("GOSUB", jump),
             StatementKind::Command {
                 name, arguments, ..
-            } => std::iter::once(name.node.clone())
-                .chain(arguments.iter().map(|argument| self.text(argument.span)))
-                .collect(),
-            _ => vec![self.text(span)],
+            } => {
+                self.field(&name.node);
+                for argument in arguments {
+                    self.source(argument.span);
+                }
+            }
+            _ => self.source(span),
         }
     }
 
-    fn text(&self, span: Span) -> String {
-        self.source.slice(span).to_ascii_uppercase()
+    fn field(&mut self, text: &str) {
+        if !self.text.is_empty() {
+            self.text.push('\t');
+        }
+        self.text.push_str(text);
     }
 
-    fn jump(&self, word: &str, jump: &Jump) -> Vec<String> {
-        let label = jump.label.iter().map(|label| format!("{}:", label.node));
-        std::iter::once(word.to_owned()).chain(label).collect()
+    /// A piece of the source in capital letters.
+    fn source(&mut self, span: Span) {
+        self.field(self.source.slice(span));
+        let start = self.text.len() - (span.end - span.start);
+        self.text[start..].make_ascii_uppercase();
     }
 
-    fn with_condition(&self, word: &str, condition: &Condition) -> Vec<String> {
-        let mut fields = vec![word.to_owned()];
+    fn label(&mut self, name: &str) {
+        self.field(name);
+        self.text.push(':');
+    }
+
+    fn jump(&mut self, word: &str, jump: &Jump) {
+        self.field(word);
+        if let Some(label) = &jump.label {
+            self.label(&label.node);
+        }
+    }
+
+    fn with_condition(&mut self, word: &str, condition: &Condition) {
+        self.field(word);
         match condition {
             Condition::Compare {
                 left,
                 relation,
                 right,
-            } => fields.extend([
-                self.text(left.span),
-                relation_sign(*relation).to_owned(),
-                self.text(right.span),
-            ]),
+            } => {
+                self.source(left.span);
+                self.field(relation_sign(*relation));
+                self.source(right.span);
+            }
             Condition::Flag { name, negated } => {
-                let sign = if *negated { "!" } else { "" };
-                fields.push(format!("{sign}{}", name.node));
+                self.field(if *negated { "!" } else { "" });
+                self.text.push_str(&name.node);
             }
         }
-        fields
     }
 
-    fn expression(&self, expression: &Expression) -> Vec<String> {
+    fn expression(&mut self, expression: &Expression) {
         match expression {
-            Expression::Operand(operand) => vec![self.text(operand.span)],
+            Expression::Operand(operand) => self.source(operand.span),
             Expression::Binary {
                 left,
                 operation,
                 right,
-            } => vec![
-                self.text(left.span),
-                operation_sign(*operation).to_owned(),
-                self.text(right.span),
-            ],
-            Expression::Function { name, operands } => std::iter::once(name.node.clone())
-                .chain(operands.iter().map(|operand| self.text(operand.span)))
-                .collect(),
+            } => {
+                self.source(left.span);
+                self.field(operation_sign(*operation));
+                self.source(right.span);
+            }
+            Expression::Function { name, operands } => {
+                self.field(&name.node);
+                for operand in operands {
+                    self.source(operand.span);
+                }
+            }
         }
     }
 }

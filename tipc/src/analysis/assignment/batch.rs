@@ -1,51 +1,56 @@
-//! The data flow for as many variables as one machine word has room for.
+//! The data flow over basic blocks for as many scalars as one machine word has room for.
 
+use super::blocks::{Block, BlockId, Blocks};
+use super::touches::{Scalars, Touch, UNTOUCHED};
 use super::worklist::{Order, Worklist};
-use super::{Assigned, Read};
-use crate::analysis::access;
-use crate::analysis::flow::{Flow, NodeId};
-use crate::program::{Program, Variable};
-use std::ops::Range;
+use crate::analysis::flow::NodeId;
 
-/// A set of the scalars of a batch, one bit each.
-type Scalars = u64;
-
-/// The scalars of a program in runs that fit a word; a variable is in one run.
-pub(super) fn all(program: &Program) -> impl Iterator<Item = Range<usize>> {
-    let mut variables = program.variables().iter().peekable();
-    std::iter::from_fn(move || {
-        let first = variables.peek()?.first;
-        let fits = |variable: &&Variable| variable.first + variable.size() - first <= 64;
-        let mut end = first;
-        while let Some(variable) = variables.next_if(fits) {
-            end = variable.first + variable.size();
-        }
-        Some(first..end)
-    })
-}
-
-/// What the nodes of a flow do with some scalars.
-pub(super) struct Batch<'a> {
-    flow: &'a Flow,
-    scalars: Range<usize>,
-    /// What each node reads.
-    read: Vec<Scalars>,
-    /// What each node assigns.
-    set: Vec<Scalars>,
-}
-
-/// What becomes of an unassigned scalar on the ways from a node to the return of the call that it is in.
-#[derive(Clone, Copy, Default, PartialEq)]
-pub(super) struct Passage {
-    /// There is such a way.
-    returns: bool,
-    /// The scalars that some way neither reads nor assigns.
-    pub(super) untouched: Scalars,
-    /// The scalars that some way assigns before it reads them.
+/// What becomes of unassigned scalars on the way through something.
+#[derive(Clone, Copy, PartialEq)]
+struct Effect {
+    /// The scalars that it neither reads nor assigns.
+    untouched: Scalars,
+    /// The scalars that it assigns before it reads them.
     set: Scalars,
 }
 
-/// How runs can come to a node. A scalar that may be neither way is one that no run comes there with.
+impl Effect {
+    const NONE: Effect = Effect {
+        untouched: Scalars::MAX,
+        set: 0,
+    };
+
+    fn of(touch: Touch) -> Self {
+        Effect {
+            untouched: !(touch.read | touch.set),
+            set: touch.set & !touch.read,
+        }
+    }
+
+    /// This, and something behind it.
+    fn then(self, behind: Effect) -> Effect {
+        Effect {
+            untouched: self.untouched & behind.untouched,
+            set: self.set | (self.untouched & behind.set),
+        }
+    }
+}
+
+/// What becomes of unassigned scalars on the ways from a block to the return of the call that it is in:
+/// a scalar is in a set if some way belongs there. `None` if there is no way.
+type Passage = Option<Effect>;
+
+fn either(a: Passage, b: Passage) -> Passage {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(Effect {
+            untouched: a.untouched | b.untouched,
+            set: a.set | b.set,
+        }),
+        (a, b) => a.or(b),
+    }
+}
+
+/// How runs can come to a place. A scalar that may be neither way is one that no run comes there with.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct State {
     /// The scalars that may be unassigned.
@@ -55,12 +60,11 @@ struct State {
 }
 
 impl State {
-    /// Behind what leaves the scalars `untouched` as they are and assigns `set` to unassigned ones.
-    /// An unassigned scalar that is in neither was read: that run is over.
-    fn behind(self, untouched: Scalars, set: Scalars) -> State {
+    /// Behind something with an effect. An unassigned scalar that it reads first: that run is over.
+    fn behind(self, effect: Effect) -> State {
         State {
-            unassigned: self.unassigned & untouched,
-            assigned: self.assigned | (self.unassigned & set),
+            unassigned: self.unassigned & effect.untouched,
+            assigned: self.assigned | (self.unassigned & effect.set),
         }
     }
 
@@ -72,149 +76,143 @@ impl State {
     }
 }
 
+/// The scalars that a node reads, and how runs can come to it.
+#[derive(Clone, Copy)]
+pub(super) struct Found {
+    /// The node.
+    pub(super) node: NodeId,
+    /// The scalars that it reads and that may be unassigned there.
+    pub(super) unassigned: Scalars,
+    /// The scalars that it reads and that may be assigned there.
+    pub(super) assigned: Scalars,
+}
+
+/// Some scalars in the blocks of a flow.
+pub(super) struct Batch<'a> {
+    blocks: &'a Blocks,
+    touches: &'a [Touch],
+    effects: Vec<Effect>,
+}
+
 impl<'a> Batch<'a> {
-    /// The reads and assignments of the scalars in a range of 64 at most.
-    pub(super) fn new(program: &Program, flow: &'a Flow, scalars: Range<usize>) -> Self {
-        let bit = |scalar: usize| match scalars.contains(&scalar) {
-            true => 1 << (scalar - scalars.start),
-            false => 0,
-        };
-        let mut read = Vec::with_capacity(flow.nodes().len());
-        let mut set = Vec::with_capacity(flow.nodes().len());
-        for node in flow.nodes() {
-            let action = &program.steps()[node.step as usize].action;
-            let reads = match node.is_passed {
-                true => Vec::new(),
-                false => access::reads(program, action),
-            };
-            read.push(reads.into_iter().map(bit).fold(0, |a, b| a | b));
-            let assigns = access::assigns(program, action);
-            set.push(assigns.map(bit).fold(0, |a, b| a | b));
+    /// The scalars that are touched so, in the order of the nodes.
+    pub(super) fn new(blocks: &'a Blocks, touches: &'a [Touch]) -> Self {
+        let mut effects = vec![Effect::NONE; blocks.all().len()];
+        for touch in touches {
+            let effect = &mut effects[blocks.of_node(touch.node)];
+            *effect = effect.then(Effect::of(*touch));
         }
         Batch {
-            flow,
-            scalars,
-            read,
-            set,
+            blocks,
+            touches,
+            effects,
         }
     }
 
-    /// The scalars that a node leaves alone, and those that it assigns without reading them.
-    pub(super) fn effect(&self, node: NodeId) -> (Scalars, Scalars) {
-        let (read, set) = (self.read[node], self.set[node]);
-        (!(read | set), set & !read)
-    }
-
-    /// Every read of these scalars that a run can come to.
-    pub(super) fn reads(&self) -> Vec<Read> {
+    /// What each node that reads finds, and for each block whether a run can come to it.
+    pub(super) fn found(&self) -> (Vec<Found>, Vec<bool>) {
         let states = self.states();
-        let mut reads = Vec::new();
-        for (id, node) in self.flow.nodes().iter().enumerate() {
-            let mut left = self.read[id];
-            while left != 0 {
-                let bit = left & left.wrapping_neg();
-                left ^= bit;
-                let State {
-                    unassigned,
-                    assigned,
-                } = states[id];
-                let assigned = match (assigned & bit != 0, unassigned & bit != 0) {
-                    (true, false) => Assigned::Always,
-                    (true, true) => Assigned::Sometimes,
-                    (false, true) => Assigned::Never,
-                    (false, false) => continue,
-                };
-                reads.push(Read {
-                    step: node.step,
-                    scalar: self.scalars.start + bit.trailing_zeros() as usize,
-                    assigned,
+        let mut found = Vec::new();
+        let mut block = None;
+        let mut state = State::default();
+        for touch in self.touches {
+            let its_block = self.blocks.of_node(touch.node);
+            if block.replace(its_block) != Some(its_block) {
+                state = states[its_block];
+            }
+            if touch.read != 0 {
+                found.push(Found {
+                    node: touch.node,
+                    unassigned: state.unassigned & touch.read,
+                    assigned: state.assigned & touch.read,
                 });
             }
+            state = state.behind(Effect::of(*touch));
         }
-        reads
+        let is_reached = |state: &State| state.unassigned & UNTOUCHED != 0;
+        (found, states.iter().map(is_reached).collect())
     }
 
-    /// For each node, how runs come to it.
+    /// For each block, how runs come to it.
     fn states(&self) -> Vec<State> {
-        let nodes = self.flow.nodes();
+        let blocks = self.blocks.all();
         let passages = self.passages();
-        let mut states = vec![State::default(); nodes.len()];
-        let mut work = Worklist::new(nodes.len(), Order::Forward);
+        let mut states = vec![State::default(); blocks.len()];
+        let mut work = Worklist::new(blocks.len(), Order::Forward);
         if let Some(first) = states.first_mut() {
             first.unassigned = Scalars::MAX;
             work.push(0);
         }
         while let Some(id) = work.pop() {
-            let (untouched, set) = self.effect(id);
-            let after = states[id].behind(untouched, set);
-            let mut flow_to = |to: NodeId, state: State| {
+            let after = states[id].behind(self.effects[id]);
+            let mut flow_to = |to: BlockId, state: State| {
                 let joined = states[to].or(state);
                 if joined != states[to] {
                     states[to] = joined;
                     work.push(to);
                 }
             };
-            for next in &nodes[id].next {
+            for next in blocks[id].next.iter() {
                 flow_to(*next, after);
             }
-            if let Some(call) = nodes[id].call {
-                flow_to(call.entry, after);
-                let passage = passages[call.entry];
-                if passage.returns {
-                    flow_to(call.back, after.behind(passage.untouched, passage.set));
+            if let Some((entry, back)) = blocks[id].call {
+                flow_to(entry, after);
+                if let Some(passage) = passages[entry] {
+                    flow_to(back, after.behind(passage));
                 }
             }
         }
         states
     }
 
-    /// For each node, the ways to the return of the call that it is in.
-    pub(super) fn passages(&self) -> Vec<Passage> {
-        let nodes = self.flow.nodes();
-        let mut passages = vec![Passage::default(); nodes.len()];
-        let before = self.flow.before();
-        let mut work = Worklist::new(nodes.len(), Order::Backward);
-        for (id, _) in nodes.iter().enumerate().filter(|(_, node)| node.returns) {
+    /// Whether a node neither reads nor assigns any of the scalars.
+    pub(super) fn is_untouched(&self, node: NodeId) -> bool {
+        self.touches
+            .binary_search_by_key(&node, |touch| touch.node)
+            .is_err()
+    }
+
+    /// Whether some way through the subroutine at a node leaves the scalar at bit 0 alone.
+    pub(super) fn passes(&self) -> impl Fn(NodeId) -> bool {
+        let passages = self.passages();
+        move |entry| {
+            let passage = passages[self.blocks.of_node(entry)];
+            passage.is_some_and(|passage| passage.untouched & 1 != 0)
+        }
+    }
+
+    /// For each block, the ways to the return of the call that it is in.
+    fn passages(&self) -> Vec<Passage> {
+        let blocks = self.blocks.all();
+        let mut passages = vec![None; blocks.len()];
+        let mut work = Worklist::new(blocks.len(), Order::Backward);
+        for (id, _) in blocks.iter().enumerate().filter(|(_, block)| block.returns) {
             work.push(id);
         }
         while let Some(id) = work.pop() {
-            let passage = self.passage(id, &passages);
+            let behind = behind(&blocks[id], &passages);
+            let passage = behind.map(|behind| self.effects[id].then(behind));
             if passage != passages[id] {
                 passages[id] = passage;
-                for before in &before[id] {
+                for before in self.blocks.before(id) {
                     work.push(*before);
                 }
             }
         }
         passages
     }
+}
 
-    /// What a node adds to the ways behind it.
-    fn passage(&self, id: NodeId, passages: &[Passage]) -> Passage {
-        let node = &self.flow.nodes()[id];
-        let mut ways = Passage::default();
-        if node.returns {
-            ways.returns = true;
-            ways.untouched = Scalars::MAX;
-        }
-        for next in node.next.iter().map(|next| passages[*next]) {
-            ways.returns |= next.returns;
-            ways.untouched |= next.untouched;
-            ways.set |= next.set;
-        }
-        if let Some(call) = node.call {
-            let (inner, back) = (passages[call.entry], passages[call.back]);
-            if inner.returns && back.returns {
-                ways.returns = true;
-                ways.untouched |= inner.untouched & back.untouched;
-                ways.set |= inner.set | (inner.untouched & back.set);
-            }
-        }
-        if ways.returns {
-            let (untouched, set) = self.effect(id);
-            ways.untouched &= untouched;
-            ways.set = set | (untouched & ways.set);
-        }
-        ways
+/// The ways from behind a block.
+fn behind(block: &Block, passages: &[Passage]) -> Passage {
+    let mut ways = block.returns.then_some(Effect::NONE);
+    for next in block.next.iter() {
+        ways = either(ways, passages[*next]);
     }
+    if let Some((entry, back)) = block.call
+        && let (Some(inner), Some(back)) = (passages[entry], passages[back])
+    {
+        ways = either(ways, Some(inner.then(back)));
+    }
+    ways
 }

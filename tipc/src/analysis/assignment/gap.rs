@@ -1,6 +1,8 @@
 //! Where a variable lacks a value, and a way that comes there.
 
 use super::batch::Batch;
+use super::blocks::Blocks;
+use super::touches::Touches;
 use super::{Assigned, Assignment};
 use crate::analysis::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};
@@ -47,18 +49,22 @@ pub fn gaps(program: &Program, assignment: &Assignment) -> Vec<Gap> {
         }
     }
     let mut gaps: Vec<Gap> = gaps.into_values().collect();
+    if gaps.is_empty() {
+        return gaps;
+    }
     let flow = Flow::of(program);
+    let (blocks, touches) = (Blocks::of(&flow), Touches::of(program, &flow));
     for gap in gaps.iter_mut().take(WAYS) {
-        gap.way = way(program, &flow, gap.scalars[0], gap.step);
+        let touches = touches.of_scalar(gap.scalars[0]);
+        gap.way = way(&flow, &Batch::new(&blocks, &touches), gap.step);
     }
     gaps
 }
 
-/// The steps of a shortest run to `step` on which nothing before it reads or assigns a scalar.
-fn way(program: &Program, flow: &Flow, scalar: usize, step: StepId) -> Vec<StepId> {
-    let batch = Batch::new(program, flow, scalar..scalar + 1);
-    let is_untouched = |id: NodeId| batch.effect(id).0 & 1 != 0;
-    let passages = batch.passages();
+/// The steps of a shortest run to `step` on which nothing before it reads or assigns the scalar of a batch.
+fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
+    let is_untouched = |id: NodeId| batch.is_untouched(id);
+    let passes = batch.passes();
     let mut from: Vec<Option<NodeId>> = vec![None; flow.nodes().len()];
     let mut queue = VecDeque::from([0]);
     while let Some(id) = queue.pop_front() {
@@ -69,10 +75,10 @@ fn way(program: &Program, flow: &Flow, scalar: usize, step: StepId) -> Vec<StepI
         if !is_untouched(id) {
             continue;
         }
-        let call = node.call.iter().flat_map(|call| {
-            let passes = passages[call.entry].untouched & 1 != 0;
-            [Some(call.entry), passes.then_some(call.back)]
-        });
+        let call = node
+            .call
+            .iter()
+            .flat_map(|call| [Some(call.entry), passes(call.entry).then_some(call.back)]);
         for next in node.next.iter().copied().chain(call.flatten()) {
             if next != 0 && from[next].is_none() {
                 from[next] = Some(id);

@@ -135,7 +135,7 @@ impl<'a> Graph<'a> {
                     continue;
                 }
                 let node = &self.flow.nodes()[id];
-                open.extend(&node.next);
+                open.extend(node.next.iter());
                 open.extend(node.call.map(|call| call.back));
                 called.extend(node.call.map(|call| call.entry));
             }

@@ -23,7 +23,9 @@ pub(super) fn explored(program: &Program, scalar: usize) -> Option<BTreeMap<u32,
         let (at, not_taken, calls, mut assigned) = place;
         let action = &program.steps()[at as usize].action;
         let is_passed = matches!(action, Action::ElseIf { .. }) && !not_taken;
-        if !is_passed && access::reads(program, action).contains(&scalar) {
+        let mut reads = false;
+        access::reads(program, action, |read| reads |= read == scalar);
+        if !is_passed && reads {
             let read = found.entry(at).or_default();
             read.0 |= assigned;
             read.1 |= !assigned;
