@@ -299,7 +299,6 @@ fn long_programs_load() {
             lines(LONG / 2, |n| format!("DEF_VAR V{n}\nV{n} = A")),
         ),
         ("labels", lines(LONG / 2, label_pairs)),
-        ("one line", nested("LOOP: ;", "\n", LONG)),
         (
             "nested blocks",
             nested(
@@ -327,6 +326,7 @@ fn long_wrong_programs_are_refused() {
             "unknown labels",
             lines(LONG / 2, |n| format!("L{n}:\nGOTO M{n}:")),
         ),
+        ("one long line", nested("LOOP: ;", "\n", LONG)),
         ("stray closers", lines(LONG, |_| "ENDIF\nWEND".to_owned())),
         ("unclosed", lines(LONG, |_| "WHILE KB_HIT".to_owned())),
         (
