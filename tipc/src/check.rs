@@ -34,11 +34,11 @@ pub(crate) use usage::ReadPlace;
 
 /// What the passes found out about a module, statement by statement.
 #[derive(Debug)]
-pub(crate) struct Checked {
+pub(crate) struct Checked<'m> {
     /// The variables, `VAR_KEY` first.
     pub(crate) variables: Vec<Variable>,
     /// The labels and subroutines.
-    pub(crate) labels: Labels,
+    pub(crate) labels: Labels<'m>,
     /// The block structure.
     pub(crate) blocks: Blocks,
     /// Where each jump leads: the index of a statement.
@@ -50,7 +50,11 @@ pub(crate) struct Checked {
 }
 
 /// Runs every pass over a module.
-pub(crate) fn check(source: &Source, module: &Module, robot: Robot) -> (Checked, Vec<Diagnostic>) {
+pub(crate) fn check<'m>(
+    source: &Source,
+    module: &'m Module,
+    robot: Robot,
+) -> (Checked<'m>, Vec<Diagnostic>) {
     let mut found = Vec::new();
     let names = names::Names::collect(module, robot, &mut found);
     let (resolved, usage) = resolve::statements(source, module, robot, &names, &mut found);

@@ -9,7 +9,13 @@ use crate::source::Source;
 use crate::syntax::{Module, StatementKind, Then};
 
 /// Lowers a module in which nothing was found wrong.
-pub(crate) fn lower(source: &Source, module: &Module, checked: Checked, robot: Robot) -> Program {
+pub(crate) fn lower(
+    source: &Source,
+    module: &Module,
+    mut checked: Checked<'_>,
+    robot: Robot,
+) -> Program {
+    let mut resolved = std::mem::take(&mut checked.resolved);
     let lowering = Lowering::new(module, &checked);
     let steps = module
         .statements
@@ -19,7 +25,7 @@ pub(crate) fn lower(source: &Source, module: &Module, checked: Checked, robot: R
         .map(|(index, statement)| {
             let (line, column) = source.line_column(statement.span.start);
             Step {
-                action: lowering.action(index),
+                action: lowering.action(index, &mut resolved),
                 line,
                 column,
                 text: source.slice(statement.span).to_owned(),
@@ -32,7 +38,7 @@ pub(crate) fn lower(source: &Source, module: &Module, checked: Checked, robot: R
         .all
         .iter()
         .map(|(name, statement, subroutine)| Label {
-            name: name.clone(),
+            name: (*name).to_owned(),
             step: lowering.steps[*statement],
             subroutine: *subroutine,
         })
@@ -54,13 +60,13 @@ fn base_name(path: &str) -> &str {
 
 struct Lowering<'a> {
     module: &'a Module,
-    checked: &'a Checked,
+    checked: &'a Checked<'a>,
     /// The step of each statement; of a declaration, the next one.
     steps: Vec<StepId>,
 }
 
 impl<'a> Lowering<'a> {
-    fn new(module: &'a Module, checked: &'a Checked) -> Self {
+    fn new(module: &'a Module, checked: &'a Checked<'a>) -> Self {
         let mut next = 0;
         let steps = module
             .statements
@@ -78,9 +84,10 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn action(&self, index: usize) -> Action {
-        match &self.checked.resolved[index] {
-            Resolved::Action(action) => action.clone(),
+    /// What a statement does; a finished action is taken out of `resolved`.
+    fn action(&self, index: usize, resolved: &mut [Resolved]) -> Action {
+        match &mut resolved[index] {
+            Resolved::Action(action) => std::mem::replace(action, Action::Nothing),
             Resolved::Condition(condition) => self.conditional(index, *condition),
             Resolved::For {
                 variable,
@@ -94,7 +101,7 @@ impl<'a> Lowering<'a> {
                 step: *step,
                 exit: self.partner(index) + 1,
             },
-            Resolved::Plain | Resolved::Failed => self.plain(index),
+            Resolved::Plain | Resolved::Failed => self.plain(index, resolved),
         }
     }
 
@@ -133,7 +140,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn plain(&self, index: usize) -> Action {
+    fn plain(&self, index: usize, resolved: &[Resolved]) -> Action {
         match &self.module.statements[index].kind {
             StatementKind::Else => Action::Else {
                 end: self.partner(index),
@@ -147,7 +154,7 @@ impl<'a> Lowering<'a> {
             StatementKind::Gosub(_) | StatementKind::Call(_) => Action::Gosub {
                 to: self.jump(index),
             },
-            StatementKind::Next { .. } => self.next(index),
+            StatementKind::Next { .. } => self.next(index, resolved),
             StatementKind::Return | StatementKind::SubEnd => Action::Return,
             StatementKind::End => Action::Finish(End::End),
             StatementKind::Exit => Action::Finish(End::Exit),
@@ -155,9 +162,9 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn next(&self, index: usize) -> Action {
+    fn next(&self, index: usize, resolved: &[Resolved]) -> Action {
         let opener = self.checked.blocks.links[index].partner.unwrap_or(index);
-        match &self.checked.resolved[opener] {
+        match &resolved[opener] {
             Resolved::For {
                 variable, to, step, ..
             } => Action::Next {

@@ -57,7 +57,7 @@ pub struct Statement {
     pub line: u32,
 }
 
-/// What a statement is.
+/// What a statement is. Large parts are boxed: a long program holds many statements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StatementKind {
     /// `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: not a step.
@@ -72,13 +72,13 @@ pub enum StatementKind {
     /// `NAME:`; the name without its colon.
     Label(Word),
     /// `LHS op RHS`.
-    Equation(Equation),
+    Equation(Box<Equation>),
     /// `IF condition` and what follows it.
     If {
         /// The command word.
         keyword: Span,
         /// The condition.
-        condition: Condition,
+        condition: Box<Condition>,
         /// THEN, GOTO or GOSUB.
         then: Then,
     },
@@ -87,7 +87,7 @@ pub enum StatementKind {
         /// The command word.
         keyword: Span,
         /// The condition.
-        condition: Condition,
+        condition: Box<Condition>,
     },
     /// `ELSE`
     Else,
@@ -98,7 +98,7 @@ pub enum StatementKind {
         /// The command word.
         keyword: Span,
         /// The condition.
-        condition: Condition,
+        condition: Box<Condition>,
     },
     /// `WEND`
     Wend,
@@ -109,20 +109,14 @@ pub enum StatementKind {
         /// The command word.
         keyword: Span,
         /// The condition.
-        condition: Condition,
+        condition: Box<Condition>,
     },
     /// `FOR variable = from TO to [STEP step]`
     For {
         /// The command word.
         keyword: Span,
-        /// The loop variable.
-        variable: Operand,
-        /// The initial value.
-        from: Operand,
-        /// The last value.
-        to: Operand,
-        /// The increment, 1 if omitted.
-        step: Option<Operand>,
+        /// What it counts.
+        counting: Box<Counting>,
     },
     /// `NEXT [variable]`
     Next {
@@ -300,6 +294,19 @@ pub enum Arithmetic {
     Mul,
     /// `/`
     Div,
+}
+
+/// The operands of FOR.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counting {
+    /// The loop variable.
+    pub variable: Operand,
+    /// The initial value.
+    pub from: Operand,
+    /// The last value.
+    pub to: Operand,
+    /// The increment, 1 if omitted.
+    pub step: Option<Operand>,
 }
 
 /// An equation as written.

@@ -18,7 +18,7 @@ enum Kind {
 /// Finds the statement that each jump leads to.
 pub(crate) fn resolve(
     module: &Module,
-    labels: &Labels,
+    labels: &Labels<'_>,
     blocks: &Blocks,
     found: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
@@ -61,7 +61,7 @@ fn jump_of(kind: &StatementKind) -> Option<(Kind, &Jump)> {
 
 struct Jumps<'a> {
     module: &'a Module,
-    labels: &'a Labels,
+    labels: &'a Labels<'a>,
     blocks: &'a Blocks,
     found: &'a mut Vec<Diagnostic>,
 }

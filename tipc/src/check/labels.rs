@@ -11,16 +11,16 @@ pub(crate) const LOOP: &str = "LOOP";
 
 /// Every label, by the index of its statement.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Labels {
+pub(crate) struct Labels<'m> {
     /// In order of the text: name, statement, declared by SUBROUTINE.
-    pub(crate) all: Vec<(String, usize, bool)>,
-    by_name: HashMap<String, usize>,
+    pub(crate) all: Vec<(&'m str, usize, bool)>,
+    by_name: HashMap<&'m str, usize>,
     loops: Vec<usize>,
 }
 
-impl Labels {
+impl<'m> Labels<'m> {
     /// Reads every label and SUBROUTINE.
-    pub(crate) fn collect(module: &Module, found: &mut Vec<Diagnostic>) -> Self {
+    pub(crate) fn collect(module: &'m Module, found: &mut Vec<Diagnostic>) -> Self {
         let mut labels = Labels::default();
         for (index, statement) in module.statements.iter().enumerate() {
             match &statement.kind {
@@ -36,13 +36,13 @@ impl Labels {
 
     fn declare(
         &mut self,
-        module: &Module,
+        module: &'m Module,
         index: usize,
-        name: &Word,
+        name: &'m Word,
         subroutine: bool,
         found: &mut Vec<Diagnostic>,
     ) {
-        self.all.push((name.node.clone(), index, subroutine));
+        self.all.push((&name.node, index, subroutine));
         if let Some(fault) = refusal(name, subroutine) {
             found.push(fault);
         }
@@ -50,7 +50,7 @@ impl Labels {
             self.loops.push(index);
             return;
         }
-        if let Some(first) = self.by_name.get(&name.node) {
+        if let Some(first) = self.by_name.get(name.node.as_str()) {
             let reason = format!("`{}` is declared again", name.node);
             let first = label_word(&module.statements[*first].kind);
             let mut fault = Diagnostic::new(Code::DuplicateLabel, name.span, reason)
@@ -61,7 +61,7 @@ impl Labels {
             found.push(fault);
             return;
         }
-        self.by_name.insert(name.node.clone(), index);
+        self.by_name.insert(&name.node, index);
     }
 
     /// The statement of a label other than LOOP.
@@ -77,7 +77,7 @@ impl Labels {
 
     /// The names that a jump may have meant.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.all.iter().map(|(name, ..)| name.as_str())
+        self.all.iter().map(|(name, ..)| *name)
     }
 }
 

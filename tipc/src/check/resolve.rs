@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Condition, Scalar, VariableId};
 use crate::robot::Robot;
 use crate::source::Source;
-use crate::syntax::{Module, Operand, Span, Statement, StatementKind};
+use crate::syntax::{Counting, Module, Operand, Span, Statement, StatementKind};
 
 /// A statement with its operands resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,13 +79,7 @@ impl Resolver<'_> {
             | StatementKind::Until { condition, .. } => {
                 self.condition(condition).map(Resolved::Condition)
             }
-            StatementKind::For {
-                variable,
-                from,
-                to,
-                step,
-                ..
-            } => self.for_operands(variable, from, to, step.as_ref()),
+            StatementKind::For { counting, .. } => self.counting(counting),
             StatementKind::Next { variable, .. } => match variable {
                 Some(variable) => self.loop_variable(variable).map(|_| Resolved::Plain),
                 None => Some(Resolved::Plain),
@@ -120,23 +114,17 @@ impl Resolver<'_> {
         }
     }
 
-    fn for_operands(
-        &mut self,
-        variable: &Operand,
-        from: &Operand,
-        to: &Operand,
-        step: Option<&Operand>,
-    ) -> Option<Resolved> {
-        let counter = self.loop_variable(variable);
-        let from = self.number(from, Code::Argument);
-        let to = self.number(to, Code::Argument);
-        let step = match step {
+    fn counting(&mut self, counting: &Counting) -> Option<Resolved> {
+        let counter = self.loop_variable(&counting.variable);
+        let from = self.number(&counting.from, Code::Argument);
+        let to = self.number(&counting.to, Code::Argument);
+        let step = match &counting.step {
             Some(step) => self.for_step(step),
             None => Some(program::Operand::Constant(1.0)),
         };
         let counter = counter?;
         self.usage.assign(counter.variable);
-        self.usage.read(counter.variable, variable.span);
+        self.usage.read(counter.variable, counting.variable.span);
         Some(Resolved::For {
             variable: counter,
             from: from?,

@@ -267,7 +267,7 @@ impl Matcher<'_> {
 
     fn check_counter(&mut self, opener: usize, closer: usize) {
         let (
-            StatementKind::For { variable, .. },
+            StatementKind::For { counting, .. },
             StatementKind::Next {
                 variable: Some(named),
                 ..
@@ -279,6 +279,7 @@ impl Matcher<'_> {
         else {
             return;
         };
+        let variable = &counting.variable;
         if name_of(variable) != name_of(named) {
             let reason = format!(
                 "this NEXT names {}",

@@ -54,20 +54,14 @@ impl Line<'_> {
             }
             StatementKind::While { condition, .. } => self.with_condition("WHILE", condition),
             StatementKind::Until { condition, .. } => self.with_condition("UNTIL", condition),
-            StatementKind::For {
-                variable,
-                from,
-                to,
-                step,
-                ..
-            } => {
+            StatementKind::For { counting, .. } => {
                 self.field("FOR");
-                self.source(variable.span);
+                self.source(counting.variable.span);
                 self.field("=");
-                self.source(from.span);
+                self.source(counting.from.span);
                 self.field("TO");
-                self.source(to.span);
-                if let Some(step) = step {
+                self.source(counting.to.span);
+                if let Some(step) = &counting.step {
                     self.field("STEP");
                     self.source(step.span);
                 }

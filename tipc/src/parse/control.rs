@@ -2,14 +2,14 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
-use crate::syntax::{Jump, Operand, OperandKind, Span, StatementKind, Then};
+use crate::syntax::{Counting, Jump, Operand, OperandKind, Span, StatementKind, Then};
 
 /// A statement and, if something behind it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
 
 impl Reader<'_> {
     pub(super) fn if_statement(&mut self, keyword: Span) -> Read {
-        let condition = self.condition()?;
+        let condition = Box::new(self.condition()?);
         let (then, end) = self.then()?;
         let kind = StatementKind::If {
             keyword,
@@ -44,7 +44,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
-        let condition = self.condition()?;
+        let condition = Box::new(self.condition()?);
         let end = match self.take_word("THEN") {
             Some(_) => self.expect_end("THEN"),
             None => Err(self.fault(self.here(), "THEN belongs here")),
@@ -53,13 +53,13 @@ impl Reader<'_> {
     }
 
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
-        let condition = self.condition()?;
+        let condition = Box::new(self.condition()?);
         let end = self.expect_end("the condition");
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
     pub(super) fn until(&mut self, keyword: Span) -> Read {
-        let condition = self.condition()?;
+        let condition = Box::new(self.condition()?);
         let end = self.expect_end("the condition");
         Ok((StatementKind::Until { keyword, condition }, end))
     }
@@ -82,10 +82,12 @@ impl Reader<'_> {
         };
         let kind = StatementKind::For {
             keyword,
-            variable,
-            from,
-            to,
-            step,
+            counting: Box::new(Counting {
+                variable,
+                from,
+                to,
+                step,
+            }),
         };
         Ok((kind, end))
     }

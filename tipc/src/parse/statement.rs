@@ -8,6 +8,7 @@ use super::{Flow, Parser, equation};
 use crate::codes::Code;
 use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word};
+use std::borrow::Cow;
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -20,8 +21,8 @@ impl Parser<'_> {
         text_end: usize,
         comment: Option<Span>,
     ) -> Flow {
-        let keyword = self.source.slice(word).to_ascii_uppercase();
-        match keyword.as_str() {
+        let keyword = upper_case(self.source.slice(word));
+        match keyword.as_ref() {
             "END" => {
                 self.push(StatementKind::End, word);
                 return Flow::End;
@@ -34,7 +35,7 @@ impl Parser<'_> {
     }
 
     /// A statement that is made of words.
-    fn words(&mut self, keyword: String, word: Span, span: Span) {
+    fn words(&mut self, keyword: Cow<'_, str>, word: Span, span: Span) {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
@@ -51,7 +52,7 @@ impl Parser<'_> {
 
     fn kind(
         &mut self,
-        keyword: String,
+        keyword: Cow<'_, str>,
         word: Span,
         tokens: &[Token],
         reported: bool,
@@ -67,7 +68,7 @@ impl Parser<'_> {
         }
         if equation::looks_like_one(tokens) {
             return match equation::equation(self.text, tokens) {
-                Ok(equation) => StatementKind::Equation(equation),
+                Ok(equation) => StatementKind::Equation(Box::new(equation)),
                 Err(fault) => {
                     self.report(*fault);
                     StatementKind::Broken(Shape::Plain)
@@ -84,7 +85,7 @@ impl Parser<'_> {
                 self.report(*fault);
                 StatementKind::Broken(shape(&keyword, self.text, tokens))
             }
-            None => self.command(keyword, tokens),
+            None => self.command(keyword.into_owned(), tokens),
         }
     }
 
@@ -160,6 +161,14 @@ impl Parser<'_> {
             keyword,
             names,
         }
+    }
+}
+
+/// A word in capital letters, as it mostly stands there.
+fn upper_case(word: &str) -> Cow<'_, str> {
+    match word.bytes().any(|byte| byte.is_ascii_lowercase()) {
+        true => Cow::Owned(word.to_ascii_uppercase()),
+        false => Cow::Borrowed(word),
     }
 }
 

@@ -53,8 +53,8 @@ mod dump {
 
     use crate::source::Source;
     use crate::syntax::{
-        Arithmetic, Condition, Expression, Jump, Operand, OperandKind, Relation, Statement,
-        StatementKind, Then,
+        Arithmetic, Condition, Counting, Expression, Jump, Operand, OperandKind, Relation,
+        Statement, StatementKind, Then,
     };
 
     pub(super) fn statement(source: &Source, statement: &Statement) -> String {
@@ -82,13 +82,13 @@ mod dump {
             StatementKind::ElseIf { condition: one, .. } => format!("elseif {}", condition(one)),
             StatementKind::While { condition: one, .. } => format!("while {}", condition(one)),
             StatementKind::Until { condition: one, .. } => format!("until {}", condition(one)),
-            StatementKind::For {
-                variable,
-                from,
-                to,
-                step,
-                ..
-            } => {
+            StatementKind::For { counting, .. } => {
+                let Counting {
+                    variable,
+                    from,
+                    to,
+                    step,
+                } = counting.as_ref();
                 let step = step.as_ref().map_or("-".to_owned(), operand);
                 format!(
                     "for {} {} {} {step}",
