@@ -2,11 +2,12 @@
 //! target, so results are bit-identical everywhere.
 
 mod scalar;
+mod shown;
 
 pub use scalar::{Scalar, get_each};
+pub use shown::Shown;
 
 use crate::fault::Fault;
-use core::fmt;
 
 /// Accepts only finite results.
 ///
@@ -248,25 +249,5 @@ pub fn for_test(value: f64, end: f64, step: f64) -> Result<bool, Fault> {
         Ok(value >= end)
     } else {
         Err(Fault::Domain)
-    }
-}
-
-/// A value as MESSAGE shows it: truncated without decimals, else rounded (T.I.P. 3.1 §7-9-4).
-#[derive(Clone, Copy, Debug)]
-pub struct Shown {
-    /// The value.
-    pub value: f64,
-    /// Digits behind the point, 0…7.
-    pub decimals: u8,
-}
-
-impl fmt::Display for Shown {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.decimals == 0 {
-            // Adding zero turns −0 into 0.
-            write!(f, "{:.0}", libm::trunc(self.value) + 0.0)
-        } else {
-            write!(f, "{:.*}", usize::from(self.decimals), self.value)
-        }
     }
 }
