@@ -57,16 +57,52 @@ fn succeeded(output: &Output, what: &str) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-#[test]
+/// Processes without std exist for this machine.
 #[cfg(all(
     target_os = "linux",
     any(target_arch = "x86_64", target_arch = "aarch64")
 ))]
-fn a_program_and_its_robot_run_without_std_heap_or_panic_paths() {
-    let outside = Outside::open("no-std");
-    outside.cargo("build --release");
-    let program = Command::new(outside.target.join("release/no-std")).output();
-    succeeded(&program.expect("it starts"), "no-std");
+mod without_std {
+    use super::*;
+
+    /// What no symbol may be named of a program without panics and without a heap.
+    const FORBIDDEN: [&str; 5] = [
+        "core9panicking",
+        "rust_begin_unwind",
+        "unwrap_failed",
+        "__rust_alloc",
+        "malloc",
+    ];
+
+    /// The linked program: the link itself fails if a panic path is left.
+    static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
+        let outside = Outside::open("no-std");
+        outside.cargo("build --release");
+        outside.target.join("release/no-std")
+    });
+
+    #[test]
+    fn a_robot_links_without_std_heap_or_panic_paths() {
+        let program = fs::read(&*PROGRAM).expect("a program");
+        let holds = |name: &str| program.windows(name.len()).any(|at| at == name.as_bytes());
+        assert!(holds("_start"), "its symbols are there to be looked at");
+        let found = FORBIDDEN.map(|name| (name, holds(name)));
+        assert_eq!(found, FORBIDDEN.map(|name| (name, false)));
+    }
+
+    /// Here with std and hardly optimised, there without std and optimised as far as it goes.
+    #[test]
+    fn a_robot_leaves_the_same_traces_without_std() {
+        let output = Command::new(&*PROGRAM).output();
+        let without = succeeded(&output.expect("it starts"), "no-std");
+        let mut with = String::new();
+        assert!(robots::run(&mut robots::walker().unwrap(), &mut with));
+        assert!(robots::run(&mut robots::hand().unwrap(), &mut with));
+        for (without, with) in without.lines().zip(with.lines()) {
+            assert_eq!(without, with);
+        }
+        assert_eq!(without.lines().count(), with.lines().count());
+    }
 }
 
 /// The user crates, one cargo at a time: each rewrites the lock file.

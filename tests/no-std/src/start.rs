@@ -1,6 +1,7 @@
-//! Where the process begins and ends.
+//! Where the process begins and ends, and what it asks of the kernel.
 
 use core::arch::{asm, naked_asm};
+use core::fmt;
 use core::panic::PanicInfo;
 
 /// The kernel jumps here with an aligned stack; a function expects one that a call has pushed to.
@@ -36,6 +37,42 @@ fn exit(status: u8) -> ! {
     unsafe {
         asm!("svc 0", in("x8") 94, in("x0") u64::from(status), options(noreturn));
     }
+}
+
+/// Standard output.
+pub(crate) struct Output;
+
+impl fmt::Write for Output {
+    fn write_str(&mut self, mut text: &str) -> fmt::Result {
+        while !text.is_empty() {
+            let written = usize::try_from(write(text)).map_err(|_| fmt::Error)?;
+            text = text.get(written..).ok_or(fmt::Error)?;
+        }
+        Ok(())
+    }
+}
+
+/// How many bytes were written, or a negative error.
+#[cfg(target_arch = "x86_64")]
+fn write(text: &str) -> isize {
+    let mut result = 1;
+    // SAFETY: write (1) to standard output (1) only reads the text; the kernel clobbers rcx and r11.
+    unsafe {
+        asm!("syscall", inout("rax") result, in("rdi") 1, in("rsi") text.as_ptr(), in("rdx") text.len(),
+             out("rcx") _, out("r11") _, options(nostack));
+    }
+    result
+}
+
+#[cfg(target_arch = "aarch64")]
+fn write(text: &str) -> isize {
+    let mut result = 1;
+    // SAFETY: write (64) to standard output (1) only reads the text.
+    unsafe {
+        asm!("svc 0", in("x8") 64, inout("x0") result, in("x1") text.as_ptr(), in("x2") text.len(),
+             options(nostack));
+    }
+    result
 }
 
 unsafe extern "C" {

@@ -1,0 +1,75 @@
+//! The programs on a Cortex-M4: their traces go to the debugger's standard output, what they cost in
+//! memory to its standard error.
+#![no_std]
+#![no_main]
+
+mod stack;
+
+use core::fmt::Write;
+use core::mem::size_of;
+use core::panic::PanicInfo;
+use cortex_m_rt::{ExceptionFrame, entry, exception};
+use cortex_m_semihosting::debug::{self, EXIT_FAILURE, EXIT_SUCCESS};
+use cortex_m_semihosting::hio::{self, HostStream};
+use tip_runtime::hardware::Hardware;
+use tip_runtime::machine::{Machine, Mismatch};
+use tip_runtime::program::Program;
+use tip_runtime::special::Special;
+
+#[entry]
+fn main() -> ! {
+    debug::exit(match run() {
+        Some(true) => EXIT_SUCCESS,
+        _ => EXIT_FAILURE,
+    });
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
+/// Whether both programs ended themselves; `None` if that could not be told.
+fn run() -> Option<bool> {
+    let mut trace = hio::hstdout().ok()?;
+    let mut report = hio::hstderr().ok()?;
+    let walked = measure("walk", robots::walker, &mut trace, &mut report)?;
+    let grasped = measure("grasp", robots::hand, &mut trace, &mut report)?;
+    Some(walked && grasped)
+}
+
+/// Runs one program, and reports its bytes of memory.
+#[inline(never)]
+fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
+    name: &str,
+    make: fn() -> Result<Machine<'static, P, H, (), S, L, J>, Mismatch>,
+    trace: &mut HostStream,
+    report: &mut HostStream,
+) -> Option<bool> {
+    let before = stack::paint();
+    let mut robot = make().ok()?;
+    let making = stack::deepest().checked_sub(before)?;
+    let before = stack::paint();
+    let ended = robots::run(&mut robot, trace);
+    let cycle = stack::deepest().checked_sub(before)?;
+    let (program, machine) = (size_of::<P>(), size_of_val(&robot));
+    let plant = size_of::<H>();
+    writeln!(
+        report,
+        "{name}: program {program}, plant {plant}, machine with both {machine}; \
+         stack of making it {making}, of its deepest cycle {cycle}"
+    )
+    .ok()?;
+    Some(ended)
+}
+
+/// Where a stack that is too small ends, among others.
+#[exception]
+unsafe fn HardFault(_: &ExceptionFrame) -> ! {
+    debug::exit(EXIT_FAILURE);
+    cortex_m::asm::udf()
+}
+
+/// Every program needs one; the script beside this package looks that none of its callers is left.
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    cortex_m::asm::udf()
+}

@@ -1,0 +1,72 @@
+# Read by the scripts beside it: a compiler with the source of its libraries, which the stock toolchain
+# has not. Debian packages one; it is unpacked below the target folder, nothing is installed.
+
+target=${CARGO_TARGET_DIR:-$PWD/target}
+unpacked=$target/debian-rust
+
+# Something needed is not to be had: that is no failure.
+skip() {
+  printf 'SKIPPED: %s\n' "$*" >&2
+  exit 77
+}
+
+need() {
+  local tool
+  for tool in "$@"; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
+  done
+}
+
+# The package of which a package depends whose name begins as told.
+dependency() {
+  apt-cache depends "$1" | sed -n "s/^ *Depends: \($2.*\)/\1/p" | head -n 1
+}
+
+unpack() {
+  need apt-get apt-cache dpkg
+  local library llvm version packages
+  version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: //p')
+  case $version in
+    '' | '(none)') skip "Debian's package rustc-web is not known here; apt-get update may help" ;;
+  esac
+  dpkg --compare-versions "$version" ge 1.89 || skip "rustc-web $version is older than 1.89; apt-get update may help"
+  library=$(dependency libstd-rust-web-dev libstd-rust-web-)
+  llvm=$(dependency "$library" libllvm)
+  packages=(rustc-web rust-web-src libstd-rust-web-dev "$library" "$llvm" "$(dependency "$llvm" libz3)")
+  printf 'unpacking %s, version %s\n' "${packages[*]}" "$version"
+  rm -rf "$unpacked" "$unpacked.part"
+  mkdir -p "$unpacked.part/packages"
+  (cd "$unpacked.part/packages" && apt-get -qq -o APT::Sandbox::User=root download "${packages[@]}") || skip "the packages cannot be downloaded"
+  for package in "$unpacked.part/packages"/*.deb; do
+    dpkg -x "$package" "$unpacked.part"
+  done
+  rm -r "$unpacked.part/packages"
+  mv "$unpacked.part" "$unpacked"
+}
+
+# Builds a package for a target with the libraries of that target; the stock toolchain's linker links it.
+build_for() {
+  local triple=$1 package=$2 linker host variable
+  [[ -d $unpacked ]] || unpack
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  linker=$(rustc --print sysroot)/lib/rustlib/$host/bin/rust-lld
+  [[ -x $linker ]] || skip "the stock toolchain has no rust-lld"
+  variable=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$triple")_LINKER
+  env "$variable=$linker" \
+    LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
+    RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" \
+    cargo build --release --locked --target "$triple" -Zbuild-std=core --package "$package"
+  built=$target/debian/$triple/release
+}
+
+# The traces of this machine, made by the stock toolchain.
+traces_of_host() {
+  CARGO_TARGET_DIR=$target cargo run --release --locked --quiet --package host >"$target/host.trace"
+}
+
+# Ends with an error unless both traces are the same to the byte.
+compare() {
+  local trace=$1
+  cmp "$target/host.trace" "$trace" || { echo "the traces DIFFER" >&2; exit 1; }
+  printf 'traces equal: %d control cycles\n' "$(wc -l <"$trace")"
+}

@@ -1,0 +1,72 @@
+//! The programs of the examples `walk` and `grasp` on simulated robots, and the traces that every
+//! machine must leave alike, bit by bit.
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod trace;
+
+use core::fmt::Write;
+use tip_runtime::hardware::Hardware;
+use tip_runtime::machine::{Machine, Mismatch, Status};
+use tip_runtime::model::{hand, titan8};
+use tip_runtime::plant::{Object, Scene, Shape, SimulatedHand, SimulatedPlant};
+use tip_runtime::program::Program;
+use tip_runtime::special::Special;
+use tip_runtime::special::hand::HandSpecials;
+use trace::Trace;
+
+tip_macros::include_tip!(pub "../../walk/motions/walk.prg");
+tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
+
+/// TITAN VIII, its controller and its program.
+pub type Walker = Machine<'static, Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
+
+/// The Hiroshima Hand, its controller and its program.
+pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
+
+/// TITAN VIII before its first control cycle.
+///
+/// # Errors
+/// Never: the program was compiled for this robot.
+pub fn walker() -> Result<Walker, Mismatch> {
+    let plant = SimulatedPlant::new(&titan8::MODEL);
+    Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
+}
+
+/// The hand before its first control cycle, above an upright cylinder as that of the example `grasp`.
+///
+/// # Errors
+/// Never: the program was compiled for this robot.
+pub fn hand() -> Result<Hand, Mismatch> {
+    let (width, height) = (100.0, 60.0);
+    let cylinder = Object {
+        shape: Shape::Box { width, height },
+        mass: 0.2,
+        friction: 0.8,
+        x: 0.0,
+        y: None,
+        angle: 0.0,
+    };
+    let scene = Scene {
+        objects: [Some(cylinder), None, None, None],
+        ..Scene::EMPTY
+    };
+    let plant = SimulatedHand::new(&hand::MODEL).with_scene(&scene);
+    Machine::new(Grasp::new(), &hand::MODEL, plant, (), HandSpecials::new())
+}
+
+/// Runs a program to its end, with a line in the trace for each control cycle. Whether it ended
+/// itself, and all of the trace was written.
+pub fn run<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
+    robot: &mut Machine<'_, P, H, (), S, L, J>,
+    out: &mut impl Write,
+) -> bool {
+    let mut trace = Trace::new(out);
+    let status = loop {
+        let status = robot.cycle_traced(&mut trace);
+        if !status.is_running() {
+            break status;
+        }
+    };
+    matches!(status, Status::Finished(_)) && trace.is_complete()
+}
