@@ -4,3 +4,5 @@ mod access;
 pub mod assignment;
 pub mod cycles;
 mod flow;
+#[cfg(feature = "lockstep")]
+pub mod spots;

@@ -10,11 +10,12 @@ mod error;
 mod input;
 mod migrate;
 mod output;
+mod place;
 mod report;
 mod robot;
 mod run;
 mod scene;
-mod script;
+mod verify;
 
 use arguments::{Arguments, RobotVerb, Verb};
 use clap::Parser;
@@ -25,7 +26,7 @@ use std::process::ExitCode;
 enum Status {
     /// Everything went well: END, EXIT or LIMIT of a run.
     Success = 0,
-    /// A program does not load, or a file cannot be written.
+    /// A program does not load or does not verify, or a file cannot be written.
     Failure = 1,
     /// The command line asks for something that does not exist.
     Usage = 2,
@@ -54,6 +55,7 @@ pub(crate) fn main() -> ExitCode {
         Verb::Run(arguments) => run::run(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
         Verb::Cycles(arguments) => cycles::cycles(arguments),
+        Verb::Verify(arguments) => verify::verify(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Robot(RobotVerb::Check(arguments)) => describe::check(arguments),
         Verb::Robot(RobotVerb::Import(arguments)) => describe::import(arguments),

@@ -7,6 +7,8 @@
 mod command;
 mod expression;
 mod ident;
+#[cfg(feature = "planted-fault")]
+mod planted;
 #[cfg(feature = "build")]
 mod pretty;
 mod state;
@@ -17,6 +19,8 @@ mod word;
 mod tests;
 
 pub use ident::type_name;
+#[cfg(feature = "planted-fault")]
+pub use planted::planted;
 #[cfg(feature = "build")]
 pub use pretty::pretty;
 #[cfg(all(feature = "build", feature = "robot-files"))]

@@ -9,6 +9,8 @@ mod step;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "lockstep")]
+use crate::analysis::spots::Place;
 use crate::program;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{CallStack, Context, Flow, Program, Signature};
@@ -34,6 +36,15 @@ impl Interpreter {
             not_taken: false,
             calls: CallStack::new(),
             program,
+        }
+    }
+
+    /// Where it stands.
+    #[cfg(feature = "lockstep")]
+    pub(crate) fn place(&self) -> Place {
+        Place {
+            step: self.at,
+            not_taken: self.not_taken,
         }
     }
 

@@ -20,6 +20,8 @@ pub mod interp;
 mod lex;
 pub mod listing;
 mod load;
+#[cfg(feature = "lockstep")]
+pub mod lockstep;
 mod lower;
 pub mod migrate;
 pub mod parse;

@@ -1,8 +1,10 @@
 //! The command line, and the help that teaches it.
 
+mod inputs;
+
+pub(super) use inputs::InputArguments;
+
 use super::robot::RobotChoice;
-use super::scene::SceneChoice;
-use super::script::{Keys, Sensor};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use tipc::source::Encoding;
@@ -19,11 +21,12 @@ use tipc::{Options, Robot};
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc emit rust walk.prg -o walk.rs  the same program as Rust source
   tipc cycles walk.prg                how many control cycles its parts take
+  tipc verify walk.prg                that its compiled code does what the interpreter does
   tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
   tipc robot check hexapod.toml       what a robot of your own has
 
 'tipc help run' and its like show examples of each command.
-Exit status: 0 done, 1 the program does not load or a file cannot be written,
+Exit status: 0 done, 1 the program does not load or does not verify, or a file cannot be written,
 2 wrong usage, 3 emergency stop, 130 interrupted."
 )]
 pub(super) struct Arguments {
@@ -42,6 +45,8 @@ pub(super) enum Verb {
     Emit(Emit),
     /// Count the control cycles that the parts of a program take
     Cycles(Cycles),
+    /// Compare a program's compiled code with the reference interpreter
+    Verify(Verify),
     /// Turn a program of an older version into one of version 3.1
     Migrate(Migrate),
     /// Descriptions of robots
@@ -170,9 +175,8 @@ pub(super) struct Run {
     #[command(flatten)]
     pub(super) source: SourceArguments,
 
-    /// Stop after this many control cycles
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(super) cycles: Option<u64>,
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
 
     /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
     #[arg(long, value_name = "OUT.jsonl|-")]
@@ -181,22 +185,6 @@ pub(super) struct Run {
     /// End each record of the trace with a hash of what the robot was told and measured
     #[arg(long)]
     pub(super) trace_state: bool,
-
-    /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
-    #[arg(long, value_name = "CYCLE:CHAR,...")]
-    pub(super) keys: Option<Keys>,
-
-    /// Request a halt before the step of this cycle
-    #[arg(long, value_name = "CYCLE", allow_negative_numbers = true)]
-    pub(super) halt: Option<u64>,
-
-    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
-    #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
-    pub(super) sensors: Vec<Sensor>,
-
-    /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
-    #[arg(long, value_name = "NAME|FILE.toml")]
-    pub(super) scene: Option<SceneChoice>,
 
     /// Write the log files of the language into this folder
     #[arg(long, value_name = "DIR")]
@@ -250,6 +238,41 @@ pub(super) struct Cycles {
 
     #[command(flatten)]
     pub(super) source: SourceArguments,
+}
+
+/// `tipc verify`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The program is compiled by tipc and cargo, in release mode, with the tip-runtime of your project. Compiled code and
+interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
+many runs are made: keys, sensors and halt requests are searched that lead to steps and branches not reached yet,
+always the same ones. What is left is listed. Where the engines differ, the shortest inputs are shown.
+
+Examples:
+  tipc verify walk.prg
+  tipc verify walk.prg --keys 300:F,400:Q    these inputs only
+  tipc verify march.prg --robot hexapod.toml --cycles 2000 --runs 1000
+  tipc verify walk.prg --manifest-path controller/Cargo.toml
+
+Exit status: 0 both agree, 1 they differ, or the program does not load or build, 2 wrong usage."
+)]
+pub(super) struct Verify {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+
+    /// How many runs a search makes
+    #[arg(long, value_name = "N", default_value = "256")]
+    pub(super) runs: u64,
+
+    /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder
+    #[arg(long, value_name = "Cargo.toml")]
+    pub(super) manifest_path: Option<PathBuf>,
 }
 
 /// `tipc migrate`

@@ -1,17 +1,18 @@
 //! A program that a command is going to use.
 
 use super::arguments::SourceArguments;
+use super::robot::ChosenRobot;
 use super::{input, report};
 use std::path::Path;
+use tipc::Loaded;
 use tipc::diagnostic::Diagnostic;
 use tipc::program::Program;
 use tipc::source::Source;
-use tipc::{Loaded, Robot};
 
 /// A program that loads.
 pub(super) struct Checked {
     /// The robot that it was checked for.
-    pub(super) robot: Robot,
+    pub(super) robot: ChosenRobot,
     pub(super) program: Program,
     pub(super) source: Source,
     /// The warnings about it, told already.
@@ -23,13 +24,13 @@ pub(super) struct Checked {
 pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checked> {
     let format = arguments.message_format;
     let robot = match arguments.robot.load() {
-        Ok(robot) => robot.robot(),
+        Ok(robot) => robot,
         Err(loaded) => {
             report::findings(&loaded, format);
             return None;
         }
     };
-    let loaded = input::load(path, &arguments.options(robot));
+    let loaded = input::load(path, &arguments.options(robot.robot()));
     report::findings(&loaded, format);
     let Loaded {
         source,

@@ -11,7 +11,7 @@ pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
-    let sampling = Sampling::of(checked.robot);
+    let sampling = Sampling::of(checked.robot.robot());
     let program = &checked.program;
     let parts = cycles::parts(program, sampling);
     output::print(match arguments.source.message_format {

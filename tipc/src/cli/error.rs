@@ -13,6 +13,8 @@ use tipc::syntax::Span;
 pub(super) enum Error {
     /// The command line asks for something that does not exist.
     Usage(String),
+    /// Something outside of this tool does not do what it is asked.
+    Failed(String),
     /// A file cannot be written.
     CannotWrite {
         /// Which one.
@@ -35,7 +37,7 @@ impl Error {
     pub(super) fn status(&self) -> Status {
         match self {
             Error::Usage(_) => Status::Usage,
-            Error::CannotWrite { .. } => Status::Failure,
+            Error::Failed(_) | Error::CannotWrite { .. } => Status::Failure,
         }
     }
 }
@@ -43,7 +45,7 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Error::Usage(text) => f.write_str(text),
+            Error::Usage(text) | Error::Failed(text) => f.write_str(text),
             Error::CannotWrite { path, reason } => {
                 let diagnostic =
                     Diagnostic::new(Code::CannotWrite, Span::default(), reason.as_str())

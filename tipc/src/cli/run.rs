@@ -11,13 +11,12 @@ mod trace;
 use super::arguments::{RobotName, Run};
 use super::error::Error;
 use super::robot::ChosenRobot;
-use super::script::Sensor;
 use super::{Status, input, report, scene};
 use emergency::describe;
 use progress::Progress;
 use screen::Screen;
 use simulation::{Simulated, Simulation};
-use tip_runtime::console::{LogFiles, Scripted};
+use tip_runtime::console::LogFiles;
 use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{Plant, Scene, SimulatedHand, SimulatedPlant};
 use tip_runtime::record::Ending;
@@ -25,6 +24,7 @@ use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
 use tipc::description::WithModel;
 use tipc::interp::Interpreter;
+use tipc::lockstep::Inputs;
 use tipc::program::Program;
 use tipc::source::Source;
 use tipc::{Facts, Robot};
@@ -39,12 +39,9 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
             return Ok(Status::Failure);
         }
     };
-    let scene = match scene::load(arguments.scene.as_ref()) {
-        Ok(scene) => scene,
-        Err(loaded) => {
-            report::findings(&loaded, arguments.source.message_format);
-            return Ok(Status::Failure);
-        }
+    let format = arguments.source.message_format;
+    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), format) else {
+        return Ok(Status::Failure);
     };
     let run = PlantRun {
         scene: &scene,
@@ -100,7 +97,8 @@ fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
     simulated: Simulated<'_, P, S, L, J>,
     arguments: &Run,
 ) -> Result<Status, Error> {
-    check_sensors(&simulated, &arguments.sensors)?;
+    let inputs = arguments.inputs.inputs();
+    check_sensors(&simulated, &inputs)?;
     let robot = Robot::Described(Facts::of(simulated.model));
     let loaded = input::load(&arguments.file, &arguments.source.options(robot));
     report::findings(&loaded, arguments.source.message_format);
@@ -109,7 +107,7 @@ fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
         _ => None,
     };
     match loaded.program {
-        Some(program) => simulate(simulated, arguments, &loaded.source, program, logs),
+        Some(program) => simulate(simulated, arguments, &inputs, &loaded.source, program, logs),
         None => Ok(Status::Failure),
     }
 }
@@ -118,6 +116,7 @@ fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
 fn simulate<P: Plant<L, J>, S: Special, const L: usize, const J: usize>(
     robot: Simulated<'_, P, S, L, J>,
     arguments: &Run,
+    inputs: &Inputs,
     source: &Source,
     program: Program,
     logs: Option<LogFiles<()>>,
@@ -128,19 +127,9 @@ fn simulate<P: Plant<L, J>, S: Special, const L: usize, const J: usize>(
     };
     interrupt::catch();
     let messages = !Trace::takes_standard_output(arguments.trace.as_deref());
-    let screen = Screen::new(Progress::new(arguments.cycles), messages, logs);
-    let keys = arguments.keys.clone().unwrap_or_default().0;
-    let mut console = Scripted::around(keys, screen);
-    if let Some(cycle) = arguments.halt {
-        console = console.halt(cycle);
-    }
-    let mut simulation = Simulation::new(
-        Interpreter::new(program),
-        robot,
-        console,
-        &arguments.sensors,
-    )?;
-    let ending = simulation.run(arguments.cycles, trace.as_mut());
+    let screen = Screen::new(Progress::new(inputs.cycles), messages, logs);
+    let mut simulation = Simulation::new(Interpreter::new(program), robot, screen, inputs)?;
+    let ending = simulation.run(inputs.cycles, trace.as_mut());
     let cycles = simulation.cycles();
     let logged = simulation.close();
     if let Some(trace) = trace {
@@ -165,16 +154,14 @@ fn status(ending: &Ending) -> Status {
 /// Refuses inputs that the robot lacks.
 fn check_sensors<P: Plant<L, J> + Clone, S, const L: usize, const J: usize>(
     robot: &Simulated<'_, P, S, L, J>,
-    sensors: &[Sensor],
+    inputs: &Inputs,
 ) -> Result<(), Error> {
     let mut plant = robot.plant.clone();
-    match sensors
-        .iter()
-        .find(|sensor| !plant.set_sensor(sensor.port, sensor.volts))
-    {
+    let mut sensors = inputs.sensors.iter();
+    match sensors.find(|sensor| !plant.set_sensor(sensor.port, sensor.volts)) {
         None => Ok(()),
-        Some(Sensor { name, .. }) => {
-            let robot = robot.model.name;
+        Some(sensor) => {
+            let (robot, name) = (robot.model.name, sensor.name());
             Err(Error::Usage(format!("{robot} has no input {name}")))
         }
     }

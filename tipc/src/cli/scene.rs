@@ -1,17 +1,27 @@
 //! `--scene`: what stands around the robot.
 
+use super::arguments::Format;
 use super::error::Error;
-use super::input;
+use super::{input, report};
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tip_runtime::plant::{Floor, Scene};
-use tipc::Loaded;
 
 /// `NAME` or `FILE.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum SceneChoice {
     Named(Box<Scene>),
     File(PathBuf),
+}
+
+impl fmt::Display for SceneChoice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneChoice::Named(_) => f.write_str("cylinder"),
+            SceneChoice::File(path) => path.display().fmt(f),
+        }
+    }
 }
 
 impl FromStr for SceneChoice {
@@ -27,12 +37,14 @@ impl FromStr for SceneChoice {
     }
 }
 
-/// The scene that was asked for; without one, a level floor.
-pub(super) fn load(choice: Option<&SceneChoice>) -> Result<Scene, Box<Loaded>> {
+/// The scene that was asked for; without one, a level floor. `None`, with its findings told, if it cannot be used.
+pub(super) fn load(choice: Option<&SceneChoice>, format: Format) -> Option<Scene> {
     match choice {
-        None => Ok(Scene::EMPTY),
-        Some(SceneChoice::Named(scene)) => Ok(**scene),
-        Some(SceneChoice::File(path)) => input::scene(path),
+        None => Some(Scene::EMPTY),
+        Some(SceneChoice::Named(scene)) => Some(**scene),
+        Some(SceneChoice::File(path)) => input::scene(path)
+            .map_err(|loaded| report::findings(&loaded, format))
+            .ok(),
     }
 }
 

@@ -161,6 +161,21 @@ pub enum Action {
     },
 }
 
+impl Action {
+    /// What decides where it leads, beside its variables.
+    pub fn condition(&self) -> Option<&Condition> {
+        match self {
+            Action::If { condition, .. }
+            | Action::ElseIf { condition, .. }
+            | Action::While { condition, .. }
+            | Action::Until { condition, .. }
+            | Action::IfGoto { condition, .. }
+            | Action::IfGosub { condition, .. } => Some(condition),
+            _ => None,
+        }
+    }
+}
+
 /// An operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Argument {

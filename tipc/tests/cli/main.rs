@@ -10,3 +10,5 @@ mod robot;
 mod run;
 mod script;
 mod support;
+#[cfg(feature = "planted-fault")]
+mod verify;

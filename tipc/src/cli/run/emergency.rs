@@ -1,5 +1,6 @@
 //! An emergency stop, told with its place in the program.
 
+use super::super::place::place;
 use std::fmt::Write as _;
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
@@ -11,17 +12,8 @@ use tipc::source::Source;
 pub(super) fn describe(emergency: &Emergency, source: &Source, program: &Interpreter) -> String {
     let Emergency { fault, step, cycle } = emergency;
     let mut text = format!("TIP_ERR:{fault} ({})\n", fault.kind());
-    if let Some(place) = program.program().steps().get(*step as usize) {
-        let (line, column) = (place.line, place.column);
-        let gutter = " ".repeat(line.to_string().len());
-        let statement = source.line_text(line);
-        // Writing to a String cannot fail.
-        let _ = write!(
-            text,
-            "{gutter}--> {}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n",
-            source.name()
-        );
-    }
+    text += &place(source, program.program(), *step);
+    // Writing to a String cannot fail.
     let _ = writeln!(text, "step {step}, cycle {cycle}");
     if let Fault::Unassigned(index) = fault
         && let Some((name, _)) = program.scalar(*index as usize)

@@ -1,7 +1,6 @@
 //! The run itself: cycle after cycle until something ends it.
 
 use super::super::error::Error;
-use super::super::script::Sensor;
 use super::interrupt;
 use super::screen::Screen;
 use super::trace::Trace;
@@ -12,6 +11,8 @@ use tip_runtime::plant::Plant;
 use tip_runtime::record::Ending;
 use tip_runtime::special::Special;
 use tipc::interp::Interpreter;
+use tipc::lockstep::Inputs;
+use tipc::lockstep::inputs::Due;
 
 /// The keys of the command line in front of the screen.
 type Console = Scripted<Screen>;
@@ -26,8 +27,8 @@ pub(super) struct Simulated<'m, P, S, const L: usize, const J: usize> {
 /// A program on the simulated robot.
 pub(super) struct Simulation<'m, P, S, const L: usize, const J: usize> {
     machine: Machine<'m, Interpreter, P, Console, S, L, J>,
-    /// What the inputs are going to read, the next one last.
-    sensors: Vec<Sensor>,
+    /// What the inputs are going to read.
+    due: Due,
 }
 
 impl<'m, P: Plant<L, J>, S: Special, const L: usize, const J: usize> Simulation<'m, P, S, L, J> {
@@ -35,21 +36,18 @@ impl<'m, P: Plant<L, J>, S: Special, const L: usize, const J: usize> Simulation<
     pub(super) fn new(
         program: Interpreter,
         robot: Simulated<'m, P, S, L, J>,
-        console: Console,
-        sensors: &[Sensor],
+        screen: Screen,
+        inputs: &Inputs,
     ) -> Result<Self, Error> {
         let Simulated {
             model,
             plant,
             special,
         } = robot;
-        let machine = Machine::new(program, model, plant, console, special)
+        let machine = Machine::new(program, model, plant, inputs.console(screen), special)
             .map_err(|mismatch| Error::Usage(mismatch.to_string()))?;
-        let mut sensors = sensors.to_vec();
-        // Of two for the same cycle the one that stands behind the other wins.
-        sensors.reverse();
-        sensors.sort_by_key(|sensor| std::cmp::Reverse(sensor.cycle));
-        Ok(Simulation { machine, sensors })
+        let due = Due::new(&inputs.sensors);
+        Ok(Simulation { machine, due })
     }
 
     /// Runs until the program ends, `limit` cycles are used up, or the run is interrupted.
@@ -86,7 +84,7 @@ impl<'m, P: Plant<L, J>, S: Special, const L: usize, const J: usize> Simulation<
     }
 
     fn set_sensors(&mut self, cycle: u64) {
-        while let Some(sensor) = self.sensors.pop_if(|sensor| sensor.cycle <= cycle) {
+        while let Some(sensor) = self.due.next(cycle) {
             self.machine
                 .hardware_mut()
                 .set_sensor(sensor.port, sensor.volts);

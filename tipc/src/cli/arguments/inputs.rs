@@ -1,0 +1,42 @@
+//! The options of a run, which `tipc run` and `tipc verify` share.
+
+use super::super::scene::SceneChoice;
+use clap::Args;
+use tipc::lockstep::Inputs;
+use tipc::lockstep::inputs::{Keys, Sensor};
+
+/// What happens around a simulated robot, and how long it runs.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct InputArguments {
+    /// Stop after this many control cycles
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    cycles: Option<u64>,
+
+    /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
+    #[arg(long, value_name = "CYCLE:CHAR,...")]
+    keys: Option<Keys>,
+
+    /// Request a halt before the step of this cycle
+    #[arg(long, value_name = "CYCLE", allow_negative_numbers = true)]
+    halt: Option<u64>,
+
+    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
+    #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
+    sensors: Vec<Sensor>,
+
+    /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    pub(in crate::cli) scene: Option<SceneChoice>,
+}
+
+impl InputArguments {
+    /// What the run is told.
+    pub(in crate::cli) fn inputs(&self) -> Inputs {
+        Inputs {
+            keys: self.keys.clone().unwrap_or_default().0,
+            sensors: self.sensors.clone(),
+            halt: self.halt,
+            cycles: self.cycles,
+        }
+    }
+}

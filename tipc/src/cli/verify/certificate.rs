@@ -1,0 +1,86 @@
+//! The certificate: what was compared, with what, and what no run came by.
+
+use super::super::checked::Checked;
+use super::super::scene::SceneChoice;
+use super::project::{Project, VERSION};
+use super::tally::Tally;
+use std::fmt::Write as _;
+use tipc::analysis::spots::Spot;
+use tipc::program::Step;
+
+/// The text of a certificate.
+pub(super) fn certificate(
+    checked: &Checked,
+    project: &Project,
+    scene: Option<&SceneChoice>,
+    tally: &Tally,
+) -> String {
+    let name = checked.source.name();
+    let hash = checked.program.source_hash();
+    let robot = checked.program.signature();
+    let (robot, legs, joints) = (robot.robot, robot.legs, robot.joints);
+    let scene = scene.map_or("level floor".to_owned(), |scene| format!("scene {scene}"));
+    let (rustc, cargo) = (
+        project.version_of("RUSTC", "rustc"),
+        project.version_of("CARGO", "cargo"),
+    );
+    let (runs, cycles) = (tally.runs(), tally.cycles);
+    let (finished, limited, stopped) = (tally.finished, tally.limited, tally.stopped);
+    let all = tally.reach.spots().all();
+    let missed: Vec<&Spot> = (0..)
+        .zip(all)
+        .filter(|(spot, _)| !tally.reach.has(*spot))
+        .map(|(_, spot)| spot)
+        .collect();
+    let covered = |is_kind: fn(&Spot) -> bool| {
+        let of = all.iter().filter(|spot| is_kind(spot)).count();
+        let missed = missed.iter().filter(|spot| is_kind(spot)).count();
+        format!("{} of {of}", of - missed)
+    };
+    let steps = covered(|spot| spot.way.is_none());
+    let edges = covered(|spot| spot.way.is_some());
+    let mut text = format!(
+        "{name}: compiled code and interpreter agree\n\
+         source       {hash:016x}\n\
+         tools        tipc {VERSION}, {rustc}, {cargo}\n\
+         robot        {robot}, {legs} x {joints} joints, {scene}\n\
+         runs         {runs}: {finished} to END or EXIT, {limited} to the last cycle allowed, {stopped} to an emergency stop\n\
+         compared     {cycles} cycles, each record with the state of every joint, floats by bits\n\
+         steps        {steps}\n\
+         branch edges {edges}\n"
+    );
+    let lines = missed.iter().filter(|spot| !follows(spot, &missed));
+    let lines = lines.map(|spot| {
+        (
+            spot.step,
+            spot.way
+                .map_or("not reached".to_owned(), |way| format!("never {way}")),
+        )
+    });
+    let dead = (0..)
+        .take(checked.program.steps().len())
+        .filter(|step| !tally.reach.spots().can_reach(*step));
+    let dead = dead.map(|step| (step, "no way leads here".to_owned()));
+    let mut lines: Vec<_> = lines.chain(dead).collect();
+    lines.sort();
+    for (step, what) in lines {
+        if let Some(Step {
+            line,
+            text: statement,
+            ..
+        }) = checked.program.steps().get(step as usize)
+        {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {name}:{line}: {what}: {statement}");
+        }
+    }
+    text
+}
+
+/// An edge of a step that was not reached itself goes without saying.
+fn follows(spot: &Spot, missed: &[&Spot]) -> bool {
+    spot.way.is_some()
+        && missed
+            .iter()
+            .any(|other| other.way.is_none() && other.step == spot.step)
+}

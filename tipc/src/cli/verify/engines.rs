@@ -1,0 +1,100 @@
+//! The process in which both engines run: it may die or hang, and then says so by name.
+
+use super::super::error::Error;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+use tipc::lockstep::{Answer, Inputs, LIMIT};
+
+/// A run may take this long, and so much more for each of its cycles.
+const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
+
+/// Both engines, in a process of their own.
+#[derive(Debug)]
+pub(super) struct Engines {
+    process: Child,
+    requests: ChildStdin,
+    answers: Receiver<String>,
+}
+
+impl Engines {
+    /// Starts what was built.
+    pub(super) fn start(executable: &Path) -> Result<Self, Error> {
+        let cannot = |reason: &dyn std::fmt::Display| {
+            Error::Failed(format!("{} does not start: {reason}", executable.display()))
+        };
+        let mut process = Command::new(executable)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|error| cannot(&error))?;
+        let pipes = process.stdin.take().zip(process.stdout.take());
+        let (requests, output) = pipes.ok_or_else(|| cannot(&"it has no pipes"))?;
+        let (sender, answers) = mpsc::channel();
+        thread::spawn(move || {
+            let lines = BufReader::new(output).lines().map_while(Result::ok);
+            // When nobody listens any more, nobody misses the rest.
+            let _ = lines.into_iter().try_for_each(|line| sender.send(line));
+        });
+        Ok(Engines {
+            process,
+            requests,
+            answers,
+        })
+    }
+
+    /// One run.
+    pub(super) fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
+        // A process that is gone shows when its answer is missing.
+        let _ = writeln!(self.requests, "{inputs}").and_then(|()| self.requests.flush());
+        let cycles = u32::try_from(inputs.cycles.unwrap_or(LIMIT)).unwrap_or(u32::MAX);
+        let patience = PATIENCE.saturating_add(PATIENCE_PER_CYCLE.saturating_mul(cycles));
+        let broken =
+            |what: String| Error::Failed(format!("{what} in a run with the inputs `{inputs}`"));
+        match self.answers.recv_timeout(patience) {
+            Ok(line) => line.parse().map_err(broken),
+            Err(RecvTimeoutError::Timeout) => {
+                let seconds = patience.as_secs();
+                Err(broken(format!(
+                    "the engines did not answer for {seconds} s"
+                )))
+            }
+            Err(RecvTimeoutError::Disconnected) => {
+                let status = self.process.wait();
+                let status =
+                    status.map_or_else(|error| error.to_string(), |status| status.to_string());
+                Err(broken(format!("the engines' process ended ({status})")))
+            }
+        }
+    }
+}
+
+impl Drop for Engines {
+    fn drop(&mut self) {
+        // It has nothing to save; one that ended already need not be ended.
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    fn complaint(executable: &str) -> String {
+        let engines = Engines::start(Path::new(executable));
+        let answer = engines.and_then(|mut engines| engines.ask(&Inputs::default()));
+        answer.expect_err("it is no engine").to_string()
+    }
+
+    #[test]
+    fn a_process_that_dies_or_talks_nonsense_is_named() {
+        assert!(complaint("/bin/no-such-file").contains("does not start"));
+        assert!(complaint("/bin/true").contains("ended (exit status: 0)"));
+        assert!(complaint("/bin/cat").contains("'' is no answer"));
+    }
+}

@@ -1,0 +1,207 @@
+//! The package that is built: the user's program as Rust and as text, its robot, and a loop that answers requests.
+
+use super::super::arguments::{RobotName, Verify};
+use super::super::checked::Checked;
+use super::super::error::Error;
+use super::super::robot::ChosenRobot;
+use super::super::{output, scene};
+use super::project::Project;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
+use tip_runtime::plant::Scene;
+use tipc::description::Description;
+use tipc::emit;
+use tipc::program::Program;
+
+/// A cargo package that is still to be written: each file with its content.
+pub(super) struct Package {
+    name: String,
+    files: Vec<(&'static str, Vec<u8>)>,
+}
+
+impl Package {
+    /// The package for one program on one robot over one scene.
+    pub(super) fn new(
+        arguments: &Verify,
+        checked: &Checked,
+        scene: &Scene,
+        project: &Project,
+    ) -> Result<Self, Error> {
+        let program = &checked.program;
+        let file = &arguments.file;
+        let source = fs::read(file)
+            .map_err(|error| Error::Failed(format!("{}: {error}", file.display())))?;
+        let mut files = vec![
+            ("src/source.prg", source),
+            ("src/program.rs", compiled(program)?.into_bytes()),
+            ("src/main.rs", main(arguments, checked, scene)?.into_bytes()),
+        ];
+        if let ChosenRobot::Described(description) = &checked.robot {
+            files.push(("src/robot.rs", robot(description)?.into_bytes()));
+        }
+        let mut hasher = DefaultHasher::new();
+        (&files, &project.runtime, &project.tipc).hash(&mut hasher);
+        let name = format!(
+            "verify-{}-{:016x}",
+            crate_name(program.source_name()),
+            hasher.finish()
+        );
+        files.push(("Cargo.toml", manifest(&name, project).into_bytes()));
+        Ok(Package { name, files })
+    }
+
+    /// Writes what is not there yet, so that cargo builds nothing twice; gives the manifest.
+    pub(super) fn write(&self, project: &Project) -> Result<PathBuf, Error> {
+        let folder = project.target.join(&self.name);
+        let sources = folder.join("src");
+        fs::create_dir_all(&sources).map_err(|error| Error::cannot_write(&sources, error))?;
+        for (name, content) in &self.files {
+            let path = folder.join(name);
+            if fs::read(&path).ok().as_ref() != Some(content) {
+                output::replace(&path, content)?;
+            }
+        }
+        // The project's own versions of everything; a project without a lock file has none yet.
+        if let Ok(lock) = fs::read(&project.lock) {
+            output::replace(&folder.join("Cargo.lock"), lock)?;
+        }
+        Ok(folder.join("Cargo.toml"))
+    }
+}
+
+/// What may stand in a package's name.
+fn crate_name(source: &str) -> String {
+    let stem = source.rsplit_once('.').map_or(source, |(stem, _)| stem);
+    let plain = stem
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' });
+    plain.collect()
+}
+
+fn manifest(name: &str, project: &Project) -> String {
+    let Project { runtime, tipc, .. } = project;
+    format!(
+        r#"# Written by `tipc verify`.
+[package]
+name = "{name}"
+version = "0.0.0"
+edition = "2024"
+publish = false
+
+[workspace]
+
+[dependencies]
+tip-runtime = {{ {runtime} }}
+tipc = {{ {tipc}, default-features = false, features = ["lockstep"] }}
+
+# What runs in control cycles is optimised. The rest only reads the program, and builds in half the time without.
+[profile.release.package."*"]
+opt-level = 0
+
+[profile.release.package.tip-runtime]
+opt-level = 3
+
+[profile.release.package.libm]
+opt-level = 3
+"#
+    )
+}
+
+fn main(arguments: &Verify, checked: &Checked, scene: &Scene) -> Result<String, Error> {
+    let name = checked.robot.robot().name();
+    let hand = matches!(checked.robot, ChosenRobot::Named(RobotName::Hand));
+    if !hand {
+        scene::floor(scene, name)?;
+    }
+    let (robot, model) = match &checked.robot {
+        ChosenRobot::Named(RobotName::Titan8) => ("", "tip_runtime::model::titan8::MODEL"),
+        ChosenRobot::Named(RobotName::Generic) => ("", "tip_runtime::model::generic::MODEL"),
+        ChosenRobot::Named(RobotName::Hand) => ("", "tip_runtime::model::hand::MODEL"),
+        ChosenRobot::Described(_) => ("mod robot;\n", "robot::ROBOT"),
+    };
+    let (plant, special) = if hand {
+        (
+            "SimulatedHand::new(model).with_scene(&scene)",
+            "HandSpecials::new()",
+        )
+    } else {
+        ("SimulatedPlant::new(model).with_floor(scene.floor)", "()")
+    };
+    let options = arguments.source.options(checked.robot.robot());
+    let (version, encoding) = (options.tip_version, options.encoding);
+    let source = arguments.file.display().to_string();
+    // A scene's debug form is Rust.
+    Ok(format!(
+        r#"//! Compiled code and interpreter, run by run as standard input asks for them. Written by `tipc verify`.
+#![allow(unused_imports)]
+
+mod program;
+{robot}
+use std::io;
+use tip_runtime::plant::Shape::{{Box, Disc}};
+use tip_runtime::plant::{{Floor, Object, Scene, SimulatedHand, SimulatedPlant}};
+use tip_runtime::special::hand::HandSpecials;
+use tipc::lockstep::{{Rig, serve}};
+use tipc::source::Encoding;
+use tipc::{{Facts, Options, Robot}};
+
+fn main() -> io::Result<()> {{
+    let model = &{model};
+    let scene = {scene:?};
+    let options = Options {{
+        robot: Robot::Described(Facts::of(model)),
+        tip_version: {version:?},
+        encoding: Encoding::{encoding:?},
+    }};
+    let loaded = tipc::load({source:?}, include_bytes!("source.prg"), &options);
+    let rig = Rig {{
+        program: loaded.program.expect("tipc loaded it already"),
+        compiled: program::Verified::new(),
+        model,
+        plant: {plant},
+        special: {special},
+    }};
+    serve(&rig, io::stdin().lock(), io::stdout().lock())
+}}
+"#
+    ))
+}
+
+fn compiled(program: &Program) -> Result<String, Error> {
+    let tokens = tokens(program, &spelling("Verified"));
+    emit::pretty(program, tokens).map_err(|error| unspeakable(program.source_name(), &error))
+}
+
+#[cfg(not(feature = "planted-fault"))]
+fn tokens(program: &Program, spelling: &emit::Options) -> TokenStream {
+    emit::emit(program, spelling)
+}
+
+/// With a fault, if the test that runs this asks for one.
+#[cfg(feature = "planted-fault")]
+fn tokens(program: &Program, spelling: &emit::Options) -> TokenStream {
+    match std::env::var_os("TIPC_PLANTED_FAULT") {
+        Some(_) => emit::planted(program, spelling),
+        None => emit::emit(program, spelling),
+    }
+}
+
+fn robot(description: &Description) -> Result<String, Error> {
+    let text = description.pretty(&spelling("ROBOT"));
+    text.map_err(|error| unspeakable(description.name(), &error))
+}
+
+fn spelling(name: &str) -> emit::Options {
+    emit::Options {
+        name: Some(Ident::new(name, Span::call_site())),
+        visibility: quote!(pub(crate)),
+        ..emit::Options::default()
+    }
+}
+
+fn unspeakable(what: &str, error: &impl std::fmt::Display) -> Error {
+    Error::Failed(format!("{what} cannot be spelt in Rust: {error}"))
+}

@@ -1,0 +1,116 @@
+//! `tipc verify`: one program, built with a fault in its emitter and without.
+
+use crate::support::{Folder, Outcome};
+use std::path::Path;
+
+/// Counts keys up to 5.
+///
+/// In the first turn of the loop KEY_IN runs in cycle 2, IF SPEED > 5 in cycle 7; in the second one nine cycles later. KEY_IN
+/// empties the keyboard buffer, so a second key has to come behind cycle 2.
+const COUNTER: &str = "DEF_VAR SPEED
+SPEED = 3
+LOOP: KEY_IN
+IF VAR_KEY == CHAR_F THEN
+SPEED += 1
+ELSEIF VAR_KEY == CHAR_Q THEN
+EXIT
+ENDIF
+IF SPEED > 5 THEN
+SPEED = 5
+ENDIF
+GOTO LOOP:
+END";
+
+/// The command on the program with the run-time of this workspace.
+fn verify(folder: &Folder, arguments: &[&str], planted: bool) -> Outcome {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.toml");
+    let workspace = workspace.to_str().expect("a path in UTF-8");
+    let all = [
+        &["verify", "p.prg", "--manifest-path", workspace],
+        arguments,
+    ]
+    .concat();
+    let mut command = folder.command(&all);
+    if planted {
+        command.env("TIPC_PLANTED_FAULT", "1");
+    }
+    Outcome::of(command.output().expect("tipc starts"))
+}
+
+/// The planted fault takes `>` for `>=`: it shows when SPEED is 5, which two keys make it.
+#[test]
+fn a_planted_fault_is_found_and_shrunk() {
+    let folder = Folder::new("verify").program("p.prg", COUNTER);
+    let outcome = verify(&folder, &["--cycles", "200"], true).expect(1);
+    let shortest = "--keys 0:F,3:F --cycles 17";
+    for part in [
+        "DIFFER in cycle 16, step 8\n",
+        "--> p.prg:11:1\n",
+        "IF SPEED > 5 THEN\n",
+        "interpreter  {\"cycle\":16,\"step\":8,\"next\":10,",
+        "compiled     {\"cycle\":16,\"step\":8,\"next\":9,",
+        &format!(" {shortest}\n"),
+    ] {
+        assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
+    }
+    let words: Vec<_> = shortest.split(' ').collect();
+    let again = verify(&folder, &words, true).expect(1);
+    assert_eq!(again.out, outcome.out);
+    let fewer = ["--keys", "0:F,2:F", "--cycles", "17"];
+    verify(&folder, &fewer, true).expect(0);
+
+    let outcome = verify(&folder, &["--cycles", "200"], false).expect(0);
+    for part in [
+        "p.prg: compiled code and interpreter agree\n",
+        "robot        titan8, 4 x 3 joints, level floor\n",
+        "runs         256: ",
+        "steps        12 of 12\n",
+        "branch edges 7 of 7\n",
+        "  p.prg:15: no way leads here: END\n",
+    ] {
+        assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
+    }
+    // Given inputs are one run; what it did not come by is told.
+    let outcome = verify(&folder, &["--keys", "0:Q"], false).expect(0);
+    for part in [
+        "runs         1: 1 to END or EXIT, 0 ",
+        "steps        6 of 12\n",
+        "  p.prg:6: never true: IF VAR_KEY == CHAR_F THEN\n",
+        "  p.prg:7: not reached: SPEED += 1\n",
+    ] {
+        assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
+    }
+    let outcome = verify(&folder, &["--sensor", "J99=1@0"], false).expect(2);
+    assert!(outcome.err.contains("no input J99"), "{outcome:#?}");
+}
+
+#[test]
+fn what_keeps_a_program_from_being_built_is_named() {
+    let project = "[package]\nname = \"p\"\nversion = \"0.0.0\"\n[workspace]\n";
+    let folder = Folder::new("verify-project")
+        .program("p.prg", "END")
+        .program("bad.prg", "FOO\nEND")
+        .file("Cargo.toml", project)
+        .file("src/lib.rs", "");
+    let outcome = folder.tipc(&["verify", "p.prg"]).expect(1);
+    assert!(
+        outcome.err.contains("does not depend on tip-runtime"),
+        "{outcome:#?}"
+    );
+    let outcome = folder
+        .tipc(&["verify", "p.prg", "--manifest-path", "none/Cargo.toml"])
+        .expect(1);
+    assert!(outcome.err.contains("--manifest-path"), "{outcome:#?}");
+    let mut command = folder.command(&["verify", "p.prg"]);
+    let outcome = command
+        .env("CARGO", "no-such-cargo")
+        .output()
+        .expect("tipc starts");
+    let outcome = Outcome::of(outcome).expect(1);
+    assert!(outcome.err.contains("cargo is not there"), "{outcome:#?}");
+    let outcome = folder.tipc(&["verify", "bad.prg"]).expect(1);
+    assert!(outcome.err.contains("bad.prg:3:1"), "{outcome:#?}");
+    folder
+        .tipc(&["verify", "p.prg", "--runs", "many"])
+        .expect(2);
+}
