@@ -1,10 +1,13 @@
 //! Whatever the bytes: no panic, places inside the text, a program exactly when nothing is wrong, however long.
 
+#[path = "fuzz/targets/load.rs"]
+#[allow(unreachable_pub, reason = "it is shared with the fuzzer")]
+mod load;
+
+use load::examine;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
-use tipc::codes::Level;
-use tipc::diagnostic::{render_human, render_json, render_short};
-use tipc::{Options, Robot, listing, load};
+use tipc::Options;
 
 /// A small generator of numbers (Marsaglia's xorshift), so that every run tries the same texts.
 struct Random(u64);
@@ -19,39 +22,6 @@ impl Random {
 
     fn pick<'a>(&mut self, words: &[&'a str]) -> &'a str {
         words[self.below(words.len())]
-    }
-}
-
-fn examine(bytes: &[u8]) {
-    for robot in Robot::ALL {
-        let options = Options {
-            robot: *robot,
-            ..Options::default()
-        };
-        let loaded = load("random.prg", bytes, &options);
-        let text = loaded.source.text();
-        let seen = String::from_utf8_lossy(bytes);
-        let mut last = 0;
-        for diagnostic in &loaded.diagnostics {
-            assert!(diagnostic.span.start >= last, "order: {seen}");
-            last = diagnostic.span.start;
-            let labels = diagnostic.labels.iter().map(|label| label.span);
-            for span in [diagnostic.span].into_iter().chain(labels) {
-                assert!(text.get(span.start..span.end).is_some(), "{span:?}: {seen}");
-            }
-            assert!(!render_short(&loaded.source, diagnostic).is_empty());
-            assert!(!render_json(&loaded.source, diagnostic).is_empty());
-            assert!(!render_human(&loaded.source, diagnostic, false).is_empty());
-        }
-        let wrong = loaded
-            .diagnostics
-            .iter()
-            .any(|one| one.level() == Level::Error);
-        assert_eq!(loaded.program.is_none(), wrong, "{seen}");
-        if let Some(program) = loaded.program {
-            let lines = listing::formal(&program).lines().count();
-            assert_eq!(lines, program.steps().len(), "{seen}");
-        }
     }
 }
 
@@ -308,7 +278,7 @@ fn long_programs_load() {
             ),
         ),
     ] {
-        let loaded = load("long.prg", text.as_bytes(), &Options::default());
+        let loaded = tipc::load("long.prg", text.as_bytes(), &Options::default());
         assert!(loaded.program.is_some(), "{what}");
     }
 }
@@ -334,7 +304,7 @@ fn long_wrong_programs_are_refused() {
             nested("IF KB_HIT THEN\nWHILE KB_HIT\n", "ENDIF\nWEND\n", LONG / 4),
         ),
     ] {
-        let loaded = load("long.prg", text.as_bytes(), &Options::default());
+        let loaded = tipc::load("long.prg", text.as_bytes(), &Options::default());
         assert!(loaded.program.is_none(), "{what}");
         assert!(!loaded.diagnostics.is_empty(), "{what}");
     }

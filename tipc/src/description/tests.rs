@@ -1,7 +1,6 @@
 //! Descriptions, good and bad. Expected values are worked out by hand.
 
 mod faults;
-mod robustness;
 
 use super::{Description, WithModel, parse};
 use crate::robot::Robot;

@@ -1,10 +1,8 @@
-//! Whatever stands in a file: an answer, never a panic, and no nonsense in a model.
+//! Descriptions of robots that were damaged, by the target of the fuzzer.
 
-use super::one_leg;
-use crate::description::{WithModel, parse};
-use tip_runtime::model::{Model, ModelError};
+use crate::targets::description::examine;
 
-const EXAMPLE: &str = include_str!("../../../tests/robots/hexapod.toml");
+const EXAMPLE: &str = include_str!("../robots/hexapod.toml");
 
 /// A cheap generator of the same numbers on every machine (Marsaglia's xorshift).
 struct Random(u64);
@@ -18,29 +16,10 @@ impl Random {
     }
 }
 
-/// Reads the bytes; a description that comes of them is sound, a refusal says something.
-fn read(bytes: &[u8]) {
-    match parse("random.toml", bytes) {
-        Ok(description) => assert_eq!(description.with_model(Check), Ok(())),
-        Err(loaded) => assert!(!loaded.diagnostics.is_empty()),
-    }
-}
-
-/// Whether the run-time takes the robot for one.
-struct Check;
-
-impl WithModel for Check {
-    type Output = Result<(), ModelError>;
-
-    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
-        model.check()
-    }
-}
-
 #[test]
 fn a_file_that_breaks_off_anywhere() {
     for end in 0..=EXAMPLE.len() {
-        read(&EXAMPLE.as_bytes()[..end]);
+        examine(&EXAMPLE.as_bytes()[..end]);
     }
 }
 
@@ -57,7 +36,7 @@ fn bytes_that_were_damaged() {
                 _ => bytes.insert(at, b"[]{}=\",.#\n-9e"[random.below(13)]),
             }
         }
-        read(&bytes);
+        examine(&bytes);
     }
 }
 
@@ -66,7 +45,7 @@ fn bytes_out_of_the_blue() {
     let mut random = Random(1);
     for length in 0..300 {
         let bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
-        read(&bytes);
+        examine(&bytes);
         let words = [
             "[", "]", "[[leg]]", "=", "joint", "base", "{", "}", "1e308", "nan", ",", "\n", "\"",
             "'''",
@@ -74,7 +53,7 @@ fn bytes_out_of_the_blue() {
         let text: Vec<&str> = (0..length)
             .map(|_| words[random.below(words.len())])
             .collect();
-        read(text.concat().as_bytes());
+        examine(text.concat().as_bytes());
     }
 }
 
@@ -96,14 +75,15 @@ fn numbers_at_the_edge() {
                 "base" => format!("base = [{number}, {number}, {number}]"),
                 _ => format!("turn = {number}, base = [0, 0, 0]"),
             };
-            let text = one_leg("{ axis = [1, 1, 1], link = [0, 0, 9] }");
-            read(text.replace("base = [0, 0, 0]", &value).as_bytes());
+            one_leg(&value, "{ axis = [1, 1, 1], link = [0, 0, 9] }");
         }
-        read(
-            one_leg(&format!(
-                "{{ axis = [{number}, 0, 1e-300], link = [{number}, 0, 9] }}"
-            ))
-            .as_bytes(),
-        );
+        let joint = format!("{{ axis = [{number}, 0, 1e-300], link = [{number}, 0, 9] }}");
+        one_leg("base = [0, 0, 0]", &joint);
     }
+}
+
+/// Examines a robot of one leg with one joint.
+fn one_leg(base: &str, joint: &str) {
+    let text = format!("name = \"test\"\nleg = [{{ {base} }}]\njoint = [{joint}]\n");
+    examine(text.as_bytes());
 }

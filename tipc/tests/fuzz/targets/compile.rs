@@ -1,0 +1,29 @@
+//! The whole way to generated code and listings: what the emitter writes is a Rust file, the same each time.
+
+use tipc::analysis::cycles::{Sampling, json, parts};
+use tipc::emit::{emit, pretty};
+use tipc::{Options, Robot, emit, listing, load};
+
+/// Compiles the bytes for each robot.
+///
+/// # Panics
+/// A program that loads has no code, or code that is no Rust.
+pub fn examine(bytes: &[u8]) {
+    for robot in Robot::ALL {
+        let options = Options {
+            robot: *robot,
+            ..Options::default()
+        };
+        let Some(program) = load("random.prg", bytes, &options).program else {
+            continue;
+        };
+        let sampling = Sampling::of(*robot);
+        json(&program, &parts(&program, sampling), sampling);
+        listing::label(&program);
+        listing::object(&program);
+        let tokens = emit(&program, &emit::Options::default());
+        if let Err(error) = pretty(&program, tokens) {
+            panic!("{error}: {}", String::from_utf8_lossy(bytes));
+        }
+    }
+}

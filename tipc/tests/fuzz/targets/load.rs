@@ -1,0 +1,42 @@
+//! Decoder, parser and checker: places inside the text, a program exactly when nothing is wrong.
+
+use tipc::codes::Level;
+use tipc::diagnostic::{render_human, render_json, render_short};
+use tipc::{Options, Robot, listing, load};
+
+/// Loads the bytes for each robot.
+///
+/// # Panics
+/// What the compiler says of them cannot be true.
+pub fn examine(bytes: &[u8]) {
+    for robot in Robot::ALL {
+        let options = Options {
+            robot: *robot,
+            ..Options::default()
+        };
+        let loaded = load("random.prg", bytes, &options);
+        let text = loaded.source.text();
+        let seen = String::from_utf8_lossy(bytes);
+        let mut last = 0;
+        for diagnostic in &loaded.diagnostics {
+            assert!(diagnostic.span.start >= last, "order: {seen}");
+            last = diagnostic.span.start;
+            let labels = diagnostic.labels.iter().map(|label| label.span);
+            for span in [diagnostic.span].into_iter().chain(labels) {
+                assert!(text.get(span.start..span.end).is_some(), "{span:?}: {seen}");
+            }
+            assert!(!render_short(&loaded.source, diagnostic).is_empty());
+            assert!(!render_json(&loaded.source, diagnostic).is_empty());
+            assert!(!render_human(&loaded.source, diagnostic, false).is_empty());
+        }
+        let wrong = loaded
+            .diagnostics
+            .iter()
+            .any(|one| one.level() == Level::Error);
+        assert_eq!(loaded.program.is_none(), wrong, "{seen}");
+        if let Some(program) = loaded.program {
+            let lines = listing::formal(&program).lines().count();
+            assert_eq!(lines, program.steps().len(), "{seen}");
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Older programs: a result or questions, and a result that needs no second migration.
+
+use tipc::migrate::{migrate, render_human, render_json, render_short};
+use tipc::source::Encoding;
+
+/// Migrates the bytes in each encoding.
+///
+/// # Panics
+/// There is neither a result nor a question, or the result is not of the present version.
+pub fn examine(bytes: &[u8]) {
+    for encoding in [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis] {
+        let Ok(migration) = migrate("old.prg", bytes, encoding) else {
+            continue;
+        };
+        let seen = String::from_utf8_lossy(bytes);
+        for note in migration.notes() {
+            assert!(note.line >= 1 && note.column >= 1, "{note:?}: {seen}");
+        }
+        let asks = migration.questions().next().is_some();
+        assert_eq!(migration.bytes().is_none(), asks, "{seen}");
+        render_human(&migration);
+        render_json(&migration);
+        render_short(&migration);
+        if let Some(new) = migration.bytes() {
+            let again = migrate("new.prg", new, encoding).expect("text stays text");
+            assert_eq!(again.notes(), [], "{seen}");
+            assert_eq!(again.bytes(), Some(new), "{seen}");
+        }
+    }
+}
