@@ -63,8 +63,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             Target::All => {
                 let legs = (1..=targets::number(L.wrapping_sub(1)))
                     .filter_map(|n| self.leg_arrived(n, tolerance));
-                let all = legs.chain(self.slider_arrived(tolerance));
-                all.reduce(|all, one| all && one)
+                all(legs.chain(self.slider_arrived(tolerance)))
             }
             Target::Foot(n) => self.leg_arrived(n, tolerance),
             Target::Joint(n, m) => self.joint_arrived(n, m, tolerance),
@@ -74,9 +73,14 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Joints under angle control, and a third joint under position control, decide; else the foot.
     fn leg_arrived(&self, n: u8, tolerance: Tolerance) -> Option<bool> {
-        (1..=targets::number(J.wrapping_sub(1)))
-            .filter_map(|m| self.joint_arrived(n, m, tolerance))
-            .reduce(|all, joint| all && joint)
+        let drive = targets::leg(&self.drives, n).ok()?;
+        // A point that decides about any joint decides about the first.
+        let point = drive.point_of_joint(0);
+        let point = point.and_then(|point| self.point_arrived(n, point, tolerance));
+        let (first, tracks) = drive.own_joints();
+        let joints = (targets::number(first)..).zip(tracks);
+        let joints = joints.filter_map(|(m, track)| self.angle_arrived(n, m, track, tolerance));
+        all(point.into_iter().chain(joints))
     }
 
     /// A joint that serves a point has arrived when the point has.
@@ -127,6 +131,18 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     libm::sqrt(squares.sum())
+}
+
+/// Whether all parts are true, looking no farther than the first that is not; `None` of nothing.
+fn all(parts: impl Iterator<Item = bool>) -> Option<bool> {
+    let mut all = None;
+    for part in parts {
+        all = Some(part);
+        if !part {
+            break;
+        }
+    }
+    all
 }
 
 pub(super) fn done_if(done: bool) -> Poll {

@@ -40,6 +40,15 @@ pub(super) struct LegDrive<const J: usize> {
     pub(super) drive: Drive<J>,
     /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
+    /// What the closed form of the inverse kinematics said last.
+    solved: Option<Solved<J>>,
+}
+
+/// Where a foot was to be (mm), and the angles (deg) that put it there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Solved<const J: usize> {
+    foot: [f64; 3],
+    angles: [f64; J],
 }
 
 impl<const J: usize> LegDrive<J> {
@@ -50,6 +59,7 @@ impl<const J: usize> LegDrive<J> {
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
             own_stiffness: None,
+            solved: None,
         }
     }
 

@@ -22,7 +22,8 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Stores the readings; a joint that reads nonsense keeps its last angle.
     fn measure(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
-        let before = core::mem::replace(&mut self.measured, *sensors).angles;
+        let before = self.measured.angles;
+        self.measured = *sensors;
         let seconds = self.params.period / 1000.0;
         let mut result = Ok(());
         let legs = self.measured.angles.iter_mut().zip(&mut self.rates);

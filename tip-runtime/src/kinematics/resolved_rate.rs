@@ -54,9 +54,8 @@ pub fn resolve<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
-    let angles = nearest(leg, from, point, target, axes)?;
-    let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
-    (left.norm() <= LEFT_OVER).then_some(angles)
+    let (angles, left) = approach(leg, from, point, target, axes)?;
+    (left <= LEFT_OVER).then_some(angles)
 }
 
 /// As [`resolve`], but as near to the target as the leg comes from there.
@@ -68,19 +67,31 @@ pub fn nearest<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
+    approach(leg, from, point, target, axes).map(|(angles, _)| angles)
+}
+
+/// The angles (deg) that put a point as near to its target as it comes, and the gap that is left (mm).
+fn approach<const J: usize>(
+    leg: &Leg<J>,
+    from: &[f64; J],
+    point: Point,
+    target: [f64; 3],
+    axes: Axes,
+) -> Option<([f64; J], f64)> {
     let mut angles = *from;
     for _ in 0..TURNS {
         let chain = Chain::new(leg, &angles);
         let gap = gap(&chain, point, target, axes)?;
         if gap.norm() <= CLOSED {
-            break;
+            return Some((angles, gap.norm()));
         }
         let jacobian = rows_that_count(chain.point_jacobian(point)?, axes);
         let turns = turns_within_limits(leg, from, &angles, |free| turns(&jacobian, free, &gap))?;
         turn(&mut angles, &turns);
         clamp(leg, from, &mut angles);
     }
-    Some(angles)
+    let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
+    Some((angles, left.norm()))
 }
 
 fn gap<const J: usize>(

@@ -2,7 +2,7 @@
 
 use super::law::{bounded, spring};
 use super::reach::{follow, name};
-use super::{Drive, LegDrive, THIRD};
+use super::{Drive, LegDrive, Solved, THIRD};
 use crate::controller::params::{FootParams, JointParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
@@ -142,13 +142,7 @@ impl<const J: usize> LegDrive<J> {
         }
         let before = *track;
         track.advance(going.foot.limits(), going.dt, going.held);
-        match follow(
-            going.inverse,
-            leg,
-            (point, going.number),
-            &self.angles,
-            track,
-        ) {
+        match self.solve(point, track, leg, going) {
             Ok(angles) => {
                 let moving = self.angles.iter_mut().zip(angles);
                 for (angle, new) in moving.take(point.moved_by(J)) {
@@ -164,6 +158,29 @@ impl<const J: usize> LegDrive<J> {
                 })
             }
         }
+    }
+
+    /// The angles that put a point where its set point is. A closed form knows nothing of where the
+    /// leg comes from: a foot that stays where it is needs no second solution.
+    fn solve(
+        &mut self,
+        point: Point,
+        track: &Track<3>,
+        leg: &Leg<J>,
+        going: &Going<'_, J>,
+    ) -> Result<[f64; J], Fault> {
+        let foot = track.position();
+        let is_closed = going.inverse == Inverse::YawPitchPitch && point == Point::Tip;
+        let solved = self.solved.filter(|solved| is_same(solved.foot, foot));
+        if let Some(solved) = solved.filter(|_| is_closed) {
+            return Ok(solved.angles);
+        }
+        let name = (point, going.number);
+        let angles = follow(going.inverse, leg, name, &self.angles, track)?;
+        if is_closed {
+            self.solved = Some(Solved { foot, angles });
+        }
+        Ok(angles)
     }
 
     fn advance_soft_point(
@@ -223,4 +240,9 @@ impl<const J: usize> LegDrive<J> {
             *slot = Some(torque);
         }
     }
+}
+
+/// Whether two places are the same to the bit.
+fn is_same(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.map(f64::to_bits) == b.map(f64::to_bits)
 }
