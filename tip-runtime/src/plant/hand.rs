@@ -84,6 +84,8 @@ pub struct SimulatedHand<const L: usize, const J: usize> {
     scene: Scene,
     fingers: [Finger<J>; L],
     slider: SliderServo,
+    /// `None` of a hand without fingers.
+    palm: Option<Palm>,
     /// Friction of each finger's joints and tip on the floor.
     treads: [[Bristle; J]; L],
     things: [Option<Thing<L, J>>; OBJECTS],
@@ -106,6 +108,7 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
             scene: Scene::EMPTY,
             fingers: model.legs.each_ref().map(Finger::new),
             slider: SliderServo::new(model),
+            palm: Palm::between(model.legs.iter().map(|leg| leg.base)),
             treads: [[Bristle::default(); J]; L],
             things: [None; OBJECTS],
             pulls: [Vector::zeros(); L],
@@ -211,9 +214,10 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
 
     /// Moves everything on by `dt` s.
     fn step(&mut self, dt: f64) {
+        let floor = self.floor();
         self.on_last = [[Vector::zeros(); 2]; L];
-        self.meet_floor(dt);
-        self.meet_objects(dt);
+        self.meet_floor(&floor, dt);
+        self.meet_objects(&floor, dt);
         for (finger, pull) in self.fingers.iter_mut().zip(self.pulls) {
             finger.push(J.wrapping_sub(1), finger.tip(), pull);
             finger.advance(dt);
@@ -225,12 +229,13 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     }
 
     /// Fingers press on the floor, each with its joints and its tip.
-    fn meet_floor(&mut self, dt: f64) {
-        let floor = self.floor();
+    fn meet_floor(&mut self, floor: &Surface, dt: f64) {
         let fingers = self.fingers.iter_mut().zip(&mut self.treads);
         for ((finger, treads), [on_last, _]) in fingers.zip(&mut self.on_last) {
-            let links = *finger.links();
-            for (m, (link, tread)) in links.iter().zip(treads).enumerate() {
+            for (m, tread) in treads.iter_mut().enumerate() {
+                let Some(&link) = finger.links().get(m) else {
+                    continue;
+                };
                 let velocity = |at| link.velocity_at(at) - floor.velocity;
                 let place = floor.overlap(link.end);
                 let push = tread.press(place, velocity, floor.friction, dt);
@@ -245,12 +250,10 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     }
 
     /// Objects press on the floor, the palm, the fingers and each other.
-    fn meet_objects(&mut self, dt: f64) {
-        let floor = self.floor();
-        let palm = Palm::between(self.model.legs.iter().map(|leg| leg.base));
+    fn meet_objects(&mut self, floor: &Surface, dt: f64) {
         for thing in self.things.iter_mut().flatten() {
-            thing.meet_floor(&floor, dt);
-            if let Some(palm) = &palm {
+            thing.meet_floor(floor, dt);
+            if let Some(palm) = &self.palm {
                 thing.meet_palm(palm, dt);
             }
             let fingers = self.fingers.iter_mut().zip(&mut self.on_last);

@@ -20,6 +20,8 @@ enum Outline {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Body {
     outline: Outline,
+    /// No point of it is farther from its centre: m.
+    pub(super) reach: f64,
     /// kg.
     mass: f64,
     /// About its centre: kg·m².
@@ -46,18 +48,20 @@ impl Body {
     /// At rest, with its centre at y = 0 if it has no place of its own.
     pub(super) fn new(object: &Object) -> Self {
         let mass = object.mass;
-        let (outline, inertia) = match object.shape {
+        let (outline, reach, inertia) = match object.shape {
             Shape::Disc { radius } => {
                 let radius = radius / 1000.0;
-                (Outline::Disc(radius), mass * radius * radius / 2.0)
+                (Outline::Disc(radius), radius, mass * radius * radius / 2.0)
             }
             Shape::Box { width, height } => {
                 let half = Vector::new(width, height) / 2000.0;
-                (Outline::Box(half), mass * half.norm_squared() / 3.0)
+                let inertia = mass * half.norm_squared() / 3.0;
+                (Outline::Box(half), half.norm(), inertia)
             }
         };
         let mut body = Body {
             outline,
+            reach,
             mass,
             inertia,
             friction: object.friction,
@@ -82,6 +86,7 @@ impl Body {
     }
 
     /// A force (N) acts at a point (m).
+    #[inline]
     pub(super) fn push(&mut self, point: Vector, force: Vector) {
         self.force += force;
         self.torque += (point - self.centre).perp(&force);
@@ -97,19 +102,13 @@ impl Body {
     }
 
     /// How fast a point of it moves: m/s.
+    #[inline]
     pub(super) fn velocity_at(&self, point: Vector) -> Vector {
         self.velocity + across(point - self.centre) * self.spin
     }
 
-    /// No point of it is farther from its centre: m.
-    pub(super) fn reach(&self) -> f64 {
-        match self.outline {
-            Outline::Disc(radius) => radius,
-            Outline::Box(half) => half.norm(),
-        }
-    }
-
     /// The points of its outline that meet something flat in the `direction` (a unit vector).
+    #[inline]
     pub(super) fn feelers(&self, direction: Vector) -> [Option<Vector>; 4] {
         match self.outline {
             Outline::Disc(radius) => [Some(self.centre + direction * radius), None, None, None],
@@ -118,6 +117,7 @@ impl Body {
     }
 
     /// The corners of a box, one after the other; of a disc its centre.
+    #[inline]
     pub(super) fn corners(&self) -> [Vector; 4] {
         let half = match self.outline {
             Outline::Disc(_) => Vector::zeros(),
@@ -133,6 +133,7 @@ impl Body {
     }
 
     /// The nearest way out of it for a point: a unit vector, and how far; negative from outside.
+    #[inline]
     pub(super) fn way_out(&self, point: Vector) -> (Vector, f64) {
         let from = point - self.centre;
         match self.outline {

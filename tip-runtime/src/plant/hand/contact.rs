@@ -66,6 +66,7 @@ pub(super) struct Push {
     pub(super) force: Vector,
 }
 
+#[inline]
 fn within(value: f64, most: f64) -> f64 {
     value.max(-most).min(most)
 }

@@ -7,7 +7,7 @@
 use super::Vector;
 use super::motor::{Effort, Motor};
 use crate::model::{Joint, Leg};
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 /// Of each motor and its gear, as the joint feels it: kg·m².
 const ROTOR: f64 = 1e-4;
@@ -49,11 +49,13 @@ impl Link {
     }
 
     /// How fast a point of it moves: m/s.
+    #[inline]
     pub(super) fn velocity_at(&self, point: Vector) -> Vector {
         self.velocity + across(point - self.start) * self.turn
     }
 
     /// What a point of it would accelerate by if no joint's rate changed: m/s².
+    #[inline]
     fn acceleration_at(&self, point: Vector) -> Vector {
         self.acceleration - (point - self.start) * (self.turn * self.turn)
     }
@@ -162,9 +164,12 @@ impl<const J: usize> Finger<J> {
         for _ in 0..=J {
             let mut matrix = mass;
             let mut torques = -inertial;
+            let mut efforts = [Effort::default(); J];
             let joints = self.motors.iter().zip(&self.angles).zip(&self.rates);
-            for (m, ((motor, angle), rate)) in joints.enumerate() {
-                let Effort { torque, inertia } = motor.effort(*angle, *rate, dt);
+            for (m, (((motor, angle), rate), own)) in joints.zip(&mut efforts).enumerate() {
+                *own = motor.effort(*angle, *rate, dt);
+                let [friction, stop] = motor.resistance(*angle, *rate, dt);
+                let Effort { torque, inertia } = own.plus(friction).plus(stop);
                 add(matrix.get_mut((m, m)), ROTOR + inertia);
                 add(torques.get_mut(m), torque);
             }
@@ -175,9 +180,9 @@ impl<const J: usize> Finger<J> {
                 .cholesky()
                 .map_or_else(SVector::zeros, |matrix| matrix.solve(&torques));
             let mut yields = false;
-            let joints = self.angles.iter().zip(&self.rates).zip(&accelerations);
-            for (motor, ((angle, rate), acceleration)) in self.motors.iter_mut().zip(joints) {
-                yields |= motor.settle(*angle, *rate, *acceleration, dt);
+            let joints = efforts.into_iter().zip(&accelerations);
+            for (motor, (own, acceleration)) in self.motors.iter_mut().zip(joints) {
+                yields |= motor.settle(own, *acceleration);
             }
             if !yields {
                 break;
@@ -186,7 +191,8 @@ impl<const J: usize> Finger<J> {
         accelerations
     }
 
-    /// The mass matrix (kg·m²), and what keeps the joints turning at their rates (N·m).
+    /// The lower triangle of the mass matrix (kg·m²), which is all that Cholesky's method reads, and
+    /// what keeps the joints turning at their rates (N·m).
     fn dynamics(&self) -> (SMatrix<f64, J, J>, SVector<f64, J>) {
         let mut mass = SMatrix::<f64, J, J>::zeros();
         let mut inertial = SVector::<f64, J>::zeros();
@@ -194,30 +200,33 @@ impl<const J: usize> Finger<J> {
             let centre = (link.start + link.end) / 2.0;
             let length = link.straight.norm_squared();
             // Turn and velocity of this link for each joint's rate.
-            let mut moves = SMatrix::<f64, 3, J>::zeros();
-            let joints = moves.column_iter_mut().zip(&self.links);
-            for (mut column, joint) in joints.take(m + 1) {
+            let mut moves = [Vector3::zeros(); J];
+            for (moves, joint) in moves.iter_mut().zip(&self.links).take(m + 1) {
                 let velocity = across(centre - joint.start) * joint.sense;
-                let twist = [joint.sense, velocity.x, velocity.y];
-                for (entry, twist) in column.iter_mut().zip(twist) {
-                    *entry = twist;
-                }
+                *moves = Vector3::new(joint.sense, velocity.x, velocity.y);
             }
             let own = Vector3::new(link.mass * length / 12.0, link.mass, link.mass);
-            let weighted = moves.transpose() * Matrix3::from_diagonal(&own);
             let acceleration = link.acceleration_at(centre);
-            mass += weighted * moves;
-            inertial += weighted * Vector3::new(0.0, acceleration.x, acceleration.y);
+            let acceleration = Vector3::new(0.0, acceleration.x, acceleration.y);
+            for (row, moved) in moves.iter().enumerate().take(m + 1) {
+                let weighted = moved.component_mul(&own);
+                add(inertial.get_mut(row), weighted.dot(&acceleration));
+                for (column, moved) in moves.iter().enumerate().take(row + 1) {
+                    add(mass.get_mut((row, column)), weighted.dot(moved));
+                }
+            }
         }
         (mass, inertial)
     }
 }
 
 /// A quarter turn from x to y.
+#[inline]
 pub(super) fn across(vector: Vector) -> Vector {
     Vector::new(-vector.y, vector.x)
 }
 
+#[inline]
 fn add(entry: Option<&mut f64>, value: f64) {
     if let Some(entry) = entry {
         *entry += value;

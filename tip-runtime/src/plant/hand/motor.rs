@@ -37,6 +37,7 @@ pub(super) struct Effort {
 impl Effort {
     /// A spring (N·m/rad) that is stretched by `gap` deg, and a damper (N·m·s/rad) between rates that
     /// differ by `slower` rad/s, both at the end of a step of `dt` s.
+    #[inline]
     fn spring(stiffness: f64, damping: f64, gap: f64, slower: f64, dt: f64) -> Self {
         Effort {
             torque: stiffness * gap.to_radians() + damping * slower,
@@ -44,7 +45,8 @@ impl Effort {
         }
     }
 
-    fn plus(self, other: Self) -> Self {
+    #[inline]
+    pub(super) fn plus(self, other: Self) -> Self {
         Effort {
             torque: self.torque + other.torque,
             inertia: self.inertia + other.inertia,
@@ -130,6 +132,7 @@ impl Motor {
     }
 
     /// The set point goes on for `dt` s.
+    #[inline]
     pub(super) fn advance(&mut self, dt: f64) {
         self.set_point += (self.set_rate * dt).to_degrees();
         if let Mode::Yielding(_) = self.mode {
@@ -137,33 +140,10 @@ impl Motor {
         }
     }
 
-    /// What acts on a joint at `angle` deg that turns at `rate` rad/s, in a step of `dt` s.
+    /// What the motor itself does to a joint at `angle` deg that turns at `rate` rad/s, in a step of
+    /// `dt` s.
+    #[inline]
     pub(super) fn effort(&self, angle: f64, rate: f64, dt: f64) -> Effort {
-        let friction = Effort {
-            torque: -FRICTION * rate,
-            inertia: FRICTION * dt / 2.0,
-        };
-        let ahead = angle + (rate * dt).to_degrees();
-        self.own(angle, rate, dt)
-            .plus(friction)
-            .plus(self.stop(ahead, rate, dt))
-    }
-
-    /// Takes the acceleration (rad/s²) that resulted. Whether the motor would have had to give more
-    /// than it can, and is going to give what it can.
-    pub(super) fn settle(&mut self, angle: f64, rate: f64, acceleration: f64, dt: f64) -> bool {
-        let Effort { torque, inertia } = self.own(angle, rate, dt);
-        self.torque = torque - inertia * acceleration;
-        let bounded = self.torque.max(-self.strongest).min(self.strongest);
-        let yields = matches!(self.mode, Mode::Servo) && bounded != self.torque;
-        if yields {
-            self.mode = Mode::Yielding(bounded);
-        }
-        yields
-    }
-
-    /// What the motor itself gives.
-    fn own(&self, angle: f64, rate: f64, dt: f64) -> Effort {
         match self.mode {
             Mode::Torque(torque) | Mode::Yielding(torque) => Effort {
                 torque,
@@ -176,7 +156,32 @@ impl Motor {
         }
     }
 
+    /// What friction and the stops do to that joint.
+    #[inline]
+    pub(super) fn resistance(&self, angle: f64, rate: f64, dt: f64) -> [Effort; 2] {
+        let friction = Effort {
+            torque: -FRICTION * rate,
+            inertia: FRICTION * dt / 2.0,
+        };
+        let ahead = angle + (rate * dt).to_degrees();
+        [friction, self.stop(ahead, rate, dt)]
+    }
+
+    /// Takes the acceleration (rad/s²) that resulted with the motor's `own` effort. Whether the motor
+    /// would have had to give more than it can, and is going to give what it can.
+    #[inline]
+    pub(super) fn settle(&mut self, own: Effort, acceleration: f64) -> bool {
+        self.torque = own.torque - own.inertia * acceleration;
+        let bounded = self.torque.max(-self.strongest).min(self.strongest);
+        let yields = matches!(self.mode, Mode::Servo) && bounded != self.torque;
+        if yields {
+            self.mode = Mode::Yielding(bounded);
+        }
+        yields
+    }
+
     /// What a stop gives back to a joint that is going to be at `ahead` deg.
+    #[inline]
     fn stop(&self, ahead: f64, rate: f64, dt: f64) -> Effort {
         let stops = self.stops;
         if stops.contains(ahead) {

@@ -70,10 +70,16 @@ impl<const L: usize, const J: usize> Thing<L, J> {
     pub(super) fn meet_finger(&mut self, n: usize, finger: &mut Finger<J>, dt: f64) -> Vector {
         let friction = self.body.friction;
         let mut on_last = Vector::zeros();
-        let links = *finger.links();
         let bristles = self.fingers.get_mut(n).into_iter().flatten();
-        for (m, (link, bristles)) in links.iter().zip(bristles).enumerate() {
-            let places = of_link(link, m == 0, &self.body);
+        for (m, bristles) in bristles.enumerate() {
+            let Some(link) = finger.links().get(m) else {
+                continue;
+            };
+            let Some(places) = of_link(link, m == 0, &self.body) else {
+                *bristles = [Bristle::default(); 5];
+                continue;
+            };
+            let link = *link;
             for (bristle, place) in bristles.iter_mut().zip(places) {
                 let body = &self.body;
                 let velocity = |at| link.velocity_at(at) - body.velocity_at(at);
@@ -107,6 +113,7 @@ impl<const L: usize, const J: usize> Thing<L, J> {
 }
 
 /// The lower side of the palm, which spans the bases of the fingers.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Palm {
     surface: Surface,
     /// m.
