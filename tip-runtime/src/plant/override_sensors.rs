@@ -48,13 +48,19 @@ impl<const L: usize, const J: usize> Overrides<L, J> {
 
     /// Puts what was set in place of what was measured.
     pub(super) fn apply(&self, sensors: &mut Sensors<L, J>) {
-        let measured = sensors.angles.iter_mut().flatten().chain(&mut sensors.paws);
-        let set = self.angles.iter().flatten().chain(&self.paws);
-        for (measured, set) in measured.zip(set) {
-            *measured = set.unwrap_or(*measured);
+        for (measured, set) in sensors.angles.iter_mut().zip(&self.angles) {
+            put_all(measured, set);
         }
+        put_all(&mut sensors.paws, &self.paws);
         sensors.knobs = self.knobs;
         sensors.antenna = self.antenna.unwrap_or(sensors.antenna);
+    }
+}
+
+/// Puts the values that are set in place of those that are there.
+fn put_all<const N: usize>(values: &mut [f64; N], set: &[Option<f64>; N]) {
+    for (value, set) in values.iter_mut().zip(set) {
+        *value = set.unwrap_or(*value);
     }
 }
 

@@ -66,6 +66,10 @@ pub struct SimulatedPlant<const L: usize, const J: usize> {
     model: Model<L, J>,
     dynamics: ServoDynamics,
     floor: Floor,
+    /// The direction of gravity in the floor's frame.
+    gravity: Point,
+    /// The same in the robot's frame, as the body lies now.
+    down: Point,
     servos: [[Servo; J]; L],
     legs: [LegLinks<J>; L],
     mass: Mass,
@@ -84,11 +88,14 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     /// The robot in its initial posture on a level floor.
     pub fn new(model: &Model<L, J>) -> Self {
         let servos = model.legs.map(|leg| leg.initial.map(Servo::at));
-        let legs = links::legs(model, &servos);
+        let mut legs = [LegLinks::NOWHERE; L];
+        links::place(&mut legs, model, &servos);
         let mut plant = SimulatedPlant {
             model: *model,
             dynamics: ServoDynamics::default(),
             floor: Floor::LEVEL,
+            gravity: Floor::LEVEL.gravity(),
+            down: Point::zeros(),
             servos,
             legs,
             mass: links::mass(model, &legs),
@@ -109,6 +116,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     #[must_use]
     pub fn with_floor(mut self, floor: Floor) -> Self {
         self.floor = floor;
+        self.gravity = floor.gravity();
         self.body = Body::standing(self.model.body.as_ref());
         self.stance = Stance::new();
         self.settle();
@@ -186,12 +194,14 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// Joint angles as they are, whatever the sensors say: deg.
     pub fn angles(&self) -> [[f64; J]; L] {
-        self.servos.map(|leg| leg.map(|servo| servo.angle))
+        let angles = |leg: &[Servo; J]| leg.each_ref().map(|servo| servo.angle);
+        self.servos.each_ref().map(angles)
     }
 
     /// What the motors give: N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
-        self.servos.map(|leg| leg.map(|servo| servo.torque))
+        let torques = |leg: &[Servo; J]| leg.each_ref().map(|servo| servo.torque);
+        self.servos.each_ref().map(torques)
     }
 
     /// Whether a lamp or relay is on.
@@ -214,38 +224,43 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// Moves every joint for `dt` s under the load that it had.
     fn drive(&mut self, commands: &[[JointCommand; J]; L], dt: f64) {
-        let gravity = self.body.into_body(self.floor.gravity());
+        let gravity = self.down;
+        let stride = self.dynamics.within(dt);
         let legs = self.servos.iter_mut().zip(&self.model.legs);
         let forces = self.legs.iter().zip(&self.loads.feet);
         for (((servos, leg), (links, load)), commands) in legs.zip(forces).zip(commands) {
             let push = -gravity * *load;
             let torques = links.load_torques(leg, push, gravity);
-            let stiffness = if *load > 0.0 { support::STIFFNESS } else { 0.0 };
-            let loads = torques
-                .into_iter()
-                .zip(links.stiffness(-gravity, stiffness));
+            let is_torque = |command: &JointCommand| matches!(command, JointCommand::Torque(_));
+            let stiffness = if *load > 0.0 && commands.iter().any(is_torque) {
+                links.stiffness(-gravity, support::STIFFNESS)
+            } else {
+                [0.0; J]
+            };
+            let loads = torques.into_iter().zip(stiffness);
             let joints = servos.iter_mut().zip(&leg.joints);
             for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads)
             {
                 let load = JointLoad { torque, stiffness };
-                servo.advance(joint, *command, load, dt, &self.dynamics);
+                servo.advance(joint, *command, load, stride);
             }
         }
     }
 
     /// Lets the body come to rest on its contacts, and takes stance feet along.
     fn settle(&mut self) {
-        self.legs = links::legs(&self.model, &self.servos);
+        links::place(&mut self.legs, &self.model, &self.servos);
         self.mass = links::mass(&self.model, &self.legs);
         let Some(body) = &self.model.body else {
             self.at_rest = true;
+            self.down = self.body.rotation().inverse() * self.gravity;
             return;
         };
         let points = Contacts::of(body, &self.legs);
         let load = Load {
             centre: self.mass.centre,
             weight: self.mass.weight,
-            gravity: self.floor.gravity(),
+            gravity: self.gravity,
         };
         let Support {
             normal,
@@ -255,10 +270,15 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
-        self.stance.follow(&points, &self.loads, &mut self.body);
-        let down = self.body.into_body(self.floor.gravity());
-        self.falls
-            .watch(&points, &self.loads, self.mass.centre, down, self.cycle);
+        let rotation = self.stance.follow(&points, &self.loads, &mut self.body);
+        self.down = rotation.inverse() * self.gravity;
+        self.falls.watch(
+            &points,
+            &self.loads,
+            self.mass.centre,
+            self.down,
+            self.cycle,
+        );
     }
 
     fn paws(&self) -> [f64; L] {

@@ -81,18 +81,18 @@ impl Body {
 
     /// Turns the robot frame into the floor's.
     pub(super) fn rotation(&self) -> Rotation3<f64> {
+        self.headed(&Self::levelling(self.normal))
+    }
+
+    /// As [`rotation`](Self::rotation), with the turn that levels the body.
+    pub(super) fn headed(&self, levelling: &Rotation3<f64>) -> Rotation3<f64> {
         let up = Unit::new_unchecked(Point::z());
-        Rotation3::from_axis_angle(&up, self.heading) * Self::levelling(self.normal)
+        Rotation3::from_axis_angle(&up, self.heading) * levelling
     }
 
     /// A point of the robot frame, in the floor's.
     pub(super) fn point(&self, point: Point) -> Point {
         self.rotation() * point + Point::new(self.x, self.y, self.height)
-    }
-
-    /// A direction of the floor's frame, in the robot's.
-    pub(super) fn into_body(self, direction: Point) -> Point {
-        self.rotation().inverse() * direction
     }
 }
 

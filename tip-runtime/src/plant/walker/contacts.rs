@@ -20,6 +20,16 @@ impl<T, const L: usize> Contacts<T, L> {
     pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
         self.feet.iter().chain(&self.belly)
     }
+
+    /// Both of each contact, feet first.
+    pub(super) fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
+        for (one, other) in self.feet.iter().zip(&other.feet) {
+            f(one, other);
+        }
+        for (one, other) in self.belly.iter().zip(&other.belly) {
+            f(one, other);
+        }
+    }
 }
 
 impl<T: Copy, const L: usize> Contacts<T, L> {
@@ -36,7 +46,7 @@ impl<const L: usize> Contacts<Point, L> {
     pub(super) fn of<const J: usize>(body: &Body, legs: &[LegLinks<J>; L]) -> Self {
         let (x, y, z) = (body.x, body.y, body.z.min);
         Contacts {
-            feet: legs.map(|leg| leg.foot),
+            feet: legs.each_ref().map(|leg| leg.foot),
             belly: [
                 Point::new(x.min, y.min, z),
                 Point::new(x.max, y.min, z),

@@ -54,8 +54,16 @@ impl FallWatch {
     ) {
         let heights = points.feet.iter().map(|foot| foot.z);
         let lowest = heights.fold(f64::INFINITY, f64::min);
-        let feet = (points.feet.iter()).filter(|foot| foot.z <= lowest + self.lift);
-        let feet = feet.map(|point| [point.x, point.y]);
+        let standing = (points.feet.iter()).filter(|foot| foot.z <= lowest + self.lift);
+        let mut places = [[0.0; 2]; L];
+        let count = places
+            .iter_mut()
+            .zip(standing)
+            .fold(0, |count, (place, foot)| {
+                *place = [foot.x, foot.y];
+                count + 1
+            });
+        let feet = places.iter().take(count).copied();
         let fall = (lowest - centre.z) / down.z;
         let over = [centre.x + fall * down.x, centre.y + fall * down.y];
         let on_feet = polygon::margin(feet.clone(), over);

@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::servo::Servo;
-use crate::model::{Leg, Model};
+use crate::model::{Joint, Leg, Model};
 use nalgebra::{Rotation3, Unit};
 
 /// Standard gravity: m/s² (3rd CGPM, 1901).
@@ -11,6 +11,8 @@ pub(super) const GRAVITY: f64 = 9.80665;
 /// A leg in the robot frame: mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegLinks<const J: usize> {
+    /// The joint angles that put it there: deg.
+    angles: [f64; J],
     joints: [Point; J],
     axes: [Point; J],
     /// The middle of each link, where its mass is taken to be.
@@ -27,16 +29,18 @@ pub(super) struct Mass {
     pub(super) weight: f64,
 }
 
-/// Places every leg.
-pub(super) fn legs<const L: usize, const J: usize>(
+/// Places every leg whose joints have turned.
+pub(super) fn place<const L: usize, const J: usize>(
+    legs: &mut [LegLinks<J>; L],
     model: &Model<L, J>,
     servos: &[[Servo; J]; L],
-) -> [LegLinks<J>; L] {
-    let mut links = [LegLinks::NOWHERE; L];
-    for ((links, leg), servos) in links.iter_mut().zip(&model.legs).zip(servos) {
-        *links = LegLinks::of(leg, servos);
+) {
+    for ((links, leg), servos) in legs.iter_mut().zip(&model.legs).zip(servos) {
+        let angles = servos.each_ref().map(|servo| servo.angle);
+        if links.angles.map(f64::to_bits) != angles.map(f64::to_bits) {
+            *links = LegLinks::of(leg, angles);
+        }
     }
-    links
 }
 
 /// Adds up body and links.
@@ -59,7 +63,9 @@ pub(super) fn mass<const L: usize, const J: usize>(
 }
 
 impl<const J: usize> LegLinks<J> {
-    const NOWHERE: Self = LegLinks {
+    /// Not placed yet.
+    pub(super) const NOWHERE: Self = LegLinks {
+        angles: [f64::NAN; J],
         joints: [Point::new(0.0, 0.0, 0.0); J],
         axes: [Point::new(0.0, 0.0, 0.0); J],
         centres: [Point::new(0.0, 0.0, 0.0); J],
@@ -67,18 +73,21 @@ impl<const J: usize> LegLinks<J> {
     };
 
     /// Follows the chain from base to foot.
-    fn of(leg: &Leg<J>, servos: &[Servo; J]) -> Self {
-        let mut links = Self::NOWHERE;
+    fn of(leg: &Leg<J>, angles: [f64; J]) -> Self {
+        let mut links = LegLinks {
+            angles,
+            ..Self::NOWHERE
+        };
         let mut turned = Rotation3::identity();
         let mut at = Point::from(leg.base);
         let places = links.joints.iter_mut().zip(&mut links.axes);
         let places = places.zip(&mut links.centres);
-        for (((place, axis), centre), (joint, servo)) in places.zip(leg.joints.iter().zip(servos)) {
+        for (((place, axis), centre), (joint, angle)) in places.zip(leg.joints.iter().zip(angles)) {
             let own_axis = Point::from(joint.axis);
             *place = at;
             *axis = turned * own_axis;
-            let angle = servo.angle.to_radians();
-            turned *= Rotation3::from_axis_angle(&Unit::new_unchecked(own_axis), angle);
+            let own_axis = Unit::new_unchecked(own_axis);
+            turned *= Rotation3::from_axis_angle(&own_axis, angle.to_radians());
             let link = turned * Point::from(joint.link);
             *centre = at + link / 2.0;
             at += link;
@@ -103,15 +112,17 @@ impl<const J: usize> LegLinks<J> {
     /// weight exert: Jᵀ F (e.g. Siciliano et al., Robotics, 2009, §3.8), N·m. `down` is the
     /// direction of gravity. All in the robot frame.
     pub(super) fn load_torques(&self, leg: &Leg<J>, push: Point, down: Point) -> [f64; J] {
+        let weight_of = |link: &Joint| down * link.mass * GRAVITY;
+        let weights = leg.joints.each_ref().map(weight_of);
         let mut torques = [0.0; J];
         for (place, torque) in torques.iter_mut().enumerate() {
             let (Some(joint), Some(axis)) = (self.joints.get(place), self.axes.get(place)) else {
                 continue;
             };
             let mut moment = (self.foot - joint).cross(&push);
-            let links = leg.joints.iter().zip(&self.centres).skip(place);
-            for (link, centre) in links {
-                moment += (centre - joint).cross(&(down * link.mass * GRAVITY));
+            let links = weights.iter().zip(&self.centres).skip(place);
+            for (weight, centre) in links {
+                moment += (centre - joint).cross(weight);
             }
             *torque = axis.dot(&moment) / 1000.0;
         }

@@ -3,22 +3,39 @@
 /// The distance of `inner` to the nearest edge of the hull, negative outside. Points on one line
 /// have a hull without inside.
 pub(super) fn margin(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
-    let mut inside = f64::INFINITY;
-    let mut outside = f64::INFINITY;
-    for from in hull.clone() {
-        for to in hull.clone() {
-            outside = outside.min(distance(from, to, inner));
-            let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
-            if length > 0.0 && hull.clone().all(|point| side(from, to, point) >= -1e-6) {
-                inside = inside.min(side(from, to, inner) / length);
-            }
-        }
-    }
+    let inside = height_over_edges(hull.clone(), inner);
     if inside.is_finite() && inside > 0.0 {
         inside
     } else {
-        -outside
+        -distance_to_stretches(hull, inner)
     }
+}
+
+/// How far `inner` is on the inner side of every edge of the hull; infinite without edges.
+fn height_over_edges(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+    let mut least = f64::INFINITY;
+    for from in hull.clone() {
+        for to in hull.clone() {
+            if from != to && hull.clone().all(|point| side(from, to, point) >= -1e-6) {
+                let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
+                if length > 0.0 {
+                    least = least.min(side(from, to, inner) / length);
+                }
+            }
+        }
+    }
+    least
+}
+
+/// The distance of `inner` to the nearest stretch between any two points.
+fn distance_to_stretches(points: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+    let mut least = f64::INFINITY;
+    for from in points.clone() {
+        for to in points.clone() {
+            least = least.min(distance(from, to, inner));
+        }
+    }
+    least
 }
 
 /// The distance of a point to the stretch between two others.

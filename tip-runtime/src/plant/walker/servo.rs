@@ -25,6 +25,25 @@ impl Default for ServoDynamics {
     }
 }
 
+impl ServoDynamics {
+    /// What joints may do within `dt` s.
+    pub(super) fn within(&self, dt: f64) -> Stride {
+        Stride {
+            share: 1.0 - libm::exp(-1000.0 * dt / self.lag),
+            farthest: self.speed * dt,
+        }
+    }
+}
+
+/// What any joint may do in a piece of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stride {
+    /// How much of the way to its command it goes.
+    share: f64,
+    /// deg.
+    farthest: f64,
+}
+
 /// What the world does to a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JointLoad {
@@ -49,7 +68,7 @@ impl Servo {
         Servo { angle, torque: 0.0 }
     }
 
-    /// Moves for `dt` s under a load.
+    /// Moves under a load.
     pub(super) fn advance(
         &mut self,
         joint: &Joint,
@@ -58,11 +77,9 @@ impl Servo {
             torque: load,
             stiffness,
         }: JointLoad,
-        dt: f64,
-        dynamics: &ServoDynamics,
+        Stride { share, farthest }: Stride,
     ) {
         let strongest = joint.torque;
-        let farthest = dynamics.speed * dt;
         let turn = match command {
             JointCommand::Angle(_) if libm::fabs(load) > strongest => {
                 // The load wins: the joint gives way.
@@ -71,7 +88,6 @@ impl Servo {
             }
             JointCommand::Angle(target) => {
                 self.torque = -load;
-                let share = 1.0 - libm::exp(-1000.0 * dt / dynamics.lag);
                 (target - self.angle) * share
             }
             JointCommand::Torque(torque) => {
@@ -117,10 +133,15 @@ mod tests {
         }
     }
 
+    /// Of an ordinary servo, in 20 ms.
+    fn stride() -> Stride {
+        ServoDynamics::default().within(0.02)
+    }
+
     fn advanced(command: JointCommand, load: f64, cycles: u32) -> Servo {
         let mut servo = Servo::at(90.0);
         for _ in 0..cycles {
-            servo.advance(&KNEE, command, free(load), 0.02, &ServoDynamics::default());
+            servo.advance(&KNEE, command, free(load), stride());
         }
         servo
     }
@@ -139,7 +160,8 @@ mod tests {
             speed: 1e9,
         };
         let mut servo = Servo::at(90.0);
-        servo.advance(&KNEE, JointCommand::Angle(80.0), free(0.0), 0.02, &dynamics);
+        let stride = dynamics.within(0.02);
+        servo.advance(&KNEE, JointCommand::Angle(80.0), free(0.0), stride);
         assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
     }
 
@@ -179,13 +201,7 @@ mod tests {
                 torque,
                 stiffness: STIFFNESS,
             };
-            servo.advance(
-                &KNEE,
-                JointCommand::Torque(10.0),
-                load,
-                0.02,
-                &ServoDynamics::default(),
-            );
+            servo.advance(&KNEE, JointCommand::Torque(10.0), load, stride());
             assert!(servo.angle - 90.0 >= depth, "it bounces");
             depth = servo.angle - 90.0;
         }

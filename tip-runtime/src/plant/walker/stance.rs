@@ -3,7 +3,7 @@
 use super::Point;
 use super::body::Body;
 use super::contacts::Contacts;
-use nalgebra::Vector2;
+use nalgebra::{Rotation3, Vector2};
 
 /// Feet and belly on the floor.
 #[derive(Clone, Copy, Debug)]
@@ -38,37 +38,50 @@ impl<const L: usize> Stance<L> {
     }
 
     /// Moves the body so that what touched before and still does stays where it was: the rigid
-    /// motion of least squares, weighed by the loads, which is what friction holds on to.
+    /// motion of least squares, weighed by the loads, which is what friction holds on to. What turns
+    /// the robot frame into the floor's now.
     pub(super) fn follow(
         &mut self,
         points: &Contacts<Point, L>,
         loads: &Contacts<f64, L>,
         body: &mut Body,
-    ) {
+    ) -> Rotation3<f64> {
         let levelling = Body::levelling(body.normal);
-        let levelled = points.map(|point| levelling * point);
-        let stays = levelled
-            .iter()
-            .zip(loads.iter())
-            .zip(self.places.iter())
-            .filter_map(|((point, load), place)| {
-                let place = place.filter(|_| *load > 0.0)?;
-                Some(Pair {
-                    own: point.xy(),
-                    place,
-                    weight: *load,
-                })
-            });
-        fit(stays, body);
-        self.remember(points, loads, body);
+        let stays = self.stays(points, loads, &levelling);
+        fit(stays.iter().flatten(), body);
+        let rotation = body.headed(&levelling);
+        self.remember(points, loads, body, &rotation);
+        rotation
     }
 
-    fn remember(&mut self, points: &Contacts<Point, L>, loads: &Contacts<f64, L>, body: &Body) {
-        let rotation = body.rotation();
-        let place = |point: &Point, load: &f64| {
-            let point = rotation * point;
-            (*load > 0.0).then_some(point.xy() + Vector2::new(body.x, body.y))
-        };
+    /// What touched before and still does.
+    fn stays(
+        &self,
+        points: &Contacts<Point, L>,
+        loads: &Contacts<f64, L>,
+        levelling: &Rotation3<f64>,
+    ) -> Contacts<Option<Pair>, L> {
+        let (mut weights, mut places) = (loads.iter(), self.places.iter());
+        points.map(|point| {
+            let (weight, place) = (*weights.next()?, (*places.next()?)?);
+            (weight > 0.0).then(|| Pair {
+                own: (levelling * point).xy(),
+                place,
+                weight,
+            })
+        })
+    }
+
+    fn remember(
+        &mut self,
+        points: &Contacts<Point, L>,
+        loads: &Contacts<f64, L>,
+        body: &Body,
+        rotation: &Rotation3<f64>,
+    ) {
+        let here = Vector2::new(body.x, body.y);
+        let place =
+            |point: &Point, load: &f64| (*load > 0.0).then(|| (rotation * point).xy() + here);
         let belly = points.belly.iter().zip(&loads.belly);
         for (old, (point, load)) in self.places.belly.iter_mut().zip(belly) {
             *old = place(point, load);
@@ -107,13 +120,13 @@ struct Pair {
 
 /// Moves the body by the planar rigid motion of weighted least squares (Kabsch, Acta Cryst. A32,
 /// 1976, in two dimensions). With nothing that stays the body keeps place and heading.
-fn fit(pairs: impl Iterator<Item = Pair> + Clone, body: &mut Body) {
+fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
     let mut total = 0.0;
     let (mut own_centre, mut place_centre) = (Vector2::zeros(), Vector2::zeros());
     for Pair { own, place, weight } in pairs.clone() {
         total += weight;
-        own_centre += own * weight;
-        place_centre += place * weight;
+        own_centre += own * *weight;
+        place_centre += place * *weight;
     }
     if total <= 0.0 {
         return;

@@ -8,7 +8,7 @@
 use super::Point;
 use super::body::Body;
 use super::contacts::Contacts;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Cholesky, Matrix3, U3, Vector3};
 
 /// Of a foot with its leg, and of the belly: N/mm.
 pub(super) const STIFFNESS: f64 = 200.0;
@@ -59,12 +59,13 @@ pub(super) fn rest<const L: usize>(
         height: body.height,
         found: false,
     };
+    let pull = pull(load, body.heading);
     for _ in 0..TURNS {
         let levelling = Body::levelling(support.normal);
         let problem = Problem {
             points: points.map(|point| levelling * point),
             centre: levelling * load.centre,
-            pull: pull(load, body.heading),
+            pull,
         };
         let plane = problem.solve(support.height);
         let tilted = Point::new(plane.x, plane.y, 1.0);
@@ -105,12 +106,26 @@ struct Problem<const L: usize> {
     pull: Point,
 }
 
+/// How bent the energy is while certain contacts carry.
+struct Curvature<const L: usize> {
+    carriers: Contacts<bool, L>,
+    /// `None` where it is not positive.
+    factor: Option<Cholesky<f64, U3>>,
+}
+
 impl<const L: usize> Problem<L> {
     fn solve(&self, height: f64) -> Vector3<f64> {
         let mut plane = Vector3::new(0.0, 0.0, height);
+        let mut heights = self.heights(&plane);
+        let mut curvature = self.curvature(heights.map(carries));
         for _ in 0..STEPS {
-            let step = self.newton_step(&plane);
-            plane = self.descend(plane, step);
+            let carriers = heights.map(carries);
+            if carriers != curvature.carriers {
+                curvature = self.curvature(carriers);
+            }
+            let weight = self.weight(&plane);
+            let step = self.newton_step(&weight, &heights, &curvature);
+            (plane, heights) = self.descend(plane, &weight, heights, step);
             let small = step
                 .iter()
                 .zip(&SMALLEST)
@@ -120,6 +135,12 @@ impl<const L: usize> Problem<L> {
             }
         }
         plane
+    }
+
+    /// How high each contact is above the plane; one below it carries.
+    fn heights(&self, plane: &Vector3<f64>) -> Contacts<f64, L> {
+        self.points
+            .map(|point| plane.x * point.x + plane.y * point.y + plane.z + point.z)
     }
 
     /// What the weight wants of `(a, b, h)`: on a slope it acts where its line meets the floor.
@@ -133,20 +154,34 @@ impl<const L: usize> Problem<L> {
         ) * -self.pull.z
     }
 
-    fn newton_step(&self, plane: &Vector3<f64>) -> Vector3<f64> {
-        let mut slope = self.weight(plane);
+    fn curvature(&self, carriers: Contacts<bool, L>) -> Curvature<L> {
         let mut curvature =
             Matrix3::from_diagonal(&Vector3::new(1e4, 1e4, 1.0)) * (DAMPING * STIFFNESS);
-        for point in self.points.iter() {
-            let lever = Vector3::new(point.x, point.y, 1.0);
-            let depth = -(lever.dot(plane) + point.z);
-            if depth > 0.0 {
-                slope -= lever * (STIFFNESS * depth);
+        self.points.for_each_with(&carriers, |point, carries| {
+            if *carries {
+                let lever = Vector3::new(point.x, point.y, 1.0);
                 curvature += lever * lever.transpose() * STIFFNESS;
             }
+        });
+        Curvature {
+            carriers,
+            factor: curvature.cholesky(),
         }
-        let step = curvature
-            .cholesky()
+    }
+
+    fn newton_step(
+        &self,
+        weight: &Vector3<f64>,
+        heights: &Contacts<f64, L>,
+        curvature: &Curvature<L>,
+    ) -> Vector3<f64> {
+        let mut slope = *weight;
+        self.points.for_each_with(heights, |point, height| {
+            if carries(*height) {
+                slope -= Vector3::new(point.x, point.y, 1.0) * (STIFFNESS * -height);
+            }
+        });
+        let step = (curvature.factor.as_ref())
             .map_or_else(Vector3::zeros, |curvature| -curvature.solve(&slope));
         let excess = step
             .iter()
@@ -157,26 +192,37 @@ impl<const L: usize> Problem<L> {
     }
 
     /// Goes along `step` as far as the energy falls.
-    fn descend(&self, plane: Vector3<f64>, mut step: Vector3<f64>) -> Vector3<f64> {
-        let weight = self.weight(&plane);
-        let before = self.energy(&plane, &weight);
+    fn descend(
+        &self,
+        plane: Vector3<f64>,
+        weight: &Vector3<f64>,
+        heights: Contacts<f64, L>,
+        mut step: Vector3<f64>,
+    ) -> (Vector3<f64>, Contacts<f64, L>) {
+        let before = energy(&plane, weight, &heights);
         for _ in 0..HALVINGS {
             let candidate = plane + step;
-            if self.energy(&candidate, &weight) <= before + ROUNDING {
-                return candidate;
+            let found = self.heights(&candidate);
+            if energy(&candidate, weight, &found) <= before + ROUNDING {
+                return (candidate, found);
             }
             step /= 2.0;
         }
-        plane
+        (plane, heights)
     }
+}
 
-    fn energy(&self, plane: &Vector3<f64>, weight: &Vector3<f64>) -> f64 {
-        let mut energy = weight.dot(plane);
-        for point in self.points.iter() {
-            let height = plane.x * point.x + plane.y * point.y + plane.z + point.z;
-            let depth = (-height).max(0.0);
-            energy += STIFFNESS / 2.0 * depth * depth;
-        }
-        energy
-    }
+fn carries(height: f64) -> bool {
+    height < 0.0
+}
+
+fn energy<const L: usize>(
+    plane: &Vector3<f64>,
+    weight: &Vector3<f64>,
+    heights: &Contacts<f64, L>,
+) -> f64 {
+    heights.iter().fold(weight.dot(plane), |energy, height| {
+        let depth = (-height).max(0.0);
+        energy + STIFFNESS / 2.0 * depth * depth
+    })
 }
