@@ -2,6 +2,8 @@
 #![cfg(feature = "control")]
 
 mod inverse;
+#[path = "../list/mod.rs"]
+mod list;
 mod machine;
 mod program;
 mod shapes;
