@@ -63,6 +63,33 @@ pub trait Program {
     fn reset(&mut self);
 }
 
+impl<P: Program + ?Sized> Program for &mut P {
+    fn signature(&self) -> Signature {
+        (**self).signature()
+    }
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+    fn title(&self) -> &str {
+        (**self).title()
+    }
+    fn at(&self) -> u32 {
+        (**self).at()
+    }
+    fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        (**self).step(cx)
+    }
+    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+        (**self).scalar(i)
+    }
+    fn line(&self, step: u32) -> u32 {
+        (**self).line(step)
+    }
+    fn reset(&mut self) {
+        (**self).reset();
+    }
+}
+
 /// What native code of a SPECIAL command, and every step, can ask of the robot.
 pub trait Robot {
     /// Starts or continues a command. While it answers `Pending` the same command is asked again each cycle.

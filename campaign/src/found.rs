@@ -1,0 +1,65 @@
+//! A difference as it is told, and as a case of the language.
+
+use crate::batch::Failure;
+use lockstep::{Event, Happening, Script};
+use tip_runtime::command::Port;
+
+/// `differs`, the seed, the options of a run by which it shows, and both sides in words.
+pub fn text(failure: &Failure<'_>) -> String {
+    let Failure {
+        subject,
+        script,
+        difference,
+    } = failure;
+    let seed = subject.0.0;
+    let sides = format!(
+        "cycle {}, interpreter:\n{}generated code:\n{}",
+        difference.cycle, difference.expected, difference.found
+    );
+    let sides: String = sides.lines().map(|line| format!("| {line}\n")).collect();
+    let events = format!("{:?} {:?}", script.scenery, script.events);
+    format!("differs {seed} {}\n| {events}\n{sides}", options(script))
+}
+
+/// The options of `tipc run` for a script. Failing hardware has none.
+fn options(script: &Script) -> String {
+    let keys: Vec<String> = script.events.iter().filter_map(key).collect();
+    let sensors = script.events.iter().flat_map(sensors);
+    let mut options = vec![format!("--cycles {}", script.limit)];
+    if !keys.is_empty() {
+        options.push(format!("--keys {}", keys.join(",")));
+    }
+    options.extend(sensors);
+    options.join(" ")
+}
+
+fn key((cycle, happening): &Event) -> Option<String> {
+    match happening {
+        Happening::Key(byte) => Some(format!("{cycle}:{byte:#04X}").replace("0X", "0x")),
+        _ => None,
+    }
+}
+
+fn sensors((cycle, happening): &Event) -> Vec<String> {
+    let inputs = match happening {
+        Happening::Sensor(port, volts) => vec![(name(*port), *volts)],
+        Happening::Touch(on) => (1..=4)
+            .map(|leg| (format!("PAW{leg}"), f64::from(*on) * 2.0))
+            .collect(),
+        Happening::Key(_) | Happening::ReadFails | Happening::WriteFails => Vec::new(),
+    };
+    inputs
+        .iter()
+        .map(|(name, volts)| format!("--sensor {name}={volts}@{cycle}"))
+        .collect()
+}
+
+fn name(port: Port) -> String {
+    match port {
+        Port::Knob(n) => format!("VR{n}"),
+        Port::Paw(n) => format!("PAW{n}"),
+        Port::Antenna => "ANTENNA".to_owned(),
+        Port::Joint(leg, joint) => format!("J{leg}{joint}"),
+        Port::Channel(channel) => format!("channel {channel}"),
+    }
+}

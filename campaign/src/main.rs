@@ -1,0 +1,145 @@
+//! `--programs N` runs programs until N are done, those of earlier calls included; `flavours --programs N` compares
+//! builds; `report` prints what is done.
+
+use campaign::batch::Effort;
+use campaign::build::{Flavour, Workshop};
+use campaign::hunt::{differing, shrink};
+use campaign::progress::Progress;
+use campaign::report::report;
+use lockstep::Figures;
+use random_programs::{Specimen, program};
+use std::collections::BTreeMap;
+use std::process::ExitCode;
+use std::{env, fs, io};
+
+/// How many programs are compiled at once.
+const BATCH: u64 = 1000;
+
+/// What every program goes through.
+const EFFORT: Effort = Effort {
+    runs: 2,
+    cycles: 8_000,
+    simulated_one_in: 10,
+    simulated_cycles: 1000,
+};
+
+/// Every so many batches one is optimised, as users' programs are.
+const OPTIMISED_ONE_IN: u64 = 20;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let done = match words[..] {
+        ["--programs", count] => count.parse().map_err(io::Error::other).and_then(campaign),
+        ["flavours", "--programs", count] => {
+            count.parse().map_err(io::Error::other).and_then(flavours)
+        }
+        ["report"] => show(),
+        _ => Err(io::Error::other(
+            "usage: campaign --programs N | flavours --programs N | report",
+        )),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn progress(workshop: &Workshop) -> Progress {
+    Progress(workshop.papers().join("figures"))
+}
+
+fn show() -> io::Result<bool> {
+    let figures = progress(&Workshop::new()).sum()?;
+    print!("{}", report(&figures));
+    Ok(figures.get("differences") == 0)
+}
+
+/// Goes through batch after batch, those done before left out.
+fn campaign(programs: u64) -> io::Result<bool> {
+    let workshop = Workshop::new();
+    let progress = progress(&workshop);
+    for batch in 0..programs.div_ceil(BATCH) {
+        if progress.has(batch) {
+            continue;
+        }
+        let flavour = match batch % OPTIMISED_ONE_IN {
+            1 => Flavour::Optimised,
+            _ => Flavour::Quick,
+        };
+        let specimens = specimens(batch * BATCH, BATCH.min(programs - batch * BATCH));
+        let printed = workshop.run(&specimens, flavour, &EFFORT)?;
+        for (place, told) in differing(&specimens, &printed) {
+            keep(&workshop, flavour, &specimens[place], &told)?;
+        }
+        let figures = Figures::parse(&printed);
+        eprintln!(
+            "batch {batch}: {} cycles, {} differences",
+            figures.get("cycles"),
+            figures.get("differences")
+        );
+        progress.keep(batch, &figures)?;
+    }
+    show()
+}
+
+fn specimens(first: u64, count: u64) -> Vec<Specimen> {
+    (first..first + count).map(program).collect()
+}
+
+/// Shrinks a program and writes it down as a case of the language.
+fn keep(workshop: &Workshop, flavour: Flavour, specimen: &Specimen, told: &str) -> io::Result<()> {
+    let (specimen, told) = shrink(workshop, flavour, &EFFORT, specimen, told)?;
+    let folder = workshop.package.join("found");
+    let (first, rest) = told.split_once('\n').unwrap_or((&told, ""));
+    let options = first.splitn(3, ' ').nth(2).unwrap_or_default();
+    let robot = specimen.robot.name();
+    let header = format!("# clauses: \n# args: --robot {robot} {options}\n");
+    let sides: String = rest.lines().map(|line| format!("# {line}\n")).collect();
+    fs::create_dir_all(&folder)?;
+    fs::write(
+        folder.join(format!("seed_{}.prg", specimen.seed)),
+        &specimen.source,
+    )?;
+    fs::write(
+        folder.join(format!("seed_{}.trace", specimen.seed)),
+        format!("{header}{sides}...\n"),
+    )?;
+    eprintln!(
+        "seed {} differs:\n{}\n{told}",
+        specimen.seed, specimen.source
+    );
+    Ok(())
+}
+
+/// Every flavour of build gives the same fingerprints.
+fn flavours(programs: u64) -> io::Result<bool> {
+    let workshop = Workshop::new();
+    let specimens = specimens(0, programs);
+    let effort = Effort {
+        cycles: 1000,
+        ..EFFORT
+    };
+    let mut outcomes: BTreeMap<String, Vec<Flavour>> = BTreeMap::new();
+    for flavour in [
+        Flavour::Quick,
+        Flavour::Optimised,
+        Flavour::Debug,
+        Flavour::Std,
+    ] {
+        let printed = workshop.run(&specimens, flavour, &effort)?;
+        eprintln!(
+            "{flavour:?}: {} cycles",
+            Figures::parse(&printed).get("cycles")
+        );
+        outcomes.entry(printed).or_default().push(flavour);
+    }
+    for flavours in outcomes.values() {
+        println!("the same to the bit: {flavours:?}");
+    }
+    Ok(outcomes.len() == 1)
+}

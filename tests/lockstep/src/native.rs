@@ -1,0 +1,45 @@
+//! The native code behind SPECIAL that random programs call.
+
+use random_programs::NATIVE;
+use tip_runtime::command::{Command, Op, Poll, Target, Value};
+use tip_runtime::fault::Fault;
+use tip_runtime::program::Robot;
+use tip_runtime::special::{Call, Special};
+
+/// How many cycles the command under way still takes.
+#[derive(Debug, Default)]
+pub(crate) struct Native {
+    left: f64,
+}
+
+impl Special for Native {
+    fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault> {
+        let [at_once, lasting, lamp, _] = NATIVE;
+        let [cycles, flag] = call.arguments.map(Option::unwrap_or_default);
+        match call.number {
+            n if n == at_once => Ok(Poll::Done),
+            n if n == lasting => Ok(self.last(call.first, cycles, flag, robot)),
+            n if n == lamp => robot.command(&Command {
+                op: Op::LampOn,
+                hs: false,
+                target: Target::None,
+                values: &[Value::absolute(1.0)],
+            }),
+            _ => Err(Fault::Domain),
+        }
+    }
+}
+
+impl Native {
+    fn last(&mut self, first: bool, cycles: f64, flag: f64, robot: &mut dyn Robot) -> Poll {
+        if first {
+            self.left = cycles;
+        }
+        self.left -= 1.0;
+        if self.left > 0.0 {
+            return Poll::Pending;
+        }
+        robot.set_special_flag(flag as u8 % 10, robot.period() > cycles);
+        Poll::Done
+    }
+}

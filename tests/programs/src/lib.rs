@@ -1,0 +1,61 @@
+//! Random motion programs: whole, valid by construction, each of a fixed seed.
+//!
+//! What a command's arguments are is read from the compiler's own table, so that a new row is used at once;
+//! [`rust()`] compiles a batch of programs to one table of Rust for a test to run.
+
+mod command;
+mod condition;
+mod control;
+mod dice;
+mod equation;
+mod inputs;
+mod number;
+mod operand;
+mod rust;
+mod text;
+mod writer;
+
+pub use dice::Dice;
+pub use rust::{Tamper, rust};
+
+use tipc::Robot;
+use writer::Writer;
+
+/// The numbers of SPECIAL that the native code of the test answers to, beside those of the hand: 30 is done at once, 31
+/// takes as many cycles as its argument says and then sets SPECIAL_FLAG0 … 9, 32 switches a lamp, 33 fails.
+pub const NATIVE: [u8; 4] = [30, 31, 32, 33];
+
+/// A random program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Specimen {
+    /// What it follows from.
+    pub seed: u64,
+    /// The robot it is for.
+    pub robot: Robot,
+    /// Its text.
+    pub source: String,
+}
+
+/// How careful a program is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Temper {
+    /// Its equations never feed on themselves and its numbers are in range: it runs for long.
+    Calm,
+    /// Anything that loads.
+    Wild,
+}
+
+/// The program of a seed. Half of them are for TITAN VIII, the others for the hand and the generic robot.
+pub fn program(seed: u64) -> Specimen {
+    let mut dice = Dice::new(seed);
+    let robot = dice.pick(&[Robot::Titan8, Robot::Hand, Robot::Titan8, Robot::Generic]);
+    let temper = dice.pick(&[Temper::Calm, Temper::Calm, Temper::Wild]);
+    Specimen {
+        seed,
+        robot,
+        source: Writer::new(dice, robot, temper).write(seed),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,17 @@
+//! MESSAGE.
+
+use crate::writer::Writer;
+
+impl Writer {
+    pub(crate) fn message(&mut self) {
+        let (a, b) = (self.variable(), self.variable());
+        let line = match self.dice.below(5) {
+            0 => "MESSAGE".to_owned(),
+            1 => "MESSAGE {braces} 100% \"quoted\" \\a".to_owned(),
+            2 => format!("MESSAGE {} is %{a}%", self.dice.below(10)),
+            3 => "MESSAGE_CLEAR".to_owned(),
+            _ => format!("MESSAGE %{a}.{}% and %{b}.0%", self.dice.below(8)),
+        };
+        self.line(&line);
+    }
+}
