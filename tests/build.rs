@@ -30,7 +30,6 @@ fn main() {
     println!("cargo::rerun-if-changed=harness/src/settings.rs");
     write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
     write(&out.join("random.rs"), &random_programs());
-    write(&out.join("random_tests.rs"), &random_tests());
 }
 
 /// A module for each case that runs, the function that finds it, and a test for each case.
@@ -61,23 +60,12 @@ fn cases(folder: &Path, out: &Path) -> String {
         }
     }
     write(&out.join("case_tests.rs"), &tests);
-    programs.finish("case")
+    programs.finish()
 }
 
 fn random_programs() -> String {
-    let mut programs = Programs::default();
-    for seed in 0..random::PROGRAMS {
-        let source = random::program(seed);
-        let name = seed.to_string();
-        programs.add(&name, &name, source.as_bytes(), Options::default());
-    }
-    programs.finish("random")
-}
-
-fn random_tests() -> String {
-    (0..random::PROGRAMS)
-        .map(|seed| format!("#[test]\nfn seed_{seed}() {{ tip_tests::differential({seed}); }}\n"))
-        .collect()
+    let specimens: Vec<_> = random::specimens().collect();
+    random_programs::rust(&specimens, |code| code).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Generated programs on their way to a file.
@@ -108,12 +96,12 @@ impl Programs {
         self.count += 1;
     }
 
-    fn finish(self, function: &str) -> String {
+    fn finish(self) -> String {
         let Programs { modules, arms, .. } = self;
         format!(
             "{modules}
 /// The generated code of a program; `None` if it does not load.
-pub fn {function}(name: &str) -> Option<Box<dyn tip_runtime::program::Program>> {{
+pub fn case(name: &str) -> Option<Box<dyn tip_runtime::program::Program>> {{
     Some(match name {{
         {arms}
         _ => return None,

@@ -15,10 +15,10 @@ pub mod stops;
 mod verdict;
 
 pub use compare::matches;
-pub use generated::{case, random as random_program};
+pub use generated::case;
 pub use seek::{cases, root};
 pub use tip_harness::{Boxed, Settings, run};
-pub use verdict::{checked, differential, random_settings, stopped, traced};
+pub use verdict::{checked, stopped, traced};
 
 /// The examples of the reference compile and run.
 #[cfg(doctest)]

@@ -1,11 +1,11 @@
 //! Whether a case holds.
 #![expect(clippy::disallowed_methods, reason = "tests read their cases")]
 
+use crate::clauses;
 use crate::compare::matches;
 use crate::generated;
 use crate::seek::root;
 use crate::stops::{self, Stop};
-use crate::{clauses, random};
 use std::fs;
 use tip_harness::{Settings, run};
 use tip_runtime::program::Program;
@@ -84,36 +84,6 @@ pub fn checked(case: &str) {
             lines => lines.to_vec(),
         };
         assert_eq!(told, expected, "{}", settings.load.robot.name());
-    }
-}
-
-/// Runs a random program on both engines.
-///
-/// # Panics
-/// Their traces differ, or the program does not load.
-pub fn differential(seed: u64) {
-    let source = random::program(seed);
-    let name = format!("{seed}.prg");
-    let loaded = tipc::load(&name, source.as_bytes(), &tipc::Options::default());
-    let told: Vec<String> = loaded
-        .diagnostics
-        .iter()
-        .map(|diagnostic| render_short(&loaded.source, diagnostic))
-        .collect();
-    let program = loaded
-        .program
-        .unwrap_or_else(|| panic!("{}\n\n{source}", told.join("\n")));
-    let compiled = generated::random(&seed.to_string()).expect("a program that loads was compiled");
-    both(program, compiled, &random_settings(seed));
-}
-
-/// What happens around a random program while it runs.
-pub fn random_settings(seed: u64) -> Settings {
-    Settings {
-        cycles: Some(800),
-        keys: random::keys(seed),
-        halt: Some(300),
-        ..Settings::default()
     }
 }
 

@@ -2,12 +2,15 @@
 #![expect(clippy::disallowed_methods, reason = "tests read their cases")]
 
 use crate::watched::{Seen, Watched};
+use lockstep::{Event, Happening, Scenery, Script};
+use random_programs::Specimen;
 use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
 use std::sync::LazyLock;
-use tip_tests::{Settings, cases, random, random_settings, root, run};
+use tip_tests::{Settings, cases, random, root, run};
 use tipc::program::Program;
+use tipc::{Options, Robot};
 
 /// What the runs of all programs did.
 pub(crate) struct Runs {
@@ -53,18 +56,36 @@ pub(crate) fn all() -> Vec<Runnable> {
         let runs = runs.into_iter().filter(move |_| !header.is_empty());
         runs.filter_map(of_robot)
     };
-    let of_seed = |seed: u64| {
-        let source = random::program(seed);
-        runnable(
-            format!("seed {seed}"),
-            source.as_bytes(),
-            random_settings(seed),
-        )
+    let of_seed = |Specimen {
+                       seed,
+                       robot,
+                       source,
+                   }: Specimen| {
+        let settings = random_settings(robot, seed);
+        runnable(format!("seed {seed}"), source.as_bytes(), settings)
     };
     let cases = cases(&folder).into_iter().flat_map(of_case);
     cases
-        .chain((0..random::PROGRAMS).filter_map(of_seed))
+        .chain(random::specimens().filter_map(of_seed))
         .collect()
+}
+
+/// Keys are typed while a random program runs.
+fn random_settings(robot: Robot, seed: u64) -> Settings {
+    let script = Script::random(robot, seed, 0, 800, Scenery::Simulated);
+    let key = |(cycle, happening): &Event| match happening {
+        Happening::Key(byte) => Some((*cycle, *byte)),
+        _ => None,
+    };
+    Settings {
+        load: Options {
+            robot,
+            ..Options::default()
+        },
+        cycles: Some(script.limit),
+        keys: script.events.iter().filter_map(key).collect(),
+        ..Settings::default()
+    }
 }
 
 fn runnable(name: String, source: &[u8], settings: Settings) -> Option<Runnable> {
