@@ -135,7 +135,7 @@ pub fn shown(kind: &StatementKind, names: &Names) -> Vec<Sentence> {
         Kind::Until { condition, .. } => {
             vec![sentence("UNTIL", "condition"), of_condition(condition)]
         }
-        Kind::For { step: None, .. } => one("FOR", "VAR = S TO S"),
+        Kind::For { counting, .. } if counting.step.is_none() => one("FOR", "VAR = S TO S"),
         Kind::For { .. } => one("FOR", "VAR = S TO S STEP S"),
         Kind::Next { variable: None, .. } => one("NEXT", ""),
         Kind::Next { .. } => one("NEXT", "VAR"),
@@ -181,7 +181,7 @@ pub fn condition_holds(kind: &StatementKind, place: usize) -> bool {
     else {
         return false;
     };
-    let span = match condition {
+    let span = match &**condition {
         Condition::Compare { left, right, .. } => left.span.to(right.span),
         Condition::Flag { name, .. } => name.span,
     };
