@@ -245,7 +245,7 @@ fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     changed
 }
 
-/// How many lines a long program has. How time grows with the length is measured by the bench `front_end`.
+/// How many lines a long program has. How time grows with the length, `benches/compiler` measures.
 const LONG: usize = 20_000;
 
 fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
