@@ -78,8 +78,8 @@ fn candidates(specimen: &Specimen) -> Vec<Specimen> {
     // The two ends of a block, without what is in it.
     for (first, line) in lines.iter().enumerate().skip(2) {
         let depth = indent(line);
-        let behind = lines.iter().enumerate().skip(first + 1);
-        if let Some((last, _)) = behind.skip_while(|(_, line)| indent(line) > depth).next() {
+        let mut behind = lines.iter().enumerate().skip(first + 1);
+        if let Some((last, _)) = behind.find(|(_, line)| indent(line) <= depth) {
             sources.insert(without(&|n| n == first || n == last));
         }
     }

@@ -15,7 +15,11 @@ const EFFORT: Effort = Effort {
 /// What is wrong with the code, a word that the shrunk program must keep, and the most lines that it may have.
 const FAULTS: &[(Tamper, &str, usize)] = &[
     (|code| code.replace("ops :: sub (", "ops :: add ("), "-", 8),
-    (|code| code.replace("Target :: Foot (2)", "Target :: Foot (1)"), "F2", 6),
+    (
+        |code| code.replace("Target :: Foot (2)", "Target :: Foot (1)"),
+        "F2",
+        6,
+    ),
 ];
 
 #[test]
@@ -26,14 +30,21 @@ fn planted_faults_are_found_and_shrunk() {
             tamper: *tamper,
             ..Workshop::new()
         };
-        let printed = workshop.run(&specimens, Flavour::Quick, &EFFORT).expect("a batch");
+        let printed = workshop
+            .run(&specimens, Flavour::Quick, &EFFORT)
+            .expect("a batch");
         let found = differing(&specimens, &printed);
-        let (place, told) = found.first().unwrap_or_else(|| panic!("{word} is found:\n{printed}"));
+        let (place, told) = found
+            .first()
+            .unwrap_or_else(|| panic!("{word} is found:\n{printed}"));
         let (shrunk, told) =
             shrink(&workshop, Flavour::Quick, &EFFORT, &specimens[*place], told).expect("batches");
         let source = &shrunk.source;
         assert!(source.contains(word), "{source}\n{told}");
         assert!(source.lines().count() <= *lines, "{source}\n{told}");
-        assert!(told.contains("interpreter:") && told.contains("generated code:"), "{told}");
+        assert!(
+            told.contains("interpreter:") && told.contains("generated code:"),
+            "{told}"
+        );
     }
 }
