@@ -4,6 +4,7 @@
 //! what it needs and URDF lacks is assumed. The report tells both.
 
 mod chain;
+mod depth;
 mod pose;
 mod tree;
 mod write;
@@ -45,9 +46,10 @@ impl ImportError {
 /// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
 ///
 /// # Errors
-/// Text that is no URDF; joints that are no tree; a leg that branches or has a joint that does not turn; legs
+/// Text that is no URDF, or nested too deep; joints that are no tree; a leg that branches or has a joint that does not turn; legs
 /// that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
+    depth::check(text)?;
     let robot = urdf_rs::read_from_string(text)
         .map_err(|error| ImportError::new(format!("this is no URDF: {error}")))?;
     let tree = Tree::new(&robot)?;

@@ -143,3 +143,23 @@ fn text_that_is_no_urdf_is_refused() {
         assert!(import("huge.urdf", &text).is_err(), "{number}");
     }
 }
+
+/// Before it was refused, it overflowed the stack.
+#[test]
+fn elements_nested_without_end_are_refused() {
+    let nested = |depth: usize| {
+        let (open, close) = ("<x>".repeat(depth), "</x>".repeat(depth));
+        let error = import(
+            "deep.urdf",
+            &format!("<robot name=\"r\">{open}{close}<link name=\"a\"/></robot>"),
+        );
+        error.expect_err("it has no leg").to_string()
+    };
+    assert!(nested(99).contains("no joint turns"), "{}", nested(99));
+    assert!(
+        nested(100).contains("element `x` is nested deeper than 100 levels"),
+        "{}",
+        nested(100)
+    );
+    assert_eq!(nested(100), nested(100_000));
+}
