@@ -8,8 +8,7 @@ use tipc::analysis::assignment::{Assigned, Assignment, Read};
 fn no_run_contradicts_what_is_proved() {
     let seen = &RUNS.seen;
     assert!(seen[&Assigned::Always] > 20_000, "{seen:?}");
-    // No run can contradict this one; it is enough that runs come to it.
-    assert!(seen[&Assigned::Sometimes] > 3, "{seen:?}");
+    assert!(seen[&Assigned::Sometimes] > 30, "{seen:?}");
     assert!(seen[&Assigned::Never] > 5, "{seen:?}");
 }
 
