@@ -5,16 +5,20 @@
     reason = "a build script reads and writes files and talks to Cargo"
 )]
 
+#[path = "stage/src/events.rs"]
+#[allow(unreachable_pub, reason = "it is shared with the tests")]
+mod events;
 #[path = "src/random.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod random;
-#[path = "src/seek.rs"]
+#[path = "harness/src/seek.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod seek;
 #[path = "harness/src/settings.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod settings;
 
+use events::Events;
 use settings::Settings;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -28,6 +32,7 @@ fn main() {
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=src");
     println!("cargo::rerun-if-changed=harness/src/settings.rs");
+    println!("cargo::rerun-if-changed=stage/src/events.rs");
     write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
     write(&out.join("random.rs"), &random_programs());
 }

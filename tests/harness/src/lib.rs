@@ -1,11 +1,19 @@
-//! How the tests run a motion program: on the simulated robot, with what happens around it, traced record by record.
-//!
-//! A crate of its own so that it can be optimised: the plants are generic, and therefore compiled here.
+//! How the tests run a language case: a file `cases/<area>/<name>.prg` beside `<name>.trace` (what a run writes down),
+//! `<name>.check` (what the compiler says) or `<name>.stops` (which of its lines stop it, a run for each: see [`stops`]).
+//! These begin with `#` lines that name the clauses proved, the options of the run, and the robots if there are
+//! several; `...` in a trace stands for any number of records, `"cycle":*` for any cycle.
 
-mod engine;
+pub mod clauses;
+mod compare;
 mod run;
+mod seek;
 mod settings;
+pub mod stops;
+mod verdict;
 
-pub use engine::Boxed;
+pub use compare::matches;
 pub use run::run;
+pub use seek::{cases, root};
 pub use settings::Settings;
+pub use tip_stage::{Boxed, Events};
+pub use verdict::{Compiled, checked, stopped, traced};

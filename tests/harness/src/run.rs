@@ -1,137 +1,49 @@
-//! A run on the simulated robot, written down.
+//! A run as a case wants it.
 
-use crate::engine::Boxed;
 use crate::settings::Settings;
-use tip_runtime::command::Port;
-use tip_runtime::console::Scripted;
-use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::{Model, generic, hand, titan8};
-use tip_runtime::plant::{Plant, Scene, SimulatedHand, SimulatedPlant};
+use tip_runtime::model::Model;
+use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
-use tip_runtime::record::{Ending, JsonLines};
-use tip_runtime::special::Special;
-use tip_runtime::special::hand::HandSpecials;
-use tipc::Robot;
+use tip_stage::Robot;
 use tipc::description::Description;
-
-/// No case needs more cycles; one that has not ended by then never will.
-const ENDLESS: u64 = 100_000;
 
 /// The trace of a run, with the state in each record.
 ///
 /// # Errors
 /// The program is for another robot, an input has no such name, or the program never ends.
 pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
+    tip_stage::run(program, &robot(settings)?, &settings.events)
+}
+
+fn robot(settings: &Settings) -> Result<Robot, String> {
     if let Some(description) = &settings.description {
-        return described(program, description, settings);
+        return described(description);
     }
     match settings.load.robot {
-        Robot::Titan8 => walk(program, &titan8::MODEL, settings),
-        Robot::Generic => walk(program, &generic::MODEL, settings),
-        Robot::Hand => grasp(program, &hand::MODEL, settings),
-        Robot::Described(_) => Err("the robot has no description".to_owned()),
+        tipc::Robot::Titan8 => Ok(Robot::Titan8),
+        tipc::Robot::Generic => Ok(Robot::Generic),
+        tipc::Robot::Hand => Ok(Robot::Hand(Box::new(scene(settings)?))),
+        tipc::Robot::Described(_) => Err("the robot has no description".to_owned()),
     }
 }
 
-/// A run on a robot that a file describes; of the sizes that the cases have, since each is compiled for itself.
-fn described(
-    program: Box<dyn Program>,
-    description: &Description,
-    settings: &Settings,
-) -> Result<String, String> {
-    if let Some(model) = description.model::<1, 1>() {
-        walk(program, &model, settings)
-    } else if let Some(model) = description.model::<6, 3>() {
-        walk(program, &model, settings)
-    } else if let Some(model) = description.model::<9, 9>() {
-        walk(program, &model, settings)
-    } else {
+fn scene(settings: &Settings) -> Result<Scene, String> {
+    match &settings.scene {
+        Some(name) => Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}")),
+        None => Ok(Scene::EMPTY),
+    }
+}
+
+fn described(description: &Description) -> Result<Robot, String> {
+    let one = sized(description).map(Robot::OneJoint);
+    let six = sized(description).map(Robot::Hexapod);
+    let nine = sized(description).map(Robot::Largest);
+    one.or(six).or(nine).ok_or_else(|| {
         let name = description.name();
-        Err(format!(
-            "no case has had a robot of the size of {name}: it is to be listed here"
-        ))
-    }
+        format!("no case has had a robot of the size of {name}: it is to be listed here")
+    })
 }
 
-fn walk<const L: usize, const J: usize>(
-    program: Box<dyn Program>,
-    model: &Model<L, J>,
-    settings: &Settings,
-) -> Result<String, String> {
-    run_on(program, model, SimulatedPlant::new(model), (), settings)
-}
-
-fn grasp<const L: usize, const J: usize>(
-    program: Box<dyn Program>,
-    model: &Model<L, J>,
-    settings: &Settings,
-) -> Result<String, String> {
-    let scene = match &settings.scene {
-        Some(name) => Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}"))?,
-        None => Scene::EMPTY,
-    };
-    let plant = SimulatedHand::new(model).with_scene(&scene);
-    run_on(program, model, plant, HandSpecials::new(), settings)
-}
-
-fn run_on<const L: usize, const J: usize>(
-    program: Box<dyn Program>,
-    model: &Model<L, J>,
-    plant: impl Plant<L, J>,
-    special: impl Special,
-    settings: &Settings,
-) -> Result<String, String> {
-    let keys = Scripted::new(settings.keys.clone());
-    let console = match settings.halt {
-        Some(cycle) => keys.halt(cycle),
-        None => keys,
-    };
-    let mut machine = Machine::new(Boxed(program), model, plant, console, special)
-        .map_err(|mismatch| mismatch.to_string())?;
-    let mut trace = JsonLines::new(String::new(), true);
-    let ending = loop {
-        let cycle = machine.cycles();
-        if settings.cycles == Some(cycle) {
-            break Ending::Limit;
-        }
-        if cycle == ENDLESS {
-            return Err(format!("it runs for more than {ENDLESS} cycles"));
-        }
-        for (name, volts, _) in settings
-            .sensors
-            .iter()
-            .filter(|(_, _, from)| *from == cycle)
-        {
-            let port = port(name).ok_or_else(|| format!("no input is called {name}"))?;
-            if !machine.hardware_mut().set_sensor(port, *volts) {
-                return Err(format!("the robot has no input {name}"));
-            }
-        }
-        match machine.cycle_traced(&mut trace) {
-            Status::Running => {}
-            Status::Finished(end) => break Ending::Program(end),
-            Status::Emergency => {
-                let emergency = machine.emergency().copied();
-                break Ending::Emergency(emergency.ok_or("an emergency without a report")?);
-            }
-        }
-    };
-    trace.end(ending, machine.cycles());
-    trace.result().map_err(|error| error.to_string())?;
-    Ok(trace.into_inner())
-}
-
-/// An input by the name that AD_IN has for it.
-fn port(name: &str) -> Option<Port> {
-    let digit = |text: &str| text.parse::<u8>().ok().filter(|digit| *digit < 10);
-    if name == "ANTENNA" {
-        Some(Port::Antenna)
-    } else if let Some(n) = name.strip_prefix("VR") {
-        digit(n).map(Port::Knob)
-    } else if let Some(n) = name.strip_prefix("PAW") {
-        digit(n).map(Port::Paw)
-    } else {
-        let (leg, joint) = name.strip_prefix('J')?.split_at_checked(1)?;
-        Some(Port::Joint(digit(leg)?, digit(joint)?))
-    }
+fn sized<const L: usize, const J: usize>(description: &Description) -> Option<Box<Model<L, J>>> {
+    description.model().map(Box::new)
 }

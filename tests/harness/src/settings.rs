@@ -4,6 +4,7 @@
     reason = "a case may stand beside the description of its robot"
 )]
 
+use super::Events;
 use std::fs;
 use std::path::Path;
 use tipc::description::{self, Description};
@@ -18,14 +19,8 @@ pub struct Settings {
     pub load: Options,
     /// The robot, if a file beside the case describes it.
     pub description: Option<Description>,
-    /// The most cycles.
-    pub cycles: Option<u64>,
-    /// Bytes typed, each before the step of its cycle.
-    pub keys: Vec<(u64, u8)>,
-    /// The cycle from which HALT_REQUEST is true.
-    pub halt: Option<u64>,
-    /// Inputs by name, their volts, and the cycle from which they read so.
-    pub sensors: Vec<(String, f64, u64)>,
+    /// What happens around it while it runs.
+    pub events: Events,
     /// What stands around the robot, by its name.
     pub scene: Option<String>,
 }
@@ -75,14 +70,14 @@ impl Settings {
                 "--robot" => Robot::from_name(value).map(|robot| self.load.robot = robot),
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
-                "--cycles" => value.parse().ok().map(|n| self.cycles = Some(n)),
+                "--cycles" => value.parse().ok().map(|n| self.events.cycles = Some(n)),
                 "--scene" => {
                     self.scene = Some(value.to_owned());
                     Some(())
                 }
-                "--halt" => value.parse().ok().map(|n| self.halt = Some(n)),
-                "--keys" => keys(value).map(|keys| self.keys.extend(keys)),
-                "--sensor" => sensor(value).map(|sensor| self.sensors.push(sensor)),
+                "--halt" => value.parse().ok().map(|n| self.events.halt = Some(n)),
+                "--keys" => keys(value).map(|keys| self.events.keys.extend(keys)),
+                "--sensor" => sensor(value).map(|sensor| self.events.sensors.push(sensor)),
                 _ => return Err(format!("unknown option {option}")),
             };
             known.ok_or_else(|| format!("{option} cannot be {value}"))?;
@@ -152,10 +147,11 @@ mod tests {
         assert_eq!(settings.load.robot, Robot::Generic);
         assert_eq!(settings.load.tip_version, 2.5);
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
-        assert_eq!(settings.keys, [(3, b'a'), (4, 0x1B)]);
-        assert_eq!((settings.halt, settings.cycles), (Some(5), Some(100)));
+        let events = &settings.events;
+        assert_eq!(events.keys, [(3, b'a'), (4, 0x1B)]);
+        assert_eq!((events.halt, events.cycles), (Some(5), Some(100)));
         assert_eq!(settings.scene.as_deref(), Some("cylinder"));
-        assert_eq!(settings.sensors, [("VR1".to_owned(), 8.0, 3)]);
+        assert_eq!(events.sensors, [("VR1".to_owned(), 8.0, 3)]);
     }
 
     #[test]
@@ -164,7 +160,7 @@ mod tests {
         let settings = Settings::of_header(header, Path::new("")).unwrap();
         let robots: Vec<Robot> = settings.iter().map(|one| one.load.robot).collect();
         assert_eq!(robots, [Robot::Hand, Robot::Titan8]);
-        assert!(settings.iter().all(|one| one.cycles == Some(5)));
+        assert!(settings.iter().all(|one| one.events.cycles == Some(5)));
         assert!(Settings::of_header("# robots: arm\n", Path::new("")).is_err());
     }
 

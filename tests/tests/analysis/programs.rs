@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
 use std::sync::LazyLock;
-use tip_tests::{Settings, cases, root, run};
+use tip_tests::{Events, Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
@@ -85,8 +85,11 @@ fn random_settings(robot: Robot, seed: u64) -> Settings {
             robot,
             ..Options::default()
         },
-        cycles: Some(script.limit),
-        keys: script.events.iter().filter_map(key).collect(),
+        events: Events {
+            cycles: Some(script.limit),
+            keys: script.events.iter().filter_map(key).collect(),
+            ..Events::default()
+        },
         ..Settings::default()
     }
 }

@@ -3,9 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder of this package.
+/// The folder of the tests.
+///
+/// # Panics
+/// Never: this package stands in it.
 pub fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.parent().expect("the package stands in a folder")
 }
 
 /// Every case below `folder`, as `<area>/<name>`, in order.

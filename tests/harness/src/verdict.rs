@@ -3,25 +3,30 @@
 
 use crate::clauses;
 use crate::compare::matches;
-use crate::generated;
+use crate::run::run;
 use crate::seek::root;
+use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
-use tip_harness::{Settings, run};
 use tip_runtime::program::Program;
 use tipc::codes::Level;
 use tipc::diagnostic::render_short;
 use tipc::interp::Interpreter;
 
-/// Runs a case on both engines: each gives the expected trace, and both give the same one.
+/// The generated code of a program by [`Settings::key`]; `None` if it does not load.
+pub type Compiled = fn(&str) -> Option<Box<dyn Program>>;
+
+/// Runs a case on the interpreter, and on the generated code if there is some: each gives the expected trace, and both
+/// give the same one.
 ///
 /// # Panics
 /// They do not, or the case is not what a case has to be.
-pub fn traced(case: &str) {
+pub fn traced(case: &str, compiled: Option<Compiled>) {
     let expectation = Expectation::read(case, "trace");
     for settings in &expectation.settings {
-        let (program, compiled) = expectation.engines(case, settings);
-        let trace = both(program, compiled, settings);
+        let program = expectation.program(case, settings);
+        let compiled = compiled.map(|compiled| engine(compiled, case, settings));
+        let trace = trace(program, compiled, settings);
         let records: Vec<String> = trace.lines().map(without_state).collect();
         let records: Vec<&str> = records.iter().map(String::as_str).collect();
         if let Err(difference) = matches(&expectation.body(), &records) {
@@ -32,20 +37,20 @@ pub fn traced(case: &str) {
     }
 }
 
-/// Runs a case on both engines, once for each line that is expected to stop it: there it stops, with that error. If no
-/// line is wanted it comes to its END.
+/// Runs a case, on both engines if there is generated code, once for each line that is expected to stop it: there it
+/// stops, with that error. If no line is wanted it comes to its END.
 ///
 /// # Panics
 /// It does not, or the case is not what a case has to be.
-pub fn stopped(case: &str) {
+pub fn stopped(case: &str, compiled: Option<Compiled>) {
     let expectation = Expectation::read(case, "stops");
     for settings in &expectation.settings {
         let robot = settings.load.robot.name();
-        let (program, _) = expectation.engines(case, settings);
+        let program = expectation.program(case, settings);
         let line = |step: u32| program.steps().get(step as usize).map(|step| step.line);
         let run = |settings: &Settings| {
-            let compiled = generated::case(&settings.key(case)).expect("it was there before");
-            both(program.clone(), compiled, settings)
+            let compiled = compiled.map(|compiled| engine(compiled, case, settings));
+            trace(program.clone(), compiled, settings)
         };
         for text in expectation.body() {
             let stop = Stop::parse(text).unwrap_or_else(|| panic!("no line and error: {text}"));
@@ -87,13 +92,20 @@ pub fn checked(case: &str) {
     }
 }
 
-/// The trace of both engines, states included.
-fn both(
+fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Box<dyn Program> {
+    compiled(&settings.key(case)).expect("a case that loads was compiled")
+}
+
+/// The trace of a program, states included; that of its generated code, if there is some, is the same.
+fn trace(
     program: tipc::program::Program,
-    compiled: Box<dyn Program>,
+    compiled: Option<Box<dyn Program>>,
     settings: &Settings,
 ) -> String {
     let interpreter = Box::new(Interpreter::new(program));
+    let Some(compiled) = compiled else {
+        return run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
+    };
     let same = |a: &dyn Program, b: &dyn Program| {
         assert_eq!(a.signature(), b.signature());
         assert_eq!((a.name(), a.title()), (b.name(), b.title()));
@@ -171,12 +183,7 @@ impl Expectation {
         tipc::load(&format!("{case}.prg"), &bytes, &settings.load)
     }
 
-    /// The program, for the interpreter and compiled.
-    fn engines(
-        &self,
-        case: &str,
-        settings: &Settings,
-    ) -> (tipc::program::Program, Box<dyn Program>) {
+    fn program(&self, case: &str, settings: &Settings) -> tipc::program::Program {
         let loaded = self.load(case, settings);
         let told: Vec<String> = loaded
             .diagnostics
@@ -184,10 +191,9 @@ impl Expectation {
             .filter(|diagnostic| diagnostic.level() == Level::Error)
             .map(|diagnostic| render_short(&loaded.source, diagnostic))
             .collect();
-        let program = loaded
+        let told = told.join("\n");
+        loaded
             .program
-            .unwrap_or_else(|| panic!("it does not load:\n{}", told.join("\n")));
-        let compiled = generated::case(&settings.key(case));
-        (program, compiled.expect("a case that loads was compiled"))
+            .unwrap_or_else(|| panic!("it does not load:\n{told}"))
     }
 }

@@ -4,7 +4,7 @@
 //! the line that is wanted, from the first cycle on; the program reads it and jumps over every other line:
 //! `IF LINE <> 12 GOTO L12:; SET_V_MAX F1 LOW; L12:`.
 
-use tip_harness::Settings;
+use crate::settings::Settings;
 
 /// A line of the expectation: `LINE: TIP_ERR:<message> (<kind>)`.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl<'a> Stop<'a> {
 pub fn wanting(line: u32, settings: &Settings) -> Settings {
     let mut settings = settings.clone();
     let knob = ("VR1".to_owned(), f64::from(line), 0);
-    settings.sensors.push(knob);
+    settings.events.sensors.push(knob);
     settings
 }
 
