@@ -26,8 +26,8 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
         action,
         line,
         column: 1,
-        text: format!("LINE {line}"),
-        formal: String::new(),
+        text: format!("LINE {line}").into(),
+        formal: "".into(),
     });
     Program {
         source_name: "by_hand.prg".to_owned(),

@@ -17,19 +17,20 @@ pub(crate) fn lower(
 ) -> Program {
     let mut resolved = std::mem::take(&mut checked.resolved);
     let lowering = Lowering::new(module, &checked);
+    let mut formal = formal::Line::of(source);
     let steps = module
         .statements
         .iter()
         .enumerate()
         .filter(|(_, statement)| !matches!(statement.kind, StatementKind::Define { .. }))
         .map(|(index, statement)| {
-            let (line, column) = source.line_column(statement.span.start);
+            let column = source.column(statement.line, statement.span.start);
             Step {
                 action: lowering.action(index, &mut resolved),
-                line,
+                line: statement.line,
                 column,
-                text: source.slice(statement.span).to_owned(),
-                formal: formal::line(source, statement),
+                text: source.slice(statement.span).into(),
+                formal: formal.write(statement),
             }
         })
         .collect();

@@ -4,6 +4,8 @@ pub use crate::syntax::{Arithmetic, Relation, VariableKind};
 pub use tip_runtime::command::{Flag, Op, Port, Target, Teach};
 pub use tip_runtime::program::{End, Signature};
 
+use smol_str::SmolStr;
+
 mod action;
 mod operand;
 
@@ -139,7 +141,7 @@ pub struct Step {
     /// Its column on that line in characters, from 1.
     pub column: u32,
     /// The statement as written, blanks trimmed.
-    pub text: String,
+    pub text: SmolStr,
     /// The statement's line of FORMAL.TMP: fields separated by tabs.
-    pub formal: String,
+    pub formal: SmolStr,
 }

@@ -111,9 +111,19 @@ impl Source {
             .lines
             .partition_point(|line| line.start <= offset)
             .saturating_sub(1);
-        let before = self.characters_before(self.lines[index].start);
-        let column = self.characters_before(offset.min(self.text.len())) - before + 1;
-        (index as u32 + 1, column as u32)
+        let line = index as u32 + 1;
+        (line, self.column(line, offset))
+    }
+
+    /// Column in characters, from 1, of a byte in or behind that line.
+    pub(crate) fn column(&self, line: u32, offset: usize) -> u32 {
+        let start = self.line_span(line).start;
+        let offset = offset.min(self.text.len());
+        let before = match offset - start {
+            0..STRIDE => character_starts(&self.text.as_bytes()[start..offset]),
+            _ => self.characters_before(offset) - self.characters_before(start),
+        };
+        before as u32 + 1
     }
 
     fn characters_before(&self, offset: usize) -> usize {

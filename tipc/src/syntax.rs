@@ -3,6 +3,7 @@
 //! Words are upper-cased. Every piece keeps its span.
 
 use crate::diagnostic::Diagnostic;
+use smol_str::{SmolStr, StrExt};
 
 /// A stretch of the decoded source text, in bytes of UTF-8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,7 +36,15 @@ pub struct Spanned<T> {
 }
 
 /// A word, upper-cased.
-pub type Word = Spanned<String>;
+pub type Word = Spanned<SmolStr>;
+
+/// A piece of the source in capital letters, as it mostly stands there.
+pub(crate) fn upper_case(text: &str) -> SmolStr {
+    match text.bytes().any(|byte| byte.is_ascii_lowercase()) {
+        true => text.to_ascii_uppercase_smolstr(),
+        false => text.into(),
+    }
+}
 
 /// A whole source file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -236,13 +245,10 @@ pub struct Operand {
 pub enum OperandKind {
     /// A constant with its sign.
     Number(f64),
-    /// A word, with the member behind its point if it has one.
-    Name {
-        /// The word before the point.
-        name: String,
-        /// The word behind the point.
-        member: Option<String>,
-    },
+    /// A word.
+    Name(SmolStr),
+    /// The words before and behind a point; boxed, since most operands are none.
+    Member(Box<(SmolStr, SmolStr)>),
 }
 
 /// `a REL b`, or an event flag.

@@ -65,7 +65,7 @@ fn type_name(kind: VariableKind) -> &'static str {
 /// The form of an equation.
 pub fn of(equation: &Equation, names: &Names) -> String {
     let kind = |operand: &Operand| match &operand.kind {
-        OperandKind::Name { name, member: None } => names.get(name).copied(),
+        OperandKind::Name(name) => names.get(name.as_str()).copied(),
         _ => None,
     };
     let text = |operand| type_name(kind(operand).unwrap_or(VariableKind::Var));

@@ -214,7 +214,7 @@ fn native(number: u8) -> Sentence {
 pub fn native_shown(arguments: &[Operand]) -> Option<Sentence> {
     match arguments.first()?.kind {
         OperandKind::Number(number) => Some(native(number as u8)),
-        OperandKind::Name { .. } => None,
+        OperandKind::Name(_) | OperandKind::Member(_) => None,
     }
 }
 

@@ -16,7 +16,7 @@ pub fn names(module: &Module) -> Names {
             kind, names: words, ..
         } = &statement.kind
         {
-            names.extend(words.iter().map(|word| (word.node.clone(), *kind)));
+            names.extend(words.iter().map(|word| (word.node.to_string(), *kind)));
         }
     }
     names
@@ -46,16 +46,20 @@ impl Piece {
     fn new(operand: &Operand, names: &Names) -> Self {
         let (sort, word) = match &operand.kind {
             OperandKind::Number(_) => (Sort::Number, None),
-            OperandKind::Name { name, member } => {
-                let sort = match (names.get(name), member) {
-                    (Some(kind), Some(member)) => Sort::Member(has(*kind, member)),
-                    (Some(VariableKind::Var), None) => Sort::Var,
-                    (Some(VariableKind::Pos), None) => Sort::Pos,
-                    (Some(VariableKind::Joint), None) => Sort::Joint,
-                    (None, None) if name.starts_with("CHAR_") => Sort::Number,
-                    (None, _) => Sort::Unknown,
+            OperandKind::Name(name) => {
+                let sort = match names.get(name.as_str()) {
+                    Some(VariableKind::Var) => Sort::Var,
+                    Some(VariableKind::Pos) => Sort::Pos,
+                    Some(VariableKind::Joint) => Sort::Joint,
+                    None if name.starts_with("CHAR_") => Sort::Number,
+                    None => Sort::Unknown,
                 };
-                (sort, member.is_none().then(|| name.clone()))
+                (sort, Some(name.to_string()))
+            }
+            OperandKind::Member(words) => {
+                let kind = names.get(words.0.as_str());
+                let sort = kind.map_or(Sort::Unknown, |kind| Sort::Member(has(*kind, &words.1)));
+                (sort, None)
             }
         };
         Piece {

@@ -68,7 +68,7 @@ impl Resolver<'_> {
             let help = self.who_has(command);
             self.report(
                 Diagnostic::new(Code::UnknownCommand, name.span, reason)
-                    .about(&name.node)
+                    .about(name.node.as_str())
                     .help(help),
             );
             return None;
@@ -365,7 +365,7 @@ fn is_flag(form: Arguments, word: &str) -> bool {
 /// The flag that stands in the place of a number, be it behind a sign.
 fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
-        OperandKind::Name { name, member: None } if is_flag(form, name) => Some(name),
+        OperandKind::Name(name) if is_flag(form, name) => Some(name),
         _ => None,
     }
 }

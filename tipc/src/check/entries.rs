@@ -14,7 +14,7 @@ pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
                 let reason = "its SUBEND stops a program that comes this way";
                 let help = "put GOTO, RETURN or EXIT above it";
                 let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
-                found.push(warning.about(&name.node).help(help));
+                found.push(warning.about(name.node.as_str()).help(help));
             }
             _ => {}
         }

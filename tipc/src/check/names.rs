@@ -147,7 +147,8 @@ impl Names {
     ) -> Result<Option<Meant>, Box<Diagnostic>> {
         let (name, member) = match &operand.kind {
             OperandKind::Number(value) => return Ok(Some(Meant::Constant(*value))),
-            OperandKind::Name { name, member } => (name, member.as_deref()),
+            OperandKind::Name(name) => (name, None),
+            OperandKind::Member(words) => (&words.0, Some(words.1.as_str())),
         };
         if member.is_none()
             && let Some(value) = constant(name)
@@ -156,7 +157,7 @@ impl Names {
             return Ok(Some(Meant::Constant(value)));
         }
         let Some(variable) = self.find(name) else {
-            if self.refused.contains(name) {
+            if self.refused.contains(name.as_str()) {
                 return Ok(None);
             }
             return Err(Box::new(self.unknown(name, operand.span)));

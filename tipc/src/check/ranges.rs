@@ -98,7 +98,7 @@ fn outside(name: &str, operands: &[syntax::Operand]) -> Option<(Span, String, St
 fn constant(operand: &syntax::Operand) -> Option<f64> {
     match operand.kind {
         OperandKind::Number(value) => Some(value),
-        OperandKind::Name { .. } => None,
+        OperandKind::Name(_) | OperandKind::Member(_) => None,
     }
 }
 

@@ -314,7 +314,7 @@ pub(crate) fn keyword(statement: &Statement) -> Span {
 
 fn name_of(operand: &Operand) -> Option<&str> {
     match &operand.kind {
-        OperandKind::Name { name, member: None } => Some(name),
+        OperandKind::Name(name) => Some(name),
         _ => None,
     }
 }

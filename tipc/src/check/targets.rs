@@ -25,7 +25,7 @@ pub(super) fn target(word: &str) -> Option<Target> {
 /// The word that an operand is, if it is one without sign and member.
 pub(super) fn word(operand: &Operand) -> Option<&str> {
     match &operand.kind {
-        OperandKind::Name { name, member: None } if !operand.negative => Some(name),
+        OperandKind::Name(name) if !operand.negative => Some(name),
         _ => None,
     }
 }
@@ -38,13 +38,16 @@ impl Resolver<'_> {
         targets: Targets,
         arguments: &[Operand],
     ) -> Option<Target> {
-        let wanted = targets.examples(self.robot).replace('|', ", ");
         let Some(first) = arguments.first() else {
-            let reason = format!("{} wants a target, as {wanted}", command.node);
+            let reason = format!(
+                "{} wants a target, as {}",
+                command.node,
+                self.wanted(targets)
+            );
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(target) else {
-            let reason = format!("a target belongs here, as {wanted}");
+            let reason = format!("a target belongs here, as {}", self.wanted(targets));
             return self.refuse_target(first.span, reason);
         };
         if !self.robot.has(target) {
@@ -53,12 +56,17 @@ impl Resolver<'_> {
         }
         if !takes(targets, target, self.robot) {
             let reason = format!(
-                "{} takes no {target}; its targets are such as {wanted}",
-                command.node
+                "{} takes no {target}; its targets are such as {}",
+                command.node,
+                self.wanted(targets)
             );
             return self.refuse_target(first.span, reason);
         }
         Some(target)
+    }
+
+    fn wanted(&self, targets: Targets) -> String {
+        targets.examples(self.robot).replace('|', ", ")
     }
 
     fn refuse_target<T>(&mut self, place: crate::syntax::Span, reason: String) -> Option<T> {

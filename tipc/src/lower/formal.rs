@@ -4,25 +4,30 @@ use crate::source::Source;
 use crate::syntax::{
     Arithmetic, Condition, Expression, Jump, Relation, Span, Statement, StatementKind, Then,
 };
+use smol_str::SmolStr;
 
-/// The line of one statement.
-pub(super) fn line(source: &Source, statement: &Statement) -> String {
-    let mut line = Line {
-        source,
-        // Blanks become tabs and words stay as long as they are, so that a line seldom grows.
-        text: String::with_capacity(statement.span.end - statement.span.start + 2),
-    };
-    line.statement(&statement.kind, statement.span);
-    line.text
-}
-
-/// A line as it grows, field by field.
-struct Line<'a> {
+/// A line as it grows, field by field; one after the other.
+pub(super) struct Line<'a> {
     source: &'a Source,
     text: String,
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    /// Of a source's statements.
+    pub(super) const fn of(source: &'a Source) -> Self {
+        Line {
+            source,
+            text: String::new(),
+        }
+    }
+
+    /// The line of one statement.
+    pub(super) fn write(&mut self, statement: &Statement) -> SmolStr {
+        self.text.clear();
+        self.statement(&statement.kind, statement.span);
+        self.text.as_str().into()
+    }
+
     fn statement(&mut self, kind: &StatementKind, span: Span) {
         match kind {
             StatementKind::Label(name) => self.label(&name.node),

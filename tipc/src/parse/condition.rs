@@ -76,7 +76,7 @@ impl Reader<'_> {
     fn flag(&self, operand: Operand) -> Parsed<Condition> {
         let span = operand.span;
         match operand.kind {
-            OperandKind::Name { name, member: None } if !operand.negative => Ok(Condition::Flag {
+            OperandKind::Name(name) if !operand.negative => Ok(Condition::Flag {
                 name: Word { node: name, span },
                 negated: false,
             }),

@@ -95,7 +95,7 @@ impl Reader<'_> {
     fn loop_variable(&mut self) -> Parsed<Operand> {
         let operand = self.operand_before_keyword()?;
         match operand.kind {
-            OperandKind::Name { .. } if !operand.negative => Ok(operand),
+            OperandKind::Name(_) | OperandKind::Member(_) if !operand.negative => Ok(operand),
             _ => Err(self.fault_with_help(operand.span, "a variable belongs here", FOR_FORM)),
         }
     }
@@ -125,7 +125,7 @@ impl Reader<'_> {
     fn loop_variable_of_next(&mut self) -> Parsed<Operand> {
         let operand = self.operand()?;
         match operand.kind {
-            OperandKind::Name { .. } if !operand.negative => Ok(operand),
+            OperandKind::Name(_) | OperandKind::Member(_) if !operand.negative => Ok(operand),
             _ => Err(self.fault(
                 operand.span,
                 "NEXT names the variable of its FOR, or nothing",

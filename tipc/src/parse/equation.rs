@@ -43,7 +43,7 @@ fn target(reader: &mut Reader<'_>) -> Parsed<Operand> {
             reader.take();
             let operand = reader.value(token.span)?;
             match operand.kind {
-                OperandKind::Name { .. } => Ok(operand),
+                OperandKind::Name(_) | OperandKind::Member(_) => Ok(operand),
                 OperandKind::Number(_) => {
                     Err(reader.fault_with_help(token.span, "a constant cannot be assigned", help))
                 }
@@ -112,13 +112,12 @@ fn is_function(reader: &Reader<'_>, token: Token) -> bool {
 /// A function is the whole right side; it stands nowhere else.
 fn refuse_function(reader: &Reader<'_>, operand: &Operand) -> Parsed<()> {
     match &operand.kind {
-        OperandKind::Name { name, member: None } if FUNCTIONS.contains(&name.as_str()) => {
-            Err(reader.fault_with_help(
+        OperandKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => Err(reader
+            .fault_with_help(
                 operand.span,
                 format!("{name} cannot stand here"),
                 ONE_OPERATION,
-            ))
-        }
+            )),
         _ => Ok(()),
     }
 }

@@ -4,7 +4,7 @@ use super::{Flow, NAME_LIMIT, Parser};
 use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{DELIMITERS, foreign_run, skip_delimiters, word_end};
-use crate::syntax::{Shape, Span, StatementKind, Word};
+use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};
 
 impl Parser<'_> {
     /// Reads the statements of the current line.
@@ -66,7 +66,7 @@ impl Parser<'_> {
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
         let name = Word {
-            node: self.source.slice(word).to_ascii_uppercase(),
+            node: upper_case(self.source.slice(word)),
             span: word,
         };
         self.check_name_length(&name);

@@ -2,7 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
-use crate::syntax::{Arithmetic, Operand, OperandKind, Span};
+use crate::syntax::{Arithmetic, Operand, OperandKind, Span, upper_case};
 
 /// Words that end an operand list in conditions and FOR; no variable bears such a name.
 const STOPS: &[&str] = &["THEN", "GOTO", "GOSUB", "CALL", "TO", "STEP"];
@@ -141,9 +141,10 @@ impl Reader<'_> {
             let help = "a member is written `P.X` or `Q.J2`";
             return Err(self.fault_with_help(span, format!("`{word}` is no member"), help));
         }
-        Ok(OperandKind::Name {
-            name: name.to_ascii_uppercase(),
-            member: member.map(str::to_ascii_uppercase),
+        let name = upper_case(name);
+        Ok(match member {
+            Some(member) => OperandKind::Member(Box::new((name, upper_case(member)))),
+            None => OperandKind::Name(name),
         })
     }
 

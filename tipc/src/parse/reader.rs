@@ -3,7 +3,7 @@
 use crate::codes::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
-use crate::syntax::{Span, Word};
+use crate::syntax::{Span, Word, upper_case};
 
 /// What is wrong with a statement.
 pub(super) type Fault = Box<Diagnostic>;
@@ -54,7 +54,7 @@ impl<'a> Reader<'a> {
     /// The word at a place, upper-cased.
     pub(super) fn word(&self, span: Span) -> Word {
         Word {
-            node: self.slice(span).to_ascii_uppercase(),
+            node: upper_case(self.slice(span)),
             span,
         }
     }

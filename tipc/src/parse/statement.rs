@@ -7,8 +7,8 @@ use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::codes::Code;
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word};
-use std::borrow::Cow;
+use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word, upper_case};
+use smol_str::SmolStr;
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -22,7 +22,7 @@ impl Parser<'_> {
         comment: Option<Span>,
     ) -> Flow {
         let keyword = upper_case(self.source.slice(word));
-        match keyword.as_ref() {
+        match keyword.as_str() {
             "END" => {
                 self.push(StatementKind::End, word);
                 return Flow::End;
@@ -35,7 +35,7 @@ impl Parser<'_> {
     }
 
     /// A statement that is made of words.
-    fn words(&mut self, keyword: Cow<'_, str>, word: Span, span: Span) {
+    fn words(&mut self, keyword: SmolStr, word: Span, span: Span) {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
@@ -52,7 +52,7 @@ impl Parser<'_> {
 
     fn kind(
         &mut self,
-        keyword: Cow<'_, str>,
+        keyword: SmolStr,
         word: Span,
         tokens: &[Token],
         reported: bool,
@@ -85,7 +85,7 @@ impl Parser<'_> {
                 self.report(*fault);
                 StatementKind::Broken(shape(&keyword, self.text, tokens))
             }
-            None => self.command(keyword.into_owned(), tokens),
+            None => self.command(keyword, tokens),
         }
     }
 
@@ -161,14 +161,6 @@ impl Parser<'_> {
             keyword,
             names,
         }
-    }
-}
-
-/// A word in capital letters, as it mostly stands there.
-fn upper_case(word: &str) -> Cow<'_, str> {
-    match word.bytes().any(|byte| byte.is_ascii_lowercase()) {
-        true => Cow::Owned(word.to_ascii_uppercase()),
-        false => Cow::Borrowed(word),
     }
 }
 

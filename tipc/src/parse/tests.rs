@@ -129,11 +129,8 @@ mod dump {
         let sign = if one.negative { "-" } else { "" };
         match &one.kind {
             OperandKind::Number(number) => format!("{number:?}"),
-            OperandKind::Name { name, member: None } => format!("{sign}{name}"),
-            OperandKind::Name {
-                name,
-                member: Some(member),
-            } => format!("{sign}{name}.{member}"),
+            OperandKind::Name(name) => format!("{sign}{name}"),
+            OperandKind::Member(words) => format!("{sign}{}.{}", words.0, words.1),
         }
     }
 
@@ -194,6 +191,6 @@ mod dump {
     fn jump(jump: &Jump) -> String {
         jump.label
             .as_ref()
-            .map_or("-".to_owned(), |label| label.node.clone())
+            .map_or("-".to_owned(), |label| label.node.to_string())
     }
 }

@@ -170,7 +170,7 @@ fn begin(program: &Program, span: &Span) -> String {
         (Some(label), _) => label.to_owned(),
         (None, Span::Stretch { .. }) => "start".to_owned(),
         (None, Span::Subroutine { .. } | Span::Turn { .. }) => {
-            program.steps()[step as usize].text.clone()
+            program.steps()[step as usize].text.to_string()
         }
     }
 }
