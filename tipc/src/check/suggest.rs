@@ -51,7 +51,7 @@ fn distance(a: &[u8], b: &[u8]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{differing, distance, nearest};
 
     #[test]
     fn names_what_was_meant() {
@@ -62,5 +62,63 @@ mod tests {
         assert_eq!(nearest("GRASP", known), None);
         assert_eq!(nearest("B", ["A", "C"]), None);
         assert_eq!(nearest("N2", ["N1"]), Some("N1"));
+    }
+
+    #[test]
+    fn longer_words_may_differ_in_more_letters() {
+        let known = ["ABCDEFGHIJ"];
+        assert_eq!(nearest("XYZDEFGHIJ", known), Some("ABCDEFGHIJ"));
+        assert_eq!(nearest("XYZWEFGHIJ", known), None);
+        let known = ["ABCDEFGHI"];
+        assert_eq!(nearest("XYCDEFGHI", known), Some("ABCDEFGHI"));
+        assert_eq!(nearest("XYZDEFGHI", known), None);
+        let known = ["ABCDE"];
+        assert_eq!(nearest("XYCDE", known), Some("ABCDE"));
+        assert_eq!(nearest("XYZDE", known), None);
+        let known = ["ABCD"];
+        assert_eq!(nearest("XBCD", known), Some("ABCD"));
+        assert_eq!(nearest("XYCD", known), None);
+    }
+
+    #[test]
+    fn the_nearest_is_named_and_the_first_of_equals() {
+        assert_eq!(nearest("ABCDE", ["XYCDE", "XBCDE"]), Some("XBCDE"));
+        assert_eq!(nearest("ABCDE", ["XBCDE", "AXCDE"]), Some("XBCDE"));
+    }
+
+    #[test]
+    fn the_distance_counts_single_changes() {
+        for (a, b, changes) in [
+            ("", "", 0),
+            ("", "AB", 2),
+            ("AB", "", 2),
+            ("ABC", "ABC", 0),
+            ("ABC", "AXC", 1),
+            ("ABC", "ABCD", 1),
+            ("ABC", "BC", 1),
+            ("AB", "BA", 1),
+            ("XAB", "XBA", 1),
+            ("ABX", "BAX", 1),
+            ("ABCD", "BADC", 2),
+            ("AB", "BC", 2),
+            ("ABA", "BAB", 2),
+            ("ABCD", "CDAB", 4),
+            ("KITTEN", "SITTING", 3),
+        ] {
+            assert_eq!(distance(a.as_bytes(), b.as_bytes()), changes, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn letters_of_one_word_alone_are_counted_once_each() {
+        for (a, b, letters) in [
+            ("ABC", "CBA", 0),
+            ("AAB", "AB", 0),
+            ("AAB", "AC", 2),
+            ("AB", "CD", 4),
+            ("A_1", "A", 2),
+        ] {
+            assert_eq!(differing(a, b), letters, "{a} {b}");
+        }
     }
 }
