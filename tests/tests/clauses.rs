@@ -12,6 +12,6 @@ fn every_clause_is_named_by_a_test() {
 #[test]
 fn every_clause_that_a_test_names_exists() {
     let reference = of_reference();
-    let unknown: Vec<String> = named_by_tests().difference(&reference).cloned().collect();
+    let unknown: Vec<String> = named_by_tests().difference(reference).cloned().collect();
     assert!(unknown.is_empty(), "the reference has no {unknown:?}");
 }

@@ -25,7 +25,7 @@ fn formal(statements: &str) -> String {
 #[test]
 fn a_line_for_each_step_and_none_for_the_rest() {
     let lines =
-        formal("def_var n // declared\n\n// nothing\nstart: n = 1 ; ; sleep n\n  goto Start:");
+        formal("def_var n // declared\n\n// nothing\nstart : n = 1 ; ; sleep n\n  goto Start:");
     assert_eq!(lines, "START:\nN|=|1\nSLEEP|N\nGOTO|START:\nEND\n");
 }
 

@@ -5,12 +5,18 @@ use crate::seek::{cases, root};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
-/// Every clause of `docs/language.md`, such as `2.4`.
+/// Every clause of `docs/language.md`, such as `2.4`; it is read once.
 ///
 /// # Panics
 /// The reference cannot be read.
-pub fn of_reference() -> BTreeSet<String> {
+pub fn of_reference() -> &'static BTreeSet<String> {
+    static CLAUSES: LazyLock<BTreeSet<String>> = LazyLock::new(read_reference);
+    &CLAUSES
+}
+
+fn read_reference() -> BTreeSet<String> {
     let path = workspace().join("docs/language.md");
     let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("docs/language.md: {error}"));
     let brackets = text
