@@ -157,10 +157,16 @@ impl<const L: usize> Problem<L> {
     fn curvature(&self, carriers: Contacts<bool, L>) -> Curvature<L> {
         let mut curvature =
             Matrix3::from_diagonal(&Vector3::new(1e4, 1e4, 1.0)) * (DAMPING * STIFFNESS);
+        // Its lower half, which is all that the factorisation reads.
         self.points.for_each_with(&carriers, |point, carries| {
             if *carries {
-                let lever = Vector3::new(point.x, point.y, 1.0);
-                curvature += lever * lever.transpose() * STIFFNESS;
+                let (x, y) = (point.x, point.y);
+                curvature.m11 += x * x * STIFFNESS;
+                curvature.m21 += x * y * STIFFNESS;
+                curvature.m22 += y * y * STIFFNESS;
+                curvature.m31 += x * STIFFNESS;
+                curvature.m32 += y * STIFFNESS;
+                curvature.m33 += STIFFNESS;
             }
         });
         Curvature {
