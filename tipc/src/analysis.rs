@@ -2,6 +2,7 @@
 
 mod access;
 pub mod assignment;
+#[cfg(feature = "tools")]
 pub mod cycles;
 mod flow;
 #[cfg(feature = "lockstep")]

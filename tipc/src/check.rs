@@ -26,6 +26,7 @@ use crate::source::Source;
 use crate::syntax::Module;
 pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
+#[cfg(feature = "tools")]
 pub(crate) use names::is_reserved;
 pub(crate) use resolve::Resolved;
 #[cfg(feature = "robot-files")]

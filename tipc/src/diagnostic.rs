@@ -6,6 +6,7 @@ mod short;
 
 pub use human::render_human;
 pub use json::render_json;
+#[cfg(feature = "tools")]
 pub(crate) use json::{push_member, push_number, push_string};
 pub use short::render_short;
 

@@ -18,11 +18,13 @@ pub mod generate;
 #[cfg(feature = "interp")]
 pub mod interp;
 mod lex;
+#[cfg(feature = "tools")]
 pub mod listing;
 mod load;
 #[cfg(feature = "lockstep")]
 pub mod lockstep;
 mod lower;
+#[cfg(feature = "tools")]
 pub mod migrate;
 pub mod parse;
 pub mod program;

@@ -89,7 +89,11 @@ impl Flow {
     pub(super) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
+}
 
+/// What counting cycles asks beyond.
+#[cfg(feature = "tools")]
+impl Flow {
     /// The first node of a step; the number of nodes for one behind the last.
     pub(super) fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
