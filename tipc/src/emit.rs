@@ -1,8 +1,10 @@
 //! How Rust spells a [`Program`]: a struct that holds its variables and one state for each step.
 //!
-//! The states live in functions of [`CHUNK`] steps each, so that compile time stays linear in the
-//! length of the program. Every path goes through `::core` or the run-time's root; nothing is
-//! expected from the prelude or from the scope that the code lands in.
+//! Each state is a function, and a table of them leads from a step's number to it: one indirect call a
+//! cycle however long the program is, and a compile time that is linear in its length. A state ends in
+//! one of a few moves to the next one, which have in them what would cost compile time in each state.
+//! Every path goes through `::core` or the run-time's root; nothing is expected from the prelude or from
+//! the scope that the code lands in.
 
 mod command;
 mod expression;
@@ -33,9 +35,6 @@ use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use std::collections::BTreeSet;
-
-/// How many states one generated function holds. Optimising functions of twice as many takes twice as long.
-pub const CHUNK: usize = 64;
 
 /// How the generated type is called and what it refers to.
 #[derive(Clone, Debug)]
@@ -86,9 +85,10 @@ pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let steps = emitter.steps();
     let state = emitter.state(&steps.mentioned);
     let inherent = emitter.inherent_impl(&steps);
+    let states = emitter.states(&steps);
     let default = emitter.default_impl();
     let program = emitter.program_impl();
-    quote! { #lock #state #inherent #default #program }
+    quote! { #lock #state #inherent #states #default #program }
 }
 
 /// A type of the program's name that no error follows from: it implements the trait and does

@@ -1,41 +1,69 @@
 //! The scalars of a compiled program (T.I.P. 3.1 §5-1).
 
+use super::{add, for_test};
 use crate::fault::Fault;
 
 /// A VAR, or a member of a struct: a number, and whether anything was assigned yet.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scalar {
-    value: f64,
-    is_assigned: bool,
-}
+///
+/// Every value of the language is finite, so that one that is none marks what was never assigned: a
+/// scalar is as large as its number, and assigning one is a single store.
+#[derive(Clone, Copy, Debug)]
+pub struct Scalar(f64);
 
 impl Scalar {
-    /// As every scalar begins.
-    pub const UNASSIGNED: Self = Scalar {
-        value: 0.0,
-        is_assigned: false,
-    };
+    /// As every scalar begins: a quiet NaN that no calculation makes.
+    pub const UNASSIGNED: Self = Scalar(f64::from_bits(0x7ff8_0000_0054_4950));
 
     /// One that has a value.
     #[inline]
     pub const fn of(value: f64) -> Self {
-        Scalar {
-            value,
-            is_assigned: true,
-        }
+        Scalar(value)
     }
 
     /// Assigns a value.
     #[inline]
     pub const fn set(&mut self, value: f64) {
-        *self = Scalar::of(value);
+        self.0 = value;
+    }
+
+    /// Assigns what was calculated or measured.
+    ///
+    /// # Errors
+    /// The fault that came instead of a value; the scalar stays as it was.
+    #[inline]
+    pub fn assign(&mut self, value: Result<f64, Fault>) -> Result<(), Fault> {
+        self.set(value?);
+        Ok(())
+    }
+
+    /// `FOR`: assigns the first value; answers whether the loop is entered.
+    ///
+    /// # Errors
+    /// As [`for_test`]; the scalar stays as it was.
+    #[inline]
+    pub fn begin(&mut self, from: f64, to: f64, by: f64) -> Result<bool, Fault> {
+        let enters = for_test(from, to, by)?;
+        self.set(from);
+        Ok(enters)
+    }
+
+    /// `NEXT`: assigns the value that follows `value`; answers whether the loop goes on.
+    ///
+    /// # Errors
+    /// As [`add`] and [`for_test`]; the scalar stays as it was.
+    #[inline]
+    pub fn advance(&mut self, value: f64, by: f64, to: f64) -> Result<bool, Fault> {
+        let value = add(value, by)?;
+        let repeats = for_test(value, to, by)?;
+        self.set(value);
+        Ok(repeats)
     }
 
     /// Reads where the compiler has proved that a value was assigned: nothing is tested. Before the
-    /// first assignment it would be 0.
+    /// first assignment it would be no number.
     #[inline]
     pub const fn value(self) -> f64 {
-        self.value
+        self.0
     }
 
     /// Reads where nothing is proved; `index` is the scalar's place in
@@ -45,20 +73,19 @@ impl Scalar {
     /// `Unassigned` before the first assignment.
     #[inline]
     pub const fn get(self, index: u32) -> Result<f64, Fault> {
-        if self.is_assigned {
-            Ok(self.value)
-        } else {
-            Err(Fault::Unassigned(index))
+        match self.assigned() {
+            Some(value) => Ok(value),
+            None => Err(Fault::Unassigned(index)),
         }
     }
 
     /// The value, if there is one.
     #[inline]
     pub const fn assigned(self) -> Option<f64> {
-        if self.is_assigned {
-            Some(self.value)
-        } else {
+        if self.0.to_bits() == Self::UNASSIGNED.0.to_bits() {
             None
+        } else {
+            Some(self.0)
         }
     }
 }
@@ -74,4 +101,53 @@ pub fn get_each<const N: usize>(members: &[Scalar; N], index: u32) -> Result<[f6
         *value = member.get(index)?;
     }
     Ok(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_was_assigned_has_a_value() {
+        let mut scalar = Scalar::UNASSIGNED;
+        assert_eq!(scalar.assigned(), None);
+        assert_eq!(scalar.get(7), Err(Fault::Unassigned(7)));
+        for value in [0.0, -0.0, f64::MAX, f64::MIN_POSITIVE, -1.5] {
+            scalar.set(value);
+            assert_eq!(scalar.get(7).map(f64::to_bits), Ok(value.to_bits()));
+            assert_eq!(Scalar::of(value).value().to_bits(), value.to_bits());
+        }
+    }
+
+    /// The loop test of FOR and NEXT (T.I.P. 3.1 §7-6-4) sees the value that is assigned.
+    #[test]
+    fn a_loop_assigns_what_it_tests() {
+        let mut scalar = Scalar::UNASSIGNED;
+        assert_eq!(scalar.begin(3.0, 2.0, 1.0), Ok(false));
+        assert_eq!(scalar.value(), 3.0);
+        assert_eq!(scalar.begin(1.0, 2.0, 1.0), Ok(true));
+        assert_eq!(scalar.advance(1.0, 1.0, 2.0), Ok(true));
+        assert_eq!(scalar.value(), 2.0);
+        assert_eq!(scalar.advance(2.0, 1.0, 2.0), Ok(false));
+        assert_eq!(scalar.value(), 3.0);
+    }
+
+    #[test]
+    fn a_fault_leaves_the_value_as_it_was() {
+        let mut scalar = Scalar::of(5.0);
+        assert_eq!(scalar.assign(Err(Fault::Domain)), Err(Fault::Domain));
+        assert_eq!(scalar.begin(1.0, 2.0, 0.0), Err(Fault::Domain));
+        assert_eq!(scalar.advance(1.0, 0.0, 2.0), Err(Fault::Domain));
+        assert_eq!(scalar.advance(f64::MAX, f64::MAX, 2.0), Err(Fault::Domain));
+        assert_eq!(scalar.value(), 5.0);
+        assert_eq!(scalar.assign(add(5.0, 1.0)), Ok(()));
+        assert_eq!(scalar.value(), 6.0);
+    }
+
+    /// What a robot of one's own may measure by mistake is a value all the same.
+    #[test]
+    fn no_other_nan_counts_as_unassigned() {
+        assert!(Scalar::of(f64::NAN).assigned().is_some());
+        assert!(Scalar::of(-f64::NAN).assigned().is_some());
+    }
 }

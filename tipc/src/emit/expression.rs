@@ -74,30 +74,38 @@ impl Values<'_> {
         }
     }
 
-    pub(super) fn set_scalar(
+    /// What comes before an assignment, and the value to assign or its fault: a `Result`.
+    pub(super) fn update(
         &self,
         target: Scalar,
-        update: Option<Arithmetic>,
+        operation: Arithmetic,
         value: ScalarExpression,
-    ) -> TokenStream {
-        let place = self.place(target);
-        let value = self.scalar_expression(value);
-        match update {
-            None => quote!(#place.set(#value);),
-            Some(operation) => {
-                let old = self.read(target);
-                let operation = arithmetic(operation);
-                quote! {
-                    let value = #value;
-                    #place.set(#operation(#old, value)?);
-                }
-            }
+    ) -> (Option<TokenStream>, TokenStream) {
+        let (operation, old) = (arithmetic(operation), self.read(target));
+        if let ScalarExpression::Operand(Operand::Constant(value)) = value {
+            let value = word::number(value);
+            return (None, quote!(#operation(#old, #value)));
         }
+        let value = match value {
+            ScalarExpression::Operand(operand) => self.operand(operand),
+            calculated => {
+                let calculated = self.calculated(calculated);
+                quote!(#calculated?)
+            }
+        };
+        (
+            Some(quote!(let value = #value;)),
+            quote!(#operation(#old, value)),
+        )
     }
 
-    fn scalar_expression(&self, value: ScalarExpression) -> TokenStream {
+    /// The value of an expression or its fault: a `Result`.
+    pub(super) fn calculated(&self, value: ScalarExpression) -> TokenStream {
         match value {
-            ScalarExpression::Operand(operand) => self.operand(operand),
+            ScalarExpression::Operand(operand) => {
+                let operand = self.operand(operand);
+                quote!(Ok(#operand))
+            }
             ScalarExpression::Binary {
                 left,
                 operation,
@@ -105,20 +113,20 @@ impl Values<'_> {
             } => {
                 let operation = arithmetic(operation);
                 let (left, right) = (self.operand(left), self.operand(right));
-                quote!(#operation(#left, #right)?)
+                quote!(#operation(#left, #right))
             }
             ScalarExpression::Function { function, operand } => {
                 let function = function_of_one(function);
                 let operand = self.operand(operand);
-                quote!(#function(#operand)?)
+                quote!(#function(#operand))
             }
             ScalarExpression::Atan2 { y, x } => {
                 let (y, x) = (self.operand(y), self.operand(x));
-                quote!(ops::atan2(#y, #x)?)
+                quote!(ops::atan2(#y, #x))
             }
             ScalarExpression::Norm(variable) => {
                 let members = self.read_struct(variable);
-                quote!(ops::norm(#members)?)
+                quote!(ops::norm(#members))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Names of the generated code.
 
-use crate::program::{Label, Variable};
+use crate::program::{Label, StepId, Variable};
 use proc_macro2::{Ident, Span};
 use std::collections::BTreeMap;
 
@@ -45,9 +45,9 @@ pub(super) fn field(variable: &Variable) -> Ident {
     identifier(&format!("v_{}", variable.name.to_ascii_lowercase()))
 }
 
-/// The function that holds the states from `first` on.
-pub(super) fn chunk(first: usize) -> Ident {
-    identifier(&format!("steps_from_{first}"))
+/// The function of a step.
+pub(super) fn state(step: StepId) -> Ident {
+    identifier(&format!("step_{step}"))
 }
 
 /// Step and constant of each label whose name stands for one step only; LOOP may stand for many.

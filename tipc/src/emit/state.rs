@@ -1,9 +1,10 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
-use super::ident::{chunk, field, identifier};
-use super::{CHUNK, Emitter, Steps, header_of, word};
+use super::ident::{field, identifier, state};
+use super::step::collect_words;
+use super::{Emitter, Steps, header_of, word};
 use crate::program::{Action, Variable, VariableKind};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeSet;
 use tip_runtime::model::Family;
@@ -59,21 +60,40 @@ impl Emitter<'_> {
         }
     }
 
-    /// The constructor, the states and what moves between them.
+    /// The constructor and the tables.
     pub(super) fn inherent_impl(&self, steps: &Steps) -> TokenStream {
         let name = &self.name;
         let constructor = self.constructor(&steps.mentioned);
         let tables = self.tables(&steps.mentioned);
-        let moves = self.moves(&steps.mentioned);
-        let functions = &steps.functions;
         quote! {
-            #[allow(unused_doc_comments, unused_qualifications, clippy::all, clippy::pedantic)]
+            #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
             impl #name {
                 #tables
                 #constructor
-                #functions
-                #moves
             }
+        }
+    }
+
+    /// The states, in a scope of their own for what they import.
+    pub(super) fn states(&self, steps: &Steps) -> TokenStream {
+        let imports = self.imports(&steps.mentioned);
+        let functions = &steps.functions;
+        let table = (0..).zip(&self.program.steps).map(|(step, _)| state(step));
+        let name = &self.name;
+        // A type that bears the name of an import can only be meant outside of this scope.
+        let mut imported = BTreeSet::new();
+        collect_words(&imports, &mut imported);
+        let outside = imported.contains(&name.to_string()).then(|| quote!(self::));
+        quote! {
+            #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
+            const _: () = {
+                #imports
+                impl #outside #name {
+                    const STEPS: &'static [fn(&mut Self, &mut dyn Context) -> Result<Flow, Fault>] =
+                        &[#(Self::#table),*];
+                    #functions
+                }
+            };
         }
     }
 
@@ -134,58 +154,47 @@ impl Emitter<'_> {
     }
 
     /// The ways from a state to the next one; only those that a state takes.
-    fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
-        let runtime = self.runtime;
+    pub(super) fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let taken = self
             .has_taken_state()
             .then(|| quote!(self.not_taken = false;));
-        let asks = [("command", false), ("command_hs", true)].map(|(name, hs)| {
-            let name = identifier(name);
-            mentioned
-                .contains(&name.to_string())
-                .then(|| self.ask(&name, hs))
-        });
-        let go = (mentioned.contains("go") || asks.iter().any(Option::is_some)).then(|| {
-            quote! {
-                fn go(&mut self, step: u32) -> #runtime::program::Flow {
-                    self.at = step;
-                    #taken
-                    #runtime::program::Flow::Next
-                }
+        let go = quote! {
+            fn go(&mut self, step: u32) -> Result<Flow, Fault> {
+                self.at = step;
+                #taken
+                Ok(Flow::Next)
             }
-        });
-        let skip = mentioned.contains("skip").then(|| {
-            quote! {
-                fn skip(&mut self, step: u32) -> #runtime::program::Flow {
-                    self.at = step;
-                    self.not_taken = true;
-                    #runtime::program::Flow::Next
-                }
+        };
+        let skip = quote! {
+            fn skip(&mut self, step: u32) -> Result<Flow, Fault> {
+                self.at = step;
+                self.not_taken = true;
+                Ok(Flow::Next)
             }
-        });
-        quote! { #go #skip #(#asks)* }
-    }
-
-    /// What asks the robot for a command and goes on once it is done.
-    fn ask(&self, name: &Ident, hs: bool) -> TokenStream {
-        let runtime = self.runtime;
-        quote! {
-            fn #name(
-                &mut self,
-                cx: &mut dyn #runtime::program::Context,
-                op: #runtime::command::Op,
-                target: #runtime::command::Target,
-                values: &[#runtime::command::Value],
-                next: u32,
-            ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
-                use #runtime::command::{Command, Poll};
-                let poll = cx.command(&Command { op, hs: #hs, target, values })?;
-                ::core::result::Result::Ok(match poll {
-                    Poll::Done => self.go(next),
-                    Poll::Pending => #runtime::program::Flow::Wait,
-                })
+        };
+        let after = quote! {
+            fn after(&mut self, done: Result<(), Fault>, step: u32) -> Result<Flow, Fault> {
+                done?;
+                self.go(step)
             }
-        }
+        };
+        let branch = quote! {
+            fn branch(&mut self, passes: Result<bool, Fault>, yes: u32, no: u32) -> Result<Flow, Fault> {
+                self.go(if passes? { yes } else { no })
+            }
+        };
+        let (command, command_hs) = (ask("command", false), ask("command_hs", true));
+        let behind_go = [
+            ("after", after),
+            ("branch", branch),
+            ("command", command),
+            ("command_hs", command_hs),
+        ]
+        .map(|(name, function)| mentioned.contains(name).then_some(function));
+        let goes = mentioned.contains("go") || behind_go.iter().any(Option::is_some);
+        let go = goes.then_some(go);
+        let skip = mentioned.contains("skip").then_some(skip);
+        quote! { #go #skip #(#behind_go)* }
     }
 
     pub(super) fn default_impl(&self) -> TokenStream {
@@ -209,13 +218,7 @@ impl Emitter<'_> {
         } = self;
         let (source, title) = (&program.source_name, &program.title);
         let signature = self.signature();
-        let chunks = (0..program.steps.len()).step_by(CHUNK).map(|first| {
-            let number = Literal::usize_unsuffixed(first / CHUNK);
-            let function = chunk(first);
-            quote!(#number => self.#function(cx),)
-        });
         let scalars = self.scalars();
-        let chunk_size = Literal::usize_unsuffixed(CHUNK);
         quote! {
             #[automatically_derived]
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
@@ -236,9 +239,10 @@ impl Emitter<'_> {
                     &mut self,
                     cx: &mut dyn #runtime::program::Context,
                 ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
-                    match self.at / #chunk_size {
-                        #(#chunks)*
-                        _ => ::core::result::Result::Err(#runtime::fault::Fault::WrongStep),
+                    use ::core::option::Option::{None, Some};
+                    match Self::STEPS.get(self.at as usize) {
+                        Some(step) => step(self, cx),
+                        None => ::core::result::Result::Err(#runtime::fault::Fault::WrongStep),
                     }
                 }
                 fn scalar(&self, i: usize) -> ::core::option::Option<(&str, ::core::option::Option<f64>)> {
@@ -309,6 +313,26 @@ impl Emitter<'_> {
             VariableKind::Pos | VariableKind::Joint => {
                 let size = Literal::usize_unsuffixed(variable.size());
                 quote!([#runtime::ops::Scalar; #size])
+            }
+        }
+    }
+}
+
+/// What asks the robot for a command and goes on once it is done.
+fn ask(name: &str, hs: bool) -> TokenStream {
+    let name = identifier(name);
+    quote! {
+        fn #name(
+            &mut self,
+            cx: &mut dyn Context,
+            op: Op,
+            target: Target,
+            values: &[Value],
+            next: u32,
+        ) -> Result<Flow, Fault> {
+            match cx.command(&Command { op, hs: #hs, target, values })? {
+                Poll::Done => self.go(next),
+                Poll::Pending => Ok(Flow::Wait),
             }
         }
     }

@@ -1,92 +1,72 @@
-//! How Rust spells steps: one match arm each, in functions of a bounded number of arms.
+//! How Rust spells steps: one function each.
 
 use super::expression::Values;
-use super::ident::{chunk, field, identifier};
+use super::ident::{field, identifier, state};
 use super::word;
-use super::{CHUNK, Emitter, Steps};
-use crate::program::{Action, End, Step, StepId};
+use super::{Emitter, Steps};
+use crate::program::{Action, End, ScalarExpression, Step, StepId};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
 
 impl Emitter<'_> {
-    /// Every state, in functions of [`CHUNK`] states.
+    /// The states, and what moves between them.
     pub(super) fn steps(&self) -> Steps {
-        let mut functions = TokenStream::new();
+        let steps = self.program.steps.iter().zip(0..);
+        let states: TokenStream = steps
+            .map(|(step, id)| self.state_function(id, step))
+            .collect();
         let mut mentioned = BTreeSet::new();
-        for (n, steps) in self.program.steps.chunks(CHUNK).enumerate() {
-            functions.extend(self.function(n * CHUNK, steps, &mut mentioned));
-        }
+        collect_words(&states, &mut mentioned);
+        let moves = self.moves(&mentioned);
+        collect_words(&moves, &mut mentioned);
         Steps {
-            functions,
+            functions: quote! { #states #moves },
             mentioned,
         }
     }
 
-    fn function(
-        &self,
-        first: usize,
-        steps: &[Step],
-        mentioned: &mut BTreeSet<String>,
-    ) -> TokenStream {
-        let runtime = self.runtime;
-        let name = chunk(first);
-        let arms: TokenStream = (first..)
-            .zip(steps)
-            .map(|(number, step)| self.arm(number as StepId, step))
-            .collect();
-        let body = quote! {
-            let flow = match self.at {
-                #arms
-                _ => return Err(Fault::WrongStep),
-            };
-            Ok(flow)
-        };
+    fn state_function(&self, id: StepId, step: &Step) -> TokenStream {
+        let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
+        let name = state(id);
+        let action = self.action(id, &step.action);
         let mut words = BTreeSet::new();
-        collect_words(&body, &mut words);
-        let imports = self.imports(&words);
+        collect_words(&action, &mut words);
         let context = if words.contains("cx") {
             quote!(cx)
         } else {
             quote!(_)
         };
-        mentioned.extend(words);
         quote! {
-            fn #name(
-                &mut self,
-                #context: &mut dyn #runtime::program::Context,
-            ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
-                #imports
-                #body
+            #[doc = #doc]
+            fn #name(&mut self, #context: &mut dyn Context) -> Result<Flow, Fault> {
+                #action
             }
         }
     }
 
-    /// What a function's body mentions: no name of the surrounding scope can get in between.
-    fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
+    /// What the states mention: no name of the surrounding scope can get in between.
+    pub(super) fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
         let runtime = self.runtime;
         let option = import(quote!(::core::option::Option), words, &["Some"]);
-        let result = import(quote!(::core::result::Result), words, &["Err", "Ok"]);
-        let command = ["Flag", "Op", "Port", "Target", "Teach", "Value"];
+        let result = import(quote!(::core::result), words, &["Result"]);
+        let ok = import(quote!(::core::result::Result), words, &["Ok"]);
+        let command = [
+            "Command", "Flag", "Op", "Poll", "Port", "Target", "Teach", "Value",
+        ];
         let command = import(quote!(#runtime::command), words, &command);
         let fault = import(quote!(#runtime::fault), words, &["Fault"]);
         let ops = import(runtime.clone(), words, &["ops"]);
         let scalar = import(quote!(#runtime::ops), words, &["Scalar"]);
-        let program = import(quote!(#runtime::program), words, &["End", "Flow"]);
-        quote! { #option #result #command #fault #ops #scalar #program }
+        let program = import(
+            quote!(#runtime::program),
+            words,
+            &["Context", "End", "Flow"],
+        );
+        quote! { #option #result #ok #command #fault #ops #scalar #program }
     }
 
-    fn arm(&self, number: StepId, step: &Step) -> TokenStream {
-        let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
-        let number_token = Literal::u32_unsuffixed(number);
-        let action = self.action(number, &step.action);
-        quote! {
-            #[doc = #doc]
-            #number_token => #action
-        }
-    }
-
-    /// The arm's body; its value is a `Flow`.
+    /// The function's body; its value is a `Result<Flow, Fault>`.
     fn action(&self, step: StepId, action: &Action) -> TokenStream {
         let next = step + 1;
         let values = Values {
@@ -95,18 +75,23 @@ impl Emitter<'_> {
             step,
         };
         match action {
-            Action::Nothing => {
-                let go = self.go(next);
-                quote!(#go,)
-            }
+            Action::Nothing => self.go(next),
             Action::SetScalar {
                 target,
                 update,
                 value,
             } => {
-                let go = self.go(next);
-                let set = values.set_scalar(*target, *update, *value);
-                quote!({ #set #go })
+                let place = values.place(*target);
+                let (before, value) = match (update, *value) {
+                    (Some(operation), value) => values.update(*target, *operation, value),
+                    (None, ScalarExpression::Operand(operand)) => {
+                        let (value, go) = (values.operand(operand), self.go(next));
+                        return quote!(#place.set(#value); #go);
+                    }
+                    (None, value) => (None, values.calculated(value)),
+                };
+                let after = self.after(quote!(#place.assign(#value)), next);
+                quote!(#before #after)
             }
             Action::SetStruct {
                 target,
@@ -115,7 +100,7 @@ impl Emitter<'_> {
             } => {
                 let go = self.go(next);
                 let set = values.set_struct(*target, *update, *value);
-                quote!({ #set #go })
+                quote!(#set #go)
             }
             Action::If {
                 condition,
@@ -123,7 +108,7 @@ impl Emitter<'_> {
             } => {
                 let condition = values.condition(*condition);
                 let (go, skip) = (self.go(next), self.skip(*otherwise));
-                quote!(if #condition { #go } else { #skip },)
+                quote!(if #condition { #go } else { #skip })
             }
             Action::ElseIf {
                 condition,
@@ -133,26 +118,23 @@ impl Emitter<'_> {
                 let (go, pass) = (self.go(next), self.go(*otherwise));
                 let skip = self.skip(*otherwise);
                 quote! {
-                    if !self.not_taken { #pass } else if #condition { #go } else { #skip },
+                    if !self.not_taken { #pass } else if #condition { #go } else { #skip }
                 }
             }
             Action::Else { end } => {
                 let (go, pass) = (self.go(next), self.go(*end));
-                quote!(if self.not_taken { #go } else { #pass },)
+                quote!(if self.not_taken { #go } else { #pass })
             }
             Action::While { condition, exit } => {
                 let condition = values.condition(*condition);
                 let (go, exit) = (self.go(next), self.go(*exit));
-                quote!(if #condition { #go } else { #exit },)
+                quote!(if #condition { #go } else { #exit })
             }
-            Action::Goto { to } => {
-                let go = self.go(*to);
-                quote!(#go,)
-            }
+            Action::Goto { to } => self.go(*to),
             Action::Until { condition, back } => {
                 let condition = values.condition(*condition);
                 let (go, back) = (self.go(next), self.go(*back));
-                quote!(if #condition { #go } else { #back },)
+                quote!(if #condition { #go } else { #back })
             }
             Action::For {
                 variable,
@@ -167,15 +149,7 @@ impl Emitter<'_> {
                     values.operand(*step),
                 );
                 let place = values.place(*variable);
-                let (go, exit) = (self.go(next), self.go(*exit));
-                quote!({
-                    let from = #from;
-                    let to = #to;
-                    let by = #by;
-                    let enters = ops::for_test(from, to, by)?;
-                    #place.set(from);
-                    if enters { #go } else { #exit }
-                })
+                self.branch(quote!(#place.begin(#from, #to, #by)), next, *exit)
             }
             Action::Next {
                 variable,
@@ -189,37 +163,25 @@ impl Emitter<'_> {
                     values.operand(*to),
                 );
                 let place = values.place(*variable);
-                let (again, go) = (self.go(*body), self.go(next));
-                quote!({
-                    let value = #old;
-                    let by = #by;
-                    let to = #to;
-                    let value = ops::add(value, by)?;
-                    let repeats = ops::for_test(value, to, by)?;
-                    #place.set(value);
-                    if repeats { #again } else { #go }
-                })
+                self.branch(quote!(#place.advance(#old, #by, #to)), *body, next)
             }
             Action::IfGoto { condition, to } => {
                 let condition = values.condition(*condition);
                 let (jump, go) = (self.go(*to), self.go(next));
-                quote!(if #condition { #jump } else { #go },)
+                quote!(if #condition { #jump } else { #go })
             }
-            Action::Gosub { to } => {
-                let call = self.call(*to, next);
-                quote!({ #call })
-            }
+            Action::Gosub { to } => self.call(*to, next),
             Action::IfGosub { condition, to } => {
                 let condition = values.condition(*condition);
                 let (call, go) = (self.call(*to, next), self.go(next));
-                quote!(if #condition { #call } else { #go },)
+                quote!(if #condition { #call } else { #go })
             }
-            Action::Return => quote!({
+            Action::Return => quote! {
                 let back = self.calls.pop()?;
                 self.go(back)
-            }),
-            Action::Finish(End::End) => quote!(Flow::Finished(End::End),),
-            Action::Finish(End::Exit) => quote!(Flow::Finished(End::Exit),),
+            },
+            Action::Finish(End::End) => quote!(Ok(Flow::Finished(End::End))),
+            Action::Finish(End::Exit) => quote!(Ok(Flow::Finished(End::Exit))),
             Action::Command {
                 op,
                 hs,
@@ -230,13 +192,13 @@ impl Emitter<'_> {
                 let (ask, op, target) = (identifier(ask), word::op(*op), word::target(*target));
                 let next = self.step_number(next);
                 if arguments.is_empty() {
-                    return quote!(self.#ask(cx, #op, #target, &[], #next)?,);
+                    return quote!(self.#ask(cx, #op, #target, &[], #next));
                 }
                 let values = values.of_arguments(arguments);
-                quote!({
+                quote! {
                     let values = #values;
-                    self.#ask(cx, #op, #target, &values, #next)?
-                })
+                    self.#ask(cx, #op, #target, &values, #next)
+                }
             }
             Action::TeachStruct { what, target, into } => {
                 let (what, target) = (word::teach(*what), word::target(*target));
@@ -246,29 +208,25 @@ impl Emitter<'_> {
                     .map(|member| format_ident!("m{member}"))
                     .collect();
                 let go = self.go(next);
-                quote!({
+                quote! {
                     let [#(#members,)* ..] = cx.teach(#what, #target)?;
                     self.#place = [#(#members),*].map(Scalar::of);
                     #go
-                })
+                }
             }
             Action::TeachScalar { what, target, into } => {
                 let place = values.place(*into);
                 let (what, target) = (word::teach(*what), word::target(*target));
                 let go = self.go(next);
-                quote!({
+                quote! {
                     let [measured, ..] = cx.teach(#what, #target)?;
                     #place.set(measured);
                     #go
-                })
+                }
             }
             Action::AdIn { port, into } => {
                 let (place, port) = (values.place(*into), word::port(*port));
-                let go = self.go(next);
-                quote!({
-                    #place.set(cx.analog(#port)?);
-                    #go
-                })
+                self.after(quote!(#place.assign(cx.analog(#port))), next)
             }
             Action::KeyIn { into } => {
                 let place = values.place(*into);
@@ -277,13 +235,13 @@ impl Emitter<'_> {
                     #place.set(key as f64);
                     #go
                 } else {
-                    Flow::Wait
-                },)
+                    Ok(Flow::Wait)
+                })
             }
             Action::Message { parts } => {
                 let text = values.message(parts);
                 let go = self.go(next);
-                quote!({ #text #go })
+                quote!(#text #go)
             }
         }
     }
@@ -306,10 +264,25 @@ impl Emitter<'_> {
 
     fn call(&self, to: StepId, back: StepId) -> TokenStream {
         let back = self.step_number(back);
-        let go = self.go(to);
+        self.after(quote!(self.calls.push(#back)), to)
+    }
+
+    /// On to a step behind what may fail: one `?` for all steps, since compiling one takes longer than
+    /// all the rest of a short step.
+    fn after(&self, done: TokenStream, step: StepId) -> TokenStream {
+        let step = self.step_number(step);
         quote! {
-            self.calls.push(#back)?;
-            #go
+            let done = #done;
+            self.after(done, #step)
+        }
+    }
+
+    /// On to one of two steps behind a test that may fail.
+    fn branch(&self, test: TokenStream, yes: StepId, no: StepId) -> TokenStream {
+        let (yes, no) = (self.step_number(yes), self.step_number(no));
+        quote! {
+            let passes = #test;
+            self.branch(passes, #yes, #no)
         }
     }
 
@@ -343,7 +316,7 @@ fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> T
 }
 
 /// Adds every identifier that occurs in the tokens.
-fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
+pub(super) fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
     for token in tokens.clone() {
         match token {
             TokenTree::Ident(ident) => {

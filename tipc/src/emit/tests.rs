@@ -111,13 +111,30 @@ fn the_same_program_gives_the_same_tokens() {
 }
 
 #[test]
-fn states_are_spread_over_bounded_functions() {
-    let mut actions = vec![Action::Nothing; super::CHUNK + 1];
-    actions.push(Action::Finish(End::End));
-    let text = text(&program(&[], actions));
-    assert!(text.contains("fn steps_from_0"));
-    assert!(text.contains("fn steps_from_64"));
-    assert!(!text.contains("fn steps_from_128"));
+fn each_step_has_a_function_in_its_place_of_the_table() {
+    let text = text(&small());
+    let table = "& [Self :: step_0 , Self :: step_1 , Self :: step_2 , Self :: step_3]";
+    assert!(text.contains(table), "{text}");
+    for step in 0..4 {
+        assert_eq!(
+            text.matches(&format!("fn step_{step} ")).count(),
+            1,
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn a_type_named_like_an_import_is_found_outside_of_the_imports() {
+    let named = |name| {
+        let options = Options {
+            name: Some(super::ident::identifier(name)),
+            ..Options::default()
+        };
+        emit(&small(), &options).to_string()
+    };
+    assert!(named("Flow").contains("impl self :: Flow {"));
+    assert!(named("Walk").contains("; impl Walk {"), "{}", named("Walk"));
 }
 
 #[test]
