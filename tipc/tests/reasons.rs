@@ -170,6 +170,10 @@ fn missing_and_wrong_operands_are_named() {
         reason("PTP_ANGLE J11"),
         "PTP_ANGLE wants one number; none stands here"
     );
+    assert_eq!(
+        reason("PTP_ANGLE F1 1"),
+        "PTP_ANGLE wants 3 numbers or a JOINT; one stands here"
+    );
     assert_eq!(reason("SET_A_MAX"), "SET_A_MAX wants a target, as F1, ALL");
     assert_eq!(reason("SET_A_MAX 5"), "a target belongs here, as F1, ALL");
     let refused = "PTP takes no J13; its targets are such as F1";
@@ -179,6 +183,116 @@ fn missing_and_wrong_operands_are_named() {
         reason(wrong),
         "PTP wants 3 numbers or a POS here, not a JOINT"
     );
+}
+
+// clauses: 5.3
+#[test]
+fn a_function_with_other_operands_shows_how_it_is_written() {
+    let told = |right: &str| {
+        let loaded = check(&format!("VAR_KEY = {right}"), Robot::Titan8);
+        let fault = only(&loaded);
+        (fault.reason.clone(), fault.help.clone().unwrap_or_default())
+    };
+    for (right, reason, help) in [
+        (
+            "SIN",
+            "SIN takes one operand, not 0",
+            "write `A = SIN a`, a a number",
+        ),
+        (
+            "ATAN2 1",
+            "ATAN2 takes two operands, not 1",
+            "write `A = ATAN2 y x`",
+        ),
+        (
+            "NORM",
+            "NORM takes one operand, not 0",
+            "write `A = NORM P`, P a POS or JOINT",
+        ),
+        (
+            "UNIT_VECT 1 2",
+            "UNIT_VECT takes one operand, not 2",
+            "write `P = UNIT_VECT P`",
+        ),
+        (
+            "ROT_Y 1",
+            "ROT_Y takes two operands, not 1",
+            "write `P = ROT_Y P angle`",
+        ),
+    ] {
+        assert_eq!(told(right), (reason.to_owned(), help.to_owned()), "{right}");
+    }
+}
+
+// clauses: 5.1
+#[test]
+fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
+    let told = |equation: &str| {
+        let text = format!("DEF_POS P\nTEACH_POSITION F1 P\n{equation}");
+        let loaded = check(&text, Robot::Titan8);
+        let fault = only(&loaded);
+        let place = loaded.source.slice(fault.span).to_owned();
+        (place, fault.reason.clone())
+    };
+    for (equation, place, reason) in [
+        ("P = P * 2", "2", "a POS and a number do not go together"),
+        (
+            "P = 2 * P",
+            "2 * P",
+            "a number and a POS do not go together",
+        ),
+        ("P.X = 2 * P", "P", "a number and a POS do not go together"),
+        (
+            "P = 2",
+            "2",
+            "the left side is a POS, the right side a number",
+        ),
+        (
+            "P = NORM P",
+            "NORM P",
+            "the left side is a POS, the right side a number",
+        ),
+    ] {
+        assert_eq!(
+            told(equation),
+            (place.to_owned(), reason.to_owned()),
+            "{equation}"
+        );
+    }
+}
+
+// clauses: 3.2
+#[test]
+fn a_name_without_a_value_is_told_why() {
+    let titan = |statements| help(statements, Robot::Titan8);
+    assert_eq!(
+        titan("SLEEP KB_HIT"),
+        "`KB_HIT` is a word of the language and stands for no number"
+    );
+    assert_eq!(
+        titan("SLEEP TIME"),
+        "declare it: `DEF_VAR TIME`, `DEF_POS TIME` or `DEF_JOINT TIME`"
+    );
+}
+
+// clauses: 4.1
+#[test]
+fn flags_of_another_robot_are_not_suggested() {
+    let titan = help("IF ANTENNA_ON GOTO L:\nL:", Robot::Titan8);
+    assert!(
+        titan.starts_with("flags are HALT_REQUEST, KB_HIT"),
+        "{titan}"
+    );
+    assert!(!titan.contains("ANTENNA_ON"), "{titan}");
+    let hand = help("IF GRIP GOTO L:\nL:", Robot::Hand);
+    assert!(hand.contains("SPECIAL_FLAG0…9, ANTENNA_ON"), "{hand}");
+}
+
+// clauses: 7.47
+#[test]
+fn a_value_in_a_message_is_pointed_at() {
+    let loaded = check("DEF_VAR N\nMESSAGE at %N% now\nREM", Robot::Titan8);
+    assert_eq!(loaded.source.slice(only(&loaded).span), "%N%");
 }
 
 // clauses: 7.1 8.1

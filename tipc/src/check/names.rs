@@ -282,11 +282,84 @@ pub(crate) fn is_target(word: &str) -> bool {
 
 fn is_variable_name(name: &str) -> bool {
     let starts_well = name.starts_with(|first: char| first.is_ascii_uppercase() || first == '_');
-    starts_well && is_label_name(&name.replace('_', "A"))
+    starts_well && is_label_name(name)
 }
 
 /// Whether a word can name a label.
 pub(crate) fn is_label_name(name: &str) -> bool {
     let is_fit = |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_';
     !name.is_empty() && name.bytes().all(is_fit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_label_name, is_reserved, is_variable_name};
+
+    // clauses: 3.2
+    #[test]
+    fn the_words_of_the_language_are_reserved() {
+        for word in [
+            "PTP",
+            "SIN",
+            "KB_HIT",
+            "TO",
+            "VR1",
+            "ANTENNA",
+            "VAR_KEY",
+            "CHAR_A",
+            "CHAR_9",
+            "CHAR_SPC",
+            "ALL",
+            "FLOOR",
+            "F1",
+            "F9",
+            "J11",
+            "J99",
+            "INPOS_ALL",
+            "INPOS_F9",
+            "NEAR_J11",
+            "SPECIAL_FLAG0",
+            "SPECIAL_FLAG9",
+        ] {
+            assert!(is_reserved(word), "{word}");
+        }
+        for word in [
+            "R",
+            "A",
+            "HS",
+            "X",
+            "CHAR_AB",
+            "CHAR_",
+            "F0",
+            "F10",
+            "J10",
+            "J01",
+            "J111",
+            "INPOS",
+            "INPOS_",
+            "INPOS_FLOOR",
+            "NEAR_FLOOR",
+            "INPOS_5",
+            "SPECIAL_FLAG",
+            "SPECIAL_FLAG10",
+            "SPECIAL_FLAGF1",
+            "SPECIAL_FLAGFLOOR",
+        ] {
+            assert!(!is_reserved(word), "{word}");
+        }
+    }
+
+    // clauses: 3.2
+    #[test]
+    fn names_are_letters_digits_and_underscores() {
+        for name in ["A", "_", "_A", "A_1", "N9"] {
+            assert!(is_variable_name(name) && is_label_name(name), "{name}");
+        }
+        for name in ["1", "1A"] {
+            assert!(!is_variable_name(name) && is_label_name(name), "{name}");
+        }
+        for name in ["", "A-B", "A B", "A.X", "\u{C4}"] {
+            assert!(!is_variable_name(name) && !is_label_name(name), "{name}");
+        }
+    }
 }
