@@ -14,7 +14,7 @@ pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]
 pub use scripted::{Scripted, Transcript};
 #[cfg(feature = "terminal")]
-pub use terminal::Terminal;
+pub use terminal::{Terminal, TerminalState};
 
 use crate::machine::Report;
 use crate::record::Sample;

@@ -9,6 +9,8 @@ mod state_hash;
 mod stream;
 #[cfg(feature = "std")]
 mod titan_log;
+#[cfg(feature = "std")]
+mod whole_file;
 
 pub use dump::Dump;
 #[cfg(feature = "std")]
@@ -19,6 +21,8 @@ pub use state_hash::state_hash;
 pub use stream::Stream;
 #[cfg(feature = "std")]
 pub use titan_log::TitanLog;
+#[cfg(feature = "std")]
+pub use whole_file::WholeFile;
 
 use crate::command::Command;
 use crate::hardware::JointCommand;

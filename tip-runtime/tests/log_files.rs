@@ -51,8 +51,12 @@ fn the_same_program_takes_its_folder_again_and_begins_anew() {
     console.warnings("a warning\n");
     console.sample(&SAMPLE);
     console.ended();
-    LogFiles::claim(&folder, "walk.prg", ()).expect("the files are ours");
-    assert_eq!(fs::read_dir(&folder).expect("it exists").count(), 0);
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the files are ours");
+    let count = || fs::read_dir(&folder).expect("it exists").count();
+    assert_eq!(count(), 2, "the earlier run's until this one is over");
+    console.ended();
+    assert_eq!(count(), 0);
+    assert!(console.take_error().is_none());
 }
 
 #[test]
@@ -89,7 +93,7 @@ fn a_full_disk_leaves_the_earlier_file_whole_and_no_part_of_the_new_one() {
     let log = folder.join("WARNING.LOG");
     let before = fs::read_to_string(&log).expect("it was written");
     // What is written beside the log goes to a device that is always full.
-    let part = folder.join(format!("WARNING.LOG.{}.part", std::process::id()));
+    let part = folder.join(format!(".WARNING.LOG.{}.part", std::process::id()));
     std::os::unix::fs::symlink("/dev/full", part).expect("the folder is writable");
     console.warnings("another warning\n");
     let error = console.take_error().expect("the disk is full");

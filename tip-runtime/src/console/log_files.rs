@@ -12,6 +12,7 @@ use core::fmt::Display;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::string::{String, ToString};
+use std::vec::Vec;
 
 /// The rows of LOG_START and LOG_ONE_SHOT.
 const TITAN_LOG: &str = "TITAN.LOG";
@@ -26,31 +27,36 @@ const WARNING_LOG: &str = "WARNING.LOG";
 ///
 /// Files appear only when there is something to write, and never half written. Each begins with a
 /// line that names its program; a file that does not name this program is never replaced.
-/// TITAN.LOG and VARIABLES.LOG are written when the program is over.
+/// TITAN.LOG and VARIABLES.LOG are written when the program is over. What an earlier run of the same
+/// program left stays until this one has something in its place, or is over without; where the new
+/// file cannot be written, the earlier one stays.
 #[derive(Debug)]
 pub struct LogFiles<C> {
     inner: C,
     claim: Claim,
     log: TitanLog,
     variables: String,
+    /// Files that may be of an earlier run.
+    earlier: Vec<&'static str>,
     failed: Option<LogError>,
 }
 
 impl<C> LogFiles<C> {
-    /// Takes `folder`, which is made if it is missing, for the files of `program`, and removes those
-    /// that an earlier run of the same program left.
+    /// Takes `folder`, which is made if it is missing, for the files of `program`.
     ///
     /// # Errors
-    /// A file of another program, or one that is no log at all, stands in the way; nothing was
-    /// changed then. Or the folder cannot be written.
+    /// A file of another program, or one that is no log at all, stands in the way. Or the folder
+    /// cannot be made.
     pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
         let claim = Claim::new(folder.into(), program);
-        claim.take(&[WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG])?;
+        let names = [WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG];
+        claim.take(&names)?;
         Ok(LogFiles {
             inner,
             claim,
             log: TitanLog::default(),
             variables: String::new(),
+            earlier: Vec::from(names),
             failed: None,
         })
     }
@@ -77,7 +83,8 @@ impl<C> LogFiles<C> {
         self.write(WARNING_LOG, text);
     }
 
-    /// Writes what was collected so far: for a host that ends a run before the program does.
+    /// Writes what was collected so far, and removes what an earlier run left beside it: for a host that
+    /// ends a run before the program does.
     pub fn flush(&mut self) {
         if !self.log.is_empty() {
             let text = self.log.to_string();
@@ -88,6 +95,10 @@ impl<C> LogFiles<C> {
             self.write(VARIABLES_LOG, &text);
             self.variables = text;
         }
+        for name in core::mem::take(&mut self.earlier) {
+            let removed = self.claim.remove(name);
+            self.note(removed);
+        }
     }
 
     /// The first file that could not be written, and why.
@@ -95,10 +106,15 @@ impl<C> LogFiles<C> {
         self.failed.take()
     }
 
-    fn write(&mut self, name: &str, text: &str) {
-        if let Err(error) = self.claim.write(name, text)
-            && self.failed.is_none()
-        {
+    fn write(&mut self, name: &'static str, text: &str) {
+        self.earlier.retain(|earlier| *earlier != name);
+        let written = self.claim.write(name, text);
+        self.note(written);
+    }
+
+    /// Keeps the first error.
+    fn note(&mut self, result: Result<(), LogError>) {
+        if let (Err(error), None) = (result, &self.failed) {
             self.failed = Some(error);
         }
     }

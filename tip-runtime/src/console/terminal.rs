@@ -1,5 +1,11 @@
 //! A terminal: keys as they are pressed, bar graphs and the message on one line.
 
+#[cfg_attr(unix, path = "terminal/unix.rs")]
+#[cfg_attr(not(unix), path = "terminal/none.rs")]
+mod raw;
+
+pub use raw::TerminalState;
+
 use super::{Bars, Console};
 use crate::machine::Report;
 use core::fmt::Display;
@@ -183,58 +189,6 @@ impl<W: Write> MessageLine<W> {
     fn close(&mut self) {
         if self.rewrites && !self.silent {
             let _ = writeln!(self.output);
-        }
-    }
-}
-
-#[cfg(unix)]
-mod raw {
-    use rustix::termios::{
-        InputModes, LocalModes, OptionalActions, SpecialCodeIndex, Termios, tcgetattr, tcsetattr,
-    };
-    use std::io::{IsTerminal, stdin};
-
-    /// Standard input without line editing; the former state comes back on drop.
-    #[derive(Debug)]
-    pub(super) struct Raw(Termios);
-
-    impl Raw {
-        /// `None` if standard input is no terminal, or refuses.
-        pub(super) fn enter() -> Option<Self> {
-            let input = stdin();
-            if !input.is_terminal() {
-                return None;
-            }
-            let former = tcgetattr(&input).ok()?;
-            let mut raw = former.clone();
-            raw.local_modes
-                .remove(LocalModes::ICANON | LocalModes::ECHO | LocalModes::ISIG);
-            raw.input_modes.remove(InputModes::ICRNL | InputModes::IXON);
-            // Reading gives what there is, at once.
-            raw.special_codes[SpecialCodeIndex::VMIN] = 0;
-            raw.special_codes[SpecialCodeIndex::VTIME] = 0;
-            tcsetattr(&input, OptionalActions::Now, &raw).ok()?;
-            Some(Raw(former))
-        }
-    }
-
-    impl Drop for Raw {
-        fn drop(&mut self) {
-            // Nothing is left to be done for a terminal that is gone.
-            let _ = tcsetattr(stdin(), OptionalActions::Now, &self.0);
-        }
-    }
-}
-
-#[cfg(not(unix))]
-mod raw {
-    /// Standard input without line editing: not available on this system.
-    #[derive(Debug)]
-    pub(super) struct Raw;
-
-    impl Raw {
-        pub(super) fn enter() -> Option<Self> {
-            None
         }
     }
 }

@@ -29,6 +29,11 @@ impl<W: io::Write> Stream<W> {
             None => self.writer.flush(),
         }
     }
+
+    /// The writer.
+    pub fn into_inner(self) -> W {
+        self.writer
+    }
 }
 
 impl<W: io::Write> fmt::Write for Stream<W> {

@@ -19,7 +19,8 @@ Where a cell has several outcomes, each was seen: which one comes depends on the
 end* means with other commands than without the fault: no program can tell a wrong measurement from a true one if it is a possible one.
 A robot measures what its model has: a torque or a slider that it lacks is not looked at.
 
-`cargo test -p tip-runtime --features std --test faults` runs the campaign and compares this page; with `TIP_BLESS=1` it writes it anew.
+`cargo test -p tip-runtime --features std --test faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it writes it
+anew. [Files and Ctrl-C](#files-and-ctrl-c) are the other half.
 
 ";
 

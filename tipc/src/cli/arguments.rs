@@ -164,7 +164,8 @@ pub(super) struct Check {
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal keys reach the program as they are pressed, RETURN is the
-emergency stop and ESC the halt request; Ctrl-C ends the run and completes its trace.
+emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
+a second one ends a run that is stuck.
 
 Exit status: 0 END, EXIT or --cycles used up, 1 the program does not load, 2 wrong usage,
 3 emergency stop, 130 interrupted.")]

@@ -1,28 +1,18 @@
 //! Files that appear whole or not at all, and standard output that may be closed.
 
 use super::error::{Error, is_closed};
-use std::ffi::OsString;
+use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
-use std::{fs, process};
+use std::path::Path;
+use tip_runtime::record::WholeFile;
 
-/// Gives the file at `path` a new content: it is written beside its place, then renamed.
+/// Gives the file at `path` a new content.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
-    let temporary = beside(path);
-    let written = fs::write(&temporary, content).and_then(|()| fs::rename(&temporary, path));
-    written.map_err(|error| {
-        // What is left of a failed attempt is of no use; that it may not exist is fine.
-        let _ = fs::remove_file(&temporary);
-        Error::cannot_write(path, error)
-    })
-}
-
-/// A name that no other process uses, in the folder of `path`.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", process::id()));
-    path.with_file_name(name)
+    let written = WholeFile::create(path).and_then(|mut file| {
+        file.write_all(content.as_ref())?;
+        file.commit()
+    });
+    written.map_err(|error| Error::cannot_write(path, error))
 }
 
 /// Writes to standard output; a reader that went away has seen enough.

@@ -32,6 +32,7 @@ use trace::Trace;
 
 /// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
+    interrupt::catch();
     let robot = match arguments.source.robot.load() {
         Ok(robot) => robot,
         Err(loaded) => {
@@ -102,12 +103,17 @@ fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
     let robot = Robot::Described(Facts::of(simulated.model));
     let loaded = input::load(&arguments.file, &arguments.source.options(robot));
     report::findings(&loaded, arguments.source.message_format);
+    // The trace first: it changes nothing before the end, and where it cannot be written no log is touched.
+    let trace = match (&arguments.trace, &loaded.program) {
+        (Some(path), Some(_)) => Some(Trace::begin(path, arguments.trace_state, &arguments.file)?),
+        _ => None,
+    };
     let logs = match &arguments.out_dir {
         Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
         _ => None,
     };
     match loaded.program {
-        Some(program) => simulate(simulated, arguments, &inputs, &loaded.source, program, logs),
+        Some(program) => simulate(simulated, &inputs, &loaded.source, program, trace, logs),
         None => Ok(Status::Failure),
     }
 }
@@ -115,30 +121,24 @@ fn run_on<P: Plant<L, J> + Clone, S: Special, const L: usize, const J: usize>(
 /// Runs a program that was loaded, and tells how it ended.
 fn simulate<P: Plant<L, J>, S: Special, const L: usize, const J: usize>(
     robot: Simulated<'_, P, S, L, J>,
-    arguments: &Run,
     inputs: &Inputs,
     source: &Source,
     program: Program,
+    mut trace: Option<Trace>,
     logs: Option<LogFiles<()>>,
 ) -> Result<Status, Error> {
-    let mut trace = match &arguments.trace {
-        Some(path) => Some(Trace::begin(path, arguments.trace_state, &arguments.file)?),
-        None => None,
-    };
-    interrupt::catch();
-    let messages = !Trace::takes_standard_output(arguments.trace.as_deref());
+    let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
     let screen = Screen::new(Progress::new(inputs.cycles), messages, logs);
     let mut simulation = Simulation::new(Interpreter::new(program), robot, screen, inputs)?;
     let ending = simulation.run(inputs.cycles, trace.as_mut());
+    interrupt::hold();
     let cycles = simulation.cycles();
     let logged = simulation.close();
-    if let Some(trace) = trace {
-        trace.end(ending, cycles)?;
-    }
+    let traced = trace.map_or(Ok(()), |trace| trace.end(ending, cycles));
     if let Ending::Emergency(emergency) = &ending {
         report::complain(&describe(emergency, source, simulation.program()));
     }
-    logged?;
+    traced.and(logged)?;
     Ok(status(&ending))
 }
 

@@ -3,6 +3,8 @@
 mod check;
 mod cycles;
 mod emit;
+#[cfg(target_os = "linux")]
+mod faults;
 mod logs;
 mod migrate;
 mod readme;

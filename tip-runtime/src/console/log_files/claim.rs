@@ -4,12 +4,12 @@
     reason = "this console is for writing files"
 )]
 
+use crate::record::WholeFile;
 use core::fmt;
-use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
-use std::string::{String, ToString};
-use std::{format, fs, process, vec::Vec};
+use std::string::String;
+use std::{format, fs, vec::Vec};
 
 /// No first line that we wrote is longer.
 const LONGEST_HEADING: u64 = 4096;
@@ -56,34 +56,22 @@ impl Claim {
         }
     }
 
-    /// Sees that every file of these names is ours, then removes what is left of an earlier run.
+    /// Sees that the folder is there and every file of these names is ours.
     pub(super) fn take(&self, names: &[&str]) -> Result<(), LogError> {
         fs::create_dir_all(&self.folder).map_err(|error| LogError::new(&self.folder, error))?;
-        for name in names {
-            self.check_owner(name)?;
-        }
-        for name in names {
-            self.remove(name)?;
-        }
-        Ok(())
+        names.iter().try_for_each(|name| self.check_owner(name))
     }
 
-    /// Gives a file a new content, all of it or nothing: written beside its place, then renamed.
+    /// Gives a file a new content, all of it or nothing.
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), LogError> {
         let path = self.folder.join(name);
-        let temporary = beside(&path);
         let replace = || {
-            let mut file = fs::File::create(&temporary)?;
+            let mut file = WholeFile::create(&path)?;
             writeln!(file, "{}", self.heading(name))?;
             file.write_all(text.as_bytes())?;
-            file.sync_all()?;
-            fs::rename(&temporary, &path)
+            file.commit()
         };
-        replace().map_err(|error| {
-            // Nobody needs what is left of a failed attempt; it may not even exist.
-            let _ = fs::remove_file(&temporary);
-            LogError::new(&path, error)
-        })
+        replace().map_err(|error| LogError::new(&path, error))
     }
 
     fn heading(&self, name: &str) -> String {
@@ -94,7 +82,7 @@ impl Claim {
         let path = self.folder.join(name);
         let refuse = |error| Err(LogError::new(&path, error));
         match first_line(&path) {
-            Ok(line) if line == self.heading(name).as_bytes() => Ok(()),
+            Ok(line) if line == self.heading(name).as_bytes() => writable(&path).or_else(refuse),
             Ok(_) => refuse(io::Error::new(
                 io::ErrorKind::AlreadyExists,
                 format!("it is no log of {} and would be lost", self.program),
@@ -104,7 +92,8 @@ impl Claim {
         }
     }
 
-    fn remove(&self, name: &str) -> Result<(), LogError> {
+    /// Removes what an earlier run left.
+    pub(super) fn remove(&self, name: &str) -> Result<(), LogError> {
         let path = self.folder.join(name);
         match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -115,13 +104,12 @@ impl Claim {
     }
 }
 
-/// A name beside `path` that no other process uses.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = OsString::from(path);
-    name.push(".");
-    name.push(process::id().to_string());
-    name.push(".part");
-    PathBuf::from(name)
+/// Refuses a file that somebody wants to keep as it is.
+fn writable(path: &Path) -> io::Result<()> {
+    if fs::metadata(path)?.permissions().readonly() {
+        return Err(io::ErrorKind::PermissionDenied.into());
+    }
+    Ok(())
 }
 
 fn first_line(path: &Path) -> io::Result<Vec<u8>> {

@@ -1,18 +1,54 @@
 //! Ctrl-C, and the polite signals of the system.
 
-use std::process;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::{fs, process};
+use tip_runtime::console::TerminalState;
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// From now on a first Ctrl-C is a request, a second one ends the process at once.
+/// What a second Ctrl-C leaves in order; none where it would only disturb the completion of files.
+static LAST: Mutex<Option<Last>> = Mutex::new(None);
+
+struct Last {
+    terminal: TerminalState,
+    /// Of a trace, which is given up.
+    part: Option<PathBuf>,
+}
+
+/// From now on a first Ctrl-C is a request, a second one ends the process at once: a run may be stuck, in a full
+/// pipe for example.
 pub(super) fn catch() {
+    *last() = Some(Last {
+        terminal: TerminalState::now(),
+        part: None,
+    });
     // Where handlers are not to be had, Ctrl-C keeps its usual meaning.
     let _ = ctrlc::set_handler(|| {
-        if REQUESTED.swap(true, Ordering::Relaxed) {
+        if REQUESTED.swap(true, Ordering::Relaxed)
+            && let Some(last) = last().as_ref()
+        {
+            last.terminal.restore();
+            if let Some(part) = &last.part {
+                // The process ends in any case.
+                let _ = fs::remove_file(part);
+            }
             process::exit(130);
         }
     });
+}
+
+/// A process that ends at once does not leave this part of a file.
+pub(super) fn discards(part: Option<&Path>) {
+    if let Some(last) = last().as_mut() {
+        last.part = part.map(Path::to_owned);
+    }
+}
+
+/// The run is over: what it leaves is completed, whoever presses Ctrl-C.
+pub(super) fn hold() {
+    *last() = None;
 }
 
 /// Ends the run as Ctrl-C does.
@@ -23,4 +59,8 @@ pub(super) fn request() {
 /// Whether the run is to end.
 pub(super) fn is_requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
+}
+
+fn last() -> MutexGuard<'static, Option<Last>> {
+    LAST.lock().unwrap_or_else(PoisonError::into_inner)
 }

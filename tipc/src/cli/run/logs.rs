@@ -13,8 +13,9 @@ pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Erro
     let name = seen_from(folder, Path::new(loaded.source.name()));
     let mut files = LogFiles::claim(folder, &name, ()).map_err(error)?;
     files.warnings(&listing::warnings(&loaded.source, &loaded.diagnostics));
-    finish(&mut files)?;
-    Ok(files)
+    files
+        .take_error()
+        .map_or(Ok(files), |failed| Err(error(failed)))
 }
 
 /// The program's path from the folder, with `/` everywhere: two programs never share it, and it stays true when both move.

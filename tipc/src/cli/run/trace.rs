@@ -2,10 +2,10 @@
 
 use super::super::error::{Error, is_closed};
 use super::super::output;
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use super::interrupt;
+use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
-use tip_runtime::record::{Ending, JsonLines, Sink, Stream};
+use tip_runtime::record::{Ending, JsonLines, Sink, Stream, WholeFile};
 
 /// The name that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
@@ -13,27 +13,37 @@ const STANDARD_OUTPUT: &str = "-";
 /// A trace that is being written.
 pub(super) struct Trace {
     path: PathBuf,
-    lines: JsonLines<Stream<BufWriter<Box<dyn Write>>>>,
+    takes_standard_output: bool,
+    lines: JsonLines<Stream<BufWriter<Output>>>,
+}
+
+/// Where it goes.
+enum Output {
+    Standard(Stdout),
+    File(WholeFile),
 }
 
 impl Trace {
-    /// Whether a trace to `path` takes standard output for itself.
-    pub(super) fn takes_standard_output(path: Option<&Path>) -> bool {
-        path.is_some_and(|path| path.as_os_str() == STANDARD_OUTPUT)
-    }
-
     /// Begins a trace of the program in `source`.
     pub(super) fn begin(path: &Path, with_state: bool, source: &Path) -> Result<Self, Error> {
-        let out: Box<dyn Write> = if Self::takes_standard_output(Some(path)) {
-            Box::new(io::stdout())
+        let out = if path.as_os_str() == STANDARD_OUTPUT {
+            Output::Standard(io::stdout())
         } else {
             output::refuse_source(path, source)?;
-            Box::new(File::create(path).map_err(|error| Error::cannot_write(path, error))?)
+            let file = WholeFile::create(path).map_err(|error| Error::cannot_write(path, error))?;
+            interrupt::discards(file.part());
+            Output::File(file)
         };
         Ok(Trace {
             path: path.to_owned(),
+            takes_standard_output: matches!(out, Output::Standard(_)),
             lines: JsonLines::new(Stream::new(BufWriter::new(out)), with_state),
         })
+    }
+
+    /// Whether it takes standard output for itself.
+    pub(super) fn takes_standard_output(&self) -> bool {
+        self.takes_standard_output
     }
 
     /// Takes the records of the cycles.
@@ -46,12 +56,42 @@ impl Trace {
         self.lines.result().is_ok()
     }
 
-    /// Writes the last record and sees that all of it arrived.
+    /// Writes the last record, sees that all of it arrived, and puts the file in its place.
     pub(super) fn end(mut self, ending: Ending, cycles: u64) -> Result<(), Error> {
         self.lines.end(ending, cycles);
-        match self.lines.get_mut().finish() {
+        let mut stream = self.lines.into_inner();
+        let written = stream.finish().and_then(|()| {
+            let out = stream.into_inner().into_inner();
+            out.map_err(io::IntoInnerError::into_error)?.close()
+        });
+        match written {
             Err(error) if !is_closed(&error) => Err(Error::cannot_write(&self.path, error)),
             _ => Ok(()),
+        }
+    }
+}
+
+impl Output {
+    fn close(self) -> io::Result<()> {
+        match self {
+            Output::Standard(_) => Ok(()),
+            Output::File(file) => file.commit(),
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Output::Standard(out) => out.write(bytes),
+            Output::File(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Output::Standard(out) => out.flush(),
+            Output::File(file) => file.flush(),
         }
     }
 }

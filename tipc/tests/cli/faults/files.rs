@@ -1,0 +1,281 @@
+//! Files and folders that cannot be written.
+
+use super::bench::{Bench, FILES, RUN, Texts, replace};
+use super::{Row, signals};
+use crate::support::Outcome;
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// What has to come of a fault.
+#[derive(Clone, Copy)]
+enum Expected {
+    /// It is found before the first cycle, and nothing changes.
+    Refused,
+    /// The run goes as if nothing was wrong.
+    Whole,
+}
+
+const LOG: &str = "a log file";
+const TRACE: &str = "the trace";
+const REFUSED: &str = "refused";
+const WHOLE: &str = "a new file takes the link's place; all files are new";
+
+pub(super) fn rows() -> Vec<Row> {
+    let mut rows = Vec::new();
+    let mut of_each_file = |fault: Fault, logs: &[usize], trace: bool| {
+        for (place, files) in [(LOG, logs), (TRACE, if trace { &[4][..] } else { &[] })] {
+            for file in files {
+                one_file(*file, &fault);
+            }
+            if !files.is_empty() {
+                rows.push(Row {
+                    place,
+                    fault: fault.name,
+                    outcome: fault.told,
+                    runs: files.len(),
+                });
+            }
+        }
+    };
+    of_each_file(FOLDER, &[0, 1, 2, 3], true);
+    of_each_file(FOREIGN, &[0, 1, 2, 3], false);
+    of_each_file(READ_ONLY, &[0, 1, 2, 3], true);
+    of_each_file(DANGLING, &[0, 1, 2, 3], true);
+    rows.extend(FOLDERS.map(folder));
+    rows.extend([logs_vanish(), trace_vanishes()]);
+    rows.extend([disk_full(), trace_full(), device_full()]);
+    rows
+}
+
+/// Something stands where a file belongs.
+struct Fault {
+    name: &'static str,
+    arrange: fn(&Path),
+    expected: Expected,
+    told: &'static str,
+}
+
+const FOLDER: Fault = Fault {
+    name: "is a folder",
+    arrange: |path| replace(path, |path| fs::create_dir(path)),
+    expected: Expected::Refused,
+    told: REFUSED,
+};
+
+const FOREIGN: Fault = Fault {
+    name: "is of another program, or no log",
+    arrange: |path| replace(path, |path| fs::write(path, "# TITAN.LOG of b.prg\n")),
+    expected: Expected::Refused,
+    told: REFUSED,
+};
+
+/// The bit holds for everybody here: whoever set it wants to keep the file.
+const READ_ONLY: Fault = Fault {
+    name: "is read-only",
+    arrange: |path| {
+        let mut permissions = fs::metadata(path).expect("it exists").permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(path, permissions).expect("it is ours");
+    },
+    expected: Expected::Refused,
+    told: REFUSED,
+};
+
+const DANGLING: Fault = Fault {
+    name: "is a link that leads nowhere",
+    arrange: |path| replace(path, |path| symlink("no/such/file", path)),
+    expected: Expected::Whole,
+    told: WHOLE,
+};
+
+fn one_file(file: usize, fault: &Fault) {
+    let bench = Bench::new("file");
+    (fault.arrange)(&bench.folder.path(FILES[file]));
+    let before = bench.texts();
+    let outcome = bench.folder.tipc(&RUN);
+    match fault.expected {
+        Expected::Refused => require_refused(&bench, outcome, &before),
+        Expected::Whole => {
+            outcome.expect(3);
+            assert_eq!(bench.texts(), bench.later);
+        }
+    }
+    bench.require_no_parts();
+}
+
+fn require_refused(bench: &Bench, outcome: Outcome, before: &Texts) {
+    let outcome = outcome.expect(1);
+    require_told(&outcome);
+    assert_eq!(outcome.out, "", "no cycle may run");
+    assert_eq!(bench.texts(), *before);
+}
+
+fn require_told(outcome: &Outcome) {
+    let told = outcome.err.contains("TIP_ERR:File can not write(");
+    assert!(told, "{outcome:#?}");
+}
+
+/// Where files go that nobody can write; a system's administrator neither.
+const FOLDERS: [(&str, &str, [&str; 2]); 4] = [
+    (
+        "the folder of the logs",
+        "cannot be written",
+        ["--out-dir", "/proc/self"],
+    ),
+    (
+        "the folder of the logs",
+        "its path leads through a file",
+        ["--out-dir", "p.prg/logs"],
+    ),
+    (
+        "the folder of the trace",
+        "cannot be written",
+        ["--trace", "/proc/self/t.jsonl"],
+    ),
+    (
+        "the folder of the trace",
+        "is missing, or its path leads through a file",
+        ["--trace", "p.prg/t.jsonl"],
+    ),
+];
+
+fn folder((place, fault, [option, path]): (&'static str, &'static str, [&str; 2])) -> Row {
+    let bench = Bench::new("folder");
+    let mut arguments = RUN;
+    let at = RUN.iter().position(|word| *word == option);
+    arguments[at.expect("it is one of the options") + 1] = path;
+    let outcome = bench.folder.tipc(&arguments);
+    require_refused(&bench, outcome, &bench.earlier);
+    bench.require_no_parts();
+    Row {
+        place,
+        fault,
+        outcome: REFUSED,
+        runs: 1,
+    }
+}
+
+const VANISHES: &str = "goes away during the run";
+
+fn logs_vanish() -> Row {
+    let bench = signals::folder_vanishes("logs");
+    signals::require_trace(&bench);
+    assert!(bench.texts()[..4].iter().all(Option::is_none));
+    Row {
+        place: "the folder of the logs",
+        fault: VANISHES,
+        outcome: "told at the end; the trace is new",
+        runs: 1,
+    }
+}
+
+fn trace_vanishes() -> Row {
+    let bench = signals::folder_vanishes("traces");
+    let [_, titan, .., trace] = bench.texts();
+    assert_eq!(trace, None);
+    assert!(titan.is_some_and(|titan| Some(titan) != bench.earlier[1]));
+    Row {
+        place: "the folder of the trace",
+        fault: VANISHES,
+        outcome: "told at the end; the logs are new",
+        runs: 1,
+    }
+}
+
+/// The unit of the shell's `ulimit -f`: bytes.
+const BLOCK: usize = 512;
+
+/// A run that can write so many blocks into each file, as if the disk was full then.
+fn limited(bench: &Bench, blocks: usize) -> Outcome {
+    let mut command = Command::new("sh");
+    command
+        .args([
+            "-c",
+            &format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\""),
+        ])
+        .arg(env!("CARGO_BIN_EXE_tipc"))
+        .args(RUN)
+        .current_dir(bench.folder.path(""))
+        .stdin(Stdio::null());
+    Outcome::of(command.output().expect("a shell"))
+}
+
+fn disk_full() -> Row {
+    let healthy = Bench::new("full")
+        .later
+        .map(|text| text.map_or(0, |text| text.len()));
+    let most = healthy.iter().max().expect("five files").div_ceil(BLOCK);
+    for blocks in 0..=most {
+        let bench = Bench::new("full");
+        let outcome = limited(&bench, blocks);
+        let fits = healthy.map(|size| size <= blocks * BLOCK);
+        if !fits[0] {
+            require_refused(&bench, outcome, &bench.earlier);
+        } else {
+            let all = fits.iter().all(|fits| *fits);
+            let outcome = outcome.expect(if all { 3 } else { 1 });
+            for (file, text) in bench.texts().iter().enumerate() {
+                let wanted = if fits[file] {
+                    &bench.later
+                } else {
+                    &bench.earlier
+                };
+                assert_eq!(*text, wanted[file], "{} in {blocks} blocks", FILES[file]);
+            }
+            assert!(
+                outcome.err.contains("Invalid Return command"),
+                "{outcome:#?}"
+            );
+            if !all {
+                require_told(&outcome);
+            }
+        }
+        bench.require_no_parts();
+    }
+    Row {
+        place: "any file",
+        fault: "the disk is full, behind 0, 512, 1024 … bytes of each",
+        outcome: "WARNING.LOG does not fit: refused; any other: told at the end, the earlier file stays",
+        runs: most + 1,
+    }
+}
+
+/// The trace of a run without end fills any disk.
+fn trace_full() -> Row {
+    let statements = "LOG_ONE_SHOT\nMESSAGE runs\nL1:\nGOTO L1:\nEND";
+    let bench = Bench::endless("trace-full", statements);
+    let outcome = limited(&bench, 100).expect(1);
+    require_told(&outcome);
+    let texts = bench.texts();
+    assert_eq!(texts[4], bench.earlier[4]);
+    // New logs, and none of those that this run has nothing for.
+    let titan = texts[1].as_ref().expect("TITAN.LOG");
+    assert_eq!(titan.lines().count(), 3, "{titan}");
+    assert_eq!(texts[2..4], [None, None]);
+    bench.require_no_parts();
+    Row {
+        place: TRACE,
+        fault: "the disk is full in the midst of the run",
+        outcome: "the run ends there; the earlier trace stays, the logs are new; told at the end",
+        runs: 1,
+    }
+}
+
+fn device_full() -> Row {
+    let bench = Bench::new("device");
+    let mut arguments = RUN;
+    arguments[5] = "/dev/full";
+    let outcome = bench.folder.tipc(&arguments).expect(1);
+    require_told(&outcome);
+    assert_eq!(bench.texts()[..4], bench.later[..4]);
+    assert_eq!(bench.texts()[4], bench.earlier[4]);
+    bench.require_no_parts();
+    Row {
+        place: TRACE,
+        fault: "is a device that takes nothing",
+        outcome: "told at the end; the logs are new",
+        runs: 1,
+    }
+}

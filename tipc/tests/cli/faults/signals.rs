@@ -1,0 +1,225 @@
+//! Ctrl-C as a signal, at several moments.
+
+use super::Row;
+use super::bench::{Bench, RUN};
+use super::terminal::Pty;
+use rustix::process::{Pid, Signal, kill_process};
+use std::fs;
+use std::io::Read;
+use std::process::{Child, ExitStatus, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+const PLACE: &str = "Ctrl-C, or SIGINT";
+const INTERRUPTED: &str = "interrupted";
+
+const WAITS: &str = "LOG_START\nMESSAGE go\nKEY_IN\nEND";
+const MOVES: &str = "LOG_START\nMESSAGE go\nL1:\nPTP F1 -391 281 -160\nWAIT_INPOS F1\nPTP F1 -391 201 -200\n\
+                     WAIT_INPOS F1\nGOTO L1:\nEND";
+/// Talks to somebody who does not listen, until the pipe is full.
+const TALKS: &str =
+    "LOG_START\nL1:\nMESSAGE and so on and so on and so on and so on and so on\nGOTO L1:\nEND";
+/// The rows that TITAN.LOG holds at most.
+const ROWS: usize = 10_000;
+
+pub(super) fn rows() -> Vec<Row> {
+    let row = |fault, outcome, runs| Row {
+        place: PLACE,
+        fault,
+        outcome,
+        runs,
+    };
+    vec![
+        row(
+            "while the run begins",
+            "ends as any process if it has not begun, all earlier files stay; else interrupted",
+            times(20, at_the_start),
+        ),
+        row("in a wait", INTERRUPTED, times(5, |n| under_way(WAITS, n))),
+        row("in motion", INTERRUPTED, times(5, |n| under_way(MOVES, n))),
+        row(
+            "again and again while the logs are written",
+            INTERRUPTED,
+            times(3, while_logs_are_written),
+        ),
+        row(
+            "twice, while it is stuck in a full pipe",
+            "ends at once with status 130; the earlier trace and logs stay",
+            times(1, |_| stuck(Stdio::null())),
+        ),
+        row(
+            "at a terminal, as a key",
+            "interrupted; the terminal behaves as before",
+            times(2, |n| at_a_terminal(n, |pty, _| pty.press(0x03))),
+        ),
+        row(
+            "at a terminal, as a signal",
+            "interrupted; the terminal behaves as before",
+            times(2, |n| at_a_terminal(n, |_, child| interrupt(child))),
+        ),
+        row(
+            "at a terminal, twice, while it is stuck in a full pipe",
+            "ends at once with status 130; the earlier trace and logs stay; the terminal behaves as before",
+            times(1, |_| stuck_at_a_terminal()),
+        ),
+    ]
+}
+
+fn times(runs: usize, run: impl Fn(u64)) -> usize {
+    (0..runs as u64).for_each(run);
+    runs
+}
+
+fn spawn(bench: &Bench, input: Stdio) -> Child {
+    let mut command = bench.folder.command(&RUN);
+    command.stdin(input).stdout(Stdio::piped());
+    command.stderr(Stdio::null()).spawn().expect("tipc starts")
+}
+
+/// Waits for the message that proves that the run is under way.
+fn first_message(child: &mut Child) {
+    let mut first = [0; 3];
+    let out = child.stdout.as_mut().expect("piped");
+    out.read_exact(&mut first).expect("the message");
+    assert_eq!(first, *b"go\n");
+}
+
+fn pid(child: &Child) -> Pid {
+    Pid::from_child(child)
+}
+
+fn interrupt(child: &Child) {
+    kill_process(pid(child), Signal::INT).expect("nobody has waited for it yet");
+}
+
+fn at_the_start(n: u64) {
+    let bench = Bench::endless("signal-start", WAITS);
+    let mut child = spawn(&bench, Stdio::null());
+    sleep(Duration::from_micros(300 * n));
+    interrupt(&child);
+    let status = child.wait().expect("it ends");
+    if status.code().is_some() {
+        require_complete(&bench, status);
+    } else {
+        assert_eq!(bench.texts(), bench.earlier);
+        bench.require_no_parts();
+    }
+}
+
+fn under_way(statements: &str, n: u64) {
+    let bench = Bench::endless("signal-run", statements);
+    let mut child = spawn(&bench, Stdio::null());
+    first_message(&mut child);
+    sleep(Duration::from_millis(3 * n));
+    interrupt(&child);
+    require_complete(&bench, child.wait().expect("it ends"));
+}
+
+/// A folder goes away while a run is under way; later Ctrl-C ends it.
+pub(super) fn folder_vanishes(folder: &str) -> Bench {
+    let bench = Bench::endless("vanished", WAITS);
+    let mut child = spawn(&bench, Stdio::null());
+    first_message(&mut child);
+    fs::remove_dir_all(bench.folder.path(folder)).expect("ours");
+    interrupt(&child);
+    assert_eq!(child.wait().expect("it ends").code(), Some(1));
+    bench.require_no_parts();
+    bench
+}
+
+fn while_logs_are_written(_: u64) {
+    let bench = Bench::endless("signal-logs", WAITS);
+    let mut child = spawn(&bench, Stdio::null());
+    first_message(&mut child);
+    sleep(Duration::from_millis(100));
+    interrupt(&child);
+    let part = format!("logs/.TITAN.LOG.{}.part", child.id());
+    let part = bench.folder.path(&part);
+    while !part.exists() && child.try_wait().expect("ours").is_none() {}
+    let status = interrupt_to_its_end(&mut child, Duration::from_micros(100));
+    require_complete(&bench, status);
+}
+
+fn interrupt_to_its_end(child: &mut Child, pause: Duration) -> ExitStatus {
+    loop {
+        if let Some(status) = child.try_wait().expect("ours") {
+            return status;
+        }
+        interrupt(child);
+        sleep(pause);
+    }
+}
+
+fn stuck(input: Stdio) {
+    let bench = Bench::endless("signal-stuck", TALKS);
+    let mut child = spawn(&bench, input);
+    while !sleeps(&child) {
+        assert!(child.try_wait().expect("ours").is_none(), "it runs");
+    }
+    let status = interrupt_to_its_end(&mut child, Duration::from_millis(5));
+    assert_eq!(status.code(), Some(130));
+    // WARNING.LOG is written before the run.
+    assert_eq!(bench.texts()[1..], bench.earlier[1..]);
+    bench.require_no_parts();
+}
+
+/// Whether the first thread sleeps, now and for a while.
+fn sleeps(child: &Child) -> bool {
+    let stat = format!("/proc/{}/stat", child.id());
+    (0..10).all(|_| {
+        sleep(Duration::from_millis(5));
+        let stat = fs::read_to_string(&stat).expect("it runs");
+        stat.rsplit(')').next().expect("a name").starts_with(" S")
+    })
+}
+
+fn at_a_terminal(n: u64, press: impl Fn(&Pty, &Child)) {
+    let bench = Bench::endless("signal-terminal", MOVES);
+    let pty = Pty::new();
+    let before = pty.behaviour();
+    let mut child = spawn(&bench, pty.input());
+    first_message(&mut child);
+    assert_ne!(pty.behaviour(), before, "keys arrive one by one");
+    sleep(Duration::from_millis(3 * n));
+    press(&pty, &child);
+    require_complete(&bench, child.wait().expect("it ends"));
+    assert_eq!(pty.behaviour(), before);
+}
+
+fn stuck_at_a_terminal() {
+    let pty = Pty::new();
+    let before = pty.behaviour();
+    stuck(pty.input());
+    assert_eq!(pty.behaviour(), before);
+}
+
+/// The run was interrupted, and its files hold every cycle until then.
+fn require_complete(bench: &Bench, status: ExitStatus) {
+    assert_eq!(status.code(), Some(130));
+    bench.require_no_parts();
+    require_logs(bench, require_trace(bench));
+}
+
+/// The trace is whole; tells its cycles.
+pub(super) fn require_trace(bench: &Bench) -> usize {
+    let [.., trace] = bench.texts();
+    let trace = trace.expect("a trace");
+    let cycles = trace.lines().count() - 1;
+    let end = format!(r#"{{"end":"INTERRUPTED","cycles":{cycles}}}"#);
+    assert_eq!(trace.lines().last(), Some(end.as_str()));
+    cycles
+}
+
+/// TITAN.LOG holds so many cycles, and nothing is of the earlier run.
+fn require_logs(bench: &Bench, cycles: usize) {
+    let [_, titan, variables, emergency, _] = bench.texts();
+    assert_eq!((variables, emergency), (None, None), "of the earlier run");
+    let titan = titan.unwrap_or_default();
+    let mut lines = titan.lines().skip(1);
+    let columns = |line: &str| line.split('\t').count();
+    let headings = lines.next().map_or(0, columns);
+    let rows: Vec<_> = lines.collect();
+    assert_eq!(rows.len(), cycles.min(ROWS));
+    assert!(rows.iter().all(|row| columns(row) == headings));
+    assert!(rows.is_empty() || titan.ends_with('\n'));
+}

@@ -1,0 +1,40 @@
+//! A terminal for a run to read keys from.
+
+use rustix::io::write;
+use rustix::pty::{OpenptFlags, grantpt, ioctl_tiocgptpeer, openpt, unlockpt};
+use rustix::termios::tcgetattr;
+use std::os::fd::OwnedFd;
+use std::process::Stdio;
+
+const FLAGS: OpenptFlags = OpenptFlags::RDWR.union(OpenptFlags::NOCTTY);
+
+/// Both ends of a pseudo terminal.
+pub(super) struct Pty {
+    fingers: OwnedFd,
+    line: OwnedFd,
+}
+
+impl Pty {
+    pub(super) fn new() -> Self {
+        let fingers = openpt(FLAGS).expect("a pseudo terminal");
+        grantpt(&fingers).expect("ours");
+        unlockpt(&fingers).expect("ours");
+        let line = ioctl_tiocgptpeer(&fingers, FLAGS).expect("its other end");
+        Pty { fingers, line }
+    }
+
+    /// The end that a process reads.
+    pub(super) fn input(&self) -> Stdio {
+        self.line.try_clone().expect("another handle").into()
+    }
+
+    /// A key is pressed.
+    pub(super) fn press(&self, key: u8) {
+        assert_eq!(write(&self.fingers, &[key]), Ok(1));
+    }
+
+    /// How it treats keys, in words that can be compared.
+    pub(super) fn behaviour(&self) -> String {
+        format!("{:?}", tcgetattr(&self.line).expect("a terminal"))
+    }
+}
