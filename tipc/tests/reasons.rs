@@ -185,7 +185,7 @@ fn missing_and_wrong_operands_are_named() {
     );
 }
 
-// clauses: 5.3
+// clauses: 4.4 4.5 4.6 4.7 4.8 4.9
 #[test]
 fn a_function_with_other_operands_shows_how_it_is_written() {
     let told = |right: &str| {
@@ -224,7 +224,7 @@ fn a_function_with_other_operands_shows_how_it_is_written() {
     }
 }
 
-// clauses: 5.1
+// clauses: 4.9
 #[test]
 fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
     let told = |equation: &str| {
@@ -275,7 +275,7 @@ fn a_name_without_a_value_is_told_why() {
     );
 }
 
-// clauses: 4.1
+// clauses: 5.1
 #[test]
 fn flags_of_another_robot_are_not_suggested() {
     let titan = help("IF ANTENNA_ON GOTO L:\nL:", Robot::Titan8);
