@@ -181,6 +181,38 @@ fn only_what_states_use_is_there() {
 }
 
 #[test]
+fn what_leads_on_is_there_whether_jump_or_command_needs_it() {
+    let sleep = Action::Command {
+        op: Op::Sleep,
+        hs: false,
+        target: Target::None,
+        arguments: vec![argument(1.0)],
+    };
+    for first in [sleep, Action::Nothing] {
+        let text = text(&program(&[], vec![first, Action::Finish(End::End)]));
+        assert!(text.contains("fn go"), "{text}");
+    }
+}
+
+#[cfg(feature = "planted-fault")]
+#[test]
+fn the_planted_fault_is_in_greater_alone() {
+    let with = |relation| {
+        let condition = compare(constant(1.0), relation, constant(2.0));
+        let action = Action::If {
+            condition,
+            otherwise: 1,
+        };
+        program(&[], vec![action, Action::Finish(End::End)])
+    };
+    let planted = |relation| super::planted(&with(relation), &Options::default()).to_string();
+    for sound in [Relation::Eq, Relation::Lt, Relation::Ge] {
+        assert_eq!(planted(sound), text(&with(sound)));
+    }
+    assert_eq!(planted(Relation::Gt), text(&with(Relation::Ge)));
+}
+
+#[test]
 fn name_visibility_and_run_time_are_options() {
     let options = Options {
         name: Some(super::ident::identifier("Other")),
