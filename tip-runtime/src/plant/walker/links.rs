@@ -38,7 +38,7 @@ pub(super) fn place<const L: usize, const J: usize>(
     for ((links, leg), servos) in legs.iter_mut().zip(&model.legs).zip(servos) {
         let angles = servos.each_ref().map(|servo| servo.angle);
         if links.angles.map(f64::to_bits) != angles.map(f64::to_bits) {
-            *links = LegLinks::of(leg, angles);
+            links.turn(leg, angles);
         }
     }
 }
@@ -73,15 +73,12 @@ impl<const J: usize> LegLinks<J> {
     };
 
     /// Follows the chain from base to foot.
-    fn of(leg: &Leg<J>, angles: [f64; J]) -> Self {
-        let mut links = LegLinks {
-            angles,
-            ..Self::NOWHERE
-        };
+    fn turn(&mut self, leg: &Leg<J>, angles: [f64; J]) {
+        self.angles = angles;
         let mut turned = Rotation3::identity();
         let mut at = Point::from(leg.base);
-        let places = links.joints.iter_mut().zip(&mut links.axes);
-        let places = places.zip(&mut links.centres);
+        let places = self.joints.iter_mut().zip(&mut self.axes);
+        let places = places.zip(&mut self.centres);
         for (((place, axis), centre), (joint, angle)) in places.zip(leg.joints.iter().zip(angles)) {
             let own_axis = Point::from(joint.axis);
             *place = at;
@@ -92,8 +89,7 @@ impl<const J: usize> LegLinks<J> {
             *centre = at + link / 2.0;
             at += link;
         }
-        links.foot = at;
-        links
+        self.foot = at;
     }
 
     /// How stiffly each joint feels a foot whose contact gives way by `stiffness` (N/mm) along
