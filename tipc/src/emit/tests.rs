@@ -2,9 +2,10 @@
 //! where generated code can be compiled: in the workspace's `tests`.
 
 use super::{Options, emit, skeleton, type_name, word};
-use crate::fixture::{argument, compare, constant, labelled, program, read, scalar};
+use crate::fixture::{argument, compare, constant, labelled, member, program, read, scalar};
 use crate::program::{
-    Action, Condition, End, Flag, Op, Relation, ScalarExpression, Target, VariableKind,
+    Action, Argument, Condition, End, Flag, Op, Operand, Relation, ScalarExpression, Target,
+    VariableKind,
 };
 use quote::quote;
 
@@ -96,6 +97,38 @@ fn a_read_is_tested_where_nothing_is_proved() {
     ];
     let open = text(&program(&[("A", VariableKind::Var)], actions));
     assert!(open.contains("self . v_a . get (1) ?"), "{open}");
+}
+
+#[test]
+fn a_struct_is_read_at_once_where_all_of_it_is_asked_for_in_order() {
+    let given = |kind, members: &[usize]| {
+        let argument = |index: &usize| Argument {
+            operand: Operand::Scalar {
+                scalar: member(1, *index),
+                negative: false,
+            },
+            relative: false,
+        };
+        let command = Action::Command {
+            op: Op::Ptp,
+            hs: false,
+            target: Target::Foot(1),
+            arguments: members.iter().map(argument).collect(),
+        };
+        text(&program(&[("P", kind)], vec![command]))
+    };
+    let whole = given(VariableKind::Pos, &[0, 1, 2]);
+    assert!(
+        whole.contains("ops :: get_each (& self . v_p , 1) ?"),
+        "{whole}"
+    );
+    for other in [
+        given(VariableKind::Pos, &[0, 1]),
+        given(VariableKind::Pos, &[2, 1, 0]),
+        given(VariableKind::Var, &[0]),
+    ] {
+        assert!(!other.contains("get_each"), "{other}");
+    }
 }
 
 #[test]
