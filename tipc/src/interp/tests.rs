@@ -10,6 +10,7 @@ use crate::program::{
 };
 use script::Script;
 use tip_runtime::fault::Fault;
+use tip_runtime::model::titan8;
 use tip_runtime::program::{Flow, Program};
 
 const A: usize = 1;
@@ -406,8 +407,16 @@ fn reset_forgets_everything() {
     interpreter.reset();
     assert_eq!(interpreter.at(), 0);
     assert_eq!(value_of(&interpreter, "A"), None);
-    assert_eq!(interpreter.line(1), 4);
-    assert_eq!(interpreter.line(2), 0);
+}
+
+#[test]
+fn it_says_which_program_it_runs_and_where_the_steps_stand() {
+    let interpreter = interpreter(vec![set(A, 1.0)]);
+    assert_eq!(interpreter.name(), "by_hand.prg");
+    assert_eq!(interpreter.title(), "built by hand");
+    assert_eq!(interpreter.signature(), titan8::MODEL.signature());
+    let lines = [0, 1, 2].map(|step| interpreter.line(step));
+    assert_eq!(lines, [3, 4, 0]);
 }
 
 // clauses: 2.18
