@@ -4,8 +4,8 @@
 use super::{Options, emit, skeleton, type_name, word};
 use crate::fixture::{argument, compare, constant, labelled, member, program, read, scalar};
 use crate::program::{
-    Action, Argument, Condition, End, Flag, Op, Operand, Relation, ScalarExpression, Target,
-    VariableKind,
+    Action, Argument, Condition, End, Flag, Function, Op, Operand, Relation, ScalarExpression,
+    Target, VariableKind,
 };
 use quote::quote;
 
@@ -128,6 +128,35 @@ fn a_struct_is_read_at_once_where_all_of_it_is_asked_for_in_order() {
         given(VariableKind::Var, &[0]),
     ] {
         assert!(!other.contains("get_each"), "{other}");
+    }
+}
+
+// clauses: 4.4
+#[test]
+fn each_function_is_that_of_the_run_time() {
+    for (function, name) in [
+        (Function::Int, "int"),
+        (Function::Abs, "abs"),
+        (Function::Sqrt, "sqrt"),
+        (Function::Sin, "sin"),
+        (Function::Cos, "cos"),
+        (Function::Tan, "tan"),
+        (Function::Asin, "asin"),
+        (Function::Acos, "acos"),
+        (Function::Atan, "atan"),
+        (Function::Deg2Rad, "deg2rad"),
+        (Function::Rad2Deg, "rad2deg"),
+    ] {
+        let action = Action::SetScalar {
+            target: scalar(1),
+            update: None,
+            value: ScalarExpression::Function {
+                function,
+                operand: constant(0.5),
+            },
+        };
+        let text = text(&program(&[("A", VariableKind::Var)], vec![action]));
+        assert!(text.contains(&format!("ops :: {name} (0.5)")), "{text}");
     }
 }
 
