@@ -4,15 +4,16 @@ use crate::defect::{Defect, Reading};
 use crate::expected::Expected;
 use crate::faulty::{Desk, Faulty};
 use crate::place::Place;
-use crate::script::{Script, Step};
 use crate::trial::{Bench, PATIENCE, trial};
 use std::collections::{BTreeMap, BTreeSet};
 use tip_runtime::hardware::{Hardware, Outputs};
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::Model;
+use tip_runtime::program::Program;
+use tip_runtime::special::Special;
 
-/// Cycles between two at which a fault that does not stop the robot at once breaks in: a prime, so that the
-/// cycles fall on other steps for each place.
+/// Moments between two at which a fault that does not stop the robot at once breaks in: a prime, so that they
+/// fall on other steps for each place.
 const STRIDE: usize = 5;
 
 /// Place and fault, as the table names them.
@@ -30,38 +31,47 @@ pub(crate) struct Cell {
 pub(crate) type Seen = BTreeMap<Name, Cell>;
 
 /// A robot and a healthy run of its program.
-pub(crate) struct Campaign<H, const L: usize, const J: usize> {
+pub(crate) struct Campaign<P, H, S, const L: usize, const J: usize> {
     model: &'static Model<L, J>,
-    /// At the start of each cycle.
-    before: Vec<Bench<H, L, J>>,
+    /// At the moments at which faults break in: the number of a cycle, and what was there at its start.
+    before: Vec<(usize, Bench<P, H, S, L, J>)>,
     sent: Vec<Outputs<L, J>>,
 }
 
-impl<H: Hardware<L, J> + Clone, const L: usize, const J: usize> Campaign<H, L, J> {
-    pub(crate) fn new(model: &'static Model<L, J>, steps: &'static [Step], plant: H) -> Self {
-        let script = Script {
-            signature: model.signature(),
-            steps,
-            at: 0,
-        };
+impl<P, H, S, const L: usize, const J: usize> Campaign<P, H, S, L, J>
+where
+    P: Program + Clone,
+    H: Hardware<L, J> + Clone,
+    S: Special + Clone,
+{
+    /// Faults break in at every `pace`-th cycle.
+    pub(crate) fn new(
+        model: &'static Model<L, J>,
+        program: P,
+        plant: H,
+        special: S,
+        pace: usize,
+    ) -> Self {
         let robot = Faulty::new(model, plant);
         let mut machine =
-            Machine::new(script, model, robot, Desk::new(), ()).expect("made for this robot");
+            Machine::new(program, model, robot, Desk::new(), special).expect("made for this robot");
         let (mut before, mut sent) = (Vec::new(), Vec::new());
-        while machine.status().is_running() && before.len() < 10 * PATIENCE {
-            before.push(machine.clone());
+        while machine.status().is_running() && sent.len() < 10 * PATIENCE {
+            if sent.len() % pace == 0 {
+                before.push((sent.len(), machine.clone()));
+            }
             machine.cycle();
             sent.push(*machine.outputs());
         }
         let ended = matches!(machine.status(), Status::Finished(_));
-        let at = machine.program().at;
+        let at = machine.program().at();
         assert!(
             ended,
             "{} at step {at}: {:?}",
             model.name,
             machine.emergency()
         );
-        assert_eq!(machine.console().log.len(), sent.len());
+        assert!(!machine.console().log.is_empty(), "rows to fill the buffer");
         Campaign {
             model,
             before,
@@ -78,10 +88,9 @@ impl<H: Hardware<L, J> + Clone, const L: usize, const J: usize> Campaign<H, L, J
                 _ => 1,
             };
             // Behind the first cycle, so that a sensor has something to be stuck at.
-            for cycle in (1 + n % stride..self.sent.len()).step_by(stride) {
-                let before = self.before[cycle].clone();
+            for (cycle, before) in self.before.iter().skip(1 + n % stride).step_by(stride) {
                 let to_be_read = !before.console().inputs_read;
-                let outcome = trial(before, defect, &self.sent[cycle..]);
+                let outcome = trial(before.clone(), defect, &self.sent[*cycle..]);
                 let name = self.model.name;
                 assert!(
                     expected.allows(outcome, to_be_read),

@@ -4,7 +4,7 @@ use crate::defect::{Defect, Reading};
 use crate::place::Place;
 use crate::trial::Outcome;
 use tip_runtime::fault::Fault;
-use tip_runtime::model::Model;
+use tip_runtime::model::{Family, Model};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Expected {
@@ -16,8 +16,8 @@ pub(crate) enum Expected {
     StopsBehindKeys(Fault),
     /// One in a step that reads the input; the program goes on where none does.
     StopsWhereRead(Fault),
-    /// END in the same cycle.
-    EndsAtOnce,
+    /// END where the program asks next; a script asks in every cycle.
+    EndsWhereAsked,
     /// Nothing of it is to be seen in any command.
     GoesOn,
     /// A sensor gives numbers that it could give, or time is not what it seems: the program goes on
@@ -34,7 +34,7 @@ impl Expected {
             Defect::LostCommand | Defect::LateCycles | Defect::Jitter => Expected::GoesOnWithIt,
             Defect::KeyFlood | Defect::LogFull => Expected::GoesOn,
             Defect::ReturnBehindKeys => Expected::StopsBehindKeys(Fault::EmergencyKey),
-            Defect::Halt => Expected::EndsAtOnce,
+            Defect::Halt => Expected::EndsWhereAsked,
             Defect::ReturnKey | Defect::HostStop => Expected::StopsAtOnce(Fault::EmergencyKey),
         }
     }
@@ -64,6 +64,7 @@ impl Expected {
             }
             Place::Slider(_) if model.slider.is_none() => Expected::GoesOn,
             Place::Slider(_) if !is_number => Expected::StopsAtOnce(Fault::Sensor("FLOOR")),
+            Place::Sole(_) if matches!(model.family, Family::Hand) => Expected::GoesOn,
             Place::Knob(knob) if !is_number => Expected::StopsWhereRead(Fault::Sensor(KNOBS[knob])),
             Place::Sole(n) if !is_number => Expected::StopsWhereRead(Fault::Sensor(SOLES[n])),
             Place::Antenna if !is_number => Expected::StopsWhereRead(Fault::Sensor("ANTENNA")),
@@ -91,7 +92,7 @@ impl Expected {
             (Expected::StopsWhereRead(wanted), Stops { fault, .. }) => fault == wanted,
             (Expected::StopsWhereRead(_), Ends { same, .. }) => same && !to_be_read,
             (Expected::GoesOn, Ends { same, .. }) => same,
-            (Expected::EndsAtOnce, Ends { after, .. }) => after == 0,
+            (Expected::EndsWhereAsked, Ends { .. }) => true,
             (Expected::GoesOnWithIt, Stops { fault, .. }) => !matches!(
                 fault,
                 Fault::Hardware(_)
@@ -122,7 +123,10 @@ impl Expected {
             (Expected::StopsWhereRead(_), Outcome::Stops { .. }) => {
                 Some(format!("stops in a step that reads it: {fault}"))
             }
-            (Expected::EndsAtOnce, _) => Some("a program that asks for it ends at once".into()),
+            (Expected::EndsWhereAsked, Outcome::Ends { after: 0, .. }) => {
+                Some("ends at once if the program asks for it".into())
+            }
+            (Expected::EndsWhereAsked, _) => Some("ends where the program asks for it".into()),
             (_, Outcome::Ends { same: true, .. }) => Some("goes on, commands unchanged".into()),
             (_, Outcome::Ends { same: false, .. }) => Some("goes on to its end".into()),
             (_, Outcome::Waits) => Some("waits until it is stopped".into()),

@@ -2,6 +2,7 @@
 
 use tip_runtime::command::{Command, Flag, Op, Poll, Port, Target, Value};
 use tip_runtime::fault::Fault;
+use tip_runtime::model::Model;
 use tip_runtime::program::{Context, End, Flow, Program, Signature};
 
 pub(crate) type Step = fn(&mut dyn Context) -> Result<Flow, Fault>;
@@ -9,9 +10,22 @@ pub(crate) type Step = fn(&mut dyn Context) -> Result<Flow, Fault>;
 /// Runs its steps one after the other, and ends behind the last or when a halt is requested.
 #[derive(Clone, Copy)]
 pub(crate) struct Script {
-    pub(crate) signature: Signature,
-    pub(crate) steps: &'static [Step],
-    pub(crate) at: u32,
+    signature: Signature,
+    steps: &'static [Step],
+    at: u32,
+}
+
+impl Script {
+    pub(crate) fn new<const L: usize, const J: usize>(
+        model: &Model<L, J>,
+        steps: &'static [Step],
+    ) -> Self {
+        Script {
+            signature: model.signature(),
+            steps,
+            at: 0,
+        }
+    }
 }
 
 impl Program for Script {
@@ -83,17 +97,19 @@ fn relative<const N: usize>(
     order(cx, op, target, values.map(Value::relative))
 }
 
-/// What the step says that reads the inputs.
+/// What the step says that reads the inputs; a compiled program says it before.
 pub(crate) const INPUTS_READ: &str = "inputs read";
 
-/// Reads every input of a robot with `L` legs.
-fn inputs<const L: u8>(cx: &mut dyn Context) -> Result<Flow, Fault> {
+/// Reads every input of a robot with `L` legs, of which `SOLES` have a sole.
+fn inputs<const L: u8, const SOLES: u8>(cx: &mut dyn Context) -> Result<Flow, Fault> {
     for n in 1..=3 {
         cx.analog(Port::Knob(n))?;
     }
     for n in 1..=L {
-        cx.analog(Port::Paw(n))?;
         cx.analog(Port::Joint(n, 1))?;
+    }
+    for n in 1..=SOLES {
+        cx.analog(Port::Paw(n))?;
     }
     cx.analog(Port::Antenna)?;
     cx.message(&INPUTS_READ);
@@ -121,7 +137,7 @@ pub(crate) const TITAN: &[Step] = &[
     |cx| run(cx, Op::PtpAngle, Target::Joint(2, 1), [3.0]),
     |cx| relative(cx, Op::VelControl, Target::Foot(3), [0.0, 5.0, 0.0]),
     |cx| run(cx, Op::Sleep, Target::None, [100.0]),
-    inputs::<4>,
+    inputs::<4, 4>,
     |cx| run(cx, Op::AllStop, Target::None, []),
     |cx| run(cx, Op::AllStopRelease, Target::None, []),
     |cx| run(cx, Op::OmegaControl, Target::Joint(4, 2), [-4.0]),
@@ -140,7 +156,7 @@ pub(crate) const GENERIC: &[Step] = &[
     |cx| run(cx, Op::Sleep, Target::None, [200.0]),
     |cx| run(cx, Op::WaitInpos, LEG_1, []),
     |cx| relative(cx, Op::Torque, Target::Joint(2, 1), [0.5]),
-    inputs::<4>,
+    inputs::<4, 4>,
     |cx| run(cx, Op::NoCompliance, Target::Foot(3), []),
     |cx| run(cx, Op::Sleep, Target::None, [100.0]),
 ];
@@ -158,7 +174,7 @@ pub(crate) const HAND: &[Step] = &[
     |cx| run(cx, Op::NoCompliance, Target::Foot(2), []),
     |cx| relative(cx, Op::Torque, Target::Joint(1, 1), [-2.0]),
     |cx| run(cx, Op::Sleep, Target::None, [40.0]),
-    inputs::<3>,
+    inputs::<3, 0>,
     |cx| run(cx, Op::NoCompliance, LEG_1, []),
     |cx| run(cx, Op::WaitInpos, Target::All, []),
 ];

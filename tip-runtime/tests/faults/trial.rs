@@ -2,14 +2,15 @@
 
 use crate::defect::Defect;
 use crate::faulty::{Desk, Faulty};
-use crate::script::Script;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, Outputs};
 use tip_runtime::machine::{Machine, Status};
+use tip_runtime::program::Program;
 use tip_runtime::record::TitanLog;
+use tip_runtime::special::Special;
 
-pub(crate) type Bench<H, const L: usize, const J: usize> =
-    Machine<'static, Script, Faulty<H, L, J>, Desk, (), L, J>;
+pub(crate) type Bench<P, H, S, const L: usize, const J: usize> =
+    Machine<'static, P, Faulty<H, L, J>, Desk, S, L, J>;
 
 /// Cycles after which a program that still runs waits for what never comes, and in which a robot whose
 /// program is over comes to rest.
@@ -27,13 +28,15 @@ pub(crate) enum Outcome {
 }
 
 /// Lets `defect` break into a run whose commands would have been `healthy` from here on.
-pub(crate) fn trial<H, const L: usize, const J: usize>(
-    mut machine: Bench<H, L, J>,
+pub(crate) fn trial<P, H, S, const L: usize, const J: usize>(
+    mut machine: Bench<P, H, S, L, J>,
     defect: Defect,
     healthy: &[Outputs<L, J>],
 ) -> Outcome
 where
+    P: Program,
     H: Hardware<L, J>,
+    S: Special,
 {
     break_in(&mut machine, defect);
     let mut same = true;
@@ -57,10 +60,14 @@ where
     Outcome::Waits
 }
 
-fn break_in<H: Hardware<L, J>, const L: usize, const J: usize>(
-    machine: &mut Bench<H, L, J>,
+fn break_in<P, H, S, const L: usize, const J: usize>(
+    machine: &mut Bench<P, H, S, L, J>,
     defect: Defect,
-) {
+) where
+    P: Program,
+    H: Hardware<L, J>,
+    S: Special,
+{
     machine.hardware_mut().defect = Some(defect);
     let keys = &mut machine.console_mut().keys;
     match defect {
@@ -78,9 +85,14 @@ fn break_in<H: Hardware<L, J>, const L: usize, const J: usize>(
 
 /// What holds of every emergency stop: the robot is stopped in each cycle, and told no more; people
 /// are told once; joints are to stay where they can be.
-fn stopped<H, const L: usize, const J: usize>(mut machine: Bench<H, L, J>, after: usize) -> Outcome
+fn stopped<P, H, S, const L: usize, const J: usize>(
+    mut machine: Bench<P, H, S, L, J>,
+    after: usize,
+) -> Outcome
 where
+    P: Program,
     H: Hardware<L, J>,
+    S: Special,
 {
     let writes = machine.hardware().writes;
     for stops in 1..5 {
@@ -109,9 +121,13 @@ where
 }
 
 /// Behind the end of its program a robot comes to rest, and is stopped if something fails then.
-fn require_rest<H, const L: usize, const J: usize>(mut machine: Bench<H, L, J>, defect: Defect)
-where
+fn require_rest<P, H, S, const L: usize, const J: usize>(
+    mut machine: Bench<P, H, S, L, J>,
+    defect: Defect,
+) where
+    P: Program,
     H: Hardware<L, J>,
+    S: Special,
 {
     let mut told = *machine.outputs();
     for _ in 0..PATIENCE {

@@ -1,0 +1,49 @@
+3.1
+Feels for a cylinder, holds it by torques, force closure and springs, vibrates, opens a finger to its limit
+DEF_VAR N, V
+SPECIAL 20 0 1
+LOG_START
+DETECT_OBJECT 1
+LOG_STOP
+DETECT_FLOOR ALL 1
+IF HALT_REQUEST GOTO DONE:
+
+// Torques, and a fingertip that vibrates.
+TORQUE J11 40
+TORQUE J21 20
+TORQUE J31 20
+SPECIAL 14 60
+SPECIAL 11 1 1
+SLEEP 40
+SPECIAL 10
+
+// Active force closure, upwards.
+SPECIAL 5 20 5
+FOR N = 1 TO 5
+  SPECIAL 6 0 20
+NEXT N
+IF SPECIAL_FLAG0 GOTO DONE:
+
+// Lever motion by springs.
+SPECIAL 1 20
+SPECIAL 2
+SLEEP 20
+NO_COMPLIANCE F1
+NO_COMPLIANCE F2
+NO_COMPLIANCE F3
+IF HALT_REQUEST GOTO DONE:
+
+MESSAGE inputs read
+AD_IN VR1 V
+AD_IN VR2 V
+AD_IN VR3 V
+AD_IN ANTENNA V
+OUTPUT_VARIABLES
+
+// A joint under EMG_OFF goes to its limit and stays there.
+EMG_OFF
+PTP_ANGLE J13 -200
+SLEEP 60
+EMG_ON
+DONE:
+END
