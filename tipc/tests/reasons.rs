@@ -62,6 +62,24 @@ fn broken_blocks_are_shown_with_both_ends() {
     );
 }
 
+// clauses: 6.5
+#[test]
+fn an_open_block_is_told_with_the_words_that_make_it() {
+    for (opens, opener, closer) in [
+        ("IF KB_HIT THEN", "IF", "ENDIF"),
+        ("WHILE KB_HIT", "WHILE", "WEND"),
+        ("REPEAT", "REPEAT", "UNTIL"),
+        ("FOR VAR_KEY = 1 TO 2", "FOR", "NEXT"),
+        ("EXIT\nSUBROUTINE S:", "SUBROUTINE", "SUBEND"),
+    ] {
+        let loaded = check(opens, Robot::Titan8);
+        let fault = only(&loaded);
+        assert_eq!(fault.reason, format!("this {opener} is not closed"));
+        let help = format!("close it with {closer}");
+        assert_eq!(fault.help.as_ref(), Some(&help));
+    }
+}
+
 // clauses: 6.4 6.5
 #[test]
 fn forbidden_jumps_show_the_block_and_the_label() {
