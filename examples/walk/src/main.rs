@@ -7,7 +7,6 @@
 
 use std::env;
 use std::error::Error;
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -15,6 +14,7 @@ use tip_runtime::console::Terminal;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
+use tip_runtime::record::WholeFile;
 use walk::options::{HELP, Options};
 use walk::{SOURCE, Walk};
 use walking::engine::{Engine, interpreter, on_simulated_robot};
@@ -70,15 +70,15 @@ fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
     Ok(outcome.is_good())
 }
 
-fn create(path: &Path) -> Result<BufWriter<File>, String> {
-    let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
+fn create(path: &Path) -> Result<BufWriter<WholeFile>, String> {
+    let file = WholeFile::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
     Ok(BufWriter::new(file))
 }
 
 /// Prints where the body is now and then, and keeps the trace.
 struct Progress {
     due: f64,
-    trace: Option<BufWriter<File>>,
+    trace: Option<BufWriter<WholeFile>>,
     failure: Option<io::Error>,
 }
 
@@ -102,10 +102,10 @@ impl Progress {
         Ok(())
     }
 
-    fn finish(mut self) -> io::Result<()> {
-        match (self.failure.take(), &mut self.trace) {
+    fn finish(self) -> io::Result<()> {
+        match (self.failure, self.trace) {
             (Some(error), _) => Err(error),
-            (None, Some(trace)) => trace.flush(),
+            (None, Some(trace)) => trace.into_inner()?.commit(),
             (None, None) => Ok(()),
         }
     }

@@ -31,7 +31,9 @@ A read-only file is one that nobody may write, as `chmod a-w` makes it; it is re
 *Told at the end*: the program runs to its end, what can be written is new, then the same error with status 1. *Interrupted*: status 130; the
 trace ends with `INTERRUPTED`, and the logs hold all cycles until then.
 
-A compiled program writes its logs by the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot as RETURN does.
+A compiled program writes its logs by the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot as RETURN
+does. The signal ends it as any process, unless its host catches it; then earlier files stay, and what was being written is left beside them
+as `.NAME.PROCESS.part`. `cargo test -p walk --test interrupt` tries both.
 
 `cargo test -p tipc --all-features --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
 writes it anew.

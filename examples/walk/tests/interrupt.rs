@@ -1,0 +1,57 @@
+//! Ctrl-C, as a key and as a signal, on a compiled program.
+#![cfg(target_os = "linux")]
+
+#[path = "../../../tipc/tests/cli/faults/terminal.rs"]
+mod terminal;
+
+use rustix::process::{Pid, Signal, kill_process};
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use terminal::Pty;
+
+fn walk(arguments: &[&str], input: Stdio) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_walk"));
+    command.args(arguments).stdin(input).stdout(Stdio::piped());
+    command.spawn().expect("it starts")
+}
+
+fn require_running(child: &mut Child) {
+    assert!(child.try_wait().expect("ours").is_none(), "it runs");
+}
+
+#[test]
+fn the_key_stops_the_robot_and_the_terminal_behaves_as_before() {
+    let pty = Pty::new();
+    let before = pty.behaviour();
+    let mut child = walk(&["--realtime"], pty.input());
+    while pty.behaviour() == before {
+        require_running(&mut child);
+    }
+    pty.press(0x03);
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(1));
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(told.contains("Emergency; body"), "{told}");
+    assert_eq!(pty.behaviour(), before);
+}
+
+#[test]
+fn the_signal_ends_the_process_and_leaves_the_earlier_trace() {
+    let trace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interrupted.jsonl");
+    fs::write(&trace, "an earlier one\n").expect("the target folder is writable");
+    let name = trace.to_string_lossy();
+    let mut child = walk(&["--trace", &name], Stdio::null());
+    let part = format!(".interrupted.jsonl.{}.part", child.id());
+    let part = trace.with_file_name(part);
+    while !part.exists() {
+        require_running(&mut child);
+    }
+    kill_process(Pid::from_child(&child), Signal::INT).expect("it runs");
+    let status = child.wait().expect("it ends");
+    assert_eq!(status.signal(), Some(Signal::INT.as_raw()));
+    let text = fs::read_to_string(&trace).expect("it is there");
+    assert_eq!(text, "an earlier one\n");
+    fs::remove_file(part).expect("a process that is ended leaves it");
+}
