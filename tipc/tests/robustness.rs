@@ -3,23 +3,15 @@
 #[path = "fuzz/targets/load.rs"]
 #[allow(unreachable_pub, reason = "it is shared with the fuzzer")]
 mod load;
+mod random;
 
 use load::examine;
+use random::Random;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tipc::Options;
 
-/// A small generator of numbers (Marsaglia's xorshift), so that every run tries the same texts.
-struct Random(u64);
-
 impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        usize::try_from(self.0 >> 33).expect("31 bits") % count
-    }
-
     fn pick<'a>(&mut self, words: &[&'a str]) -> &'a str {
         words[self.below(words.len())]
     }

@@ -1,20 +1,9 @@
 //! Descriptions of robots that were damaged, by the target of the fuzzer.
 
+use crate::random::Random;
 use crate::targets::description::examine;
 
 const EXAMPLE: &str = include_str!("../robots/hexapod.toml");
-
-/// A cheap generator of the same numbers on every machine (Marsaglia's xorshift).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
-    }
-}
 
 #[test]
 fn a_file_that_breaks_off_anywhere() {

@@ -6,6 +6,8 @@
 
 mod damaged;
 mod dictionaries;
+#[path = "../random/mod.rs"]
+mod random;
 #[allow(unreachable_pub, reason = "they are shared with the fuzzer")]
 mod targets;
 

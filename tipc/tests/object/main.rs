@@ -1,6 +1,7 @@
 //! TIP.OBJ and WARNING.LOG. The expectations follow the memory layouts of T.I.P. 3.1 §5 to §7.
 
 mod forms;
+mod names;
 
 use tipc::{Options, Robot, listing, load};
 
