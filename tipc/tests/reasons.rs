@@ -193,6 +193,10 @@ fn missing_and_wrong_operands_are_named() {
         "PTP_ANGLE wants 3 numbers or a JOINT; one stands here"
     );
     assert_eq!(reason("SET_A_MAX"), "SET_A_MAX wants a target, as F1, ALL");
+    assert_eq!(
+        reason("DEF_VAR N\nKEY_IN N\nSLEEP N\nAD_IN N VAR_KEY"),
+        "a constant belongs here"
+    );
     assert_eq!(reason("SET_A_MAX 5"), "a target belongs here, as F1, ALL");
     let refused = "PTP takes no J13; its targets are such as F1";
     assert_eq!(reason("PTP J13 1 2 3"), refused);
@@ -269,6 +273,11 @@ fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
             "P = NORM P",
             "NORM P",
             "the left side is a POS, the right side a number",
+        ),
+        (
+            "VAR_KEY = P",
+            "P",
+            "the left side is a number, the right side a POS",
         ),
     ] {
         assert_eq!(

@@ -188,3 +188,31 @@ impl Resolver<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::program::{Action, Scalar};
+    use tip_runtime::command::Port;
+
+    // clauses: 7.32
+    #[test]
+    fn inputs_have_the_numbers_of_their_names() {
+        let into = Scalar {
+            variable: 0,
+            member: 0,
+        };
+        for (input, port) in [
+            ("VR1", Port::Knob(1)),
+            ("VR3", Port::Knob(3)),
+            ("PAW1", Port::Paw(1)),
+            ("PAW4", Port::Paw(4)),
+            ("J43", Port::Joint(4, 3)),
+            ("0 13", Port::Channel(13)),
+        ] {
+            let text = format!("3.1\ninputs\nAD_IN {input} VAR_KEY\nSLEEP VAR_KEY\nEND\n");
+            let loaded = crate::load("inputs.prg", text.as_bytes(), &crate::Options::default());
+            let program = loaded.program.expect("a sound program");
+            assert_eq!(program.steps()[0].action, Action::AdIn { port, into });
+        }
+    }
+}
