@@ -1,12 +1,13 @@
 //! One program of each kind of step, against a scripted robot.
 
+mod equations;
 mod script;
 
 use super::Interpreter;
-use crate::fixture::{argument, compare, constant, member, program, read, scalar};
+use crate::fixture::{argument, compare, constant, program, read, scalar};
 use crate::program::{
-    Action, Arithmetic, Axis, Condition, End, Flag, Function, MessagePart, Op, Operand, Port,
-    Relation, ScalarExpression, StructExpression, Target, Teach, VariableKind,
+    Action, Arithmetic, Condition, End, Flag, MessagePart, Op, Port, Relation, ScalarExpression,
+    Target, Teach, VariableKind,
 };
 use script::Script;
 use tip_runtime::fault::Fault;
@@ -223,82 +224,6 @@ fn the_first_fault_wins_and_changes_nothing() {
         assert_eq!(interpreter.scalars, before);
         assert_eq!(interpreter.at(), 0);
     }
-}
-
-// clauses: 4.2 4.3 4.7 4.8
-#[test]
-fn structs_are_set_member_by_member() {
-    let expressions = [
-        (StructExpression::Copy(P), [3.0, 0.0, 4.0]),
-        (StructExpression::UnitVect(P), [0.6, 0.0, 0.8]),
-        (
-            StructExpression::Binary {
-                left: P,
-                operation: Arithmetic::Sub,
-                right: P,
-            },
-            [0.0, 0.0, 0.0],
-        ),
-        (
-            StructExpression::Rotate {
-                axis: Axis::Y,
-                operand: P,
-                angle: constant(0.0),
-            },
-            [3.0, 0.0, 4.0],
-        ),
-    ];
-    for (value, expected) in expressions {
-        let members = [3.0, 0.0, 4.0];
-        let mut actions: Vec<Action> = (0..3)
-            .map(|n| Action::SetScalar {
-                target: member(P, n),
-                update: None,
-                value: ScalarExpression::Operand(constant(members[n])),
-            })
-            .collect();
-        actions.push(Action::SetStruct {
-            target: P + 1,
-            update: None,
-            value,
-        });
-        let (interpreter, _) = path(actions, &mut Script::default());
-        let members = ["Q.X", "Q.Y", "Q.Z"].map(|name| value_of(&interpreter, name));
-        assert_eq!(members, expected.map(Some));
-    }
-}
-
-// clauses: 4.4 4.5 4.6
-#[test]
-fn functions_read_one_operand_and_keep_its_sign() {
-    let minus_a = Operand::Scalar {
-        scalar: scalar(A),
-        negative: true,
-    };
-    let (interpreter, _) = path(
-        vec![
-            set(A, 2.5),
-            Action::SetScalar {
-                target: scalar(B),
-                update: None,
-                value: ScalarExpression::Function {
-                    function: Function::Int,
-                    operand: minus_a,
-                },
-            },
-            Action::SetScalar {
-                target: scalar(A),
-                update: Some(Arithmetic::Mul),
-                value: ScalarExpression::Atan2 {
-                    y: constant(0.0),
-                    x: constant(-1.0),
-                },
-            },
-        ],
-        &mut Script::default(),
-    );
-    assert_eq!(value_of(&interpreter, "B"), Some(-3.0));
-    assert_eq!(value_of(&interpreter, "A"), Some(450.0));
 }
 
 // clauses: 2.17 2.4
