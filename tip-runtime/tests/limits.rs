@@ -116,22 +116,25 @@ fn a_velocity_into_the_limits_is_an_emergency_or_a_stop() {
 // clauses: 7.42
 #[test]
 fn a_rate_into_a_limit_is_an_emergency_or_a_stop_there() {
-    let mut rig = Rig::titan();
-    rig.done(Op::OmegaControl, J11, &[40.0]);
-    assert_eq!(idle_to_fault(&mut rig), Fault::JointLimit(1, 1));
+    for limit in [60.0, -60.0] {
+        let mut rig = Rig::titan();
+        let rate = limit / 1.5;
+        rig.done(Op::OmegaControl, J11, &[rate]);
+        assert_eq!(idle_to_fault(&mut rig), Fault::JointLimit(1, 1));
 
-    let mut rig = emg_off();
-    rig.done(Op::OmegaControl, J11, &[40.0]);
-    rig.done(Op::OmegaControl, Target::Joint(1, 2), &[10.0]);
-    rig.idle(200);
-    assert_eq!(rig.commanded()[0][0], 60.0);
-    let thigh = rig.commanded()[0][1];
-    rig.idle(10);
-    assert_eq!(rig.commanded()[0][0], 60.0);
-    assert!(rig.commanded()[0][1] > thigh, "other joints go on");
-    rig.done(Op::OmegaControl, J11, &[-40.0]);
-    rig.idle(20);
-    assert!(rig.commanded()[0][0] < 55.0);
+        let mut rig = emg_off();
+        rig.done(Op::OmegaControl, J11, &[rate]);
+        rig.done(Op::OmegaControl, Target::Joint(1, 2), &[10.0]);
+        rig.idle(200);
+        assert_eq!(rig.commanded()[0][0], limit);
+        let thigh = rig.commanded()[0][1];
+        rig.idle(10);
+        assert_eq!(rig.commanded()[0][0], limit);
+        assert!(rig.commanded()[0][1] > thigh, "other joints go on");
+        rig.done(Op::OmegaControl, J11, &[-rate]);
+        rig.idle(20);
+        assert!(rig.commanded()[0][0].abs() < 55.0);
+    }
 }
 
 // clauses: 7.42 2.22

@@ -12,7 +12,7 @@ use super::{Controller, targets};
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
 use crate::kinematics::Point;
-use crate::model::Forces;
+use crate::model::{Forces, Leg};
 
 /// The search under way: for how many cycles each finger has been still; `None` for one that does
 /// not search.
@@ -24,7 +24,7 @@ pub(super) struct Feeling<const L: usize> {
 /// How long a joint that meets something stands still before that counts.
 const STILL_CYCLES: u16 = 10;
 
-/// A joint that turns more slowly stands still: deg/s.
+/// A joint that turns no faster stands still: deg/s.
 const STILL: f64 = 2.0;
 
 /// The shares of the search torque that joints 1 and 2 close with. As much in joint 2 as in joint 1
@@ -51,7 +51,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             let presses = torques
                 .first()
                 .is_some_and(|torque| libm::fabs(*torque) >= forces.contact_torque);
-            let stands = rates.iter().all(|rate| libm::fabs(*rate) < STILL);
+            let stands = rates.iter().all(|rate| libm::fabs(*rate) <= STILL);
             if let Some(still) = still {
                 *still = if presses && stands {
                     still.saturating_add(1)
@@ -120,15 +120,15 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let kind = kind(command)?;
         let point = match kind {
             1 | 3 => Point::Tip,
-            2 if THIRD < J => Point::Joint(THIRD),
+            2 => Point::Joint(THIRD),
             _ => return Err(Fault::Domain),
         };
+        let is_left = |leg: &Leg<J>| leg.base[0].is_sign_negative();
         for n in 1..=targets::number(L.wrapping_sub(1)) {
-            let x = targets::leg(&self.model.legs, n)?.base[0];
-            let beside = |leg: &&crate::model::Leg<J>| leg.base[0] * x > 0.0;
-            let sharing = self.model.legs.iter().filter(beside).count().max(1);
-            let inward = if x < 0.0 { 1.0 } else { -1.0 };
-            let force = inward * forces.search_force / sharing as f64;
+            let leg = targets::leg(&self.model.legs, n)?;
+            let beside = |other: &&Leg<J>| is_left(other) == is_left(leg);
+            let sharing = self.model.legs.iter().filter(beside).count();
+            let force = libm::copysign(forces.search_force / sharing as f64, -leg.base[0]);
             if kind == 3 {
                 self.draw_inward(n)?;
             } else {
@@ -155,10 +155,10 @@ fn held(angle: f64) -> Track<1> {
     })
 }
 
-/// The type that a search is given, truncated.
+/// The type that a search is given, truncated; 0, which is none, for what is below 1 or no number.
 fn kind(command: &Command<'_>) -> Result<u8, Fault> {
     match command.values {
-        [value] if value.v >= 1.0 && value.v < 256.0 => Ok(libm::trunc(value.v) as u8),
+        [value] => Ok(value.v as u8),
         _ => Err(Fault::Domain),
     }
 }

@@ -1,7 +1,7 @@
 //! DETECT_FLOOR and DETECT_OBJECT by touch.
 
-use crate::rig::{F1, Hand, Wall, close};
-use tip_runtime::command::{Op, Poll, Target};
+use crate::rig::{F1, Hand, Wall, all_close, close, moments, transposed};
+use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::fault::Fault;
 
 const ALL: Target = Target::All;
@@ -100,4 +100,62 @@ fn fingers_close_until_they_feel_the_object() {
         }
         assert!(rig.controller.near(ALL));
     }
+}
+
+// clauses: 7.46
+#[test]
+fn the_fingers_of_one_side_share_its_force() {
+    for kind in [1.0, 2.0] {
+        let mut rig = Hand::new();
+        assert_eq!(
+            rig.run(Op::DetectObject, Target::None, &[kind]),
+            Ok(Poll::Pending)
+        );
+        // 0.5 N to the right by F1, as much to the left by F2 and F3.
+        for (n, force) in [(1, 0.5), (2, -0.25), (3, -0.25)] {
+            let chain = Hand::new().chain(n);
+            let told = rig.told(n);
+            if kind == 1.0 {
+                let expected = transposed(&chain, [force, 0.0, 0.0]);
+                all_close(told.map(Option::unwrap_or_default), expected, 1e-9);
+            } else {
+                let third = chain.joint(2).expect("a third joint");
+                let expected = moments(&chain, third, [force, 0.0]);
+                close(told[0].expect("a torque"), expected[0], 1e-9);
+                close(told[1].expect("a torque"), expected[1], 1e-9);
+            }
+        }
+    }
+}
+
+/// Cycles until F1, whose joint 1 presses and turns at `rate` (deg/s), is found to have stopped.
+fn cycles_at(rate: f64) -> Option<usize> {
+    let mut rig = Hand::new();
+    // Times and angles without rounding.
+    rig.done(Op::SetSamplingTime, Target::None, &[62.5]);
+    rig.sensors.torques[0][0] = 10.0;
+    let values = [Value::absolute(1.0)];
+    let search = Command {
+        op: Op::DetectFloor,
+        hs: false,
+        target: F1,
+        values: &values,
+    };
+    (1..40).find(|_| {
+        rig.sensors.angles[0][0] += rate * 0.0625;
+        rig.controller.sense(&rig.sensors).expect("good sensors");
+        let poll = rig.controller.command(&search).expect("no fault");
+        rig.controller.advance();
+        poll == Poll::Done
+    })
+}
+
+// clauses: 7.45
+#[test]
+fn a_finger_has_stopped_that_turns_no_faster_than_2_deg_a_second_for_10_cycles() {
+    // The cycle before those sets the finger off.
+    for rate in [0.0, 2.0, -2.0] {
+        assert_eq!(cycles_at(rate), Some(11), "{rate}");
+    }
+    assert_eq!(cycles_at(2.125), None);
 }

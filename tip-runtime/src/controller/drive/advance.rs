@@ -8,7 +8,7 @@ use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
 use crate::fault::Fault;
 use crate::kinematics::{Chain, Point, ROUNDING};
-use crate::model::{Inverse, Joint, Leg};
+use crate::model::{Inverse, Joint, Leg, Range};
 
 /// What holds while a leg moves on.
 pub(in crate::controller) struct Going<'a, const J: usize> {
@@ -95,9 +95,9 @@ impl<const J: usize> LegDrive<J> {
         track.advance(params.limits(), going.dt, going.held);
         *angle = track.position().iter().sum();
         // A joint that is beyond its limits already may come back, not go on.
-        let (low, high) = (joint.limits.min.min(from), joint.limits.max.max(from));
-        if *angle < low - ROUNDING || *angle > high + ROUNDING {
-            *angle = angle.max(low).min(high);
+        let free = Range::new(joint.limits.min.min(from), joint.limits.max.max(from));
+        if !free.widened(ROUNDING).contains(*angle) {
+            *angle = angle.max(free.min).min(free.max);
             *track = track.stopped_at([*angle]);
             return Err(Fault::JointLimit(going.number, number(m)));
         }

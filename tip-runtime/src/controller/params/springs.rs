@@ -1,10 +1,9 @@
 //! Stiffness of positions, and the limits of compliance (T.I.P. 3.1 §7-8-3-5 to §7-8-3-9).
 
-use super::FootParams;
 use crate::command::{Command, Op, Target, Value};
-use crate::controller::drive::THIRD;
 use crate::controller::{Controller, targets};
 use crate::fault::Fault;
+use crate::kinematics::Point;
 
 /// Three operands along x, y and z.
 type Axes = [f64; 3];
@@ -75,20 +74,18 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     }
 
     fn put_force_limit(&mut self, target: Target, limit: Option<Axes>) -> Result<(), Fault> {
-        let feet = &mut self.params.feet;
-        match target {
-            Target::All => {
-                for foot in feet {
-                    foot.foot_limit = limit;
-                    foot.third_limit = limit;
-                }
-            }
-            Target::Foot(n) => targets::leg_mut(feet, n)?.foot_limit = limit,
-            Target::Joint(n, m) if targets::index(m) == THIRD && THIRD < J => {
-                let foot: &mut FootParams = targets::leg_mut(feet, n)?;
+        if target == Target::All {
+            for foot in &mut self.params.feet {
+                foot.foot_limit = limit;
                 foot.third_limit = limit;
             }
-            Target::Joint(..) | Target::None | Target::Floor => return Err(Fault::Domain),
+            return Ok(());
+        }
+        let (n, point) = self.point_of(target)?;
+        let foot = targets::leg_mut(&mut self.params.feet, n)?;
+        match point {
+            Point::Tip => foot.foot_limit = limit,
+            Point::Joint(_) => foot.third_limit = limit,
         }
         Ok(())
     }
