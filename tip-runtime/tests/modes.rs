@@ -268,14 +268,17 @@ fn nobody_stands_up_on_legs_that_give_force() {
         forces: generic::MODEL.forces,
         ..titan8::MODEL
     };
-    let mut rig = Rig::new(&STRONG);
-    rig.done(Op::Torque, J13, &[1.0]);
-    assert_eq!(
-        rig.fault(Op::StandUp, Target::None, &[10.0]),
-        Fault::InvalidMode
-    );
-    rig.done(Op::NoCompliance, J13, &[]);
-    rig.cycles(Op::StandUp, Target::None, &[10.0]);
+    let pushes: [(Op, &[f64]); 2] = [(Op::Torque, &[1.0]), (Op::Force, &[1.0, 0.0, 0.0])];
+    for (op, values) in pushes {
+        let mut rig = Rig::new(&STRONG);
+        rig.done(op, J13, values);
+        assert_eq!(
+            rig.fault(Op::StandUp, Target::None, &[10.0]),
+            Fault::InvalidMode
+        );
+        rig.done(Op::NoCompliance, J13, &[]);
+        rig.cycles(Op::StandUp, Target::None, &[10.0]);
+    }
 }
 
 // clauses: 7.44 7.45 7.46

@@ -66,12 +66,15 @@ fn standing_up_pushes_every_foot_down_at_slow_speed() {
             target: NONE,
             values: &rig::absolute(&[height]),
         };
-        let mut cycles = 0;
+        let (mut cycles, mut fastest, mut last) = (0, 0.0_f64, rig.foot(1));
         while rig.run_with(&command) == Ok(Poll::Pending) {
             cycles += 1;
+            fastest = fastest.max(distance(rig.foot(1), last) / 0.02);
+            last = rig.foot(1);
         }
         // SLOW: 60 mm at 150 mm/s, 600 mm/s² take 0.65 s, 40 mm 0.52 s; not the 2 s of 20 mm/s.
         assert!((20..40).contains(&cycles), "{cycles}");
+        assert!(fastest < 150.0 + 1e-6, "{fastest}");
         rig.idle(50);
         assert!((v_max(&rig) - 300.0).abs() < 1e-6, "NORMAL again");
         for (leg, [x, y, z]) in (1..).zip(before) {
@@ -161,6 +164,41 @@ fn the_floor_is_found_by_all_legs_at_once_or_in_turn() {
         }
         assert!(rig.controller.near(Target::All), "position control");
     }
+}
+
+// clauses: 7.45 7.24
+#[test]
+fn a_searching_foot_goes_at_slow_speed() {
+    for (kind, way) in [(1.0, -3.0), (2.0, -3.0), (3.0, 3.0)] {
+        let mut rig = Rig::titan();
+        // Soles that search upwards have to feel the floor.
+        rig.sensors.paws = [if way > 0.0 { 1.0 } else { 0.0 }; 4];
+        let mut heights = [0.0; 2];
+        for _ in 0..20 {
+            let poll = rig.run(Op::DetectFloor, F1, &rig::absolute(&[kind]));
+            assert_eq!(poll, Ok(Poll::Pending));
+            heights = [heights[1], rig.foot(1)[2]];
+        }
+        // 150 mm/s, after 0.25 s of 600 mm/s².
+        assert!((heights[1] - heights[0] - way).abs() < 1e-9, "{heights:?}");
+    }
+}
+
+// clauses: 7.45
+#[test]
+fn a_foot_that_has_felt_the_floor_stays_there_whatever_its_sole_reads_later() {
+    let mut rig = Rig::titan();
+    let mut felt = [0.0; 3];
+    for cycle in 1..=30 {
+        rig.sensors.paws[0] = if cycle == 6 { 1.0 } else { 0.0 };
+        if cycle == 6 {
+            felt = rig.foot(1);
+        }
+        let poll = rig.run(Op::DetectFloor, Target::All, &rig::absolute(&[2.0]));
+        assert_eq!(poll, Ok(Poll::Pending));
+    }
+    assert!(felt[2] < -202.9 && distance(rig.foot(1), felt) < 1e-9);
+    assert!(rig.foot(2)[2] < -250.0, "the others go on");
 }
 
 // clauses: 7.45

@@ -11,7 +11,7 @@ mod vector;
 
 use course::Course;
 
-/// A remaining time below this is rounding: s.
+/// A remaining time of no more than this is rounding: s.
 const INSTANT: f64 = 1e-9;
 
 /// Limits above this one are as good as none; its square is still finite.

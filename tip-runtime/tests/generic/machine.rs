@@ -115,6 +115,35 @@ fn what_no_leg_reaches_is_an_emergency() {
     every_shape!(refuses);
 }
 
+// clauses: 2.24 2.25 7.3
+#[test]
+fn a_foot_with_few_joints_comes_to_rest_on_what_it_has() {
+    let leg = &PENDULUM.legs[0];
+    let steps = vec![
+        (Op::Ptp, F1, foot(leg, &[70.0]).to_vec()),
+        (Op::Sleep, NONE, vec![300.0]),
+        (Op::RelPtp, F1, vec![0.0; 3]),
+        (Op::Sleep, NONE, vec![1000.0]),
+        (Op::WaitNear, F1, Vec::new()),
+    ];
+    let (bench, fault) = run(&PENDULUM, steps);
+    assert_eq!(fault, None);
+    let [angle] = bench.hardware().angles()[0];
+    assert!(angle > 15.0 && angle < 60.0, "{angle}");
+}
+
+// clauses: 2.25 5.1 7.12 7.16
+#[test]
+fn a_joint_behind_the_third_one_knows_nothing_of_its_position() {
+    let leg = &TRIPOD.legs[0];
+    let third = Chain::new(leg, &near(leg)).joint(2).expect("four joints");
+    let steps = vec![
+        (Op::CompliancePosition, Target::Joint(1, 3), third.to_vec()),
+        (Op::WaitNear, Target::Joint(1, 4), Vec::new()),
+    ];
+    assert_eq!(run(&TRIPOD, steps).1, Some(Fault::InvalidMode));
+}
+
 /// A speed, kept for half a second.
 fn at_speed<const L: usize, const J: usize>(
     model: &Model<L, J>,

@@ -1,7 +1,7 @@
 //! Fingertips, third joints and the slider under position control.
 
 use crate::rig::{F1, Hand, J11, J12, J13, all_close, close};
-use tip_runtime::command::{Op, Target, Teach};
+use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::kinematics::{Chain, Point, resolve};
 use tip_runtime::model::hand;
@@ -188,6 +188,108 @@ fn the_third_joint_is_put_by_the_two_before_it() {
     assert_eq!(rig.fault(Op::Ptp, J12, &[0.0, -100.0, 0.0]), Fault::Domain);
     let far = rig.fault(Op::Ptp, J13, &[-60.0, -121.0, 0.0]);
     assert_eq!(far, Fault::OutOfReach(J13));
+}
+
+// clauses: 5.1 7.2
+#[test]
+fn a_third_joint_has_arrived_where_its_position_has_whatever_its_angle() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::PtpAngle, J13, &[80.0]);
+    assert!(rig.controller.inpos(J13) && rig.controller.near(J13));
+    rig.done(Op::Ptp, J13, &[x + 20.0, y + 20.0, 0.0]);
+    assert!(!rig.controller.inpos(J13) && !rig.controller.near(J13));
+}
+
+// clauses: 7.3
+#[test]
+fn rel_ptp_of_a_third_joint_counts_from_its_target() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::Ptp, J13, &[x + 10.0, y + 10.0, 0.0]);
+    rig.done(Op::RelPtp, J13, &[-5.0, -5.0, 0.0]);
+    rig.idle(200);
+    let place = rig.teach(Teach::Position, J13);
+    all_close(place, [x + 5.0, y + 5.0, 0.0], 1e-6);
+}
+
+// clauses: 2.25 7.6
+#[test]
+fn a_robot_is_not_still_while_a_joint_behind_the_controlled_one_turns() {
+    let mut rig = Hand::new();
+    rig.done(Op::OmegaControl, J13, &[-5.0]);
+    rig.idle(10);
+    let place = rig.teach(Teach::Position, J13);
+    rig.done(Op::Ptp, J13, &place);
+    // 5 deg/s under 360 deg/s²: 7 cycles of braking.
+    assert_eq!(rig.cycles(Op::InitialPosture, Target::None, &[]), Some(8));
+}
+
+/// PTP at high speed.
+fn done_hs(rig: &mut Hand, target: Target, place: [f64; 3]) {
+    rig.controller.sense(&rig.sensors).expect("good sensors");
+    let command = Command {
+        op: Op::Ptp,
+        hs: true,
+        target,
+        values: &place.map(Value::absolute),
+    };
+    assert_eq!(rig.controller.command(&command), Ok(Poll::Done));
+    rig.advance();
+}
+
+// clauses: 7.2
+#[test]
+fn a_finger_gets_to_a_place_from_the_posture_that_it_has() {
+    // Fast enough to be there in the next cycle.
+    let mut rig = Hand::new();
+    rig.done(Op::SetVMax, F1, &[1e6]);
+    let place = [-30.0, -120.0, 0.0];
+    done_hs(&mut rig, F1, place);
+    all_close(rig.tip(1), place, 1e-6);
+    let first = rig.sensors.angles[0];
+    rig.done(Op::SetOmegaMax, ALL, &[720.0]);
+    rig.done(Op::SetOmegaDotMax, ALL, &[1e4]);
+    rig.done(Op::PtpAngle, F1, &[-60.0, 90.0, 10.0]);
+    rig.idle(200);
+    done_hs(&mut rig, F1, place);
+    all_close(rig.tip(1), place, 1e-6);
+    let turned = (rig.sensors.angles[0][1] - first[1]).abs();
+    assert!(turned > 5.0, "{turned}");
+}
+
+/// The slider on its way, at its full speed of 0.2 mm in a cycle.
+fn slider_at_high_speed() -> Hand {
+    let mut rig = Hand::new();
+    done_hs(&mut rig, FLOOR, [0.0, -60.0, 0.0]);
+    close(rig.controller.slider()[1], -129.8, 1e-9);
+    rig
+}
+
+// clauses: 2.24 7.2
+#[test]
+fn the_slider_obeys_its_acceleration_save_at_high_speed() {
+    let mut rig = slider_at_high_speed();
+    // 100 mm/s under 400 mm/s² need 12.5 mm to stop: it brakes at once, by ½ · 400 · 0.002² mm.
+    rig.done(Op::Ptp, FLOOR, &[0.0, -125.0, 0.0]);
+    close(rig.controller.slider()[1], -129.6 - 0.0008, 1e-9);
+}
+
+// clauses: 2.24 7.3
+#[test]
+fn rel_ptp_of_zero_stops_the_slider() {
+    let mut rig = slider_at_high_speed();
+    rig.done(Op::RelPtp, FLOOR, &[0.0; 3]);
+    rig.idle(10);
+    close(rig.controller.slider()[1], -129.8, 1e-9);
+    assert!(rig.controller.inpos(ALL) && rig.controller.near(ALL));
+    // At 40 mm/s after 0.1 s and 2 mm; as much to stop.
+    let mut rig = Hand::new();
+    rig.done(Op::Ptp, FLOOR, &[0.0, -60.0, 0.0]);
+    rig.idle(49);
+    rig.done(Op::RelPtp, FLOOR, &[0.0; 3]);
+    rig.idle(100);
+    close(rig.controller.slider()[1], -126.0, 1e-9);
 }
 
 // clauses: 7.2 7.3 7.6 7.21

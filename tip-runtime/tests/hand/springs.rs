@@ -1,8 +1,9 @@
 //! Compliance: springs at joints and at points, their stiffness and limits.
 
-use crate::rig::{F1, Hand, J11, J12, J13, all_close, close, transposed};
+use crate::rig::{F1, Hand, J11, J12, J13, all_close, close, moments, transposed};
 use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::fault::Fault;
+use tip_runtime::hardware::JointCommand;
 
 const ALL: Target = Target::All;
 
@@ -42,10 +43,17 @@ fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(strength(&rig), Some(1000.0));
     rig.done(Op::SetComplianceTorqueLimit, F1, &[5.0, 6.0, 7.0]);
     assert_eq!(strength(&rig), Some(5.0));
+    rig.done(Op::SetComplianceTorqueLimit, ALL, &[4.0]);
+    assert_eq!(strength(&rig), Some(4.0));
     for wrong in [0.0, -1.0] {
         let fault = rig.fault(Op::SetComplianceTorqueLimit, ALL, &[wrong]);
         assert_eq!(fault, Fault::Domain);
     }
+    for operands in [&[1.0][..], &[1.0; 2], &[1.0; 4]] {
+        let fault = rig.fault(Op::SetComplianceTorqueLimit, F1, operands);
+        assert_eq!(fault, Fault::Domain);
+    }
+    assert_eq!(strength(&rig), Some(4.0));
 }
 
 /// What F1 is told by the cycle in which a spring is set, with HS and without.
@@ -152,6 +160,48 @@ fn a_fingertip_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(fault, Fault::Domain);
 }
 
+/// What F1's first two joints are told as soon as a spring draws a point 20 mm along x, 30 along y.
+fn pulled(rig: &Hand, target: Target, [x, y, _]: [f64; 3]) -> [f64; 2] {
+    let mut controller = rig.controller.clone();
+    controller.sense(&rig.sensors).expect("good sensors");
+    let command = Command {
+        op: Op::CompliancePosition,
+        hs: true,
+        target,
+        values: &[x + 20.0, y + 30.0, 0.0].map(Value::absolute),
+    };
+    assert_eq!(controller.command(&command), Ok(Poll::Done));
+    controller.advance();
+    let [first, second, _] = controller.outputs()[0].map(JointCommand::value);
+    [first, second]
+}
+
+// clauses: 7.12 7.29 7.30
+#[test]
+fn a_force_limit_is_that_of_a_fingertip_of_a_third_joint_or_of_all() {
+    // 0.1 N/mm, and the limit.
+    let (free, bound) = ([2.0, 3.0], [0.2, 0.3]);
+    for (limited, at_tip, at_third) in [(F1, bound, free), (J13, free, bound), (ALL, bound, bound)]
+    {
+        let mut rig = Hand::new();
+        rig.done(Op::SetVMax, F1, &[1e6]);
+        let chain = rig.chain(1);
+        let (tip, third) = (chain.foot(), chain.joint(2).expect("J13"));
+        let check = |rig: &Hand, at_tip: [f64; 2], at_third: [f64; 2]| {
+            for (target, place, force) in [(F1, tip, at_tip), (J13, third, at_third)] {
+                let told = pulled(rig, target, place);
+                for (told, expected) in told.iter().zip(moments(&chain, place, force)) {
+                    close(*told, expected, 1e-9);
+                }
+            }
+        };
+        rig.done(Op::SetComplianceForceLimit, limited, &[0.2, 0.3, 0.0]);
+        check(&rig, at_tip, at_third);
+        rig.done(Op::ResetComplianceForceLimit, limited, &[]);
+        check(&rig, free, free);
+    }
+}
+
 // clauses: 2.25 7.12
 #[test]
 fn the_third_joint_can_hang_on_a_spring_too() {
@@ -235,4 +285,68 @@ fn a_strained_spring_does_not_jump_when_it_becomes_stiff() {
     assert!((rig.tip(1)[0] - bent[0]).abs() < 0.01);
     rig.idle(2000);
     all_close(rig.teach(Teach::Position, F1), [x, y, 0.0], 1e-6);
+}
+
+// clauses: 7.12
+#[test]
+fn a_strained_spring_stays_strained_under_another_target() {
+    let mut rig = Hand::new();
+    let start = rig.sensors;
+    let [x, y, _] = rig.tip(1);
+    let there = [x + 10.0, y, 0.0];
+    rig.done(Op::CompliancePosition, F1, &there);
+    // Held back, the finger stays while the set point goes all the way.
+    for _ in 0..300 {
+        rig.sensors = start;
+        rig.idle(1);
+    }
+    for (op, goal) in [
+        (Op::CompliancePosition, there),
+        (Op::RelCompliancePosition, [0.0; 3]),
+    ] {
+        rig.sensors = start;
+        rig.done(op, F1, &goal);
+        // 0.1 N/mm.
+        let pull = transposed(&Hand::new().chain(1), [1.0, 0.0, 0.0]);
+        all_close(rig.told(1).map(Option::unwrap_or_default), pull, 1e-9);
+    }
+}
+
+// clauses: 7.13
+#[test]
+fn no_compliance_leaves_positions_alone() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::Ptp, F1, &[x + 10.0, y, 0.0]);
+    rig.done(Op::NoCompliance, F1, &[]);
+    rig.idle(300);
+    all_close(rig.teach(Teach::Position, F1), [x + 10.0, y, 0.0], 1e-6);
+    for target in [Target::Joint(1, 4), Target::Joint(1, 0), ALL] {
+        assert_eq!(rig.fault(Op::NoCompliance, target, &[]), Fault::Domain);
+    }
+    // The third joint's position, with a torque in that joint.
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::Torque, J13, &[5.0]);
+    rig.done(Op::Ptp, J13, &[x + 10.0, y + 10.0, 0.0]);
+    assert_eq!(rig.told(1), [None, None, Some(5.0)]);
+    rig.done(Op::NoCompliance, J13, &[]);
+    assert_eq!(rig.told(1), [None; 3]);
+    rig.idle(300);
+    let place = rig.teach(Teach::Position, J13);
+    all_close(place, [x + 10.0, y + 10.0, 0.0], 1e-6);
+}
+
+// clauses: 7.13
+#[test]
+fn no_compliance_holds_what_a_spring_at_the_third_joint_pulled() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.teach(Teach::Position, J13);
+    rig.done(Op::CompliancePosition, J13, &[x + 10.0, y + 10.0, 0.0]);
+    rig.idle(100);
+    let held = rig.sensors.angles[0];
+    rig.done(Op::NoCompliance, F1, &[]);
+    assert_eq!(rig.told(1), [None; 3]);
+    rig.idle(100);
+    all_close(rig.sensors.angles[0], held, 1e-12);
 }

@@ -1,6 +1,6 @@
 //! Times in closed form, limits, continuity and arrival of moving set points.
 
-use super::{Goal, Limits, Track, vector};
+use super::{Goal, INSTANT, Limits, Track, vector};
 
 const ORIGIN: [f64; 3] = [0.0; 3];
 
@@ -118,6 +118,45 @@ fn positions_along_the_way_are_those_of_the_closed_form() {
 }
 
 #[test]
+fn a_target_nearer_than_the_way_of_braking_is_passed_and_come_back_to() {
+    // 100 mm/s under 100 mm/s² end 2 mm beyond the target, after 1 s; the way back takes 0.283 s.
+    let mut track = Track::moving([0.0], [100.0]).towards(to([48.0]));
+    for cycle in 1..=50 {
+        track.advance(limits(200.0, 100.0), 0.02, false);
+        let t = f64::from(cycle) * 0.02;
+        let expected = 100.0 * t - 50.0 * t * t;
+        assert!((track.position()[0] - expected).abs() < 1e-9, "{t}");
+    }
+    assert_eq!(cycles(&mut track, limits(200.0, 100.0), 0.02), 15);
+}
+
+#[test]
+fn in_a_turn_both_parts_share_the_limits_as_the_sides_of_a_triangle() {
+    // Straight across, either part gets 1/√2 of the acceleration; of 100 mm/s the part across keeps
+    // its 60, so that 80 are left.
+    let mut track = Track::moving(ORIGIN, [60.0, 0.0, 0.0]).towards(to([0.0, 100.0, 0.0]));
+    for cycle in 1..=20 {
+        track.advance(limits(100.0, 400.0), 0.02, false);
+        let along = 400.0 * core::f64::consts::FRAC_1_SQRT_2 * 0.02 * f64::from(cycle);
+        assert!((track.velocity()[1] - along.min(80.0)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn what_is_left_for_an_instant_is_dropped() {
+    // 0.5 mm/s take 0.5 s.
+    let mut track = Track::resting([0.0]).towards(Goal::Speed([0.5]));
+    track.advance(limits(1.0, 1.0), 0.5 - INSTANT, false);
+    assert_eq!(track.velocity(), [0.5]);
+    // Two instants before its arrival.
+    let speed = 2.0 * INSTANT;
+    let target = [0.5 * speed * speed];
+    let mut track = Track::moving([0.0], [speed]).towards(to(target));
+    track.advance(limits(1.0, 1.0), INSTANT, false);
+    assert_eq!((track.position(), track.velocity()), (target, [0.0]));
+}
+
+#[test]
 fn random_retargets_exceed_no_limit_and_never_jump() {
     for seed in 1..=40 {
         let mut dice = Dice::new(seed);
@@ -192,6 +231,17 @@ fn a_lowered_speed_limit_is_reached_by_braking() {
         track.advance(limits(50.0, 600.0), 0.02, false);
     }
     assert!((track.velocity()[0] - 50.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_speed_limit_of_zero_brakes_under_the_acceleration_limit() {
+    // 61² / 1200 mm.
+    let mut track = Track::moving([0.0], [61.0]).towards(to([100.0]));
+    for _ in 0..10 {
+        track.advance(limits(0.0, 600.0), 0.02, false);
+    }
+    assert!((track.position()[0] - 3.100_833_333).abs() < 1e-8);
+    assert!(track.is_at_rest());
 }
 
 #[test]
@@ -273,6 +323,12 @@ fn the_rest_point_is_where_braking_ends() {
     }
     assert_eq!(track.position(), rest);
     assert!(track.is_at_rest());
+}
+
+#[test]
+fn who_may_not_accelerate_rests_on_the_spot() {
+    let track = Track::moving([7.0], [120.0]);
+    assert_eq!(track.rest_point(limits(300.0, 0.0)), [7.0]);
 }
 
 #[test]
