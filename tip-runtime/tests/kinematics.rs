@@ -186,6 +186,28 @@ fn full_stretch_is_still_reachable() {
 }
 
 #[test]
+fn a_leg_folded_together_is_still_reachable() {
+    let leg = &LEGS[1];
+    for thigh in -9..=9 {
+        for yaw in -3..=3 {
+            let posture = [20.0 * f64::from(yaw), 10.0 * f64::from(thigh), 180.0];
+            let foot = closed_form(leg, posture);
+            let angles = solve(leg, foot).expect("just reachable");
+            assert!(close(Chain::new(leg, &angles).foot(), foot, 1e-5));
+        }
+    }
+    assert_eq!(solve(leg, [101.0 + 50.0 + 39.999, 201.0, 0.0]), None);
+}
+
+#[test]
+fn a_thigh_that_points_backwards_is_told_within_half_a_turn() {
+    // Thigh back over the hip, shank forward again: the foot is 7 mm away from the yaw axis.
+    let posture = [0.0, -170.0, 175.0];
+    let angles = solve(&LEGS[1], closed_form(&LEGS[1], posture));
+    assert!(close(angles.expect("reachable"), posture, 1e-9));
+}
+
+#[test]
 fn limits_include_their_ends() {
     let leg = &LEGS[0];
     assert!(within_limits(leg, &[60.0, -60.0, 150.0]));

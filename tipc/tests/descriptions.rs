@@ -19,7 +19,11 @@ fn the_example_is_a_hexapod() {
 
 /// Each finding about a program for the hexapod: `LINE: reason (help)`.
 fn check(statements: &str) -> Vec<String> {
-    let robot = parse("hexapod.toml", HEXAPOD.as_bytes())
+    check_for(HEXAPOD, statements)
+}
+
+fn check_for(description: &str, statements: &str) -> Vec<String> {
+    let robot = parse("hexapod.toml", description.as_bytes())
         .expect("it is sound")
         .robot();
     let options = Options {
@@ -72,5 +76,25 @@ fn constants_are_judged_by_the_description() {
     assert_eq!(
         check("LAMP_ON 16"),
         ["3: out of range (LAMP_ON takes 0 to 15 on hexapod)"]
+    );
+}
+
+// clauses: 7.31
+#[test]
+fn sampling_times_and_frequencies_are_those_of_the_description() {
+    let description = format!("periods = [4, 40]\n{HEXAPOD}");
+    let sound =
+        "SET_SAMPLING_TIME 4\nSET_SAMPLING_TIME 40\nSET_SAMPLING_FREQ 25\nSET_SAMPLING_FREQ 250";
+    assert_eq!(check_for(&description, sound), [""; 0]);
+    let beyond =
+        "SET_SAMPLING_TIME 3\nSET_SAMPLING_TIME 41\nSET_SAMPLING_FREQ 24\nSET_SAMPLING_FREQ 251";
+    assert_eq!(
+        check_for(&description, beyond),
+        [
+            "3: out of range (SET_SAMPLING_TIME takes 4 to 40 on hexapod)",
+            "4: out of range (SET_SAMPLING_TIME takes 4 to 40 on hexapod)",
+            "5: out of range (SET_SAMPLING_FREQ takes 25 to 250 on hexapod)",
+            "6: out of range (SET_SAMPLING_FREQ takes 25 to 250 on hexapod)",
+        ]
     );
 }

@@ -66,13 +66,7 @@ fn length(joint: &Joint) -> f64 {
     Vector3::from(joint.link).norm()
 }
 
-/// The same direction within −180…180 deg.
+/// The same direction within −180…180 deg as `angle`, of −180…360 deg.
 fn half_turn(angle: f64) -> f64 {
-    if angle > 180.0 {
-        angle - 360.0
-    } else if angle < -180.0 {
-        angle + 360.0
-    } else {
-        angle
-    }
+    if angle > 180.0 { angle - 360.0 } else { angle }
 }

@@ -131,11 +131,7 @@ fn turn<const J: usize>(angles: &mut [f64; J], turns: &[f64; J]) {
     let largest = turns
         .iter()
         .fold(0.0_f64, |most, t| most.max(libm::fabs(*t)));
-    let share = if largest > FARTHEST {
-        FARTHEST / largest
-    } else {
-        1.0
-    };
+    let share = (FARTHEST / largest).min(1.0);
     for (angle, turn) in angles.iter_mut().zip(turns) {
         *angle += share * turn;
     }
@@ -152,15 +148,14 @@ fn turns_within_limits<const J: usize>(
     let mut found = turns(&free)?;
     for _ in 0..J {
         let joints = leg.joints.iter().zip(from).zip(angles.iter().zip(&found));
-        let mut stuck = false;
+        let before = free;
         for (free, ((joint, from), (angle, turn))) in free.iter_mut().zip(joints) {
             let limits = limits(joint, *from);
             let outward =
                 (*turn > 0.0 && *angle >= limits.max) || (*turn < 0.0 && *angle <= limits.min);
-            stuck |= *free && outward;
             *free &= !outward;
         }
-        if !stuck {
+        if free == before {
             break;
         }
         found = turns(&free)?;

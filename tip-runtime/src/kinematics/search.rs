@@ -41,3 +41,23 @@ fn start<const J: usize>(leg: &Leg<J>, number: u8) -> [f64; J] {
     }
     angles
 }
+
+#[cfg(test)]
+mod tests {
+    use super::start;
+    use crate::model::{Joint, Leg};
+
+    #[test]
+    fn starts_are_spread_from_the_middle_of_the_limits() {
+        let hinge = Joint::revolute([0.0, 0.0, 1.0], [100.0, 0.0, 0.0]).limits(-100.0, 100.0);
+        let leg = Leg::at([0.0; 3], [hinge; 2]);
+        // ½ + n √2 and ½ + n √3, without their whole parts, are the shares of 200 deg.
+        let expected = [[0.0, 0.0], [82.8427, -53.5898], [-34.3146, 92.8203]];
+        for (number, expected) in (0..).zip(expected) {
+            let found = start(&leg, number);
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-3, "{number}: {found}");
+            }
+        }
+    }
+}

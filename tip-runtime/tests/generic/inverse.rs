@@ -1,8 +1,8 @@
 //! Damped least squares on any chain.
 
-use crate::shapes::{ARM, Dice, PENDULUM, TRIPOD, every_shape};
+use crate::shapes::{ARM, Dice, PENDULUM, TRIPOD, Z, every_shape};
 use nalgebra::{Matrix3, SMatrix, SVector};
-use tip_runtime::kinematics::{Chain, Point, inverse, resolve, within_limits};
+use tip_runtime::kinematics::{Chain, Point, inverse, nearest, resolve, within_limits};
 use tip_runtime::model::{Inverse, Joint, Leg, Model, Range};
 
 const SPACE: [bool; 3] = [true; 3];
@@ -115,6 +115,24 @@ fn a_leg_that_is_stretched_out_is_reached_to_the_end() {
 }
 
 #[test]
+fn a_joint_at_its_limit_leaves_the_rest_of_the_way_to_the_others() {
+    // The upper arm may not turn towards the target; the nearest place is where the lower arm
+    // points at it from the elbow.
+    for (side, min, max) in [(1.0, -90.0, 0.0), (-1.0, 0.0, 90.0)] {
+        let upper = Joint::revolute(Z, [100.0, 0.0, 0.0]).limits(min, max);
+        let lower = Joint::revolute(Z, [80.0, 0.0, 0.0]).limits(-150.0, 150.0);
+        let leg = Leg::at([0.0; 3], [upper, lower]);
+        let target = [60.0, side * 200.0, 0.0];
+        let start = [0.0, side * 30.0];
+        let found = nearest(&leg, &start, Point::Tip, target, SPACE);
+        let [upper, lower] = found.expect("a tip");
+        let towards = f64::atan2(200.0, 60.0 - 100.0).to_degrees();
+        assert_eq!(upper, 0.0);
+        assert!((lower - side * towards).abs() < 1e-6, "{lower}");
+    }
+}
+
+#[test]
 fn jacobians_are_what_small_turns_do() {
     fn compare<const L: usize, const J: usize>(model: &Model<L, J>) {
         const TURN: f64 = 1e-3;
@@ -187,28 +205,4 @@ fn rates_are_the_least_ones_that_give_a_velocity_and_none_where_there_are_none()
     let pendulum = Chain::new(&PENDULUM.legs[0], &[0.0]);
     assert_eq!(pendulum.joint_rates([0.0, 10.0, 1.0]), None);
     assert_eq!(pendulum.joint_rates([1.0, 10.0, 0.0]), None);
-}
-
-#[test]
-fn a_force_is_felt_again_in_the_torques_that_make_it() {
-    fn feels<const L: usize, const J: usize>(model: &Model<L, J>) {
-        for leg in &model.legs {
-            let chain = Chain::new(leg, &leg.initial);
-            // What the joints feel of any force is a force that needs no more of them.
-            let torques = chain.torques_of_force(Point::Tip, [3.0, -2.0, 5.0]);
-            let torques = torques.expect("a tip");
-            let felt = chain.force_of_torques(Point::Tip, &torques, SPACE);
-            let felt = felt.expect("not singular");
-            let again = chain.torques_of_force(Point::Tip, felt).expect("a tip");
-            for (again, torque) in again.iter().zip(torques) {
-                assert!((again - torque).abs() < 1e-9);
-            }
-            if J >= 3 {
-                assert!(distance(felt, [3.0, -2.0, 5.0]) < 1e-6, "{felt:?}");
-            } else {
-                assert!(distance(felt, [0.0; 3]) <= 38.0_f64.sqrt() + 1e-9);
-            }
-        }
-    }
-    every_shape!(feels);
 }

@@ -7,4 +7,5 @@ mod list;
 mod machine;
 mod program;
 mod shapes;
+mod statics;
 mod walking;
