@@ -6,7 +6,7 @@ use super::terminal::Pty;
 use rustix::process::{Pid, Signal, kill_process};
 use std::fs;
 use std::io::Read;
-use std::process::{Child, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -92,9 +92,19 @@ fn interrupt(child: &Child) {
     kill_process(pid(child), Signal::INT).expect("nobody has waited for it yet");
 }
 
+/// Whether processes begin with SIGINT ignored, as the background jobs of a shell do. It is lost on them until a run
+/// catches it.
+fn interrupts_are_ignored() -> bool {
+    let survivor = Command::new("sh").args(["-c", "kill -INT $$"]).status();
+    survivor.expect("a shell").success()
+}
+
 fn at_the_start(n: u64) {
     let bench = Bench::endless("signal-start", WAITS);
     let mut child = spawn(&bench, Stdio::null());
+    if interrupts_are_ignored() {
+        first_message(&mut child);
+    }
     sleep(Duration::from_micros(300 * n));
     interrupt(&child);
     let status = child.wait().expect("it ends");
