@@ -22,7 +22,7 @@ use crate::syntax::{Module, Span, Statement, StatementKind};
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 const LINE_LIMIT: usize = 1023;
 /// The most bytes that the name of a label or variable may have (§4-3, §4-4).
-const NAME_LIMIT: usize = 32;
+pub(crate) const NAME_LIMIT: usize = 32;
 
 /// Parses a source for version `tip_version` of the language.
 ///

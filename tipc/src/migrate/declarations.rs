@@ -28,7 +28,7 @@ impl Migrator<'_> {
             (VariableKind::Pos, "DEF_POS"),
             (VariableKind::Joint, "DEF_JOINT"),
         ] {
-            let names = variables.of_kind(kind);
+            let names = variables.to_declare(kind);
             for names in names.chunks(NAMES_PER_LINE) {
                 let line = format!("{keyword} {}", names.join(", "));
                 self.change(above, format!("put in `{line}`{}", reason(kind)));

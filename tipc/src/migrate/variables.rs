@@ -6,8 +6,10 @@ use super::Migrator;
 use super::header::Style;
 use super::lines::Piece;
 use super::message::old_placeholders;
+use crate::parse::NAME_LIMIT;
 use crate::source::Source;
 use crate::syntax::{Span, VariableKind};
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashSet};
 
 /// The types of old variables.
@@ -49,6 +51,8 @@ pub(super) struct Variables {
     respelt: Vec<(Span, String)>,
     /// Type names without a number.
     numberless: Vec<Span>,
+    /// Where names stand first that are too long for a declaration.
+    too_long: Vec<(Span, String)>,
     /// Names that the program declares itself.
     declared: HashSet<String>,
 }
@@ -71,7 +75,7 @@ impl Variables {
         }
         for message in statements().filter(|statement| statement.keyword == "MESSAGE") {
             for placeholder in old_placeholders(source.slice(message.text)) {
-                variables.name_of(Prefix::Var, &placeholder.digits);
+                variables.name_of(Prefix::Var, &placeholder.digits, message.text);
             }
         }
         variables
@@ -92,22 +96,24 @@ impl Variables {
         let Some((prefix, digits)) = split(&name) else {
             return;
         };
-        let known = self.name_of(prefix, digits);
+        let known = self.name_of(prefix, digits, span);
         if known != name {
             self.respelt.push((span, known));
         }
     }
 
-    /// How a variable is spelt, now known if it was not.
-    fn name_of(&mut self, prefix: Prefix, digits: &str) -> String {
-        let written = || {
-            let (_, name) = Prefix::ALL[prefix as usize];
-            format!("{name}{digits}")
+    /// How the variable that stands at `place` is spelt, now known if it was not.
+    fn name_of(&mut self, prefix: Prefix, digits: &str, place: Span) -> String {
+        let entry = match self.spelling.entry(key(prefix, digits)) {
+            Entry::Occupied(known) => return known.get().clone(),
+            Entry::Vacant(entry) => entry,
         };
-        self.spelling
-            .entry(key(prefix, digits))
-            .or_insert_with(written)
-            .clone()
+        let (_, name) = Prefix::ALL[prefix as usize];
+        let name = format!("{name}{digits}");
+        if name.len() > NAME_LIMIT {
+            self.too_long.push((place, name.clone()));
+        }
+        entry.insert(name).clone()
     }
 
     /// How the VAR of that number is spelt.
@@ -127,13 +133,14 @@ impl Variables {
         known.unwrap_or_else(|| base.to_owned()) + &member
     }
 
-    /// The names of one type of today, by number.
-    pub(super) fn of_kind(&self, kind: VariableKind) -> Vec<&str> {
+    /// The names of one type of today that can be declared, by number.
+    pub(super) fn to_declare(&self, kind: VariableKind) -> Vec<&str> {
         let of_kind = |key: &Key| key.0.kind() == kind;
         self.spelling
             .iter()
             .filter(|(key, _)| of_kind(key))
             .map(|(_, name)| name.as_str())
+            .filter(|name| name.len() <= NAME_LIMIT)
             .collect()
     }
 
@@ -169,6 +176,13 @@ impl Migrator<'_> {
         for span in &variables.numberless {
             let name = self.slice(*span).to_ascii_uppercase();
             let text = format!("{name} has no number: which variable is meant?");
+            self.question(*span, text);
+        }
+        for (span, name) in &variables.too_long {
+            let text = format!(
+                "a name has at most {NAME_LIMIT} bytes, {name} has {}: what shall the variable be called?",
+                name.len()
+            );
             self.question(*span, text);
         }
     }

@@ -127,6 +127,29 @@ fn what_no_rule_knows() {
     assert!(text.contains("no END"), "{text}");
 }
 
+// clauses: 1.2 10.1
+#[test]
+fn a_number_too_long_for_a_name_that_is_declared() {
+    let [fits, too_long] = [29, 30].map(|digits| "1".repeat(digits));
+    assert_eq!(format!("VAR{fits}").len(), 32);
+    for version in ["2.0\nt\n", "1.0\n"] {
+        let asked = |lines: &str| question(&format!("{version}{lines}\nEND\n"));
+        let first = version.lines().count() as u32 + 1;
+        let used_twice = format!("VAR2 = 1\nVAR{too_long} = 1\nvar{too_long} = 1");
+        let (line, text) = asked(&used_twice);
+        assert_eq!(line, first + 1);
+        assert!(text.contains("32 bytes") && text.contains("33"), "{text}");
+        let (line, text) = asked(&format!("SLEEP 1\nMESSAGE at %f{too_long}%"));
+        assert_eq!(line, first + 1);
+        assert!(text.contains(&format!("VAR{too_long} has 33")), "{text}");
+        let decided = result(&format!("{version}VAR{fits} = 1\nEND\n"));
+        assert!(
+            decided.contains(&format!("DEF_VAR VAR{fits}\n")),
+            "{decided}"
+        );
+    }
+}
+
 // clauses: 10.1
 #[test]
 fn all_questions_are_asked_at_once() {
