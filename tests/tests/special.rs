@@ -63,7 +63,7 @@ impl Special for Handler {
                     op: Op::LampOn,
                     hs: false,
                     target: Target::None,
-                    values: &[Value::absolute(1.0)],
+                    values: &[Value::Absolute(1.0)],
                 })
             }
             (15, [None, None]) => Ok(Poll::Done),
@@ -213,7 +213,7 @@ impl Special for Own {
                 op: Op::LampOn,
                 hs: false,
                 target: Target::None,
-                values: &[Value::absolute(1.0)],
+                values: &[Value::Absolute(1.0)],
             })?;
         }
         Ok(())

@@ -34,22 +34,19 @@ impl fmt::Display for Target {
 
 /// One evaluated operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
-    /// The number as the operand gave it.
-    pub v: f64,
-    /// `R` stood before it.
-    pub relative: bool,
+pub enum Value {
+    /// A number as it stands.
+    Absolute(f64),
+    /// A number behind `R`.
+    Relative(f64),
 }
 
 impl Value {
-    /// A value as it stands.
-    pub const fn absolute(v: f64) -> Self {
-        Value { v, relative: false }
-    }
-
-    /// A value behind `R`.
-    pub const fn relative(v: f64) -> Self {
-        Value { v, relative: true }
+    /// The number as the operand gave it.
+    pub const fn number(self) -> f64 {
+        match self {
+            Value::Absolute(number) | Value::Relative(number) => number,
+        }
     }
 }
 

@@ -149,6 +149,20 @@ pub trait Robot {
 
 /// What a step can reach: the robot and the console.
 pub trait Context: Robot {
+    /// Asks for the command of a step, which puts the program on from `at` to `next` once it is done. A compiled
+    /// step that is a command ends in this call.
+    ///
+    /// # Errors
+    /// As [`command`](Robot::command); `at` stays what it is.
+    fn ask(&mut self, command: &Command<'_>, at: &mut u32, next: u32) -> Result<Flow, Fault> {
+        match self.command(command)? {
+            Poll::Done => {
+                *at = next;
+                Ok(Flow::Next)
+            }
+            Poll::Pending => Ok(Flow::Wait),
+        }
+    }
     /// Takes the oldest key, upper-cased, and empties the keyboard buffer; `None` if it is empty.
     fn key(&mut self) -> Option<u8>;
     /// Shows one line of text; an empty one clears it.

@@ -34,7 +34,7 @@
 //!             op: if on { Op::LampOn } else { Op::LampOff },
 //!             hs: false,
 //!             target: Target::None,
-//!             values: &[Value::absolute(1.0)],
+//!             values: &[Value::Absolute(1.0)],
 //!         })?;
 //!         Ok(Poll::Pending)
 //!     }

@@ -1,7 +1,7 @@
 //! The lock between generated code and this crate.
 
 /// The shape of generated code that this run-time understands.
-pub const FORMAT: u32 = 3;
+pub const FORMAT: u32 = 4;
 
 /// Fails the build when code was generated for another run-time; generated code calls it in a constant.
 pub const fn require(format: u32) {

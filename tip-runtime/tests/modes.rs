@@ -141,9 +141,9 @@ fn relative_positions_count_from_the_measured_one() {
     let mut rig = Rig::titan();
     rig.done(Op::Ptp, F1, &[-391.0, 201.0, -150.0]);
     let values = [
-        Value::relative(0.0),
-        Value::relative(10.0),
-        Value::absolute(-190.0),
+        Value::Relative(0.0),
+        Value::Relative(10.0),
+        Value::Absolute(-190.0),
     ];
     assert_eq!(rig.run(Op::Ptp, F1, &values), Ok(Poll::Done));
     rig.idle(200);
@@ -177,7 +177,7 @@ fn angles_count_from_where_their_command_says() {
     let mut rig = Rig::titan();
     rig.done(Op::PtpAngle, J11, &[20.0]);
     rig.done(Op::RelPtpAngle, J11, &[5.0]);
-    let relative = [Value::relative(7.0)];
+    let relative = [Value::Relative(7.0)];
     assert_eq!(rig.run(Op::PtpAngle, J12, &relative), Ok(Poll::Done));
     rig.done(Op::RelPtpAngle, J13, &[-3.0]);
     rig.idle(200);
@@ -197,7 +197,7 @@ fn angles_count_from_where_their_command_says() {
 fn relative_velocities_count_from_the_command_else_from_the_measured_one() {
     let mut rig = Rig::titan();
     rig.done(Op::VelControl, F1, &[0.0, 0.0, 20.0]);
-    let more = [0.0, 0.0, 30.0].map(Value::relative);
+    let more = [0.0, 0.0, 30.0].map(Value::Relative);
     assert_eq!(rig.run(Op::VelControl, F1, &more), Ok(Poll::Done));
     let before = rig.foot(1);
     rig.idle(50);
@@ -209,7 +209,7 @@ fn relative_velocities_count_from_the_command_else_from_the_measured_one() {
     let mut rig = Rig::titan();
     rig.done_hs(Op::Ptp, F1, &[-391.0, 301.0, -200.0]);
     rig.idle(5);
-    let keep = [0.0; 3].map(Value::relative);
+    let keep = [0.0; 3].map(Value::Relative);
     assert_eq!(rig.run(Op::VelControl, F1, &keep), Ok(Poll::Done));
     let before = rig.foot(1);
     rig.idle(5);
@@ -221,7 +221,7 @@ fn relative_velocities_count_from_the_command_else_from_the_measured_one() {
 fn relative_rates_count_from_the_command_else_from_the_measured_one() {
     let mut rig = Rig::titan();
     rig.done(Op::OmegaControl, J11, &[10.0]);
-    let more = [Value::relative(5.0)];
+    let more = [Value::Relative(5.0)];
     assert_eq!(rig.run(Op::OmegaControl, J11, &more), Ok(Poll::Done));
     rig.idle(20);
     let before = rig.commanded()[0][0];
@@ -231,7 +231,7 @@ fn relative_rates_count_from_the_command_else_from_the_measured_one() {
     let mut rig = Rig::titan();
     rig.done_hs(Op::PtpAngle, J11, &[50.0]);
     rig.idle(5);
-    let keep = [Value::relative(0.0)];
+    let keep = [Value::Relative(0.0)];
     assert_eq!(rig.run(Op::OmegaControl, J11, &keep), Ok(Poll::Done));
     let before = rig.commanded()[0][0];
     rig.idle(5);

@@ -151,7 +151,7 @@ fn zero_relative_to_the_measured_position_is_no_stop() {
     // PTP R 0 heads for where the foot is now, which it leaves while it brakes.
     let mut rig = under_way();
     let here = rig.foot(1);
-    let zero = [0.0; 3].map(tip_runtime::command::Value::relative);
+    let zero = [0.0; 3].map(tip_runtime::command::Value::Relative);
     assert_eq!(rig.run(Op::Ptp, F1, &zero), Ok(Poll::Done));
     rig.idle(200);
     assert!(distance(rig.foot(1), here) < 1e-9);

@@ -11,7 +11,7 @@ pub(crate) fn ask<const N: usize>(
     target: Target,
     values: [f64; N],
 ) -> Result<Poll, Fault> {
-    let values = values.map(Value::absolute);
+    let values = values.map(Value::Absolute);
     cx.command(&Command {
         op,
         hs: false,

@@ -1,7 +1,7 @@
 //! Robots without a plant: every command is answered at once.
 
 use std::fmt::Display;
-use tip_runtime::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
+use tip_runtime::command::{Command, Flag, MAX, Poll, Port, Target, Teach, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Robot};
 use tip_runtime::vibration::Vibration;
@@ -57,8 +57,8 @@ impl Answer for Trace {
         self.mix(command.target.to_string().as_bytes());
         self.mix(&[u8::from(command.hs)]);
         for value in command.values {
-            self.mix(&value.v.to_le_bytes());
-            self.mix(&[u8::from(value.relative)]);
+            self.mix(&value.number().to_le_bytes());
+            self.mix(&[u8::from(matches!(value, Value::Relative(_)))]);
         }
     }
 }

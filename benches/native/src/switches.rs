@@ -95,9 +95,9 @@ unsafe extern "C" fn pass_on(robot: *mut CRobot, command: *const CCommand) -> c_
     };
     let values: Vec<Value> = values
         .iter()
-        .map(|value| Value {
-            v: value.v,
-            relative: value.relative,
+        .map(|value| match value.relative {
+            true => Value::Relative(value.v),
+            false => Value::Absolute(value.v),
         })
         .collect();
     let asked = cx.command(&Command {

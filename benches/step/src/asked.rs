@@ -17,7 +17,7 @@ pub(crate) struct Asked {
 impl Asked {
     /// Asks the robot.
     pub(crate) fn of(&self, robot: &mut dyn Context) -> Result<Flow, Fault> {
-        let values = self.values.map(Value::absolute);
+        let values = self.values.map(Value::Absolute);
         robot.command(&Command {
             op: code::op(self.op).ok_or(Fault::Domain)?,
             hs: false,

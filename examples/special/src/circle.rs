@@ -103,7 +103,7 @@ fn send(n: u8, target: [f64; 3], robot: &mut dyn Robot) -> Result<(), Fault> {
         op: Op::Ptp,
         hs: true,
         target: Target::Foot(n),
-        values: &target.map(Value::absolute),
+        values: &target.map(Value::Absolute),
     })?;
     Ok(())
 }

@@ -23,7 +23,7 @@ impl Special for Native {
                 op: Op::LampOn,
                 hs: false,
                 target: Target::None,
-                values: &[Value::absolute(1.0)],
+                values: &[Value::Absolute(1.0)],
             }),
             _ => Err(Fault::Domain),
         }

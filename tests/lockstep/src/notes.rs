@@ -1,7 +1,7 @@
 //! What one side of a comparison notes of its run.
 
 use std::fmt::{self, Display, Write as _};
-use tip_runtime::command::Command;
+use tip_runtime::command::{Command, Value};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Cycle, Sink};
@@ -93,8 +93,9 @@ impl Sink for Notes {
         self.hash.add(command.op as u64 * 2 + u64::from(command.hs));
         write!(self.hash, "{}", command.target).expect("a hash takes every text");
         for value in command.values {
-            self.hash.add(value.v.to_bits());
-            self.hash.add(u64::from(value.relative));
+            self.hash.add(value.number().to_bits());
+            self.hash
+                .add(u64::from(matches!(value, Value::Relative(_))));
         }
         self.tell(format_args!("{command:?}"));
     }

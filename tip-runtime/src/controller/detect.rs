@@ -75,7 +75,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let [way] = command.values else {
             return Err(Fault::Domain);
         };
-        let way = Way::new(way.v)?;
+        let way = Way::new(way.number())?;
         let mut looking = [false; L];
         for looking in targets::feet(&mut looking, command.target)? {
             *looking = true;

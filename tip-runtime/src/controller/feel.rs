@@ -158,7 +158,7 @@ fn held(angle: f64) -> Track<1> {
 /// The type that a search is given, truncated; 0, which is none, for what is below 1 or no number.
 fn kind(command: &Command<'_>) -> Result<u8, Fault> {
     match command.values {
-        [value] => Ok(value.v as u8),
+        [value] => Ok(value.number() as u8),
         _ => Err(Fault::Domain),
     }
 }

@@ -13,7 +13,7 @@ pub(super) enum Base {
 }
 
 pub(super) fn is_zero(values: &[Value]) -> bool {
-    values.iter().all(|value| value.v == 0.0)
+    values.iter().all(|value| value.number() == 0.0)
 }
 
 /// The operands, relative ones counted from `base`.
@@ -23,10 +23,9 @@ pub(super) fn resolve<const N: usize>(
 ) -> Result<[f64; N], Fault> {
     let mut resolved = base;
     for (resolved, value) in resolved.iter_mut().zip(values) {
-        *resolved = crate::ops::finite(if value.relative {
-            *resolved + value.v
-        } else {
-            value.v
+        *resolved = crate::ops::finite(match value {
+            Value::Absolute(number) => *number,
+            Value::Relative(number) => *resolved + number,
         })?;
     }
     Ok(resolved)
@@ -34,7 +33,7 @@ pub(super) fn resolve<const N: usize>(
 
 /// The operands, all counted from `base`.
 pub(super) fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
-    resolve(&values.map(|value| Value::relative(value.v)), base)
+    resolve(&values.map(|value| Value::Relative(value.number())), base)
 }
 
 /// The operands as the command reads them, counted from `from`.

@@ -225,7 +225,7 @@ impl<'a> Checked<'a> {
             Source::Rate => v > 0.0 && v <= 100.0,
             Source::Share(_) => true,
         };
-        if command.values.iter().all(|value| in_domain(value.v)) {
+        if command.values.iter().all(|value| in_domain(value.number())) {
             Ok(Checked { command, source })
         } else {
             Err(Fault::Domain)
@@ -239,8 +239,8 @@ impl<'a> Checked<'a> {
             each => each.get(i),
         };
         Ok(match self.source {
-            Source::Operand => operand.ok_or(Fault::Domain)?.v,
-            Source::Rate => standard * operand.ok_or(Fault::Domain)?.v / 100.0,
+            Source::Operand => operand.ok_or(Fault::Domain)?.number(),
+            Source::Rate => standard * operand.ok_or(Fault::Domain)?.number() / 100.0,
             Source::Share(share) => standard * share,
         })
     }
@@ -316,7 +316,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let [value] = command.values else {
             return Err(Fault::Domain);
         };
-        let period = to_ms(value.v);
+        let period = to_ms(value.number());
         if !self.model.periods.contains(period) {
             return Err(Fault::Domain);
         }

@@ -25,7 +25,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let [height] = command.values else {
             return Err(Fault::Domain);
         };
-        let rise = direction * height.v;
+        let rise = direction * height.number();
         let stage = match self.task {
             Task::Stand(stage) => stage,
             _ => {

@@ -30,9 +30,9 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let left = match (self.task, command.values) {
             (Task::Sleep(left), _) => left,
-            (_, [time]) if time.v >= 0.0 => {
+            (_, [time]) if time.number() >= 0.0 => {
                 // The subtrahend forgives the rounding of a division that should be exact.
-                libm::ceil(time.v / self.params.period - 1e-9).max(1.0)
+                libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
             }
             _ => return Err(Fault::Domain),
         };

@@ -21,7 +21,7 @@ pub(super) struct StepContext<'a, 'm, C, S, const L: usize, const J: usize> {
 
 impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L, J> {
     fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        let value = |place: usize| command.values.get(place).map(|value| value.v);
+        let value = |place: usize| command.values.get(place).map(|value| value.number());
         let call = Call {
             number: whole_byte(value(0))?,
             arguments: [value(1), value(2)],
@@ -42,7 +42,7 @@ impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L,
             Op::LampOff => false,
             _ => return,
         };
-        if let Ok(device) = whole_byte(command.values.first().map(|value| value.v)) {
+        if let Ok(device) = whole_byte(command.values.first().map(|value| value.number())) {
             sink.lamp(device, switched);
         }
     }

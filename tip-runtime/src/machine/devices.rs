@@ -92,7 +92,7 @@ impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
     }
 
     fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
-        let device = whole_byte(command.values.first().map(|value| value.v))?;
+        let device = whole_byte(command.values.first().map(|value| value.number()))?;
         if device >= self.model.lamps {
             return Err(Fault::Domain);
         }

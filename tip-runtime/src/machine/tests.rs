@@ -142,7 +142,7 @@ pub(super) fn end(_: &mut Scalars, _: &mut dyn Context) -> Result<Flow, Fault> {
 }
 
 pub(super) fn run(cx: &mut dyn Context, op: Op, values: &[f64]) -> Result<Flow, Fault> {
-    let values: Vec<_> = values.iter().copied().map(Value::absolute).collect();
+    let values: Vec<_> = values.iter().copied().map(Value::Absolute).collect();
     let command = Command {
         op,
         hs: false,

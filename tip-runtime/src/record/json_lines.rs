@@ -192,11 +192,10 @@ fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
         Target::None => out.write_str(",null")?,
         target => write!(out, r#","{target}""#)?,
     }
-    for Value { v, relative } in command.values {
-        if *relative {
-            write!(out, r#","R{v:?}""#)?;
-        } else {
-            write!(out, ",{v:?}")?;
+    for value in command.values {
+        match value {
+            Value::Absolute(number) => write!(out, ",{number:?}")?,
+            Value::Relative(number) => write!(out, r#","R{number:?}""#)?,
         }
     }
     Ok(())

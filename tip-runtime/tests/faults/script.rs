@@ -85,7 +85,7 @@ fn run<const N: usize>(
     target: Target,
     values: [f64; N],
 ) -> Result<Flow, Fault> {
-    order(cx, op, target, values.map(Value::absolute))
+    order(cx, op, target, values.map(Value::Absolute))
 }
 
 fn relative<const N: usize>(
@@ -94,7 +94,7 @@ fn relative<const N: usize>(
     target: Target,
     values: [f64; N],
 ) -> Result<Flow, Fault> {
-    order(cx, op, target, values.map(Value::relative))
+    order(cx, op, target, values.map(Value::Relative))
 }
 
 /// What the step says that reads the inputs; a compiled program says it before.

@@ -136,7 +136,7 @@ fn the_generic_robot_counts_in_newton_metres() {
         ..Sensors::ZERO
     };
     controller.sense(&sensors).expect("good sensors");
-    let values = [10.0, -5.0, -40.0].map(Value::absolute);
+    let values = [10.0, -5.0, -40.0].map(Value::Absolute);
     let command = tip_runtime::command::Command {
         op: Op::Force,
         hs: false,

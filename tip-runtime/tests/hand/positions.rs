@@ -232,7 +232,7 @@ fn done_hs(rig: &mut Hand, target: Target, place: [f64; 3]) {
         op: Op::Ptp,
         hs: true,
         target,
-        values: &place.map(Value::absolute),
+        values: &place.map(Value::Absolute),
     };
     assert_eq!(rig.controller.command(&command), Ok(Poll::Done));
     rig.advance();

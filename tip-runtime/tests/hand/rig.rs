@@ -78,13 +78,13 @@ impl Hand {
     }
 
     pub(crate) fn run(&mut self, op: Op, target: Target, values: &[f64]) -> Result<Poll, Fault> {
-        let values: Vec<Value> = values.iter().copied().map(Value::absolute).collect();
+        let values: Vec<Value> = values.iter().copied().map(Value::Absolute).collect();
         self.command(op, target, &values)
     }
 
     /// As `run`, with `R` before every operand.
     pub(crate) fn relative(&mut self, op: Op, target: Target, values: &[f64]) {
-        let values: Vec<Value> = values.iter().copied().map(Value::relative).collect();
+        let values: Vec<Value> = values.iter().copied().map(Value::Relative).collect();
         assert_eq!(self.command(op, target, &values), Ok(Poll::Done));
     }
 

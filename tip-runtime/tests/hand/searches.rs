@@ -134,7 +134,7 @@ fn cycles_at(rate: f64) -> Option<usize> {
     // Times and angles without rounding.
     rig.done(Op::SetSamplingTime, Target::None, &[62.5]);
     rig.sensors.torques[0][0] = 10.0;
-    let values = [Value::absolute(1.0)];
+    let values = [Value::Absolute(1.0)];
     let search = Command {
         op: Op::DetectFloor,
         hs: false,

@@ -61,7 +61,7 @@ fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
     [true, false].map(|hs| {
         let mut rig = Hand::new();
         rig.idle(1);
-        let values: Vec<Value> = goal.iter().copied().map(Value::absolute).collect();
+        let values: Vec<Value> = goal.iter().copied().map(Value::Absolute).collect();
         let values = &values;
         let command = Command {
             op,
@@ -168,7 +168,7 @@ fn pulled(rig: &Hand, target: Target, [x, y, _]: [f64; 3]) -> [f64; 2] {
         op: Op::CompliancePosition,
         hs: true,
         target,
-        values: &[x + 20.0, y + 30.0, 0.0].map(Value::absolute),
+        values: &[x + 20.0, y + 30.0, 0.0].map(Value::Absolute),
     };
     assert_eq!(controller.command(&command), Ok(Poll::Done));
     controller.advance();

@@ -110,7 +110,7 @@ impl Rig {
 
     /// A command until it is done: in how many cycles.
     pub(crate) fn run(&mut self, op: Op, target: Target, values: &[f64]) -> usize {
-        let values: Vec<Value> = values.iter().copied().map(Value::absolute).collect();
+        let values: Vec<Value> = values.iter().copied().map(Value::Absolute).collect();
         let command = Command {
             op,
             hs: false,

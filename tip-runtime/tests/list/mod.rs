@@ -1,6 +1,6 @@
 //! A program that is a list of commands, for several test binaries.
 
-use tip_runtime::command::{Command, Op, Poll, Target, Value};
+use tip_runtime::command::{Command, Op, Target, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, End, Flow, Program, Signature};
 
@@ -42,9 +42,9 @@ impl<V: AsRef<[f64]>> Program for List<V> {
             return Ok(Flow::Finished(End::End));
         };
         let numbers = numbers.as_ref();
-        let mut values = [Value::absolute(0.0); 9];
+        let mut values = [Value::Absolute(0.0); 9];
         for (value, number) in values.iter_mut().zip(numbers) {
-            *value = Value::absolute(*number);
+            *value = Value::Absolute(*number);
         }
         let command = Command {
             op: *op,
@@ -52,12 +52,12 @@ impl<V: AsRef<[f64]>> Program for List<V> {
             target: *target,
             values: &values[..numbers.len()],
         };
-        if cx.command(&command)? == Poll::Pending {
-            return Ok(Flow::Wait);
+        let next = self.at + 1;
+        let flow = cx.ask(&command, &mut self.at, next)?;
+        if flow == Flow::Next {
+            cx.message(&op.name());
         }
-        cx.message(&op.name());
-        self.at += 1;
-        Ok(Flow::Next)
+        Ok(flow)
     }
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
         (i == 0).then_some(("VAR_KEY", None))

@@ -137,7 +137,7 @@ impl Rig {
 }
 
 pub(crate) fn absolute(values: &[f64]) -> Vec<Value> {
-    values.iter().copied().map(Value::absolute).collect()
+    values.iter().copied().map(Value::Absolute).collect()
 }
 
 #[allow(dead_code, reason = "each test file uses its part")]

@@ -7,22 +7,20 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 impl Values<'_> {
-    /// The operands of a command, as an array of values.
+    /// The operands of a command, as an array of values. One of numbers alone is a constant of the program,
+    /// which a step need not make, because no function is called in it.
     pub(super) fn of_arguments(&self, arguments: &[Argument]) -> TokenStream {
         if let Some(members) = self.whole_struct(arguments) {
-            return quote!(#members.map(Value::absolute));
+            return quote!(#members.map(Value::Absolute));
         }
-        let numbers = arguments
-            .iter()
-            .map(|argument| self.operand(argument.operand));
-        if arguments.iter().all(|argument| !argument.relative) {
-            return quote!([#(#numbers),*].map(Value::absolute));
-        }
-        let kinds = arguments.iter().map(|argument| match argument.relative {
-            true => quote!(Value::relative),
-            false => quote!(Value::absolute),
+        let values = arguments.iter().map(|argument| {
+            let number = self.operand(argument.operand);
+            match argument.relative {
+                true => quote!(Value::Relative(#number)),
+                false => quote!(Value::Absolute(#number)),
+            }
         });
-        quote!([#(#kinds(#numbers)),*])
+        quote!([#(#values),*])
     }
 
     /// The members of a struct, if they are the operands, all and in order.

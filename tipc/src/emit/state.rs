@@ -1,6 +1,6 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
-use super::ident::{field, identifier, state};
+use super::ident::{field, state};
 use super::step::collect_words;
 use super::{Emitter, Steps, header_of, word};
 use crate::program::{Action, Variable, VariableKind};
@@ -183,14 +183,8 @@ impl Emitter<'_> {
                 self.go(if passes? { yes } else { no })
             }
         };
-        let (command, command_hs) = (ask("command", false), ask("command_hs", true));
-        let behind_go = [
-            ("after", after),
-            ("branch", branch),
-            ("command", command),
-            ("command_hs", command_hs),
-        ]
-        .map(|(name, function)| mentioned.contains(name).then_some(function));
+        let behind_go = [("after", after), ("branch", branch)]
+            .map(|(name, function)| mentioned.contains(name).then_some(function));
         let goes = mentioned.contains("go") || behind_go.iter().any(Option::is_some);
         let go = goes.then_some(go);
         let skip = mentioned.contains("skip").then_some(skip);
@@ -313,26 +307,6 @@ impl Emitter<'_> {
             VariableKind::Pos | VariableKind::Joint => {
                 let size = Literal::usize_unsuffixed(variable.size());
                 quote!([#runtime::ops::Scalar; #size])
-            }
-        }
-    }
-}
-
-/// What asks the robot for a command and goes on once it is done.
-fn ask(name: &str, hs: bool) -> TokenStream {
-    let name = identifier(name);
-    quote! {
-        fn #name(
-            &mut self,
-            cx: &mut dyn Context,
-            op: Op,
-            target: Target,
-            values: &[Value],
-            next: u32,
-        ) -> Result<Flow, Fault> {
-            match cx.command(&Command { op, hs: #hs, target, values })? {
-                Poll::Done => self.go(next),
-                Poll::Pending => Ok(Flow::Wait),
             }
         }
     }

@@ -51,9 +51,7 @@ impl Emitter<'_> {
         let option = import(quote!(::core::option::Option), words, &["Some"]);
         let result = import(quote!(::core::result), words, &["Result"]);
         let ok = import(quote!(::core::result::Result), words, &["Ok"]);
-        let command = [
-            "Command", "Flag", "Op", "Poll", "Port", "Target", "Teach", "Value",
-        ];
+        let command = ["Command", "Flag", "Op", "Port", "Target", "Teach", "Value"];
         let command = import(quote!(#runtime::command), words, &command);
         let fault = import(quote!(#runtime::fault), words, &["Fault"]);
         let ops = import(runtime.clone(), words, &["ops"]);
@@ -188,16 +186,12 @@ impl Emitter<'_> {
                 target,
                 arguments,
             } => {
-                let ask = if *hs { "command_hs" } else { "command" };
-                let (ask, op, target) = (identifier(ask), word::op(*op), word::target(*target));
-                let next = self.step_number(next);
-                if arguments.is_empty() {
-                    return quote!(self.#ask(cx, #op, #target, &[], #next));
-                }
+                let (op, target) = (word::op(*op), word::target(*target));
                 let values = values.of_arguments(arguments);
+                let next = self.step_number(next);
                 quote! {
-                    let values = #values;
-                    self.#ask(cx, #op, #target, &values, #next)
+                    let command = &Command { op: #op, hs: #hs, target: #target, values: &#values };
+                    cx.ask(command, &mut self.at, #next)
                 }
             }
             Action::TeachStruct { what, target, into } => {

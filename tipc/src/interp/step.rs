@@ -228,11 +228,12 @@ impl Interpreter {
     }
 
     fn values(&self, arguments: &[Argument]) -> Result<([Value; MAX], usize), Fault> {
-        let mut values = [Value::absolute(0.0); MAX];
+        let mut values = [Value::Absolute(0.0); MAX];
         for (place, argument) in values.iter_mut().zip(arguments) {
-            *place = Value {
-                v: self.operand(argument.operand)?,
-                relative: argument.relative,
+            let number = self.operand(argument.operand)?;
+            *place = match argument.relative {
+                true => Value::Relative(number),
+                false => Value::Absolute(number),
             };
         }
         Ok((values, arguments.len().min(MAX)))

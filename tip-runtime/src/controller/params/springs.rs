@@ -30,23 +30,23 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     }
 
     fn limit_torques(&mut self, command: &Command<'_>) -> Result<(), Fault> {
-        let positive = |value: &Value| value.v > 0.0 && value.v.is_finite();
+        let positive = |value: &Value| value.number() > 0.0 && value.number().is_finite();
         if !command.values.iter().all(positive) {
             return Err(Fault::Domain);
         }
         match (command.target, command.values) {
             (Target::Joint(n, m), [limit]) => {
-                targets::joint_mut(&mut self.params.joints, n, m)?.limit = Some(limit.v);
+                targets::joint_mut(&mut self.params.joints, n, m)?.limit = Some(limit.number());
             }
             (Target::All, [limit]) => {
                 for joint in self.params.joints.iter_mut().flatten() {
-                    joint.limit = Some(limit.v);
+                    joint.limit = Some(limit.number());
                 }
             }
             (Target::Foot(n), limits) if limits.len() == J => {
                 let joints = targets::leg_mut(&mut self.params.joints, n)?;
                 for (joint, limit) in joints.iter_mut().zip(limits) {
-                    joint.limit = Some(limit.v);
+                    joint.limit = Some(limit.number());
                 }
             }
             _ => return Err(Fault::Domain),
@@ -93,10 +93,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// Three operands in their domain; z goes unchecked where it does not count.
     fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
         let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
-        let good = |value: Value| value.v.is_finite() && in_domain(value.v);
+        let good = |value: Value| value.number().is_finite() && in_domain(value.number());
         let [_, _, space] = self.model.inverse.axes();
         if good(x) && good(y) && (!space || good(z)) {
-            Ok([x.v, y.v, z.v])
+            Ok([x.number(), y.number(), z.number()])
         } else {
             Err(Fault::Domain)
         }

@@ -84,7 +84,7 @@ fn native_code_sets_flags_and_commands_the_robot() {
                 op: Op::LampOn,
                 hs: false,
                 target: Target::None,
-                values: &[Value::absolute(2.0)],
+                values: &[Value::Absolute(2.0)],
             })
         },
     );
@@ -117,7 +117,7 @@ impl Special for Activity {
                 op: Op::LampOn,
                 hs: false,
                 target: Target::None,
-                values: &[Value::absolute(2.0)],
+                values: &[Value::Absolute(2.0)],
             })?;
         }
         Ok(())

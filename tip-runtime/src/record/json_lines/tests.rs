@@ -146,9 +146,9 @@ fn a_command_stands_with_flag_target_and_values_as_evaluated() {
             true,
             Target::Foot(1),
             &[
-                Value::absolute(391.0),
-                Value::relative(10.5),
-                Value::relative(-1e-7)
+                Value::Absolute(391.0),
+                Value::Relative(10.5),
+                Value::Relative(-1e-7)
             ]
         ),
         "{\"cycle\":3,\"step\":7,\"next\":8,\"cmd\":[\"PTP\",\"HS\",\"F1\",391.0,\"R10.5\",\"R-1e-7\"]}\n"
@@ -167,12 +167,12 @@ fn a_command_without_target_has_null_in_its_place() {
             Op::SetOmegaMax,
             false,
             Target::Joint(2, 3),
-            &[Value::absolute(90.0)]
+            &[Value::Absolute(90.0)]
         ),
         "{\"cycle\":3,\"step\":7,\"next\":8,\"cmd\":[\"SET_OMEGA_MAX\",\"J23\",90.0]}\n"
     );
     assert_eq!(
-        command_line(Op::SetVMax, false, Target::All, &[Value::absolute(1e21)]),
+        command_line(Op::SetVMax, false, Target::All, &[Value::Absolute(1e21)]),
         "{\"cycle\":3,\"step\":7,\"next\":8,\"cmd\":[\"SET_V_MAX\",\"ALL\",1e21]}\n"
     );
 }
@@ -266,7 +266,7 @@ mod through_a_machine {
                 op: Op::Special,
                 hs: false,
                 target: Target::None,
-                values: &[Value::absolute(7.0)],
+                values: &[Value::Absolute(7.0)],
             })?;
             Ok(match poll {
                 Poll::Done => Flow::Finished(End::Exit),

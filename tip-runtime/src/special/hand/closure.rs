@@ -83,7 +83,7 @@ impl Closure {
                 op: Op::Torque,
                 hs: false,
                 target: Target::Foot(n),
-                values: &torques.map(Value::absolute),
+                values: &torques.map(Value::Absolute),
             })?;
         }
         if carrying.arrived {

@@ -30,7 +30,7 @@ impl Robot for Script {
             return Ok(Poll::Pending);
         }
         let name = command.op.name();
-        let values: Vec<f64> = command.values.iter().map(|value| value.v).collect();
+        let values: Vec<f64> = command.values.iter().map(|value| value.number()).collect();
         self.commands
             .push(format!("{name} {} {values:?}", command.target));
         Ok(Poll::Done)
