@@ -32,13 +32,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         tipc::compile(&source)?;
         let program = peers::load(name, text);
         let spelt = |language: &str| out.join(format!("{name}_{language}"));
-        // Compilers need minutes for functions and enums of 10,000 states.
-        if *name != "steps10000" {
-            fs::write(spelt("by_hand.rs"), peers::rust::spell(&program))?;
-            fs::write(spelt("statig.rs"), peers::statig::spell(&program))?;
-            fs::write(spelt("switch.c"), peers::c::spell(&program, name))?;
-            c.file(spelt("switch.c"));
-        }
+        fs::write(spelt("by_hand.rs"), peers::rust::spell(&program))?;
+        fs::write(spelt("statig.rs"), peers::statig::spell(&program))?;
+        fs::write(spelt("switch.c"), peers::c::spell(&program, name))?;
+        c.file(spelt("switch.c"));
     }
     c.compile("switches");
     for input in ["build.rs", "motions", "src/motion.h", "src/robot.c"] {

@@ -34,4 +34,4 @@ macro_rules! by_hand {
     )* };
 }
 
-by_hand!(steps100 steps1000);
+by_hand!(steps100 steps1000 steps10000);

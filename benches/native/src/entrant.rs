@@ -59,9 +59,9 @@ impl Name {
     }
 }
 
-/// An entrant at its first step; `is_traced` if its trace is wanted. `None`: it does not take part.
-pub fn entrant(name: Name, motion: Motion, is_traced: bool) -> Option<Box<dyn Entrant>> {
-    Some(match (name, motion) {
+/// An entrant at its first step; `is_traced` if its trace is wanted.
+pub fn entrant(name: Name, motion: Motion, is_traced: bool) -> Box<dyn Entrant> {
+    match (name, motion) {
         (Name::Compiled, Motion::WalkLoop) => Box::new(compiled::WalkLoop::new()),
         (Name::Compiled, Motion::Steps100) => Box::new(compiled::Steps100::new()),
         (Name::Compiled, Motion::Steps1000) => Box::new(compiled::Steps1000::new()),
@@ -69,9 +69,11 @@ pub fn entrant(name: Name, motion: Motion, is_traced: bool) -> Option<Box<dyn En
         (Name::ByHand, Motion::WalkLoop) => Box::new(walk_by_hand::Walk::new()),
         (Name::ByHand, Motion::Steps100) => Box::new(by_hand::steps100::ByHand::default()),
         (Name::ByHand, Motion::Steps1000) => Box::new(by_hand::steps1000::ByHand::default()),
+        (Name::ByHand, Motion::Steps10000) => Box::new(by_hand::steps10000::ByHand::default()),
         (Name::Switch, Motion::WalkLoop) => Box::new(switches::walk_loop(is_traced)),
         (Name::Switch, Motion::Steps100) => Box::new(switches::steps100(is_traced)),
         (Name::Switch, Motion::Steps1000) => Box::new(switches::steps1000(is_traced)),
+        (Name::Switch, Motion::Steps10000) => Box::new(switches::steps10000(is_traced)),
         (Name::Statig, Motion::WalkLoop) => {
             Box::new(machines::walk_loop::Machine::default().state_machine())
         }
@@ -81,9 +83,11 @@ pub fn entrant(name: Name, motion: Motion, is_traced: bool) -> Option<Box<dyn En
         (Name::Statig, Motion::Steps1000) => {
             Box::new(machines::steps1000::Machine::default().state_machine())
         }
-        (Name::ByHand | Name::Switch | Name::Statig, Motion::Steps10000) => return None,
+        (Name::Statig, Motion::Steps10000) => {
+            Box::new(machines::steps10000::Machine::default().state_machine())
+        }
         (Name::Interpreter, motion) => Box::new(Interpreter::new(motion.program())),
-    })
+    }
 }
 
 macro_rules! programs {
@@ -126,6 +130,7 @@ steps! {
     walk_by_hand::Walk
     by_hand::steps100::ByHand
     by_hand::steps1000::ByHand
+    by_hand::steps10000::ByHand
 }
 
 macro_rules! machines {
@@ -148,4 +153,5 @@ machines! {
     machines::walk_loop::Machine
     machines::steps100::Machine
     machines::steps1000::Machine
+    machines::steps10000::Machine
 }

@@ -30,4 +30,4 @@ macro_rules! machines {
     )* };
 }
 
-machines!(walk_loop steps100 steps1000);
+machines!(walk_loop steps100 steps1000 steps10000);

@@ -134,4 +134,5 @@ switches! {
     walk_loop step_walk_loop size_of_walk_loop
     steps100 step_steps100 size_of_steps100
     steps1000 step_steps1000 size_of_steps1000
+    steps10000 step_steps10000 size_of_steps10000
 }

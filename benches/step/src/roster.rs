@@ -18,17 +18,15 @@ enum Make {
     Rune,
 }
 
-/// Everybody who takes part in a motion. With LuaJIT in the place of Lua 5.4 only the compiled program
+/// Everybody who takes part. With LuaJIT in the place of Lua 5.4 only the compiled program
 /// is measured again, to compare with.
-pub fn roster(motion: Motion) -> Vec<Entry> {
+pub fn roster() -> Vec<Entry> {
     let lua = Entry {
         name: lua::NAME,
         make: Make::Lua,
     };
     let is_wanted = |name: &Name| !cfg!(feature = "luajit") || *name == Name::Compiled;
-    let takes_part =
-        |name: &Name| is_wanted(name) && native::entrant(*name, motion, false).is_some();
-    let native = Name::ALL.into_iter().filter(takes_part).map(|name| Entry {
+    let native = Name::ALL.into_iter().filter(is_wanted).map(|name| Entry {
         name: name.name(),
         make: Make::Native(name),
     });
@@ -54,7 +52,7 @@ impl Entry {
     /// If a script does not load.
     pub fn entrant(&self, motion: Motion, is_traced: bool) -> Box<dyn Entrant> {
         match self.make {
-            Make::Native(name) => native::entrant(name, motion, is_traced).expect("takes part"),
+            Make::Native(name) => native::entrant(name, motion, is_traced),
             Make::Lua => Box::new(lua::Coroutine::new(motion).expect("a Lua script")),
             Make::Rhai => Box::new(rhai::Script::new(motion).expect("a Rhai script")),
             Make::Rune => Box::new(rune::Script::new(motion).expect("a Rune script")),

@@ -32,7 +32,7 @@ pub(crate) fn code(name: &str, motion: Motion) -> Option<f64> {
 /// Bytes of the value that a run changes.
 pub(crate) fn state(name: &str, motion: Motion) -> Option<f64> {
     let name = Name::ALL.into_iter().find(|it| it.name() == name)?;
-    let bytes = entrant(name, motion, false)?.state_bytes();
+    let bytes = entrant(name, motion, false).state_bytes();
     (bytes > 0).then_some(bytes as f64)
 }
 

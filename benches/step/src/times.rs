@@ -16,7 +16,7 @@ const CYCLES: u64 = 15_000;
 /// Nanoseconds of a cycle of each entrant.
 pub(crate) fn measure(motion: Motion) -> BTreeMap<&'static str, f64> {
     let mut robot = Answering(Count::default());
-    let mut runs: Vec<_> = roster(motion)
+    let mut runs: Vec<_> = roster()
         .iter()
         .map(|entry| (entry.name, entry.entrant(motion, false), Duration::MAX))
         .collect();
