@@ -24,7 +24,7 @@ pub(crate) fn run(name: &str, motion: &str, cycles: u64) -> Result<(), Box<dyn E
 
 /// Instructions of a cycle.
 pub(crate) fn count(name: &str, motion: Motion) -> Option<f64> {
-    named(name)?;
+    named(name)?; // scripts are not counted
     let cycles = (MORE - FEWER) as f64;
     Some((collected(name, motion, MORE)? - collected(name, motion, FEWER)?) / cycles)
 }
