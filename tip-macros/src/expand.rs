@@ -6,7 +6,7 @@ use crate::literal::Text;
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use std::path::Path;
-use tipc::codes::Code;
+use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::embed;
 use tipc::emit;

@@ -1,16 +1,6 @@
-//! One diagnostic, as every pass makes it. The renderers live beside it.
+//! One diagnostic, as every pass makes it.
 
-mod human;
-mod json;
-mod short;
-
-pub use human::render_human;
-pub use json::render_json;
-#[cfg(feature = "tools")]
-pub(crate) use json::{push_member, push_number, push_string};
-pub use short::render_short;
-
-use crate::codes::{Code, Level};
+use crate::code::{Code, Level};
 use crate::syntax::Span;
 
 /// A second place that a diagnostic points at.
@@ -86,6 +76,7 @@ impl Diagnostic {
         let subject = self.subject.as_deref().unwrap_or_default();
         self.code.template().replace("{}", subject)
     }
+
     /// What is printed of it in one line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.
     pub fn title(&self) -> String {
         match self.code.kind() {
@@ -94,6 +85,3 @@ impl Diagnostic {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,11 +1,11 @@
 //! From the bytes of a source to Rust items: the one road that macros and build scripts share.
 
-use crate::codes::Level;
+use crate::code::Level;
 #[cfg(feature = "robot-files")]
 use crate::description::{self, Description};
-use crate::diagnostic::render_human;
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};
+use crate::render;
 use proc_macro2::TokenStream;
 
 /// Compiles a source to the items that stand for it in a Rust crate.
@@ -38,7 +38,7 @@ fn errors(loaded: &Loaded) -> Vec<String> {
     let diagnostics = loaded.diagnostics.iter();
     diagnostics
         .filter(|diagnostic| diagnostic.level() == Level::Error)
-        .map(|diagnostic| render_human(&loaded.source, diagnostic, false))
+        .map(|diagnostic| render::human(&loaded.source, diagnostic, false))
         .collect()
 }
 

@@ -37,11 +37,12 @@ mod tests;
 pub use error::BuildError;
 
 use crate::Robot;
-use crate::codes::{Code, Level};
+use crate::code::{Code, Level};
 #[cfg(feature = "robot-files")]
 use crate::description::{self, Description};
-use crate::diagnostic::{Diagnostic, render_human, render_short};
+use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
+use crate::render;
 use crate::source::{Encoding, Source};
 use crate::syntax::Span;
 use crate::{emit, program::Program};
@@ -308,11 +309,11 @@ impl Report {
         let level = match diagnostic.level() {
             Level::Warning => "warning",
             Level::Error => {
-                self.errors.push(render_human(source, diagnostic, false));
+                self.errors.push(render::human(source, diagnostic, false));
                 "error"
             }
         };
-        let line = render_short(source, diagnostic);
+        let line = render::short(source, diagnostic);
         self.lines.push(format!("{level}={line}"));
     }
 }

@@ -4,7 +4,7 @@
 
 pub mod analysis;
 mod check;
-pub mod codes;
+pub mod code;
 pub mod commands;
 #[cfg(feature = "robot-files")]
 pub mod description;
@@ -28,6 +28,7 @@ mod lower;
 pub mod migrate;
 pub mod parse;
 pub mod program;
+pub mod render;
 mod robot;
 pub mod source;
 pub mod syntax;

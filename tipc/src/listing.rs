@@ -4,9 +4,10 @@ mod object;
 
 pub use object::object;
 
-use crate::codes::Level;
-use crate::diagnostic::{Diagnostic, render_short};
+use crate::code::Level;
+use crate::diagnostic::Diagnostic;
 use crate::program::Program;
+use crate::render;
 use crate::source::Source;
 
 /// FORMAL.TMP: one line a step, fields separated by tabs.
@@ -28,6 +29,6 @@ pub fn label(program: &Program) -> String {
 pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
     let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
     warnings
-        .map(|warning| render_short(source, warning) + "\n")
+        .map(|warning| render::short(source, warning) + "\n")
         .collect()
 }

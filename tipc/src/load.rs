@@ -1,7 +1,7 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 
 use crate::check::check;
-use crate::codes::{Code, Level};
+use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::lower::lower;
 use crate::parse::parse;

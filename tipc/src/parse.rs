@@ -13,7 +13,7 @@ mod reader;
 mod shape;
 mod statement;
 
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::Token;
 use crate::source::{Source, first_beyond};

@@ -4,7 +4,7 @@ mod width;
 
 pub(crate) use width::first_beyond;
 
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::Span;
 use encoding_rs::{DecoderResult, SHIFT_JIS};

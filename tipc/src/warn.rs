@@ -2,7 +2,7 @@
 
 use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use crate::check::ReadPlace;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId, VariableKind};
 use crate::source::Source;

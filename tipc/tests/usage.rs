@@ -1,6 +1,6 @@
 //! The usage that help texts show is the language that loads.
 
-use tipc::codes::Level;
+use tipc::code::Level;
 use tipc::commands::{COMMANDS, Form};
 use tipc::{Options, Robot, load};
 

@@ -1,6 +1,6 @@
 //! What version 3.1 refuses of its predecessors and of its announced successor, and what it fixes for both.
 
-use tipc::codes::Code;
+use tipc::code::Code;
 use tipc::program::VariableKind;
 use tipc::{Loaded, Options, Robot};
 

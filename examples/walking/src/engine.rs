@@ -33,7 +33,7 @@ pub fn interpreter(name: &str, text: &str, options: &tipc::Options) -> Result<In
     let loaded = tipc::load(name, text.as_bytes(), options);
     loaded.program.map(Interpreter::new).ok_or_else(|| {
         let lines = loaded.diagnostics.iter();
-        let lines = lines.map(|one| tipc::diagnostic::render_short(&loaded.source, one));
+        let lines = lines.map(|one| tipc::render::short(&loaded.source, one));
         lines.collect::<Vec<_>>().join("\n")
     })
 }

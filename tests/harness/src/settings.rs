@@ -8,7 +8,7 @@ use super::Events;
 use std::fs;
 use std::path::Path;
 use tipc::description::{self, Description};
-use tipc::diagnostic::render_short;
+use tipc::render;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -92,7 +92,7 @@ impl Settings {
         let description = description::parse(&name, &bytes).map_err(|loaded| {
             let told = loaded.diagnostics.iter();
             let told: Vec<String> = told
-                .map(|fault| render_short(&loaded.source, fault))
+                .map(|fault| render::short(&loaded.source, fault))
                 .collect();
             told.join("\n")
         })?;

@@ -9,9 +9,9 @@ use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
 use tip_runtime::program::Program;
-use tipc::codes::Level;
-use tipc::diagnostic::render_short;
+use tipc::code::Level;
 use tipc::interp::Interpreter;
+use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.
 pub type Compiled = fn(&str) -> Option<Box<dyn Program>>;
@@ -81,7 +81,7 @@ pub fn checked(case: &str) {
         let told: Vec<String> = loaded
             .diagnostics
             .iter()
-            .map(|diagnostic| render_short(&loaded.source, diagnostic))
+            .map(|diagnostic| render::short(&loaded.source, diagnostic))
             .map(|line| line.strip_prefix(&prefix).unwrap_or(&line).to_owned())
             .collect();
         let expected = match expectation.body().as_slice() {
@@ -189,7 +189,7 @@ impl Expectation {
             .diagnostics
             .iter()
             .filter(|diagnostic| diagnostic.level() == Level::Error)
-            .map(|diagnostic| render_short(&loaded.source, diagnostic))
+            .map(|diagnostic| render::short(&loaded.source, diagnostic))
             .collect();
         let told = told.join("\n");
         loaded

@@ -3,7 +3,7 @@
 use crate::Specimen;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use std::fmt::Write as _;
-use tipc::diagnostic::render_short;
+use tipc::render;
 use tipc::{Options, emit};
 
 /// A change of the generated code of a program, by which tests see that a wrong one is found.
@@ -56,7 +56,7 @@ fn items(specimen: &Specimen) -> Result<String, String> {
         let told = loaded
             .diagnostics
             .iter()
-            .map(|one| render_short(&loaded.source, one));
+            .map(|one| render::short(&loaded.source, one));
         return Err(format!("{}\n{source}", told.collect::<Vec<_>>().join("\n")));
     };
     let spelling = emit::Options {

@@ -5,7 +5,7 @@ use super::outcome::Outcome;
 use super::rule::is_optional;
 use super::written::{Names, Written};
 use tipc::Robot;
-use tipc::codes::Code;
+use tipc::code::Code;
 use tipc::syntax::Operand;
 
 /// A command in a program for a robot.

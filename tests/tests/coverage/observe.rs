@@ -101,7 +101,7 @@ impl Case {
     fn refused(&self, rows: &[Row], diagnostic: &Diagnostic) -> Vec<(usize, Outcome)> {
         let code = diagnostic.code;
         let general = Outcome::of_code(code).or(match code {
-            tipc::codes::Code::Argument => Some(Outcome::Argument),
+            tipc::code::Code::Argument => Some(Outcome::Argument),
             _ => None,
         });
         let Some(general) = general else {

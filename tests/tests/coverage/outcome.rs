@@ -1,6 +1,6 @@
 //! What can come of a statement: it runs, it is refused, or it stops the program.
 
-use tipc::codes::Code;
+use tipc::code::Code;
 
 macro_rules! outcomes {
     ($( $variant:ident $heading:literal $meaning:literal; )*) => {

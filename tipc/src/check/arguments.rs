@@ -5,7 +5,7 @@ use super::names::Meant;
 use super::resolve::Resolver;
 use super::suggest::nearest;
 use super::targets::word;
-use crate::codes::{Code, Level};
+use crate::code::{Code, Level};
 use crate::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Argument, Scalar};

@@ -1,7 +1,7 @@
 //! Conditions (T.I.P. 3.1 §6).
 
 use super::resolve::Resolver;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::program::Condition;
 use crate::syntax;
 

@@ -1,6 +1,6 @@
 //! SUBROUTINEs that a program runs into (T.I.P. 3.1 §7-6-5).
 
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::{Module, StatementKind};
 

@@ -2,7 +2,7 @@
 
 use super::names::Meant;
 use super::resolve::Resolver;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Action, Axis, Function, ScalarExpression, StructExpression, VariableId};
 use crate::syntax::{Equation, Expression, Operand, Span, VariableKind, Word};

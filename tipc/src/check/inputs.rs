@@ -3,7 +3,7 @@
 use super::names::{Meant, VAR_KEY};
 use super::resolve::Resolver;
 use super::targets::{target, word};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::commands::Targets;
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Argument, Scalar};

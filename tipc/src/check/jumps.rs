@@ -4,7 +4,7 @@ use super::blocks::{BlockKind, Blocks};
 use super::labels::{LOOP, Labels};
 use super::structure::keyword;
 use super::suggest::nearest;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::{Jump, Module, Span, StatementKind, Then};
 

@@ -1,7 +1,7 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3).
 
 use super::names::{is_label_name, is_reserved};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::syntax::{Module, StatementKind, Word};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use super::suggest::nearest;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Scalar, Variable, VariableId};

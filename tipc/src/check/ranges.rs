@@ -1,7 +1,7 @@
 //! Constants that a command or an equation refuses at run time.
 
 use super::resolve::Resolver;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::commands::{Arguments, Limit, Values};
 use crate::diagnostic::Diagnostic;
 use crate::program::{Argument, Arithmetic, Operand};

@@ -2,7 +2,7 @@
 
 use super::names::{Meant, Names};
 use super::usage::Usage;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{self, Action, Condition, Scalar, VariableId};
 use crate::robot::Robot;

@@ -1,7 +1,7 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::syntax::{Module, Operand, OperandKind, Shape, Span, Statement, StatementKind};
 

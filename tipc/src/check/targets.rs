@@ -2,7 +2,7 @@
 
 use super::resolve::Resolver;
 use super::suggest::nearest;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::commands::{FLAG_FAMILIES, FLAGS, Joints, Targets};
 use crate::diagnostic::Diagnostic;
 use crate::robot::Robot;

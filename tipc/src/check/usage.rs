@@ -1,7 +1,7 @@
 //! Which variables are read and assigned (T.I.P. 3.1 §4-2 path 3).
 
 use super::names::Names;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::VariableId;
 use crate::syntax::{Span, VariableKind};

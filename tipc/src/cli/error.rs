@@ -4,7 +4,7 @@ use super::Status;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
-use tipc::codes::Code;
+use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::syntax::Span;
 

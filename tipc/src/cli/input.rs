@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::{fs, io};
 use tip_runtime::plant::Scene;
-use tipc::codes::Code;
+use tipc::code::Code;
 use tipc::description::Description;
 use tipc::diagnostic::Diagnostic;
 use tipc::migrate::Migration;

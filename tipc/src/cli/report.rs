@@ -6,8 +6,9 @@ use super::output;
 use std::env;
 use std::io::{self, IsTerminal, Write};
 use tipc::Loaded;
-use tipc::codes::{Code, Level};
-use tipc::diagnostic::{Diagnostic, render_human, render_json, render_short};
+use tipc::code::{Code, Level};
+use tipc::diagnostic::Diagnostic;
+use tipc::render;
 
 /// Where the findings about programs go: snippets for people to standard error, the forms for tools to standard output.
 pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
@@ -43,9 +44,9 @@ fn render(loaded: &Loaded, format: Format) -> String {
         let source = &loaded.source;
         let line = match format {
             Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic),
-            Format::Human => render_human(source, diagnostic, colour),
-            Format::Short => render_short(source, diagnostic),
-            Format::Json => render_json(source, diagnostic),
+            Format::Human => render::human(source, diagnostic, colour),
+            Format::Short => render::short(source, diagnostic),
+            Format::Json => render::json(source, diagnostic),
         };
         let end = if line.ends_with('\n') { "" } else { "\n" };
         // A blank line keeps snippets apart.

@@ -1,6 +1,6 @@
 //! The one table of every key of a description or scene. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
 
-use crate::codes::Code;
+use crate::code::Code;
 
 /// A table of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

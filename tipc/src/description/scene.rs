@@ -97,12 +97,12 @@ fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagno
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::render_short;
+    use crate::render;
 
     fn told(text: &str) -> Vec<String> {
         let loaded = parse_scene("s.toml", text.as_bytes()).expect_err("it is wrong");
         let lines = loaded.diagnostics.iter();
-        let lines = lines.map(|one| render_short(&loaded.source, one));
+        let lines = lines.map(|one| render::short(&loaded.source, one));
         lines.map(|line| line.trim_end().to_owned()).collect()
     }
 

@@ -1,7 +1,7 @@
 //! The report for people and for tools.
 
 use super::{Migration, Note, NoteKind};
-use crate::diagnostic::{push_member, push_number, push_string};
+use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
 
 /// Every question with its line, or every change; one sentence at the end.

@@ -1,7 +1,7 @@
 //! The last look: what is still no statement of version 3.1.
 
 use super::{Note, NoteKind};
-use crate::codes::{Code, Level};
+use crate::code::{Code, Level};
 use crate::commands::find;
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;

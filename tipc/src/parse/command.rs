@@ -2,7 +2,7 @@
 
 use super::Parser;
 use super::reader::Reader;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::lex::{Kind, Token};
 use crate::syntax::{StatementKind, Word};
 use smol_str::SmolStr;

@@ -1,7 +1,7 @@
 //! `LHS op RHS` (T.I.P. 3.1 §5).
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::lex::{Kind, Token};
 use crate::syntax::{Equation, Expression, FUNCTIONS, Operand, OperandKind};
 

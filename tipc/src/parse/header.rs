@@ -1,7 +1,7 @@
 //! Lines 1 and 2: the version of the language, and the program's title.
 
 use super::reader::Parsed;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::BLANKS;
 use crate::source::Source;

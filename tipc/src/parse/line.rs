@@ -1,7 +1,7 @@
 //! One line: its comment, its statements, their labels, and the words that want a line of their own.
 
 use super::{Flow, NAME_LIMIT, Parser};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{DELIMITERS, foreign_run, skip_delimiters, word_end};
 use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};

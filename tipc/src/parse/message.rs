@@ -1,7 +1,7 @@
 //! The texts of MESSAGE and REM, which are no tokens (T.I.P. 3.1 §7-9-4).
 
 use super::Parser;
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, delimiter};
 use crate::source::first_beyond;

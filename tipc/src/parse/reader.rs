@@ -1,6 +1,6 @@
 //! A walk over the tokens of one statement.
 
-use crate::codes::Code;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
 use crate::syntax::{Span, Word, upper_case};

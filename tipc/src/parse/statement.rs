@@ -5,7 +5,7 @@ use super::line::not_alone;
 use super::reader::Reader;
 use super::shape::shape;
 use super::{Flow, Parser, equation};
-use crate::codes::Code;
+use crate::code::Code;
 use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word, upper_case};
 use smol_str::SmolStr;

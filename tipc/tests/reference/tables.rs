@@ -3,7 +3,7 @@
 use crate::links::anchor;
 use crate::{hold, read};
 use std::fmt::Write as _;
-use tipc::codes::{Code, Level};
+use tipc::code::{Code, Level};
 use tipc::commands::{COMMANDS, Command, Cycles};
 
 /// How many clauses each chapter has.

@@ -1,8 +1,8 @@
 //! Cycle counts as a table for people, and as lines for tools.
 
 use super::{Part, Sampling, Span, Stop};
-use crate::diagnostic::{push_member, push_number, push_string};
 use crate::program::{Action, Op, Program, StepId};
+use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
 
 /// A table: part, lines, cycles, ms at the robot's standard sampling time.

@@ -1,6 +1,6 @@
 //! Every fault at its place, with its reason and the way out.
 
-use crate::codes::Code;
+use crate::code::Code;
 use crate::description::parse;
 
 /// `LINE:COLUMN: reason (help)` of each fault.

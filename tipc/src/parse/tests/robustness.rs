@@ -1,7 +1,7 @@
 //! Whatever comes in, the parser answers, and every place it names exists and can be shown.
 
-use crate::diagnostic::render_human;
 use crate::parse::parse;
+use crate::render;
 use crate::source::{Encoding, Source};
 use crate::syntax::Span;
 use std::time::{Duration, Instant};
@@ -103,7 +103,7 @@ fn try_on(bytes: &[u8]) {
             }
         }
         for diagnostic in diagnostics.iter().chain(&bad).take(3) {
-            assert!(!render_human(&source, diagnostic, false).is_empty());
+            assert!(!render::human(&source, diagnostic, false).is_empty());
         }
         for statement in &module.statements {
             assert_in_range(&source, statement.span, bytes);

@@ -1,7 +1,7 @@
 //! Decoder, parser and checker: places inside the text, a program exactly when nothing is wrong.
 
-use tipc::codes::Level;
-use tipc::diagnostic::{render_human, render_json, render_short};
+use tipc::code::Level;
+use tipc::render;
 use tipc::{Options, Robot, listing, load};
 
 /// Loads the bytes for each robot.
@@ -25,9 +25,9 @@ pub fn examine(bytes: &[u8]) {
             for span in [diagnostic.span].into_iter().chain(labels) {
                 assert!(text.get(span.start..span.end).is_some(), "{span:?}: {seen}");
             }
-            assert!(!render_short(&loaded.source, diagnostic).is_empty());
-            assert!(!render_json(&loaded.source, diagnostic).is_empty());
-            assert!(!render_human(&loaded.source, diagnostic, false).is_empty());
+            assert!(!render::short(&loaded.source, diagnostic).is_empty());
+            assert!(!render::json(&loaded.source, diagnostic).is_empty());
+            assert!(!render::human(&loaded.source, diagnostic, false).is_empty());
         }
         let wrong = loaded
             .diagnostics

@@ -1,7 +1,7 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the way out.
 
-use super::Diagnostic;
-use crate::codes::Level;
+use crate::code::Level;
+use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 use crate::syntax::Span;
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
@@ -58,7 +58,7 @@ fn shown(line: &str) -> &str {
 }
 
 /// The diagnostic in the style of rustc, with colours for a terminal if `colour`; it ends with a line end.
-pub fn render_human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
+pub fn human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
     let windows = windows(source, diagnostic);
     let level = match diagnostic.level() {
         Level::Error => Title::ERROR,

@@ -1,12 +1,12 @@
 //! One JSON object for each diagnostic.
 
-use super::Diagnostic;
+use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 use std::fmt::Write;
 
 /// An object on one line, without line end: `level`, `kind` (of errors), `message`, `code`, `file`, `line`, `column`
 /// (both from 1, the column in characters) and, if there is any, `help`.
-pub fn render_json(source: &Source, diagnostic: &Diagnostic) -> String {
+pub fn json(source: &Source, diagnostic: &Diagnostic) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let mut out = String::from("{\"level\":");
     push_string(&mut out, diagnostic.level().name());

@@ -1,5 +1,6 @@
-use super::{Diagnostic, render_human, render_json, render_short};
-use crate::codes::Code;
+use super::{human, json, short};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
 use crate::source::{Encoding, Source};
 use crate::syntax::Span;
 
@@ -22,7 +23,7 @@ fn span(source: &Source, place: &str) -> Span {
 
 #[track_caller]
 fn check_human(source: &Source, diagnostic: &Diagnostic, expected: &str) {
-    let shown = render_human(source, diagnostic, false);
+    let shown = human(source, diagnostic, false);
     let trimmed: Vec<&str> = shown.lines().map(str::trim_end).collect();
     assert_eq!(
         trimmed.join("\n").trim_end(),
@@ -110,7 +111,7 @@ error[E107]: TIP_ERR:Wrong equation format (PreprocessError)
 fn a_place_far_into_an_endless_line_is_named_without_its_line() {
     let source = source("walk.prg", &format!("{}X", "あ".repeat(5000)));
     let diagnostic = at(&source, Code::Format, "X", "too far");
-    let shown = render_human(&source, &diagnostic, false);
+    let shown = human(&source, &diagnostic, false);
     assert!(shown.contains("--> walk.prg:1:5001"), "{shown}");
     assert!(shown.contains("too far"), "{shown}");
 }
@@ -119,8 +120,8 @@ fn a_place_far_into_an_endless_line_is_named_without_its_line() {
 fn colour_is_only_there_when_asked_for() {
     let source = source("walk.prg", "3.1\nt\nEND");
     let diagnostic = at(&source, Code::Format, "END", "why");
-    assert!(!render_human(&source, &diagnostic, false).contains('\u{1B}'));
-    assert!(render_human(&source, &diagnostic, true).contains('\u{1B}'));
+    assert!(!human(&source, &diagnostic, false).contains('\u{1B}'));
+    assert!(human(&source, &diagnostic, true).contains('\u{1B}'));
 }
 
 // clauses: 8.1
@@ -129,12 +130,12 @@ fn short_is_the_classical_line_behind_the_place() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(
-        render_short(&source, &error),
+        short(&source, &error),
         "dir/walk.prg:3:8: error: TIP_ERR:Label \"X\" does not exist (SyntaxError)"
     );
     let warning = at(&source, Code::Unused, "X", "here").about("X");
     assert_eq!(
-        render_short(&source, &warning),
+        short(&source, &warning),
         "dir/walk.prg:3:8: warning: variable \"X\" is declared but never used"
     );
 }
@@ -147,7 +148,7 @@ fn json_is_one_object_on_one_line() {
         .about("X")
         .help("two\nlines\t日");
     assert_eq!(
-        render_json(&source, &error),
+        json(&source, &error),
         concat!(
             r#"{"level":"error","kind":"SyntaxError","message":"unknown variable \"X\"","code":"E206","#,
             r#""file":"a\"b\\.prg","line":3,"column":3,"help":"two\u000alines\u0009日"}"#
@@ -155,7 +156,7 @@ fn json_is_one_object_on_one_line() {
     );
     let warning = at(&source, Code::CommentInMessage, "X", "here");
     assert_eq!(
-        render_json(&source, &warning),
+        json(&source, &warning),
         concat!(
             r#"{"level":"warning","message":"the comment cuts this MESSAGE text","code":"W103","#,
             r#""file":"a\"b\\.prg","line":3,"column":3}"#
