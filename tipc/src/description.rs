@@ -100,11 +100,7 @@ fn open<T>(
     };
     outcome.map_err(|mut diagnostics| {
         diagnostics.sort_by_key(|diagnostic| diagnostic.span);
-        Box::new(Loaded {
-            source,
-            program: None,
-            diagnostics,
-        })
+        Box::new(Loaded::refused(source, diagnostics))
     })
 }
 

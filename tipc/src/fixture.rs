@@ -27,7 +27,6 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
         line,
         column: 1,
         text: format!("LINE {line}").into(),
-        formal: "".into(),
     });
     Program {
         source_name: "by_hand.prg".to_owned(),

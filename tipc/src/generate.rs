@@ -348,11 +348,6 @@ fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
 
 fn not_found(name: &str, error: &std::io::Error) -> Loaded {
     let (source, _) = Source::decode(name, b"", Encoding::Utf8);
-    Loaded {
-        source,
-        program: None,
-        diagnostics: vec![
-            Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string()).about(name),
-        ],
-    }
+    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string());
+    Loaded::refused(source, vec![finding.about(name)])
 }

@@ -1,5 +1,6 @@
 //! The classical listing files (T.I.P. 3.1 §4-2, §10-4, §11).
 
+mod formal;
 mod object;
 
 pub use object::object;
@@ -9,11 +10,16 @@ use crate::diagnostic::Diagnostic;
 use crate::program::Program;
 use crate::render;
 use crate::source::Source;
+use crate::syntax::Module;
 
-/// FORMAL.TMP: one line a step, fields separated by tabs.
-pub fn formal(program: &Program) -> String {
-    let lines = program.steps().iter().map(|step| step.formal.as_str());
-    lines.flat_map(|line| [line, "\n"]).collect()
+/// FORMAL.TMP of the module that a source was parsed to: one line a step, fields separated by tabs.
+pub fn formal(source: &Source, module: &Module) -> String {
+    let mut text = String::new();
+    for statement in module.steps() {
+        text.push_str(&formal::line(source, statement));
+        text.push('\n');
+    }
+    text
 }
 
 /// LABEL.TMP: `L` or `S` (declared by SUBROUTINE), name and step of each label.

@@ -8,6 +8,7 @@ use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source};
+use crate::syntax::Module;
 use crate::warn::warnings;
 
 /// What a program is read and checked for.
@@ -34,23 +35,33 @@ impl Default for Options {
 /// What came of a file.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The decoded text, for rendering diagnostics.
+    /// The decoded text.
     pub source: Source,
+    /// The statements, as far as the text could be read.
+    pub module: Module,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
     /// All findings, in order of their places.
     pub diagnostics: Vec<Diagnostic>,
 }
 
+impl Loaded {
+    /// What came of a file that was not read as a program.
+    pub fn refused(source: Source, diagnostics: Vec<Diagnostic>) -> Self {
+        Loaded {
+            source,
+            module: Module::default(),
+            program: None,
+            diagnostics,
+        }
+    }
+}
+
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     if let Some(fault) = undecodable {
-        return Loaded {
-            source,
-            program: None,
-            diagnostics: vec![fault],
-        };
+        return Loaded::refused(source, vec![fault]);
     }
     let (module, mut diagnostics) = parse(&source, options.tip_version);
     let wrong_version = module.statements.is_empty()
@@ -80,6 +91,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     });
     Loaded {
         source,
+        module,
         program,
         diagnostics,
     }

@@ -1,7 +1,5 @@
 //! The only maker of [`Program`]: decides what a statement means.
 
-mod formal;
-
 use crate::check::{Checked, Resolved};
 use crate::program::{Action, End, Label, Program, Step, StepId};
 use crate::robot::Robot;
@@ -16,13 +14,15 @@ pub(crate) fn lower(
     robot: Robot,
 ) -> Program {
     let mut resolved = std::mem::take(&mut checked.resolved);
-    let lowering = Lowering::new(module, &checked);
-    let mut formal = formal::Line::of(source);
+    let lowering = Lowering {
+        module,
+        checked: &checked,
+    };
     let steps = module
         .statements
         .iter()
         .enumerate()
-        .filter(|(_, statement)| !matches!(statement.kind, StatementKind::Define { .. }))
+        .filter(|(_, statement)| statement.is_step())
         .map(|(index, statement)| {
             let column = source.column(statement.line, statement.span.start);
             Step {
@@ -30,7 +30,6 @@ pub(crate) fn lower(
                 line: statement.line,
                 column,
                 text: source.slice(statement.span).into(),
-                formal: formal.write(statement),
             }
         })
         .collect();
@@ -40,7 +39,7 @@ pub(crate) fn lower(
         .iter()
         .map(|(name, statement, subroutine)| Label {
             name: (*name).to_owned(),
-            step: lowering.steps[*statement],
+            step: module.statements[*statement].step,
             subroutine: *subroutine,
         })
         .collect();
@@ -62,29 +61,9 @@ fn base_name(path: &str) -> &str {
 struct Lowering<'a> {
     module: &'a Module,
     checked: &'a Checked<'a>,
-    /// The step of each statement; of a declaration, the next one.
-    steps: Vec<StepId>,
 }
 
-impl<'a> Lowering<'a> {
-    fn new(module: &'a Module, checked: &'a Checked<'a>) -> Self {
-        let mut next = 0;
-        let steps = module
-            .statements
-            .iter()
-            .map(|statement| {
-                let step = next;
-                next += u32::from(!matches!(statement.kind, StatementKind::Define { .. }));
-                step
-            })
-            .collect();
-        Lowering {
-            module,
-            checked,
-            steps,
-        }
-    }
-
+impl Lowering<'_> {
     /// What a statement does; a finished action is taken out of `resolved`.
     fn action(&self, index: usize, resolved: &mut [Resolved]) -> Action {
         match &mut resolved[index] {
@@ -172,7 +151,7 @@ impl<'a> Lowering<'a> {
                 variable: *variable,
                 to: *to,
                 step: *step,
-                body: self.steps[opener] + 1,
+                body: self.step(opener) + 1,
             },
             _ => Action::Nothing,
         }
@@ -181,11 +160,15 @@ impl<'a> Lowering<'a> {
     /// The step that a control word is tied to; checked programs have one.
     fn partner(&self, index: usize) -> StepId {
         let partner = self.checked.blocks.links[index].partner;
-        self.steps[partner.unwrap_or(index)]
+        self.step(partner.unwrap_or(index))
     }
 
     /// The step that a jump leads to; checked programs have one.
     fn jump(&self, index: usize) -> StepId {
-        self.steps[self.checked.jumps[index].unwrap_or(index)]
+        self.step(self.checked.jumps[index].unwrap_or(index))
+    }
+
+    fn step(&self, index: usize) -> StepId {
+        self.module.statements[index].step
     }
 }

@@ -122,11 +122,7 @@ impl Migration {
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {
-        return Err(Box::new(Loaded {
-            source,
-            program: None,
-            diagnostics: vec![fault],
-        }));
+        return Err(Box::new(Loaded::refused(source, vec![fault])));
     }
     let mut migrator = Migrator {
         source: &source,

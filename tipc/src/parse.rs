@@ -17,7 +17,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::Token;
 use crate::source::{Source, first_beyond};
-use crate::syntax::{Module, Span, Statement, StatementKind};
+use crate::syntax::{Module, Span, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 const LINE_LIMIT: usize = 1023;
@@ -35,6 +35,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         source,
         text: source.text(),
         line: 1,
+        step: 0,
         tokens: Vec::new(),
         module: Module {
             title: header::title(source),
@@ -60,6 +61,8 @@ struct Parser<'a> {
     text: &'a str,
     /// The current line, from 1.
     line: u32,
+    /// The next statement's step, from 0.
+    step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
     module: Module,
@@ -101,11 +104,14 @@ impl Parser<'_> {
     }
 
     fn push(&mut self, kind: StatementKind, span: Span) {
-        self.module.statements.push(Statement {
+        let statement = Statement {
             kind,
             span,
             line: self.line,
-        });
+            step: self.step,
+        };
+        self.step += u32::from(statement.is_step());
+        self.module.statements.push(statement);
     }
 
     /// `span` without the characters at its ends that `drop` names.

@@ -1,6 +1,6 @@
 //! A program, fully resolved: what every back end starts from. Only the lowering makes one.
 
-pub use crate::syntax::{Arithmetic, Relation, VariableKind};
+pub use crate::syntax::{Arithmetic, Relation, StepId, VariableKind};
 pub use tip_runtime::command::{Flag, Op, Port, Target, Teach};
 pub use tip_runtime::program::{End, Signature};
 
@@ -13,9 +13,6 @@ pub use action::{Action, Argument, MessagePart};
 pub use operand::{
     Axis, Condition, Function, Operand, Scalar, ScalarExpression, StructExpression, VariableId,
 };
-
-/// The number of a step, from 0.
-pub type StepId = u32;
 
 /// A motion program.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,6 +139,4 @@ pub struct Step {
     pub column: u32,
     /// The statement as written, blanks trimmed.
     pub text: SmolStr,
-    /// The statement's line of FORMAL.TMP: fields separated by tabs.
-    pub formal: SmolStr,
 }

@@ -2,6 +2,10 @@
 //!
 //! Words are upper-cased. Every piece keeps its span.
 
+mod module;
+
+pub use module::{Module, Statement};
+
 use crate::diagnostic::Diagnostic;
 use smol_str::{SmolStr, StrExt};
 
@@ -35,6 +39,9 @@ pub struct Spanned<T> {
     pub span: Span,
 }
 
+/// The number of a step, from 0.
+pub type StepId = u32;
+
 /// A word, upper-cased.
 pub type Word = Spanned<SmolStr>;
 
@@ -44,26 +51,6 @@ pub(crate) fn upper_case(text: &str) -> SmolStr {
         true => text.to_ascii_uppercase_smolstr(),
         false => text.into(),
     }
-}
-
-/// A whole source file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Module {
-    /// Line 2.
-    pub title: String,
-    /// The statements up to and including the first END.
-    pub statements: Vec<Statement>,
-}
-
-/// One statement. Each but a declaration is one step; `L1: CMD` is two statements, `SUBROUTINE NAME:` one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Statement {
-    /// What it is.
-    pub kind: StatementKind,
-    /// The whole statement.
-    pub span: Span,
-    /// Its source line, from 1.
-    pub line: u32,
 }
 
 /// What a statement is. Large parts are boxed: a long program holds many statements.

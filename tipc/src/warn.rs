@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId, VariableKind};
 use crate::source::Source;
-use crate::syntax::{Module, Span, StatementKind};
+use crate::syntax::{Module, Span};
 
 /// How many pieces of a way are shown, one for each jump on it.
 const PIECES: usize = 8;
@@ -26,19 +26,9 @@ pub(crate) fn warnings(
         source,
         module,
         reads,
-        statements: statements_of_steps(module),
     };
     gaps.iter()
         .map(|gap| warning(program, gap, places.of(program, gap)))
-        .collect()
-}
-
-/// The statement of each step.
-fn statements_of_steps(module: &Module) -> Vec<usize> {
-    let statements = module.statements.iter().enumerate();
-    statements
-        .filter(|(_, statement)| !matches!(statement.kind, StatementKind::Define { .. }))
-        .map(|(index, _)| index)
         .collect()
 }
 
@@ -47,13 +37,14 @@ struct Places<'a> {
     source: &'a Source,
     module: &'a Module,
     reads: &'a [ReadPlace],
-    statements: Vec<usize>,
 }
 
 impl Places<'_> {
     /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
     fn of(&self, program: &Program, gap: &Gap) -> Span {
-        let statement = self.statements[gap.step as usize];
+        let Some(statement) = self.module.statement_of(gap.step) else {
+            return Span::default();
+        };
         let start = self
             .reads
             .partition_point(|read| read.statement < statement);

@@ -3,14 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tipc::program::{Program, VariableKind};
-use tipc::{Options, Robot, listing, load};
+use tipc::{Loaded, Options, Robot, listing, load};
 
-fn program(text: &str, robot: Robot) -> Program {
+fn loaded(text: &str, robot: Robot) -> Loaded {
     let options = Options {
         robot,
         ..Options::default()
     };
-    let loaded = load("listing.prg", text.as_bytes(), &options);
+    load("listing.prg", text.as_bytes(), &options)
+}
+
+fn program(text: &str, robot: Robot) -> Program {
+    let loaded = loaded(text, robot);
     let found = loaded.diagnostics;
     loaded.program.unwrap_or_else(|| panic!("{found:#?}"))
 }
@@ -18,7 +22,9 @@ fn program(text: &str, robot: Robot) -> Program {
 /// FORMAL.TMP of a program for TITAN VIII, a bar for each tab.
 fn formal(statements: &str) -> String {
     let text = format!("3.1\nformal\n{statements}\nEND\n");
-    listing::formal(&program(&text, Robot::Titan8)).replace('\t', "|")
+    let loaded = loaded(&text, Robot::Titan8);
+    assert!(loaded.program.is_some(), "{:#?}", loaded.diagnostics);
+    listing::formal(&loaded.source, &loaded.module).replace('\t', "|")
 }
 
 // clauses: 9.1 1.7 1.12 2.1
@@ -210,7 +216,7 @@ fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// A program text from nothing but the listing and the variables.
-fn from_listing(program: &Program) -> String {
+fn from_listing(loaded: &Loaded, program: &Program) -> String {
     let mut text = String::from("3.1\nfrom its listing\n");
     for variable in &program.variables()[1..] {
         let keyword = match variable.kind {
@@ -220,7 +226,7 @@ fn from_listing(program: &Program) -> String {
         };
         text.push_str(&format!("{keyword} {}\n", variable.name));
     }
-    text + &listing::formal(program)
+    text + &listing::formal(&loaded.source, &loaded.module)
 }
 
 // clauses: 9.1
@@ -240,10 +246,11 @@ fn a_listing_is_the_same_program() {
                 robot: *robot,
                 ..Options::default()
             };
-            let Some(first) = load("case.prg", &bytes, &options).program else {
+            let loaded = load("case.prg", &bytes, &options);
+            let Some(first) = &loaded.program else {
                 continue;
             };
-            let again = program(&from_listing(&first), *robot);
+            let again = program(&from_listing(&loaded, first), *robot);
             let actions = |program: &Program| -> Vec<_> {
                 program
                     .steps()
@@ -251,7 +258,7 @@ fn a_listing_is_the_same_program() {
                     .map(|step| step.action.clone())
                     .collect()
             };
-            assert_eq!(actions(&again), actions(&first), "{}", path.display());
+            assert_eq!(actions(&again), actions(first), "{}", path.display());
             assert_eq!(again.labels(), first.labels(), "{}", path.display());
             compared += 1;
         }

@@ -20,7 +20,7 @@ fn fields(robot: Robot, statement: &str) -> Vec<String> {
     let loaded = load("p.prg", text.as_bytes(), &options);
     let program = loaded.program.as_ref();
     let program = program.unwrap_or_else(|| panic!("{:#?}", loaded.diagnostics));
-    let text = listing::object(program);
+    let text = listing::object(&loaded.source, &loaded.module, program);
     let record = text
         .lines()
         .skip(1)

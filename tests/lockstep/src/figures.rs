@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use std::fmt;
 use tipc::Robot;
 use tipc::commands::{self, FLAG_FAMILIES};
-use tipc::program::{Program, Step};
 use tipc::syntax::FUNCTIONS;
 
 /// Counts by name. As text it is a line for each: the name, a tab, the count.
@@ -50,16 +49,17 @@ impl Figures {
         figures
     }
 
-    pub(crate) fn count_run(&mut self, robot: Robot, program: &Program, run: &Run) {
+    /// Counts what a run showed. `formal` is the program's FORMAL.TMP, a line for each step.
+    pub(crate) fn count_run(&mut self, robot: Robot, formal: &str, run: &Run) {
         let robot = robot.name();
         self.add("runs".to_owned(), 1);
         self.add("cycles".to_owned(), run.cycles);
         self.add(format!("cycles on {robot}"), run.cycles);
         self.add(format!("end {robot}/{}", kind_of_end(&run.end)), 1);
-        for (step, visits) in program.steps().iter().zip(&run.visits) {
+        for (line, visits) in formal.lines().zip(&run.visits) {
             self.add("steps".to_owned(), *visits);
             if *visits > 0 {
-                for feature in features(step) {
+                for feature in features(line) {
                     self.add(format!("ran {robot}/{feature}"), *visits);
                 }
             }
@@ -85,8 +85,8 @@ fn kind_of_end(end: &str) -> &str {
 }
 
 /// What of the language a step shows: its command, and the function, operator or flag in it.
-fn features(step: &Step) -> Vec<String> {
-    let fields: Vec<&str> = step.formal.split('\t').collect();
+fn features(formal: &str) -> Vec<String> {
+    let fields: Vec<&str> = formal.split('\t').collect();
     let first = fields.first().copied().unwrap_or_default();
     let Some(command) = commands::find(first) else {
         return match first.ends_with(':') {

@@ -25,7 +25,7 @@ pub use shrink::shrink;
 
 use tip_runtime::program::Program;
 use tipc::interp::Interpreter;
-use tipc::{Options, Robot};
+use tipc::{Loaded, Options, Robot, listing};
 
 /// Seed, robot and text of a program, and a maker of its compiled form.
 pub type Subject = ((u64, &'static str, &'static str), fn() -> Box<dyn Program>);
@@ -35,14 +35,19 @@ pub type Subject = ((u64, &'static str, &'static str), fn() -> Box<dyn Program>)
 /// # Panics
 /// It does not load.
 pub fn interpreter(subject: &Subject) -> (Robot, tipc::program::Program) {
+    let (robot, loaded) = loaded(subject);
+    (robot, loaded.program.expect("what was compiled loads"))
+}
+
+fn loaded(subject: &Subject) -> (Robot, Loaded) {
     let ((seed, robot, source), _) = subject;
     let robot = Robot::from_name(robot).expect("a robot of the compiler");
     let options = Options {
         robot,
         ..Options::default()
     };
-    let loaded = tipc::load(&format!("{seed}.prg"), source.as_bytes(), &options);
-    (robot, loaded.program.expect("what was compiled loads"))
+    let name = format!("{seed}.prg");
+    (robot, tipc::load(&name, source.as_bytes(), &options))
 }
 
 /// Runs both engines of a subject by a script, and counts what ran.
@@ -50,11 +55,13 @@ pub fn interpreter(subject: &Subject) -> (Robot, tipc::program::Program) {
 /// # Panics
 /// The subject does not load.
 pub fn compare(subject: &Subject, script: &Script, figures: &mut Figures) -> Verdict {
-    let (robot, program) = interpreter(subject);
+    let (robot, loaded) = loaded(subject);
+    let program = loaded.program.expect("what was compiled loads");
     let make_interpreter = || Box::new(Interpreter::new(program.clone())) as Box<dyn Program>;
     let verdict = duel(robot, script, &make_interpreter, &subject.1);
     if let Verdict::Same(run) = &verdict {
-        figures.count_run(robot, &program, run);
+        let formal = listing::formal(&loaded.source, &loaded.module);
+        figures.count_run(robot, &formal, run);
     }
     verdict
 }

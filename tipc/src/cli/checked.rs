@@ -8,6 +8,7 @@ use tipc::Loaded;
 use tipc::diagnostic::Diagnostic;
 use tipc::program::Program;
 use tipc::source::Source;
+use tipc::syntax::Module;
 
 /// A program that loads.
 pub(super) struct Checked {
@@ -15,6 +16,7 @@ pub(super) struct Checked {
     pub(super) robot: ChosenRobot,
     pub(super) program: Program,
     pub(super) source: Source,
+    pub(super) module: Module,
     /// The warnings about it, told already.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
@@ -34,6 +36,7 @@ pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checke
     report::findings(&loaded, format);
     let Loaded {
         source,
+        module,
         program,
         diagnostics,
     } = loaded;
@@ -41,6 +44,7 @@ pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checke
         robot,
         program: program?,
         source,
+        module,
         diagnostics,
     })
 }

@@ -15,9 +15,9 @@ pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
     let program = &checked.program;
     let text = match arguments.form {
         Form::Rust => as_rust(program)?,
-        Form::Formal => listing::formal(program),
+        Form::Formal => listing::formal(&checked.source, &checked.module),
         Form::Label => listing::label(program),
-        Form::Obj => listing::object(program),
+        Form::Obj => listing::object(&checked.source, &checked.module, program),
         Form::Warning => listing::warnings(&checked.source, &checked.diagnostics),
     };
     match &arguments.out {

@@ -50,11 +50,7 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 fn unreadable(name: String, error: &io::Error) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string());
-    Loaded {
-        source,
-        program: None,
-        diagnostics: vec![finding.about(name)],
-    }
+    Loaded::refused(source, vec![finding.about(name)])
 }
 
 /// Whether there was a file to load, be it good or bad.

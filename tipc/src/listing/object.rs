@@ -3,27 +3,33 @@
 mod record;
 mod slot;
 
+use super::formal::line;
 use crate::commands::find;
 use crate::program::{
     Action, Argument, Arithmetic, Axis, Condition, Function, Operand, Program, Relation,
-    ScalarExpression, Step, StepId, StructExpression,
+    ScalarExpression, StepId, StructExpression,
 };
+use crate::source::Source;
+use crate::syntax::Module;
 use record::Record;
 use slot::{Slot, Variables, flag_name, port_name, target_name};
 use tip_runtime::command::{Port, Target};
 
-/// TIP.OBJ: for each step its command, its target, and the types and values of its arguments.
+/// TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its target, and the types and values of its arguments.
 ///
 /// There are five arguments, or as many as a leg has joints if that is more.
-pub fn object(program: &Program) -> String {
+pub fn object(source: &Source, module: &Module, program: &Program) -> String {
     let count = usize::from(program.signature().joints).max(5);
     let mut listing = Listing {
         variables: Variables::new(program),
         texts: 0,
     };
-    let records = program.steps().iter().enumerate();
-    records
-        .map(|(number, step)| listing.record(step).text(number, count))
+    let steps = module.steps().zip(program.steps()).enumerate();
+    steps
+        .map(|(number, (statement, step))| {
+            let formal = line(source, statement);
+            listing.record(&formal, &step.action).text(number, count)
+        })
         .collect()
 }
 
@@ -35,12 +41,13 @@ struct Listing<'a> {
 }
 
 impl Listing<'_> {
-    fn record(&mut self, step: &Step) -> Record {
-        let mut fields = step.formal.split('\t');
+    /// The record of a step, whose line of FORMAL.TMP tells how it was written.
+    fn record(&mut self, formal: &str, action: &Action) -> Record {
+        let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();
         let name = find(word).map_or(word, |command| command.name);
         let last = fields.next_back();
-        match &step.action {
+        match action {
             Action::Nothing if word.ends_with(':') => Record::new("LABEL_CMD"),
             Action::Message { .. } if word == "MESSAGE" => self.message(),
             Action::KeyIn { into } => {

@@ -43,7 +43,8 @@ fn object(robot: Robot, statements: &str) -> String {
     let loaded = load("p.prg", text.as_bytes(), &options);
     let found = &loaded.diagnostics;
     let program = loaded.program.as_ref();
-    listing::object(program.unwrap_or_else(|| panic!("{statements}: {found:#?}")))
+    let program = program.unwrap_or_else(|| panic!("{statements}: {found:#?}"));
+    listing::object(&loaded.source, &loaded.module, program)
 }
 
 /// Declarations, then one step a line beside what it is in TIP.OBJ; VAR_KEY is VAR 0, so N is VAR 1.

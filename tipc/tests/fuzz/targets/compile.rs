@@ -14,13 +14,14 @@ pub fn examine(bytes: &[u8]) {
             robot: *robot,
             ..Options::default()
         };
-        let Some(program) = load("random.prg", bytes, &options).program else {
+        let loaded = load("random.prg", bytes, &options);
+        let Some(program) = loaded.program else {
             continue;
         };
         let sampling = Sampling::of(*robot);
         json(&program, &parts(&program, sampling), sampling);
         listing::label(&program);
-        listing::object(&program);
+        listing::object(&loaded.source, &loaded.module, &program);
         let tokens = emit(&program, &emit::Options::default());
         if let Err(error) = pretty(&program, tokens) {
             panic!("{error}: {}", String::from_utf8_lossy(bytes));

@@ -35,7 +35,9 @@ pub fn examine(bytes: &[u8]) {
             .any(|one| one.level() == Level::Error);
         assert_eq!(loaded.program.is_none(), wrong, "{seen}");
         if let Some(program) = loaded.program {
-            let lines = listing::formal(&program).lines().count();
+            let lines = listing::formal(&loaded.source, &loaded.module)
+                .lines()
+                .count();
             assert_eq!(lines, program.steps().len(), "{seen}");
         }
     }

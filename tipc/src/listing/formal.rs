@@ -4,30 +4,24 @@ use crate::source::Source;
 use crate::syntax::{
     Arithmetic, Condition, Expression, Jump, Relation, Span, Statement, StatementKind, Then,
 };
-use smol_str::SmolStr;
 
-/// A line as it grows, field by field; one after the other.
-pub(super) struct Line<'a> {
+/// The line of one statement of a source.
+pub(super) fn line(source: &Source, statement: &Statement) -> String {
+    let mut line = Line {
+        source,
+        text: String::new(),
+    };
+    line.statement(&statement.kind, statement.span);
+    line.text
+}
+
+/// A line as it grows, field by field.
+struct Line<'a> {
     source: &'a Source,
     text: String,
 }
 
-impl<'a> Line<'a> {
-    /// Of a source's statements.
-    pub(super) const fn of(source: &'a Source) -> Self {
-        Line {
-            source,
-            text: String::new(),
-        }
-    }
-
-    /// The line of one statement.
-    pub(super) fn write(&mut self, statement: &Statement) -> SmolStr {
-        self.text.clear();
-        self.statement(&statement.kind, statement.span);
-        self.text.as_str().into()
-    }
-
+impl Line<'_> {
     fn statement(&mut self, kind: &StatementKind, span: Span) {
         match kind {
             StatementKind::Label(name) => self.label(&name.node),
@@ -92,7 +86,16 @@ impl<'a> Line<'a> {
                     self.source(argument.span);
                 }
             }
-            _ => self.source(span),
+            StatementKind::Define { .. }
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::SubEnd
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Broken(_) => self.source(span),
         }
     }
 
