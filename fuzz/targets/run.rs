@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| tip_fuzz::run::examine(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| robustness::run::examine(bytes));

@@ -1,7 +1,7 @@
 //! Ctrl-C as a key, and a signal, on a compiled program.
 #![cfg(target_os = "linux")]
 
-#[path = "../../../tipc/tests/cli/faults/terminal.rs"]
+#[path = "../../../tools/cli/tests/cli/faults/terminal.rs"]
 mod terminal;
 
 use rustix::process::{Pid, Signal, kill_process};

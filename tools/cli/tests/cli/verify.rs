@@ -23,7 +23,7 @@ END";
 
 /// The command on the program with the run-time of this workspace.
 fn verify(folder: &Folder, arguments: &[&str], planted: bool) -> Outcome {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.toml");
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.toml");
     let workspace = workspace.to_str().expect("a path in UTF-8");
     let all = [
         &["verify", "p.prg", "--manifest-path", workspace],

@@ -35,7 +35,7 @@ A compiled program writes its logs by the same `LogFiles`. Where it reads the ke
 does. The signal ends it as any process, unless its host catches it; then earlier files stay, and what was being written is left beside them
 as `.NAME.PROCESS.part`. `cargo test -p walk --test interrupt` tries both.
 
-`cargo test -p tipc --all-features --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
+`cargo test -p tipc-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
 writes it anew.
 ";
 
@@ -52,7 +52,7 @@ fn whatever_happens_to_files_and_runs_has_its_outcome_and_the_table_says_which()
         text += &format!("| {place} | {fault} | {outcome} | {runs} |\n");
     }
     text += TAIL;
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/faults.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/faults.md");
     let page = fs::read_to_string(&path).expect("the page of faults");
     let (before, half) = page.split_once(HEADING).expect("the heading of this half");
     if env::var_os("TIP_BLESS").is_some() {

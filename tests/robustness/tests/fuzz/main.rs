@@ -1,22 +1,16 @@
 //! What the fuzzer of the folder `fuzz` found, tried again: each file of its corpora and of its former crashers.
-#![expect(
-    clippy::disallowed_methods,
-    reason = "corpora and dictionaries are files"
-)]
 
 mod damaged;
 mod dictionaries;
 #[path = "../random/mod.rs"]
 mod random;
-#[allow(unreachable_pub, reason = "they are shared with the fuzzer")]
-mod targets;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder of the fuzzer; the package alone has none.
+/// The folder of the fuzzer.
 fn fuzzer() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
 }
 
 /// Examines every file that is kept for a target.
@@ -36,7 +30,7 @@ macro_rules! targets {
         $(
             #[test]
             fn $target() {
-                replay(stringify!($target), targets::$target::examine);
+                replay(stringify!($target), robustness::$target::examine);
             }
         )*
     };

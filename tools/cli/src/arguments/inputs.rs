@@ -7,7 +7,7 @@ use tipc::lockstep::inputs::{Keys, Sensor};
 
 /// What happens around a simulated robot, and how long it runs.
 #[derive(Debug, Args)]
-pub(in crate::cli) struct InputArguments {
+pub(crate) struct InputArguments {
     /// Stop after this many control cycles
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     cycles: Option<u64>,
@@ -26,12 +26,12 @@ pub(in crate::cli) struct InputArguments {
 
     /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
-    pub(in crate::cli) scene: Option<SceneChoice>,
+    pub(crate) scene: Option<SceneChoice>,
 }
 
 impl InputArguments {
     /// What the run is told.
-    pub(in crate::cli) fn inputs(&self) -> Inputs {
+    pub(crate) fn inputs(&self) -> Inputs {
         Inputs {
             keys: self.keys.clone().unwrap_or_default().0,
             sensors: self.sensors.clone(),

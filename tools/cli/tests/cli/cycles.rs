@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// What follows `start` in the code block of docs/analysis.md that begins so.
 fn shown(kind: &str, start: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/analysis.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/analysis.md");
     let text = fs::read_to_string(path).expect("docs/analysis.md is part of the repository");
     let fence = format!("```{kind}\n");
     let mut blocks = text.split(&fence);

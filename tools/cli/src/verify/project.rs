@@ -159,7 +159,7 @@ fn same_version(package: &Value) -> Result<(), Error> {
         return Ok(());
     }
     Err(Error::Failed(format!(
-        "the project has {name} {version}, this is tipc {VERSION}: `cargo install tipc --version {version} --features cli` \
+        "the project has {name} {version}, this is tipc {VERSION}: `cargo install tipc-cli --version {version}` \
          installs the one that belongs to it"
     )))
 }

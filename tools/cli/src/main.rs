@@ -1,4 +1,5 @@
-//! The commands, one file each, and what they share.
+//! The command `tipc`: its commands, one file each, and what they share.
+#![forbid(unsafe_code)]
 
 mod arguments;
 mod check;
@@ -37,7 +38,7 @@ enum Status {
 }
 
 /// Does what the command line says.
-pub(crate) fn main() -> ExitCode {
+fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {

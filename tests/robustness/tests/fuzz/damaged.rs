@@ -1,9 +1,9 @@
 //! Descriptions of robots that were damaged, by the target of the fuzzer.
 
 use crate::random::Random;
-use crate::targets::description::examine;
+use robustness::description::examine;
 
-const EXAMPLE: &str = include_str!("../robots/hexapod.toml");
+const EXAMPLE: &str = include_str!("../../../../tipc/tests/robots/hexapod.toml");
 
 #[test]
 fn a_file_that_breaks_off_anywhere() {

@@ -1,6 +1,6 @@
 //! Robots from URDF: what is imported is a description with a sound model, or there is a reason.
 
-use super::description;
+use crate::description;
 use tipc::urdf::import;
 
 /// Imports the bytes, bad ones replaced as the command line does.

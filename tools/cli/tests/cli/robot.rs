@@ -2,7 +2,7 @@
 
 use crate::support::Folder;
 
-const HEXAPOD: &str = include_str!("../robots/hexapod.toml");
+const HEXAPOD: &str = include_str!("../../../../tipc/tests/robots/hexapod.toml");
 
 /// Lifts the last foot, then turns the last joint.
 const LIFT: &str = "REL_PTP F6 0 0 20\nWAIT_INPOS F6\nREL_PTP_ANGLE J63 5\nEND";

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 fn readme() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../README.md");
     fs::read_to_string(path).expect("README.md is part of the repository")
 }
 

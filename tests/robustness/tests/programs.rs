@@ -1,12 +1,9 @@
 //! Whatever the bytes: no panic, places inside the text, a program exactly when nothing is wrong, however long.
 
-#[path = "fuzz/targets/load.rs"]
-#[allow(unreachable_pub, reason = "it is shared with the fuzzer")]
-mod load;
 mod random;
 
-use load::examine;
 use random::Random;
+use robustness::load::examine;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tipc::Options;
@@ -198,7 +195,7 @@ fn mutated_programs() {
     let mut random = Random(0x5EED_0003);
     let mut paths = Vec::new();
     cases(
-        &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/cases"),
+        &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../cases"),
         &mut paths,
     );
     paths.sort();

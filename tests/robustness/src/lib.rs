@@ -1,0 +1,11 @@
+//! What must hold of any bytes, one file for each reader of the outside's files. The fuzzer of the folder `fuzz` finds the
+//! bytes; the test `fuzz` tries those that it found before.
+#![forbid(unsafe_code)]
+
+pub mod compile;
+pub mod description;
+pub mod load;
+pub mod migrate;
+pub mod run;
+pub mod scene;
+pub mod urdf;
