@@ -1,4 +1,4 @@
-//! What the fuzzer of the folder `fuzz` found, tried again: each file of its corpora and of its former crashers.
+//! What the fuzzer of the folder `tests/fuzz` found, tried again: each file of its corpora and of its former crashers.
 
 mod damaged;
 mod dictionaries;
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// The folder of the fuzzer.
 fn fuzzer() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz")
 }
 
 /// Examines every file that is kept for a target.
