@@ -1,6 +1,7 @@
 //! What a compiled batch does: runs each of its programs several times, each time among other events.
 
-use lockstep::{Difference, Figures, Scenery, Script, Subject, Verdict, compare, shrink};
+use crate::found::{self, Failure};
+use lockstep::{Figures, Scenery, Script, Subject, Verdict, compare, shrink};
 use std::env;
 use std::process::ExitCode;
 use tipc::Robot;
@@ -66,17 +67,6 @@ impl Effort {
     }
 }
 
-/// A program whose engines part, with the shortest script that shows it.
-#[derive(Clone, Debug)]
-pub struct Failure<'a> {
-    /// The program.
-    pub subject: &'a Subject,
-    /// The events.
-    pub script: Script,
-    /// Where they part.
-    pub difference: Difference,
-}
-
 /// Prints the figures of a batch, a fingerprint of each program's runs, and what is different behind it.
 pub fn main(subjects: &[Subject]) -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -88,7 +78,7 @@ pub fn main(subjects: &[Subject]) -> ExitCode {
     for subject in subjects {
         match program(subject, &effort, &mut figures) {
             Ok(hash) => println!("same {} {hash:016x}", subject.0.0),
-            Err(failure) => print!("{}", crate::found::text(&failure)),
+            Err(failure) => print!("{}", found::text(&failure)),
         }
     }
     print!("{figures}");

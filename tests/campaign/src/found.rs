@@ -1,8 +1,18 @@
 //! A difference as it is told, and as a case of the language.
 
-use crate::batch::Failure;
-use lockstep::{Event, Happening, Script};
+use lockstep::{Difference, Event, Happening, Script, Subject};
 use tip_runtime::command::Port;
+
+/// A program whose engines part, with the shortest script that shows it.
+#[derive(Clone, Debug)]
+pub struct Failure<'a> {
+    /// The program.
+    pub subject: &'a Subject,
+    /// The events.
+    pub script: Script,
+    /// Where they part.
+    pub difference: Difference,
+}
 
 /// `differs`, the seed, the options of a run by which it shows, and both sides in words.
 pub fn text(failure: &Failure<'_>) -> String {
