@@ -4,10 +4,10 @@ mod inputs;
 
 pub(super) use inputs::InputArguments;
 
+use super::choices::{EncodingName, Form, Format};
 use super::robot::RobotChoice;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
-use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
 /// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
@@ -306,73 +306,6 @@ pub(super) struct Migrate {
     /// How the report on standard error is written: for people, or lines for tools
     #[arg(long, value_enum, default_value = "human")]
     pub(super) message_format: Format,
-}
-
-/// The robots by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum RobotName {
-    /// TITAN VIII, the quadruped
-    Titan8,
-    /// Hiroshima Hand
-    Hand,
-    /// Every generic command, on TITAN VIII's geometry
-    Generic,
-}
-
-impl RobotName {
-    pub(super) fn robot(self) -> Robot {
-        match self {
-            RobotName::Titan8 => Robot::Titan8,
-            RobotName::Hand => Robot::Hand,
-            RobotName::Generic => Robot::Generic,
-        }
-    }
-}
-
-/// The encodings by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum EncodingName {
-    Auto,
-    #[value(name = "utf-8", alias = "utf8")]
-    Utf8,
-    #[value(name = "shift_jis", aliases = ["shift-jis", "sjis"])]
-    ShiftJis,
-}
-
-impl EncodingName {
-    pub(super) fn encoding(self) -> Encoding {
-        match self {
-            EncodingName::Auto => Encoding::Auto,
-            EncodingName::Utf8 => Encoding::Utf8,
-            EncodingName::ShiftJis => Encoding::ShiftJis,
-        }
-    }
-}
-
-/// How findings are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    /// With the source line, help and colour
-    Human,
-    /// One line each
-    Short,
-    /// One JSON object a line
-    Json,
-}
-
-/// The forms of a program.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Form {
-    /// Rust source
-    Rust,
-    /// FORMAL.TMP
-    Formal,
-    /// LABEL.TMP
-    Label,
-    /// TIP.OBJ
-    Obj,
-    /// WARNING.LOG
-    Warning,
 }
 
 fn version_number(text: &str) -> Result<f64, String> {

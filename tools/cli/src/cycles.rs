@@ -1,7 +1,8 @@
 //! `tipc cycles`: how many control cycles the parts of a program take.
 
-use super::arguments::{Cycles, Format};
+use super::arguments::Cycles;
 use super::checked::checked;
+use super::choices::Format;
 use super::error::Error;
 use super::{Status, output};
 use tipc::analysis::cycles::{self, Sampling};

@@ -1,6 +1,7 @@
 //! `tipc robot`: descriptions of robots.
 
-use super::arguments::{CheckRobot, Format, Import};
+use super::arguments::{CheckRobot, Import};
+use super::choices::Format;
 use super::error::Error;
 use super::{Status, input, output, report};
 use std::fmt::Write as _;

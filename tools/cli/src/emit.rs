@@ -1,7 +1,8 @@
 //! `tipc emit`: a program in another form.
 
-use super::arguments::{Emit, Form};
+use super::arguments::Emit;
 use super::checked::checked;
+use super::choices::Form;
 use super::error::Error;
 use super::{Status, output};
 use tipc::program::Program;

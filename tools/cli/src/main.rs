@@ -4,6 +4,7 @@
 mod arguments;
 mod check;
 mod checked;
+mod choices;
 mod cycles;
 mod describe;
 mod emit;

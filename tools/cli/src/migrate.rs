@@ -1,6 +1,7 @@
 //! `tipc migrate`: a program of an older version as one of version 3.1.
 
-use super::arguments::{Format, Migrate};
+use super::arguments::Migrate;
+use super::choices::Format;
 use super::error::Error;
 use super::{Status, input, output, report};
 use tipc::migrate::{self, Migration};

@@ -1,6 +1,6 @@
 //! Findings and errors, for people on standard error and for tools on standard output.
 
-use super::arguments::Format;
+use super::choices::Format;
 use super::error::Error;
 use super::output;
 use std::env;

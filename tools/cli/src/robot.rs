@@ -1,6 +1,6 @@
 //! The robot of the command line: one with a name, or one with a description.
 
-use super::arguments::RobotName;
+use super::choices::RobotName;
 use super::input;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};

@@ -8,7 +8,8 @@ mod screen;
 mod simulation;
 mod trace;
 
-use super::arguments::{RobotName, Run};
+use super::arguments::Run;
+use super::choices::RobotName;
 use super::error::Error;
 use super::robot::ChosenRobot;
 use super::{Status, input, report, scene};

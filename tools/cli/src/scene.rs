@@ -1,6 +1,6 @@
 //! `--scene`: what stands around the robot.
 
-use super::arguments::Format;
+use super::choices::Format;
 use super::error::Error;
 use super::{input, report};
 use std::fmt;

@@ -1,7 +1,8 @@
 //! The package that is built: the user's program as Rust and as text, its robot, and a loop that answers requests.
 
-use super::super::arguments::{RobotName, Verify};
+use super::super::arguments::Verify;
 use super::super::checked::Checked;
+use super::super::choices::RobotName;
 use super::super::error::Error;
 use super::super::robot::ChosenRobot;
 use super::super::{output, scene};

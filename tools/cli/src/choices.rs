@@ -1,0 +1,72 @@
+//! The words that options choose from.
+
+use clap::ValueEnum;
+use tipc::Robot;
+use tipc::source::Encoding;
+
+/// The robots by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum RobotName {
+    /// TITAN VIII, the quadruped
+    Titan8,
+    /// Hiroshima Hand
+    Hand,
+    /// Every generic command, on TITAN VIII's geometry
+    Generic,
+}
+
+impl RobotName {
+    pub(super) fn robot(self) -> Robot {
+        match self {
+            RobotName::Titan8 => Robot::Titan8,
+            RobotName::Hand => Robot::Hand,
+            RobotName::Generic => Robot::Generic,
+        }
+    }
+}
+
+/// The encodings by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum EncodingName {
+    Auto,
+    #[value(name = "utf-8", alias = "utf8")]
+    Utf8,
+    #[value(name = "shift_jis", aliases = ["shift-jis", "sjis"])]
+    ShiftJis,
+}
+
+impl EncodingName {
+    pub(super) fn encoding(self) -> Encoding {
+        match self {
+            EncodingName::Auto => Encoding::Auto,
+            EncodingName::Utf8 => Encoding::Utf8,
+            EncodingName::ShiftJis => Encoding::ShiftJis,
+        }
+    }
+}
+
+/// How findings are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// With the source line, help and colour
+    Human,
+    /// One line each
+    Short,
+    /// One JSON object a line
+    Json,
+}
+
+/// The forms of a program.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Form {
+    /// Rust source
+    Rust,
+    /// FORMAL.TMP
+    Formal,
+    /// LABEL.TMP
+    Label,
+    /// TIP.OBJ
+    Obj,
+    /// WARNING.LOG
+    Warning,
+}
