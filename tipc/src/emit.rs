@@ -9,8 +9,6 @@
 mod command;
 mod expression;
 mod ident;
-#[cfg(feature = "planted-fault")]
-mod planted;
 #[cfg(feature = "build")]
 mod pretty;
 mod state;
@@ -21,8 +19,6 @@ mod word;
 mod tests;
 
 pub use ident::type_name;
-#[cfg(feature = "planted-fault")]
-pub use planted::planted;
 #[cfg(feature = "build")]
 pub use pretty::pretty;
 #[cfg(all(feature = "build", feature = "robot-files"))]

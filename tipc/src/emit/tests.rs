@@ -256,24 +256,6 @@ fn what_leads_on_is_there_for_all_but_commands() {
     }
 }
 
-#[cfg(feature = "planted-fault")]
-#[test]
-fn the_planted_fault_is_in_greater_alone() {
-    let with = |relation| {
-        let condition = compare(constant(1.0), relation, constant(2.0));
-        let action = Action::If {
-            condition,
-            otherwise: 1,
-        };
-        program(&[], vec![action, Action::Finish(End::End)])
-    };
-    let planted = |relation| super::planted(&with(relation), &Options::default()).to_string();
-    for sound in [Relation::Eq, Relation::Lt, Relation::Ge] {
-        assert_eq!(planted(sound), text(&with(sound)));
-    }
-    assert_eq!(planted(Relation::Gt), text(&with(Relation::Ge)));
-}
-
 #[test]
 fn name_visibility_and_run_time_are_options() {
     let options = Options {

@@ -7,7 +7,7 @@ use super::super::error::Error;
 use super::super::robot::ChosenRobot;
 use super::super::{output, scene};
 use super::project::Project;
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span};
 use quote::quote;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -172,22 +172,8 @@ fn main() -> io::Result<()> {{
 }
 
 fn compiled(program: &Program) -> Result<String, Error> {
-    let tokens = tokens(program, &spelling("Verified"));
+    let tokens = emit::emit(program, &spelling("Verified"));
     emit::pretty(program, tokens).map_err(|error| unspeakable(program.source_name(), &error))
-}
-
-#[cfg(not(feature = "planted-fault"))]
-fn tokens(program: &Program, spelling: &emit::Options) -> TokenStream {
-    emit::emit(program, spelling)
-}
-
-/// With a fault, if the test that runs this asks for one.
-#[cfg(feature = "planted-fault")]
-fn tokens(program: &Program, spelling: &emit::Options) -> TokenStream {
-    match std::env::var_os("TIPC_PLANTED_FAULT") {
-        Some(_) => emit::planted(program, spelling),
-        None => emit::emit(program, spelling),
-    }
 }
 
 fn robot(description: &Description) -> Result<String, Error> {

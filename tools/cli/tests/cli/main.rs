@@ -12,5 +12,4 @@ mod robot;
 mod run;
 mod script;
 mod support;
-#[cfg(feature = "planted-fault")]
 mod verify;

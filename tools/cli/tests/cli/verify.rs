@@ -1,7 +1,12 @@
-//! `tipc verify`: one program, built with a fault in its emitter and without.
+//! `tipc verify`: one program, built with a fault in its emitted code and without.
 
 use crate::support::{Folder, Outcome};
+#[cfg(unix)]
+use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
+use std::process::Command;
+#[cfg(unix)]
+use std::{env, fs};
 
 /// Counts keys up to 5.
 ///
@@ -21,31 +26,58 @@ ENDIF
 GOTO LOOP:
 END";
 
+/// Stands in for cargo: the emitted code asks for `>=` where the program says `>`. A copy that keeps its time is built once.
+#[cfg(unix)]
+const FAULTY_CARGO: &str = r#"#!/bin/sh
+planted=$(dirname "$0")/planted.rs
+for word; do
+  case $word in
+    */Cargo.toml)
+      code=${word%Cargo.toml}src/program.rs
+      [ -e "$planted" ] || sed 's/value() > /value() >= /' "$code" >"$planted"
+      cp -p "$planted" "$code" ;;
+  esac
+done
+exec "$SOUND_CARGO" "$@"
+"#;
+
 /// The command on the program with the run-time of this workspace.
-fn verify(folder: &Folder, arguments: &[&str], planted: bool) -> Outcome {
+fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.toml");
     let workspace = workspace.to_str().expect("a path in UTF-8");
     let all = [
-        &["verify", "p.prg", "--manifest-path", workspace],
+        &["verify", program, "--manifest-path", workspace],
         arguments,
     ]
     .concat();
-    let mut command = folder.command(&all);
-    if planted {
-        command.env("TIPC_PLANTED_FAULT", "1");
-    }
+    folder.command(&all)
+}
+
+/// What comes of it.
+fn outcome(mut command: Command) -> Outcome {
     Outcome::of(command.output().expect("tipc starts"))
 }
 
 /// The planted fault takes `>` for `>=`: it shows when SPEED is 5, which two keys make it.
+#[cfg(unix)]
 #[test]
 fn a_planted_fault_is_found_and_shrunk() {
-    let folder = Folder::new("verify").program("p.prg", COUNTER);
-    let outcome = verify(&folder, &["--cycles", "200"], true).expect(1);
+    let folder = Folder::new("verify-planted")
+        .program("faulty.prg", COUNTER)
+        .file("faulty-cargo", FAULTY_CARGO);
+    let cargo = folder.path("faulty-cargo");
+    fs::set_permissions(&cargo, PermissionsExt::from_mode(0o755)).expect("the file is ours");
+    let faulty = |arguments: &[&str]| {
+        let mut command = command(&folder, "faulty.prg", arguments);
+        let sound = env::var_os("CARGO").expect("cargo runs the tests");
+        command.env("SOUND_CARGO", sound).env("CARGO", &cargo);
+        outcome(command)
+    };
+    let outcome = faulty(&["--cycles", "200"]).expect(1);
     let shortest = "--keys 0:F,3:F --cycles 17";
     for part in [
         "DIFFER in cycle 16, step 8\n",
-        "--> p.prg:11:1\n",
+        "--> faulty.prg:11:1\n",
         "IF SPEED > 5 THEN\n",
         "interpreter  {\"cycle\":16,\"step\":8,\"next\":10,",
         "compiled     {\"cycle\":16,\"step\":8,\"next\":9,",
@@ -54,12 +86,16 @@ fn a_planted_fault_is_found_and_shrunk() {
         assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
     }
     let words: Vec<_> = shortest.split(' ').collect();
-    let again = verify(&folder, &words, true).expect(1);
+    let again = faulty(&words).expect(1);
     assert_eq!(again.out, outcome.out);
-    let fewer = ["--keys", "0:F,2:F", "--cycles", "17"];
-    verify(&folder, &fewer, true).expect(0);
+    faulty(&["--keys", "0:F,2:F", "--cycles", "17"]).expect(0);
+}
 
-    let outcome = verify(&folder, &["--cycles", "200"], false).expect(0);
+#[test]
+fn engines_that_agree_get_a_certificate() {
+    let folder = Folder::new("verify").program("p.prg", COUNTER);
+    let verify = |arguments: &[&str]| outcome(command(&folder, "p.prg", arguments));
+    let outcome = verify(&["--cycles", "200"]).expect(0);
     for part in [
         "p.prg: compiled code and interpreter agree\n",
         "robot        titan8, 4 x 3 joints, level floor\n",
@@ -71,7 +107,7 @@ fn a_planted_fault_is_found_and_shrunk() {
         assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
     }
     // Given inputs are one run; what it did not come by is told.
-    let outcome = verify(&folder, &["--keys", "0:Q"], false).expect(0);
+    let outcome = verify(&["--keys", "0:Q"]).expect(0);
     for part in [
         "runs         1: 1 to END or EXIT, 0 ",
         "steps        6 of 12\n",
@@ -80,7 +116,7 @@ fn a_planted_fault_is_found_and_shrunk() {
     ] {
         assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
     }
-    let outcome = verify(&folder, &["--sensor", "J99=1@0"], false).expect(2);
+    let outcome = verify(&["--sensor", "J99=1@0"]).expect(2);
     assert!(outcome.err.contains("no input J99"), "{outcome:#?}");
 }
 
