@@ -10,7 +10,7 @@ const HEAD: &str = "\
 What goes wrong with sensors, hardware, keys and time, where, and what becomes of the program. Each fault broke into a run of a short
 program with motion, waits, inputs and, where the robot has them, torques, forces and springs: one that stops the robot at once in every
 cycle but the first, the others in every fifth, each place from another cycle on. A broken sensor stays broken. The same faults broke into
-[compiled programs](../tip-runtime/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and vibration, in every eleventh cycle and
+[compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and vibration, in every eleventh cycle and
 in every fifty-fifth.
 
 In every cycle of every run the joint commands were numbers, angles within the working limits, torques within TORQUE_MAX, the slider
@@ -21,7 +21,7 @@ Where a cell has several outcomes, each was seen: which one comes depends on the
 end* means with other commands than without the fault: no program can tell a wrong measurement from a true one if it is a possible one.
 A robot measures what its model has: a torque, a slider or a sole that it lacks is not looked at.
 
-`cargo test -p tip-runtime --features std --test faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it writes it
+`cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it writes it
 anew. [Files and Ctrl-C](#files-and-ctrl-c) are the other half.
 
 ";
