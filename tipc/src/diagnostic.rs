@@ -1,19 +1,20 @@
 //! One diagnostic, as every pass makes it.
 
 use crate::code::{Code, Level};
+use crate::message::Message;
 use crate::syntax::Span;
 
 /// A second place that a diagnostic points at.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// Where.
     pub span: Span,
     /// What stands there.
-    pub text: String,
+    pub text: Message,
 }
 
 /// One finding about a source file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     /// What it is about.
     pub code: Code,
@@ -22,16 +23,16 @@ pub struct Diagnostic {
     /// Where.
     pub span: Span,
     /// The reason, shown at the place.
-    pub reason: String,
+    pub reason: Message,
     /// Other places that matter.
     pub labels: Vec<Label>,
     /// The way out.
-    pub help: Option<String>,
+    pub help: Option<Message>,
 }
 
 impl Diagnostic {
     /// A finding of `code` at `span`, with the reason in this case.
-    pub fn new(code: Code, span: Span, reason: impl Into<String>) -> Self {
+    pub fn new(code: Code, span: Span, reason: impl Into<Message>) -> Self {
         Diagnostic {
             code,
             subject: None,
@@ -51,7 +52,7 @@ impl Diagnostic {
 
     /// Points at a second place.
     #[must_use]
-    pub fn label(mut self, span: Span, text: impl Into<String>) -> Self {
+    pub fn label(mut self, span: Span, text: impl Into<Message>) -> Self {
         self.labels.push(Label {
             span,
             text: text.into(),
@@ -61,7 +62,7 @@ impl Diagnostic {
 
     /// Says the way out.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub fn help(mut self, help: impl Into<Message>) -> Self {
         self.help = Some(help.into());
         self
     }

@@ -24,6 +24,7 @@ mod load;
 #[cfg(feature = "lockstep")]
 pub mod lockstep;
 mod lower;
+pub mod message;
 #[cfg(feature = "tools")]
 pub mod migrate;
 pub mod parse;

@@ -16,6 +16,7 @@ mod statement;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::Token;
+use crate::message::Parsing;
 use crate::source::{Source, first_beyond};
 use crate::syntax::{Module, Span, Statement, StatementKind, StepId};
 
@@ -87,16 +88,16 @@ impl Parser<'_> {
             return;
         };
         let rest = Span::new(span.start + beyond, span.end);
-        let reason = format!("this line has more than {LINE_LIMIT} bytes");
-        let help = "break the line; a full-width character counts 2 bytes";
+        let reason = Parsing::LineTooLong { limit: LINE_LIMIT };
+        let help = Parsing::BreakTheLine;
         self.report(Diagnostic::new(Code::Format, rest, reason).help(help));
     }
 
     fn report_missing_end(&mut self) {
         let line = self.source.line_span(self.source.line_count());
         let place = self.trim(line, char::is_whitespace);
-        let missing = Diagnostic::new(Code::NoEnd, place, "the program ends here without END");
-        self.report(missing.help("put END on a line of its own behind the last statement"));
+        let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
+        self.report(missing.help(Parsing::PutEnd));
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

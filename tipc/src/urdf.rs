@@ -71,8 +71,8 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
     match description::parse(source_name, toml.as_bytes()) {
         Ok(_) => Ok(Import { toml, report }),
         Err(loaded) => {
-            let faults = loaded.diagnostics.iter().map(|fault| fault.reason.as_str());
-            let faults: Vec<&str> = faults.collect();
+            let faults = loaded.diagnostics.iter();
+            let faults: Vec<String> = faults.map(|fault| fault.reason.to_string()).collect();
             let faults = faults.join("; ");
             Err(ImportError::new(format!(
                 "its numbers describe no robot: {faults}"

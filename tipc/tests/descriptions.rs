@@ -34,7 +34,11 @@ fn check_for(description: &str, statements: &str) -> Vec<String> {
     let loaded = load("test.prg", program.as_bytes(), &options);
     let told = loaded.diagnostics.iter().map(|finding| {
         let (line, _) = loaded.source.line_column(finding.span.start);
-        let help = finding.help.as_deref().unwrap_or_default();
+        let help = finding
+            .help
+            .as_ref()
+            .map(ToString::to_string)
+            .unwrap_or_default();
         format!("{line}: {} ({help})", finding.reason)
     });
     told.collect()

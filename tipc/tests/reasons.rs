@@ -1,6 +1,7 @@
 //! What people read: the places that a mistake points at, the reason and the way out.
 
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Message;
 use tipc::{Loaded, Options, Robot, load};
 
 fn check(statements: &str, robot: Robot) -> Loaded {
@@ -33,7 +34,8 @@ fn lines(loaded: &Loaded) -> Vec<u32> {
 
 fn help(statements: &str, robot: Robot) -> String {
     let loaded = check(statements, robot);
-    only(&loaded).help.clone().unwrap_or_default()
+    let help = only(&loaded).help.as_ref();
+    help.map(Message::to_string).unwrap_or_default()
 }
 
 // clauses: 6.5
@@ -74,9 +76,12 @@ fn an_open_block_is_told_with_the_words_that_make_it() {
     ] {
         let loaded = check(opens, Robot::Titan8);
         let fault = only(&loaded);
-        assert_eq!(fault.reason, format!("this {opener} is not closed"));
+        assert_eq!(
+            fault.reason.to_string(),
+            format!("this {opener} is not closed")
+        );
         let help = format!("close it with {closer}");
-        assert_eq!(fault.help.as_ref(), Some(&help));
+        assert_eq!(fault.help.as_ref().map(Message::to_string), Some(help));
     }
 }
 
@@ -114,13 +119,13 @@ fn second_declarations_show_the_first() {
 #[test]
 fn what_a_robot_lacks_is_told_with_its_name() {
     let force = check("FORCE F1 1 2 3", Robot::Titan8);
-    assert!(only(&force).reason.contains("titan8"));
+    assert!(only(&force).reason.to_string().contains("titan8"));
     assert_eq!(
-        only(&force).help.as_deref(),
-        Some("FORCE is a command of hand and generic")
+        help("FORCE F1 1 2 3", Robot::Titan8),
+        "FORCE is a command of hand and generic"
     );
     let leg = check("WAIT_INPOS F4", Robot::Hand);
-    assert!(only(&leg).reason.contains("hand has no F4"));
+    assert!(only(&leg).reason.to_string().contains("hand has no F4"));
     assert!(help("WAIT_INPOS F4", Robot::Hand).contains("F1…F3, J11…J33, FLOOR"));
     assert!(help("WAIT_INPOS F5", Robot::Generic).contains("generic has F1…F4, J11…J43"));
     assert!(help("DEF_VAR N\nN = 1\nAD_IN PAW1 N", Robot::Hand).contains("VR1…VR3"));
@@ -130,7 +135,7 @@ fn what_a_robot_lacks_is_told_with_its_name() {
 // clauses: 7.16
 #[test]
 fn a_tolerance_of_version_two_is_sent_where_it_belongs_now() {
-    let reason = |statement| only(&check(statement, Robot::Titan8)).reason.clone();
+    let reason = |statement| only(&check(statement, Robot::Titan8)).reason.to_string();
     assert!(reason("WAIT_NEAR F1 5").contains("SET_NEAR_POSITION"));
     assert!(reason("WAIT_INPOS F1 5").contains("one argument too many for WAIT_INPOS"));
 }
@@ -178,7 +183,7 @@ fn misspelt_words_are_recognized() {
 // clauses: 7.1
 #[test]
 fn missing_and_wrong_operands_are_named() {
-    let reason = |statements| only(&check(statements, Robot::Titan8)).reason.clone();
+    let reason = |statements| only(&check(statements, Robot::Titan8)).reason.to_string();
     assert_eq!(
         reason("PTP F1 1 2"),
         "PTP wants 3 numbers or a POS; 2 stand here"
@@ -213,7 +218,8 @@ fn a_function_with_other_operands_shows_how_it_is_written() {
     let told = |right: &str| {
         let loaded = check(&format!("VAR_KEY = {right}"), Robot::Titan8);
         let fault = only(&loaded);
-        (fault.reason.clone(), fault.help.clone().unwrap_or_default())
+        let help = fault.help.as_ref().map(Message::to_string);
+        (fault.reason.to_string(), help.unwrap_or_default())
     };
     for (right, reason, help) in [
         (
@@ -254,7 +260,7 @@ fn mixed_types_are_named_and_the_odd_one_is_pointed_at() {
         let loaded = check(&text, Robot::Titan8);
         let fault = only(&loaded);
         let place = loaded.source.slice(fault.span).to_owned();
-        (place, fault.reason.clone())
+        (place, fault.reason.to_string())
     };
     for (equation, place, reason) in [
         ("P = P * 2", "2", "a POS and a number do not go together"),

@@ -37,7 +37,7 @@ impl Resolver<'_> {
             |fault: &&mut Diagnostic| fault.help.is_none() && fault.level() == Level::Error;
         for fault in self.found[told..].iter_mut().filter(silent) {
             let usage = command.usage(self.robot).join("`, or `");
-            fault.help = Some(format!("write `{usage}`"));
+            fault.help = Some(format!("write `{usage}`").into());
         }
     }
 

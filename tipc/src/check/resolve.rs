@@ -4,6 +4,7 @@ use super::names::{Meant, Names};
 use super::usage::Usage;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::message::Message;
 use crate::program::{self, Action, Condition, Scalar, VariableId};
 use crate::robot::Robot;
 use crate::source::Source;
@@ -201,7 +202,7 @@ impl Resolver<'_> {
         &mut self,
         code: Code,
         place: Span,
-        reason: impl Into<String>,
+        reason: impl Into<Message>,
     ) -> Option<T> {
         self.report(Diagnostic::new(code, place, reason));
         None

@@ -218,7 +218,7 @@ impl Matcher<'_> {
             let owed = self.owed.remove(at);
             let label = Label {
                 span: self.place(index),
-                text: format!("its {name} stands here"),
+                text: format!("its {name} stands here").into(),
             };
             self.found[owed.fault].labels.push(label);
         }

@@ -3,6 +3,7 @@
 use super::keys::Part;
 use crate::check::nearest;
 use crate::diagnostic::Diagnostic;
+use crate::message::Message;
 use crate::syntax::Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -33,8 +34,8 @@ pub(super) type Found = Vec<Diagnostic>;
 pub(super) fn fault(
     part: Part,
     place: Span,
-    reason: impl Into<String>,
-    help: impl Into<String>,
+    reason: impl Into<Message>,
+    help: impl Into<Message>,
 ) -> Diagnostic {
     Diagnostic::new(part.code(), place, reason).help(help)
 }
@@ -91,7 +92,7 @@ impl<'a> Section<'a> {
         self,
         key: &str,
         place: Span,
-        reason: impl Into<String>,
+        reason: impl Into<Message>,
         found: &mut Found,
     ) -> Option<T> {
         let help = self.part.key(key).map(|key| key.form).unwrap_or_default();

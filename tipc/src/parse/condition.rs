@@ -2,6 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
+use crate::message::Parsing;
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
@@ -12,7 +13,11 @@ impl Reader<'_> {
             return self.negated_flag(token);
         }
         if self.left() == 0 {
-            return Err(self.fault_with_help(self.here(), "a condition is missing here", FORMS));
+            return Err(self.fault_with_help(
+                self.here(),
+                Parsing::ConditionMissing,
+                Parsing::Conditions,
+            ));
         }
         let left = self.operand_before_keyword()?;
         match self.peek() {
@@ -39,22 +44,24 @@ impl Reader<'_> {
             }
             _ => Err(self.fault_with_help(
                 not.span,
-                "`!` stands right before an event flag, without a blank",
-                FORMS,
+                Parsing::NotStandsBeforeFlag,
+                Parsing::Conditions,
             )),
         }
     }
 
     fn comparison(&mut self, left: Operand, relation: Relation) -> Parsed<Condition> {
         if let Some(token) = self.peek().filter(is_part_of_relation) {
-            let reason = "no relation is written like this";
-            return Err(self.fault_with_help(token.span, reason, RELATIONS));
+            let reason = Parsing::NoRelation;
+            return Err(self.fault_with_help(token.span, reason, Parsing::Relations));
         }
         let right = self.operand_before_keyword()?;
         match self.peek() {
             Some(token) if token.kind != Kind::Word => {
-                let reason = format!("`{}` cannot stand here", self.slice(token.span));
-                Err(self.fault_with_help(token.span, reason, FORMS))
+                let reason = Parsing::CannotStandHere {
+                    text: self.slice(token.span).into(),
+                };
+                Err(self.fault_with_help(token.span, reason, Parsing::Conditions))
             }
             _ => Ok(Condition::Compare {
                 left,
@@ -66,11 +73,11 @@ impl Reader<'_> {
 
     fn no_relation(&self, token: Token) -> Fault {
         let reason = match token.kind {
-            Kind::Assign(None) => "`=` assigns; it compares nothing",
-            Kind::Arithmetic(_) => "a condition cannot calculate",
-            _ => "a relation belongs here",
+            Kind::Assign(None) => Parsing::AssignsComparesNothing,
+            Kind::Arithmetic(_) => Parsing::ConditionCannotCalculate,
+            _ => Parsing::RelationBelongsHere,
         };
-        self.fault_with_help(token.span, reason, RELATIONS)
+        self.fault_with_help(token.span, reason, Parsing::Relations)
     }
 
     fn flag(&self, operand: Operand) -> Parsed<Condition> {
@@ -80,13 +87,10 @@ impl Reader<'_> {
                 name: Word { node: name, span },
                 negated: false,
             }),
-            _ => Err(self.fault_with_help(span, "this is compared with nothing", FORMS)),
+            _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
         }
     }
 }
-
-const FORMS: &str = "a condition is a comparison of two numbers, as `A >= 5`, or an event flag, as `KB_HIT` or `!KB_HIT`";
-const RELATIONS: &str = "the relations are `==` (equal), `<>` (not equal), `<`, `>`, `<=`, `>=`";
 
 fn is_part_of_relation(token: &Token) -> bool {
     matches!(

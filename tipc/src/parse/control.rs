@@ -2,6 +2,8 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
+use crate::message::Parsing;
+use crate::message::phrase::End;
 use crate::syntax::{Counting, Jump, Operand, OperandKind, Span, StatementKind, Then};
 
 /// A statement and, if something behind it is wrong, what; or only what is wrong.
@@ -21,46 +23,53 @@ impl Reader<'_> {
 
     fn then(&mut self) -> Parsed<(Then, Parsed<()>)> {
         if self.take_word("THEN").is_some() {
-            return Ok((Then::Block, self.expect_end("THEN")));
+            return Ok((
+                Then::Block,
+                self.expect_end(End::Word {
+                    word: "THEN".into(),
+                }),
+            ));
         }
         if let Some(keyword) = self.take_word("GOTO") {
             let jump = self.goto(keyword)?;
-            return Ok((Then::Goto(jump), self.expect_end("the label")));
+            return Ok((Then::Goto(jump), self.expect_end(End::Label)));
         }
         if let Some(keyword) = self.take_word("GOSUB") {
             let jump = self.jump(keyword, "GOSUB")?;
-            return Ok((Then::Gosub(jump), self.expect_end("the label")));
+            return Ok((Then::Gosub(jump), self.expect_end(End::Label)));
         }
         Err(self.missing_then())
     }
 
     fn missing_then(&self) -> Fault {
         if self.at_word("CALL") {
-            let help = "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`";
-            return self.fault_with_help(self.here(), "IF cannot CALL", help);
+            let help = Parsing::GosubCalls;
+            return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
-        let help = "write THEN for a block, or GOTO or GOSUB and a label";
-        self.fault_with_help(self.here(), "THEN, GOTO or GOSUB belongs here", help)
+        let help = Parsing::WriteThenOrJump;
+        self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
     }
 
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
         let end = match self.take_word("THEN") {
-            Some(_) => self.expect_end("THEN"),
-            None => Err(self.fault(self.here(), "THEN belongs here")),
+            Some(_) => self.expect_end(End::Word {
+                word: "THEN".into(),
+            }),
+            None => Err(self.fault(self.here(), Parsing::ThenBelongsHere)),
         };
         Ok((StatementKind::ElseIf { keyword, condition }, end))
     }
 
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
-        let end = self.expect_end("the condition");
+        let end = self.expect_end(End::Condition);
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
     pub(super) fn until(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
-        let end = self.expect_end("the condition");
+        let end = self.expect_end(End::Condition);
         Ok((StatementKind::Until { keyword, condition }, end))
     }
 
@@ -69,7 +78,11 @@ impl Reader<'_> {
         self.expect_assignment()?;
         let from = self.operand_before_keyword()?;
         if self.take_word("TO").is_none() {
-            return Err(self.fault_with_help(self.here(), "TO belongs here", FOR_FORM));
+            return Err(self.fault_with_help(
+                self.here(),
+                Parsing::ToBelongsHere,
+                Parsing::WriteFor,
+            ));
         }
         let to = self.operand_before_keyword()?;
         let step = match self.take_word("STEP") {
@@ -78,7 +91,7 @@ impl Reader<'_> {
         };
         let end = match self.left() {
             0 => Ok(()),
-            _ => Err(self.fault_with_help(self.rest(), "FOR ends before this", FOR_FORM)),
+            _ => Err(self.fault_with_help(self.rest(), Parsing::ForEnds, Parsing::WriteFor)),
         };
         let kind = StatementKind::For {
             keyword,
@@ -96,7 +109,11 @@ impl Reader<'_> {
         let operand = self.operand_before_keyword()?;
         match operand.kind {
             OperandKind::Name(_) | OperandKind::Member(_) if !operand.negative => Ok(operand),
-            _ => Err(self.fault_with_help(operand.span, "a variable belongs here", FOR_FORM)),
+            _ => Err(self.fault_with_help(
+                operand.span,
+                Parsing::VariableBelongsHere,
+                Parsing::WriteFor,
+            )),
         }
     }
 
@@ -109,7 +126,11 @@ impl Reader<'_> {
                 self.take();
                 Ok(())
             }
-            _ => Err(self.fault_with_help(self.here(), "`=` belongs here", FOR_FORM)),
+            _ => Err(self.fault_with_help(
+                self.here(),
+                Parsing::AssignmentBelongsHere,
+                Parsing::WriteFor,
+            )),
         }
     }
 
@@ -118,7 +139,7 @@ impl Reader<'_> {
             0 => None,
             _ => Some(self.loop_variable_of_next()?),
         };
-        let end = self.expect_end("NEXT and its variable");
+        let end = self.expect_end(End::NextAndVariable);
         Ok((StatementKind::Next { keyword, variable }, end))
     }
 
@@ -126,32 +147,33 @@ impl Reader<'_> {
         let operand = self.operand()?;
         match operand.kind {
             OperandKind::Name(_) | OperandKind::Member(_) if !operand.negative => Ok(operand),
-            _ => Err(self.fault(
-                operand.span,
-                "NEXT names the variable of its FOR, or nothing",
-            )),
+            _ => Err(self.fault(operand.span, Parsing::NextNamesItsVariable)),
         }
     }
 
     pub(super) fn subroutine(&mut self, keyword: Span) -> Read {
-        let help = "write `SUBROUTINE NAME:`";
+        let help = Parsing::WriteSubroutine {
+            name: "NAME".into(),
+        };
         let name = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
-                return Err(self.fault_with_help(token.span, "a name belongs here", help));
+                return Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help));
             }
             None => {
-                return Err(self.fault_with_help(self.here(), "the name is missing here", help));
+                return Err(self.fault_with_help(self.here(), Parsing::NameMissing, help));
             }
         };
         let end = match self.peek() {
             Some(token) if token.kind == Kind::Colon => {
                 self.take();
-                self.expect_end("SUBROUTINE and its name")
+                self.expect_end(End::SubroutineAndName)
             }
             _ => {
-                let help = format!("write `SUBROUTINE {}:`", name.node);
-                Err(self.fault_with_help(name.span, "the name's colon is missing", help))
+                let help = Parsing::WriteSubroutine {
+                    name: name.node.clone(),
+                };
+                Err(self.fault_with_help(name.span, Parsing::NameColonMissing, help))
             }
         };
         Ok((StatementKind::Subroutine { keyword, name }, end))
@@ -165,18 +187,16 @@ impl Reader<'_> {
         make: fn(Jump) -> StatementKind,
     ) -> Read {
         let jump = self.jump(keyword, name)?;
-        Ok((make(jump), self.expect_end("the label")))
+        Ok((make(jump), self.expect_end(End::Label)))
     }
 
     pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
         let jump = self.goto(keyword)?;
-        Ok((StatementKind::Goto(jump), self.expect_end("the label")))
+        Ok((StatementKind::Goto(jump), self.expect_end(End::Label)))
     }
 
     /// A word that stands alone in its statement.
     pub(super) fn alone(&mut self, name: &str, kind: StatementKind) -> Read {
-        Ok((kind, self.expect_end(name)))
+        Ok((kind, self.expect_end(End::Word { word: name.into() })))
     }
 }
-
-const FOR_FORM: &str = "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`";

@@ -3,6 +3,7 @@
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
 use crate::lex::{Kind, Token};
+use crate::message::Parsing;
 use crate::syntax::{Equation, Expression, FUNCTIONS, Operand, OperandKind};
 
 /// Whether the tokens are meant as an equation: an assignment stands behind the first word, or a non-word starts it.
@@ -25,7 +26,7 @@ pub(super) fn equation(text: &str, tokens: &[Token]) -> Parsed<Equation> {
             span,
             ..
         }) => (update, span),
-        _ => return Err(reader.fault(target.span, "one variable stands left of the `=`")),
+        _ => return Err(reader.fault(target.span, Parsing::OneVariableLeft)),
     };
     let value = right_side(&mut reader)?;
     Ok(Equation {
@@ -37,7 +38,7 @@ pub(super) fn equation(text: &str, tokens: &[Token]) -> Parsed<Equation> {
 }
 
 fn target(reader: &mut Reader<'_>) -> Parsed<Operand> {
-    let help = "the left side is a variable or a member, as `A` or `P.X`, without sign";
+    let help = Parsing::LeftSide;
     match reader.peek() {
         Some(token) if token.kind == Kind::Word => {
             reader.take();
@@ -45,11 +46,11 @@ fn target(reader: &mut Reader<'_>) -> Parsed<Operand> {
             match operand.kind {
                 OperandKind::Name(_) | OperandKind::Member(_) => Ok(operand),
                 OperandKind::Number(_) => {
-                    Err(reader.fault_with_help(token.span, "a constant cannot be assigned", help))
+                    Err(reader.fault_with_help(token.span, Parsing::ConstantAssigned, help))
                 }
             }
         }
-        _ => Err(reader.fault_with_help(reader.here(), "an equation starts with a variable", help)),
+        _ => Err(reader.fault_with_help(reader.here(), Parsing::StartsWithVariable, help)),
     }
 }
 
@@ -75,8 +76,8 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
             ..
         }) => operation,
         Some(token) => {
-            let reason = "`+`, `-`, `*`, `/` or nothing can stand here";
-            return Err(reader.fault_with_help(token.span, reason, ONE_OPERATION));
+            let reason = Parsing::OperatorOrNothing;
+            return Err(reader.fault_with_help(token.span, reason, Parsing::OneOperation));
         }
     };
     let right = reader.operand()?;
@@ -87,20 +88,17 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
             operation,
             right,
         }),
-        _ => Err(reader.fault_with_help(
-            reader.rest(),
-            "the equation ends before this",
-            ONE_OPERATION,
-        )),
+        _ => {
+            Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, Parsing::OneOperation))
+        }
     }
 }
 
-const ONE_OPERATION: &str =
-    "an equation holds one operation or one function; use a variable for what comes between";
-
 /// The fault with the help that it lacks.
 fn with_help(mut fault: Fault) -> Fault {
-    fault.help.get_or_insert_with(|| ONE_OPERATION.to_owned());
+    fault
+        .help
+        .get_or_insert_with(|| Parsing::OneOperation.into());
     fault
 }
 
@@ -115,8 +113,10 @@ fn refuse_function(reader: &Reader<'_>, operand: &Operand) -> Parsed<()> {
         OperandKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => Err(reader
             .fault_with_help(
                 operand.span,
-                format!("{name} cannot stand here"),
-                ONE_OPERATION,
+                Parsing::FunctionCannotStandHere {
+                    function: name.clone(),
+                },
+                Parsing::OneOperation,
             )),
         _ => Ok(()),
     }

@@ -4,6 +4,7 @@ use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::BLANKS;
+use crate::message::Parsing;
 use crate::source::Source;
 use crate::syntax::Span;
 
@@ -18,11 +19,11 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let word = source.slice(span);
     let reason = match number(word) {
         Some(found) if found == wanted => return Ok(()),
-        Some(_) => format!("this compiler reads version {wanted:?}"),
-        None if word.is_empty() => "line 1 names no version".to_owned(),
-        None => "line 1 holds the version number and nothing else".to_owned(),
+        Some(_) => Parsing::OtherVersion { wanted },
+        None if word.is_empty() => Parsing::NoVersion,
+        None => Parsing::MoreThanVersion,
     };
-    let help = format!("start the file with the line `{wanted:?}`");
+    let help = Parsing::StartWithVersion { wanted };
     Err(Box::new(
         Diagnostic::new(Code::Version, span, reason).help(help),
     ))

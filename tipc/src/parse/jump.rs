@@ -2,6 +2,7 @@
 
 use super::reader::{Parsed, Reader};
 use crate::lex::Kind;
+use crate::message::Parsing;
 use crate::syntax::{Jump, Span, Word};
 
 impl Reader<'_> {
@@ -29,13 +30,13 @@ impl Reader<'_> {
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
-                let reason = "a label belongs here";
-                let help = format!("write `{jump} L1:`");
+                let reason = Parsing::LabelBelongsHere;
+                let help = Parsing::WriteJump { jump: jump.into() };
                 return Err(self.fault_with_help(token.span, reason, help));
             }
             None => {
-                let help = format!("write `{jump} L1:`");
-                return Err(self.fault_with_help(self.here(), "a label is missing here", help));
+                let help = Parsing::WriteJump { jump: jump.into() };
+                return Err(self.fault_with_help(self.here(), Parsing::LabelMissing, help));
             }
         };
         match self.peek() {
@@ -45,12 +46,12 @@ impl Reader<'_> {
             }
             Some(token) if token.kind == Kind::Colon => {
                 let gap = Span::new(word.span.end, token.span.end);
-                let help = format!("write `{}:`", word.node);
-                Err(self.fault_with_help(gap, "no blank may stand before this colon", help))
+                let help = Parsing::WriteLabel { name: word.node };
+                Err(self.fault_with_help(gap, Parsing::BlankBeforeColon, help))
             }
             _ => {
-                let help = format!("write `{}:`", word.node);
-                Err(self.fault_with_help(word.span, "the label's colon is missing", help))
+                let help = Parsing::WriteLabel { name: word.node };
+                Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))
             }
         }
     }

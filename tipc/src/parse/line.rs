@@ -4,6 +4,7 @@ use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{DELIMITERS, foreign_run, skip_delimiters, word_end};
+use crate::message::Parsing;
 use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};
 
 impl Parser<'_> {
@@ -61,7 +62,7 @@ impl Parser<'_> {
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
         if word.start == word.end {
-            let reason = "the label's name is missing before this colon";
+            let reason = Parsing::LabelNameMissing;
             self.report(Diagnostic::new(Code::Argument, span, reason));
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
@@ -76,10 +77,10 @@ impl Parser<'_> {
     /// A declared name may not be too long.
     pub(super) fn check_name_length(&mut self, name: &Word) {
         if name.node.len() > NAME_LIMIT {
-            let reason = format!(
-                "a name has at most {NAME_LIMIT} bytes, this one {}",
-                name.node.len()
-            );
+            let reason = Parsing::NameTooLong {
+                limit: NAME_LIMIT,
+                length: name.node.len(),
+            };
             self.report(Diagnostic::new(Code::Format, name.span, reason));
         }
     }
@@ -88,12 +89,12 @@ impl Parser<'_> {
     pub(super) fn report_foreign(&mut self, place: Span) {
         let text = self.source.slice(place);
         let reason = match text.chars().next() {
-            Some(first) if first.is_ascii_control() => "a control character cannot stand here",
-            _ => "only comments, MESSAGE and REM may hold such characters",
+            Some(first) if first.is_ascii_control() => Parsing::ControlCharacter,
+            _ => Parsing::ForeignCharacters,
         };
         let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
         if let Some(narrow) = half_width(text) {
-            diagnostic = diagnostic.help(format!("write it half-width: `{narrow}`"));
+            diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         }
         self.report(diagnostic);
     }
@@ -132,10 +133,10 @@ impl Parser<'_> {
 
 /// ELSE, ENDIF, WEND or REPEAT beside something else.
 pub(super) fn not_alone(name: &str, place: Span, other: Span) -> Diagnostic {
-    let reason = format!("{name} must be alone on its line");
+    let reason = Parsing::NotAlone { word: name.into() };
     Diagnostic::new(Code::Format, place, reason)
-        .label(other, "this wants a line of its own")
-        .help("only a label may stand before it, and a comment behind it")
+        .label(other, Parsing::WantsOwnLine)
+        .help(Parsing::LabelBeforeCommentBehind)
 }
 
 fn lone_word(kind: &StatementKind) -> Option<&'static str> {

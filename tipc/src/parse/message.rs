@@ -4,6 +4,7 @@ use super::Parser;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, delimiter};
+use crate::message::Parsing;
 use crate::source::first_beyond;
 use crate::syntax::{Shape, Span, Spanned, StatementKind};
 
@@ -39,14 +40,14 @@ impl Parser<'_> {
     }
 
     fn glued_message(&mut self, keyword: Span, text: Span) {
-        let reason = "a blank must stand between MESSAGE and its text";
+        let reason = Parsing::BlankBehindMessage;
         self.report(Diagnostic::new(Code::Argument, text, reason));
         self.push(StatementKind::Broken(Shape::Plain), keyword.to(text));
     }
 
     fn warn_of_comment(&mut self, comment: Span) {
-        let reason = "the text ends here";
-        let help = "put the comment on a line of its own";
+        let reason = Parsing::TextEndsHere;
+        let help = Parsing::CommentElsewhere;
         self.report(Diagnostic::new(Code::CommentInMessage, comment, reason).help(help));
     }
 
@@ -56,14 +57,14 @@ impl Parser<'_> {
             let at = place.start + at;
             let length = text[at - place.start..].chars().take(2).map(char::len_utf8);
             let escape = Span::new(at, at + length.sum::<usize>());
-            let reason = "the message line is one line: it cannot be broken";
-            let help = "`\\a` (bell) and `\\t` (tab) are what a text may hold";
+            let reason = Parsing::LineBreak;
+            let help = Parsing::Escapes;
             self.report(Diagnostic::new(Code::Format, escape, reason).help(help));
         }
         if let Some(at) = first_beyond(text, TEXT_LIMIT) {
             let rest = Span::new(place.start + at, place.end);
-            let reason = format!("a MESSAGE has at most {TEXT_LIMIT} bytes");
-            let help = "a full-width character counts 2 bytes";
+            let reason = Parsing::TextTooLong { limit: TEXT_LIMIT };
+            let help = Parsing::FullWidthCounts;
             self.report(Diagnostic::new(Code::LongString, rest, reason).help(help));
         }
     }

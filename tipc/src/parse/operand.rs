@@ -2,6 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::lex::{Kind, Token};
+use crate::message::Parsing;
 use crate::syntax::{Arithmetic, Operand, OperandKind, Span, upper_case};
 
 /// Words that end an operand list in conditions and FOR; no variable bears such a name.
@@ -21,13 +22,12 @@ impl Reader<'_> {
                 self.value(token.span)
             }
             Some(token) => {
-                let reason = format!(
-                    "`{}` stands where an operand belongs",
-                    self.slice(token.span)
-                );
+                let reason = Parsing::NoOperand {
+                    text: self.slice(token.span).into(),
+                };
                 Err(self.fault(token.span, reason))
             }
-            None => Err(self.fault(self.here(), "an operand is missing here")),
+            None => Err(self.fault(self.here(), Parsing::OperandMissing)),
         }
     }
 
@@ -35,7 +35,9 @@ impl Reader<'_> {
     pub(super) fn operand_before_keyword(&mut self) -> Parsed<Operand> {
         match STOPS.iter().find(|stop| self.at_word(stop)) {
             Some(stop) => {
-                let reason = format!("an operand is missing before {stop}");
+                let reason = Parsing::OperandMissingBefore {
+                    word: (*stop).into(),
+                };
                 Err(self.fault(self.here(), reason))
             }
             None => self.operand(),
@@ -61,9 +63,9 @@ impl Reader<'_> {
     }
 
     fn glued(&self, token: Token) -> Fault {
-        let text = self.slice(token.span);
-        let reason = format!("`{text}` stands between two arguments");
-        let help = "arguments are separated by blanks or commas; a sign stands right before its number or name";
+        let text = self.slice(token.span).into();
+        let reason = Parsing::BetweenArguments { text };
+        let help = Parsing::SeparateArguments;
         self.fault_with_help(token.span, reason, help)
     }
 
@@ -71,7 +73,7 @@ impl Reader<'_> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
             _ => {
-                let reason = "a sign stands right before its number or name, without a blank";
+                let reason = Parsing::SignStandsBefore;
                 return Err(self.fault(place, reason));
             }
         };
@@ -97,8 +99,8 @@ impl Reader<'_> {
             }),
             _ => Err(self.fault_with_help(
                 place,
-                "`+` stands only before constants",
-                "leave the `+` out",
+                Parsing::PlusBeforeConstants,
+                Parsing::LeavePlusOut,
             )),
         }
     }
@@ -120,11 +122,11 @@ impl Reader<'_> {
     fn number(&self, word: &str, span: Span) -> Parsed<f64> {
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
-            Ok(_) => Err(self.fault(span, "this constant is too large")),
+            Ok(_) => Err(self.fault(span, Parsing::ConstantTooLarge)),
             Err(_) => Err(self.fault_with_help(
                 span,
-                format!("`{word}` is no number"),
-                "a constant is decimal, as `12`, `-0.5` or `1.5E3`; a name starts with a letter or `_`",
+                Parsing::NoNumber { word: word.into() },
+                Parsing::Constants,
             )),
         }
     }
@@ -138,8 +140,8 @@ impl Reader<'_> {
             return Err(self.foreign_in_name(word, Span::new(span.start + at, span.start + at + 1)));
         }
         if member.is_some_and(|member| member.is_empty() || member.contains('.')) {
-            let help = "a member is written `P.X` or `Q.J2`";
-            return Err(self.fault_with_help(span, format!("`{word}` is no member"), help));
+            let help = Parsing::Members;
+            return Err(self.fault_with_help(span, Parsing::NoMember { word: word.into() }, help));
         }
         let name = upper_case(name);
         Ok(match member {
@@ -149,13 +151,13 @@ impl Reader<'_> {
     }
 
     fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
-        let char = self.slice(place);
-        let reason = format!("`{char}` can stand in no name and no number");
+        let character = self.slice(place).into();
+        let reason = Parsing::ForeignInName { character };
         if word.contains(['(', ')']) {
-            let help = "the language has no parentheses: one operation an equation, and `SIN A` for a function";
+            let help = Parsing::NoParentheses;
             return self.fault_with_help(place, reason, help);
         }
-        self.fault_with_help(place, reason, "a name is made of letters, digits and `_`")
+        self.fault_with_help(place, reason, Parsing::NameCharacters)
     }
 }
 

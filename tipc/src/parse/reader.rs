@@ -3,6 +3,8 @@
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
+use crate::message::Parsing;
+use crate::message::phrase::End;
 use crate::syntax::{Span, Word, upper_case};
 
 /// What is wrong with a statement.
@@ -95,27 +97,22 @@ impl<'a> Reader<'a> {
     }
 
     /// A fault of this statement at `span`.
-    pub(super) fn fault(&self, span: Span, reason: impl Into<String>) -> Fault {
+    pub(super) fn fault(&self, span: Span, reason: Parsing) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
     /// A fault of this statement at `span`, with the way out.
-    pub(super) fn fault_with_help(
-        &self,
-        span: Span,
-        reason: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Fault {
+    pub(super) fn fault_with_help(&self, span: Span, reason: Parsing, help: Parsing) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }
 
     /// Nothing may be left.
-    pub(super) fn expect_end(&self, behind: &str) -> Parsed<()> {
+    pub(super) fn expect_end(&self, end: End) -> Parsed<()> {
         if self.left() == 0 {
             return Ok(());
         }
-        let reason = format!("nothing may stand behind {behind}");
-        let help = "start the next statement on a line of its own, or behind `;`";
+        let reason = Parsing::NothingBehind { end };
+        let help = Parsing::NextStatementElsewhere;
         Err(self.fault_with_help(self.rest(), reason, help))
     }
 }

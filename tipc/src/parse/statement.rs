@@ -7,6 +7,7 @@ use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::code::Code;
 use crate::lex::{Kind, Token, foreign_run, lex};
+use crate::message::Parsing;
 use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word, upper_case};
 use smol_str::SmolStr;
 
@@ -144,8 +145,8 @@ impl Parser<'_> {
             .find(|token| !is_word(token))
             .filter(|_| !reported)
         {
-            let reason = "only names can be declared";
-            let help = "separate the names by blanks or commas; every variable starts unassigned";
+            let reason = Parsing::OnlyNames;
+            let help = Parsing::SeparateNames;
             self.report(*reader.fault_with_help(odd.span, reason, help));
         }
         let names: Vec<Word> = tokens[1..]

@@ -71,13 +71,13 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
     if windows[0].range(source, diagnostic.span).is_none() {
         group = group
             .element(origin(source, diagnostic))
-            .element(Title::NOTE.message(diagnostic.reason.as_str()));
+            .element(Title::NOTE.message(diagnostic.reason.to_string()));
     }
     for window in &windows {
         group = group.element(snippet(source, diagnostic, window));
     }
     if let Some(help) = &diagnostic.help {
-        group = group.element(Title::HELP.message(help.as_str()));
+        group = group.element(Title::HELP.message(help.to_string()));
     }
     let renderer = if colour {
         Renderer::styled()
@@ -121,12 +121,12 @@ fn snippet<'a>(
     let primary = window.range(source, diagnostic.span).map(|range| {
         AnnotationKind::Primary
             .span(range)
-            .label(diagnostic.reason.as_str())
+            .label(diagnostic.reason.to_string())
     });
     let labels = diagnostic.labels.iter().filter_map(|label| {
         let range = window.range(source, label.span)?;
         let kind = AnnotationKind::Context;
-        Some(kind.span(range).label(label.text.as_str()))
+        Some(kind.span(range).label(label.text.to_string()))
     });
     Snippet::source(window.text.as_str())
         .line_start(window.first as usize)

@@ -19,7 +19,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic) -> String {
     push_number(&mut out, "line", line);
     push_number(&mut out, "column", column);
     if let Some(help) = &diagnostic.help {
-        push_member(&mut out, "help", help);
+        push_member(&mut out, "help", &help.to_string());
     }
     out.push('}');
     out

@@ -17,7 +17,7 @@ fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
     let bad = bad.expect("a decoding error");
     assert_eq!(bad.title(), "TIP_ERR:Format error (PreprocessError)");
     assert!(
-        bad.reason.contains(&format!("byte {byte} ")),
+        bad.reason.to_string().contains(&format!("byte {byte} ")),
         "{}",
         bad.reason
     );

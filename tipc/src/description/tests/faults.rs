@@ -9,7 +9,7 @@ fn faults(text: &str) -> Vec<String> {
     let told = loaded.diagnostics.iter().map(|fault| {
         assert_eq!(fault.code, Code::Description);
         let (line, column) = loaded.source.line_column(fault.span.start);
-        let help = fault.help.as_deref().expect("every fault says a way out");
+        let help = fault.help.as_ref().expect("every fault says a way out");
         format!("{line}:{column}: {} ({help})", fault.reason)
     });
     told.collect()
