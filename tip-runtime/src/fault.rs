@@ -1,6 +1,6 @@
 //! Every run-time error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
 
-use crate::command::Target;
+use crate::command::{Port, Target};
 use core::fmt;
 
 /// The class of an error, as the classical one-liner names it in parentheses.
@@ -54,7 +54,9 @@ pub enum Fault {
     /// The target, or the way to it, leaves the reachable space.
     OutOfReach(Target),
     /// An input reads nonsense.
-    Sensor(&'static str),
+    Sensor(Port),
+    /// The sensor of the slider reads nonsense.
+    SliderSensor,
     /// A joint sensor reads nonsense (leg and joint, from 1).
     JointSensor(u8, u8),
     /// The robot's hardware failed to read or to write.
@@ -76,6 +78,7 @@ impl Fault {
             Fault::JointLimit(..)
             | Fault::OutOfReach(_)
             | Fault::Sensor(_)
+            | Fault::SliderSensor
             | Fault::JointSensor(..)
             | Fault::Hardware(_)
             | Fault::EmergencyKey => Kind::Robot,
@@ -95,10 +98,17 @@ impl fmt::Display for Fault {
             Fault::InvalidMode => f.write_str("Invalid control mode"),
             Fault::TooDeep => f.write_str("Too deep subroutine call"),
             Fault::WrongStep => f.write_str("Wrong step number"),
-            Fault::JointLimit(leg, joint) => write!(f, "Joint limit J{leg}{joint}"),
+            Fault::JointLimit(leg, joint) => {
+                write!(f, "Joint limit {}", Target::Joint(*leg, *joint))
+            }
             Fault::OutOfReach(target) => write!(f, "Out of reach {target}"),
-            Fault::Sensor(name) => write!(f, "Sensor fault {name}"),
-            Fault::JointSensor(leg, joint) => write!(f, "Sensor fault J{leg}{joint}"),
+            Fault::Sensor(Port::Channel(_)) => f.write_str("Sensor fault AD"),
+            Fault::Sensor(Port::Joint(..)) => f.write_str("Sensor fault potentiometer"),
+            Fault::Sensor(port) => write!(f, "Sensor fault {port}"),
+            Fault::SliderSensor => write!(f, "Sensor fault {}", Target::Floor),
+            Fault::JointSensor(leg, joint) => {
+                write!(f, "Sensor fault {}", Target::Joint(*leg, *joint))
+            }
             Fault::Hardware(what) => write!(f, "Hardware fault {what}"),
             Fault::EmergencyKey => f.write_str("Emergency stop key"),
         }

@@ -4,7 +4,7 @@
 mod rig;
 
 use rig::{Rig, distance};
-use tip_runtime::command::{Command, Op, Poll, Target, Teach};
+use tip_runtime::command::{Command, Op, Poll, Port, Target, Teach};
 use tip_runtime::fault::Fault;
 use tip_runtime::model::titan8;
 
@@ -272,7 +272,7 @@ fn searches_of_another_type_are_outside_the_domain() {
     rig.sensors.paws[0] = f64::NAN;
     assert_eq!(
         rig.fault(Op::DetectFloor, F1, &[2.0]),
-        Fault::Sensor("PAW1")
+        Fault::Sensor(Port::Paw(1))
     );
 }
 

@@ -5,7 +5,6 @@
 pub mod analysis;
 mod check;
 pub mod code;
-pub mod commands;
 #[cfg(feature = "robot-files")]
 pub mod description;
 pub mod diagnostic;
@@ -17,6 +16,7 @@ pub(crate) mod fixture;
 pub mod generate;
 #[cfg(feature = "interp")]
 pub mod interp;
+pub mod language;
 mod lex;
 #[cfg(feature = "tools")]
 pub mod listing;

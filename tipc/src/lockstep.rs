@@ -168,7 +168,9 @@ where
         let mut plant = self.plant.clone();
         let mut sensors = inputs.sensors.iter();
         let missing = sensors.find(|sensor| !plant.set_sensor(sensor.port, sensor.volts));
-        missing.map_or(Ok(()), |sensor| Err(Refused::NoInput(sensor.name())))
+        missing.map_or(Ok(()), |sensor| {
+            Err(Refused::NoInput(sensor.port.to_string()))
+        })
     }
 }
 

@@ -110,17 +110,20 @@ impl Robot {
             joints,
             ..
         } = signature;
-        let feet = span("F1".to_owned(), format!("F{legs}"));
-        let joints = span("J11".to_owned(), format!("J{legs}{joints}"));
-        let floor = if has_slider { ", FLOOR" } else { "" };
+        let feet = span(Target::Foot(1), Target::Foot(legs));
+        let joints = span(Target::Joint(1, 1), Target::Joint(legs, joints));
+        let floor = match has_slider {
+            true => format!(", {}", Target::Floor),
+            false => String::new(),
+        };
         format!("{robot} has {feet}, {joints}{floor}")
     }
 }
 
 /// `first…last`, or the one that both are.
-fn span(first: String, last: String) -> String {
+fn span(first: Target, last: Target) -> String {
     match first == last {
-        true => first,
+        true => first.to_string(),
         false => format!("{first}…{last}"),
     }
 }

@@ -1,7 +1,7 @@
 //! The usage that help texts show is the language that loads.
 
 use tipc::code::Level;
-use tipc::commands::{COMMANDS, Form};
+use tipc::language::commands::{COMMANDS, Form};
 use tipc::{Options, Robot, load};
 
 /// The statements that a usage stands for: optional parts left out and kept, each alternative, words filled in.

@@ -52,24 +52,14 @@ fn key((cycle, happening): &Event) -> Option<String> {
 
 fn sensors((cycle, happening): &Event) -> Vec<String> {
     let inputs = match happening {
-        Happening::Sensor(port, volts) => vec![(name(*port), *volts)],
+        Happening::Sensor(port, volts) => vec![(*port, *volts)],
         Happening::Touch(on) => (1..=4)
-            .map(|leg| (format!("PAW{leg}"), f64::from(*on) * 2.0))
+            .map(|leg| (Port::Paw(leg), f64::from(*on) * 2.0))
             .collect(),
         Happening::Key(_) | Happening::ReadFails | Happening::WriteFails => Vec::new(),
     };
     inputs
         .iter()
-        .map(|(name, volts)| format!("--sensor {name}={volts}@{cycle}"))
+        .map(|(port, volts)| format!("--sensor {port}={volts}@{cycle}"))
         .collect()
-}
-
-fn name(port: Port) -> String {
-    match port {
-        Port::Knob(n) => format!("VR{n}"),
-        Port::Paw(n) => format!("PAW{n}"),
-        Port::Antenna => "ANTENNA".to_owned(),
-        Port::Joint(leg, joint) => format!("J{leg}{joint}"),
-        Port::Channel(channel) => format!("channel {channel}"),
-    }
 }

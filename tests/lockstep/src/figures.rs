@@ -4,7 +4,7 @@ use crate::duel::Run;
 use std::collections::BTreeMap;
 use std::fmt;
 use tipc::Robot;
-use tipc::commands::{self, FLAG_FAMILIES};
+use tipc::language::commands::{self, FLAG_FAMILIES};
 use tipc::syntax::FUNCTIONS;
 
 /// Counts by name. As text it is a line for each: the name, a tab, the count.

@@ -1,7 +1,7 @@
 //! Commands of the robot, each by its row in the compiler's table.
 
 use crate::writer::{JOINTS, POSITIONS, VARS, Writer};
-use tipc::commands::{Arguments, COMMANDS, Command, Form, Joints, Targets, Values};
+use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Joints, Targets, Values};
 
 impl Writer {
     /// Any command that the robot has, control words aside.

@@ -2,7 +2,7 @@
 
 use crate::writer::Writer;
 use tip_runtime::model::Family;
-use tipc::commands::{FLAG_FAMILIES, FLAGS};
+use tipc::language::commands::{FLAG_FAMILIES, FLAGS};
 
 impl Writer {
     pub(crate) fn condition(&mut self) -> String {

@@ -4,7 +4,7 @@ use crate::NATIVE;
 use crate::writer::{JOINTS, POSITIONS, VARS, Writer};
 use tip_runtime::command::Teach;
 use tip_runtime::model::Family;
-use tipc::commands::{Command, Meaning, Targets};
+use tipc::language::commands::{Command, Meaning, Targets};
 
 impl Writer {
     /// Measurements go into the variables that a calm program's values come from.

@@ -2,7 +2,7 @@
 
 use crate::writer::Writer;
 use tip_runtime::model::{Family, Range, generic, hand, titan8};
-use tipc::commands::{Command, Limit};
+use tipc::language::commands::{Command, Limit};
 
 /// Where feet and fingers begin: mm.
 const FEET: [[f64; 3]; 4] = [

@@ -1,6 +1,6 @@
 use super::*;
 use std::collections::BTreeSet;
-use tipc::commands::COMMANDS;
+use tipc::language::commands::COMMANDS;
 
 const SEEDS: u64 = 3000;
 

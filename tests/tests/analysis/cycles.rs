@@ -4,7 +4,7 @@
 use crate::programs::{RUNS, Runnable};
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::cycles::{Part, Sampling, Span, Stop, parts};
-use tipc::commands;
+use tipc::language::commands;
 use tipc::program::{Action, Program, StepId};
 
 /// A cycle of a trace: its number, the step that ran, and the next one.

@@ -3,7 +3,7 @@
 use tip_runtime::command::{Op, Teach};
 use tip_runtime::model::Family;
 use tipc::Robot;
-use tipc::commands::{self, Arguments, Command, Joints, Limit, Meaning, Targets, Values};
+use tipc::language::commands::{self, Arguments, Command, Joints, Limit, Meaning, Targets, Values};
 
 /// One way to write a command.
 #[derive(Clone, Debug, PartialEq)]

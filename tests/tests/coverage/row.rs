@@ -5,7 +5,7 @@ use super::outcome::Outcome;
 use super::rule::{self, Possible};
 use super::sentence::{self, Sentence};
 use tipc::Robot;
-use tipc::commands::{COMMANDS, Form as Shape};
+use tipc::language::commands::{COMMANDS, Form as Shape};
 
 /// A form of a statement.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use tip_runtime::command::Op;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::Family;
 use tipc::Robot;
-use tipc::commands::{self, Command, Robots};
+use tipc::language::commands::{self, Command, Robots};
 
 /// That something can happen, or why it cannot, in a word.
 pub type Possible = Result<(), &'static str>;

@@ -2,7 +2,7 @@
 
 use super::equation;
 use super::written::Names;
-use tipc::commands::{COMMANDS, Form};
+use tipc::language::commands::{COMMANDS, Form};
 use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, Then, VariableKind};
 
 /// A form as text.

@@ -93,7 +93,7 @@ impl Piece {
 
     /// `R`, `A` or `HS`
     pub fn is_flag(&self) -> bool {
-        self.is(tipc::commands::MOTION_FLAGS)
+        self.is(tipc::language::commands::MOTION_FLAGS)
     }
 }
 

@@ -4,7 +4,7 @@
 use super::task::Task;
 use super::trajectory::Goal;
 use super::{Controller, targets};
-use crate::command::{Command, Poll};
+use crate::command::{Command, Poll, Port};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
@@ -85,14 +85,11 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Whether the sole of leg `n` feels the floor.
     fn touches(&self, n: u8) -> Result<bool, Fault> {
-        const NAMES: [&str; 9] = [
-            "PAW1", "PAW2", "PAW3", "PAW4", "PAW5", "PAW6", "PAW7", "PAW8", "PAW9",
-        ];
         let volts = *targets::leg(&self.measured.paws, n)?;
         if volts.is_finite() {
             Ok(volts >= self.model.contact)
         } else {
-            Err(Fault::Sensor(targets::leg(&NAMES, n)?))
+            Err(Fault::Sensor(Port::Paw(n)))
         }
     }
 

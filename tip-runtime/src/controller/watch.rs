@@ -57,7 +57,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
         let slider = self.measured.slider.iter().all(|at| at.is_finite());
         if self.model.slider.is_some() && !slider {
-            return Err(Fault::Sensor("FLOOR"));
+            return Err(Fault::SliderSensor);
         }
         Ok(())
     }

@@ -144,22 +144,6 @@ fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }
 
-fn port_name(port: Port) -> &'static str {
-    match port {
-        Port::Channel(_) => "AD",
-        Port::Knob(1) => "VR1",
-        Port::Knob(2) => "VR2",
-        Port::Knob(_) => "VR3",
-        Port::Joint(..) => "potentiometer",
-        Port::Paw(1) => "PAW1",
-        Port::Paw(2) => "PAW2",
-        Port::Paw(3) => "PAW3",
-        Port::Paw(4) => "PAW4",
-        Port::Paw(_) => "PAW",
-        Port::Antenna => "ANTENNA",
-    }
-}
-
 impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         match command.op {
@@ -193,7 +177,7 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
         if volts.is_finite() {
             Ok(volts)
         } else {
-            Err(Fault::Sensor(port_name(port)))
+            Err(Fault::Sensor(port))
         }
     }
 

@@ -1,7 +1,7 @@
 //! What is nonsense in a model.
 
 use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
-use crate::command::MAX;
+use crate::command::{MAX, Target};
 use core::fmt;
 
 /// Where in a model; legs and joints count from 1.
@@ -29,8 +29,8 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Place::Robot => f.write_str("robot"),
-            Place::Leg(leg) => write!(f, "F{leg}"),
-            Place::Joint(leg, joint) => write!(f, "J{leg}{joint}"),
+            Place::Leg(leg) => Target::Foot(*leg).fmt(f),
+            Place::Joint(leg, joint) => Target::Joint(*leg, *joint).fmt(f),
             Place::Body => f.write_str("body"),
             Place::Standards => f.write_str("standards"),
             Place::Forces => f.write_str("forces"),

@@ -184,7 +184,7 @@ impl<W: Write> Sink for JsonLines<W> {
 
 /// The members of `cmd`.
 fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
-    write!(out, r#""{}""#, command.op.name())?;
+    write!(out, r#""{}""#, command.op)?;
     if command.hs {
         out.write_str(r#","HS""#)?;
     }

@@ -1,6 +1,7 @@
 //! TITAN.LOG: the sampled rows of a run.
 
 use super::Sample;
+use crate::command::{Port, Target};
 use core::fmt;
 use std::vec::Vec;
 
@@ -109,7 +110,7 @@ impl TitanLog {
     fn joint_headings(
         &self,
         f: &mut fmt::Formatter<'_>,
-        letter: char,
+        letter: &str,
         count: usize,
     ) -> fmt::Result {
         for index in 0..count {
@@ -124,16 +125,16 @@ impl TitanLog {
 
     fn headings(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("cycle\ttime")?;
-        self.joint_headings(f, 'J', self.shape.joints)?;
-        self.joint_headings(f, 'C', self.shape.joints)?;
-        self.joint_headings(f, 'T', self.shape.torques)?;
-        for paw in 1..=self.shape.paws {
-            write!(f, "\tPAW{paw}")?;
+        self.joint_headings(f, Target::Joint(1, 1).stem(), self.shape.joints)?;
+        self.joint_headings(f, "C", self.shape.joints)?;
+        self.joint_headings(f, "T", self.shape.torques)?;
+        for paw in (1..).take(self.shape.paws) {
+            write!(f, "\t{}", Port::Paw(paw))?;
         }
-        for knob in 1..=self.shape.knobs {
-            write!(f, "\tVR{knob}")?;
+        for knob in (1..).take(self.shape.knobs) {
+            write!(f, "\t{}", Port::Knob(knob))?;
         }
-        f.write_str("\tANTENNA\n")
+        writeln!(f, "\t{}", Port::Antenna)
     }
 }
 

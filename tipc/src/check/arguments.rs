@@ -6,8 +6,8 @@ use super::resolve::Resolver;
 use super::suggest::nearest;
 use super::targets::word;
 use crate::code::{Code, Level};
-use crate::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::program::{self, Action, Argument, Scalar};
 use crate::robot::Robot;
 use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
@@ -59,7 +59,8 @@ impl Resolver<'_> {
     }
 
     fn known(&mut self, name: &Word) -> Option<&'static Command> {
-        let command = commands::find(&name.node).filter(|command| command.meaning != Meaning::Word);
+        let command = commands::find(&name.node)
+            .filter(|command| !matches!(command.meaning, Meaning::Keyword(_)));
         let Some(command) = command else {
             return self.unknown_command(name);
         };

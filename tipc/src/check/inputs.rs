@@ -2,10 +2,10 @@
 
 use super::names::{Meant, VAR_KEY};
 use super::resolve::Resolver;
-use super::targets::{target, word};
+use super::targets::word;
 use crate::code::Code;
-use crate::commands::Targets;
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::Targets;
 use crate::program::{self, Action, Argument, Scalar};
 use crate::syntax::{Operand, VariableKind, Word};
 use tip_runtime::command::{Op, Port, Target, Teach};
@@ -112,19 +112,13 @@ impl Resolver<'_> {
 
     fn port(&mut self, operand: &Operand, id: &str) -> Option<Port> {
         let family = self.robot.signature().family;
-        let port = match id.as_bytes() {
-            [b'V', b'R', knob @ b'1'..=b'3'] => Some(Port::Knob(knob - b'0')),
-            [b'P', b'A', b'W', paw @ b'1'..=b'4'] if family == Family::Titan => {
-                Some(Port::Paw(paw - b'0'))
-            }
-            b"ANTENNA" if family != Family::Generic => Some(Port::Antenna),
-            _ => match target(id) {
-                Some(Target::Joint(leg, joint)) if self.robot.has(Target::Joint(leg, joint)) => {
-                    Some(Port::Joint(leg, joint))
-                }
-                _ => None,
-            },
-        };
+        let named = id.parse().ok();
+        let port = named.filter(|port| match *port {
+            Port::Knob(_) | Port::Channel(_) => true,
+            Port::Paw(_) => family == Family::Titan,
+            Port::Antenna => family != Family::Generic,
+            Port::Joint(leg, joint) => self.robot.has(Target::Joint(leg, joint)),
+        });
         if port.is_none() {
             let reason = format!("{} has no input of this name", self.robot.name());
             let paws = match family {

@@ -2,14 +2,15 @@
 
 use super::suggest::nearest;
 use crate::code::Code;
-use crate::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::{COMMANDS, MOTION_FLAGS, PARTICLES};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::syntax::{
     FUNCTIONS, Module, Operand, OperandKind, Span, StatementKind, VariableKind, Word,
 };
 use std::collections::{HashMap, HashSet};
+use tip_runtime::command::{Flag, Port, Target};
 
 /// The variable of KEY_IN without argument.
 pub(crate) const VAR_KEY: &str = "VAR_KEY";
@@ -256,28 +257,16 @@ pub(crate) fn is_reserved(word: &str) -> bool {
     let is_command = COMMANDS
         .iter()
         .any(|command| command.name == word || command.alias == Some(word));
-    let is_word = [FUNCTIONS, FLAGS, PARTICLES, PORTS]
+    let is_word = [FUNCTIONS, PARTICLES]
         .iter()
         .any(|words| words.contains(&word));
     is_command
         || is_word
         || word == VAR_KEY
         || constant(word).is_some()
-        || is_target(word)
-        || FLAG_FAMILIES.iter().any(|family| {
-            word.strip_prefix(family).is_some_and(|rest| {
-                is_target(rest) && rest != "FLOOR" && *family != "SPECIAL_FLAG"
-                    || *family == "SPECIAL_FLAG" && matches!(rest.as_bytes(), [b'0'..=b'9'])
-            })
-        })
-}
-
-/// Whether a word is ALL, FLOOR, F1…F9 or J11…J99, whatever the robot.
-pub(crate) fn is_target(word: &str) -> bool {
-    matches!(
-        word.as_bytes(),
-        b"ALL" | b"FLOOR" | [b'F', b'1'..=b'9'] | [b'J', b'1'..=b'9', b'1'..=b'9']
-    )
+        || word.parse::<Target>().is_ok()
+        || word.parse::<Flag>().is_ok()
+        || word.parse::<Port>().is_ok()
 }
 
 fn is_variable_name(name: &str) -> bool {

@@ -2,8 +2,8 @@
 
 use super::resolve::Resolver;
 use crate::code::Code;
-use crate::commands::{Arguments, Limit, Values};
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::{Arguments, Limit, Values};
 use crate::program::{Argument, Arithmetic, Operand};
 use crate::robot::Robot;
 use crate::syntax::{self, Equation, Expression, OperandKind, Span, Word};

@@ -3,24 +3,11 @@
 use super::resolve::Resolver;
 use super::suggest::nearest;
 use crate::code::Code;
-use crate::commands::{FLAG_FAMILIES, FLAGS, Joints, Targets};
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::{FLAGS, Joints, Targets};
 use crate::robot::Robot;
 use crate::syntax::{Operand, OperandKind, Word};
 use tip_runtime::command::{Flag, Target};
-
-/// The target that a word names, whatever the robot.
-pub(super) fn target(word: &str) -> Option<Target> {
-    match word.as_bytes() {
-        b"ALL" => Some(Target::All),
-        b"FLOOR" => Some(Target::Floor),
-        [b'F', leg @ b'1'..=b'9'] => Some(Target::Foot(leg - b'0')),
-        [b'J', leg @ b'1'..=b'9', joint @ b'1'..=b'9'] => {
-            Some(Target::Joint(leg - b'0', joint - b'0'))
-        }
-        _ => None,
-    }
-}
 
 /// The word that an operand is, if it is one without sign and member.
 pub(super) fn word(operand: &Operand) -> Option<&str> {
@@ -46,7 +33,7 @@ impl Resolver<'_> {
             );
             return self.refuse_target(command.span, reason);
         };
-        let Some(target) = word(first).and_then(target) else {
+        let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
             let reason = format!("a target belongs here, as {}", self.wanted(targets));
             return self.refuse_target(first.span, reason);
         };
@@ -77,13 +64,12 @@ impl Resolver<'_> {
 
     /// The event flag of a condition.
     pub(super) fn flag(&mut self, name: &Word) -> Option<Flag> {
-        let word = name.node.as_str();
-        let found = match word {
-            "HALT_REQUEST" => Some(Flag::HaltRequest),
-            "KB_HIT" => Some(Flag::KbHit),
-            "ANTENNA_ON" => Some(Flag::Antenna).filter(|_| self.robot.is_hand()),
-            _ => self.numbered_flag(word),
-        };
+        let named = name.node.parse().ok();
+        let found = named.filter(|flag| match flag {
+            Flag::Antenna => self.robot.is_hand(),
+            Flag::Inpos(target) | Flag::Near(target) => self.robot.has(*target),
+            Flag::HaltRequest | Flag::KbHit | Flag::Special(_) => true,
+        });
         if found.is_none() {
             self.refuse_flag(name);
         }
@@ -121,20 +107,6 @@ impl Resolver<'_> {
                 )
             }
         }
-    }
-
-    fn numbered_flag(&self, word: &str) -> Option<Flag> {
-        let [inpos, near, special] = [FLAG_FAMILIES[0], FLAG_FAMILIES[1], FLAG_FAMILIES[2]];
-        if let Some([number @ b'0'..=b'9']) = word.strip_prefix(special).map(str::as_bytes) {
-            return Some(Flag::Special(number - b'0'));
-        }
-        let awaited = |rest: &str| {
-            target(rest).filter(|target| *target != Target::Floor && self.robot.has(*target))
-        };
-        if let Some(rest) = word.strip_prefix(inpos) {
-            return awaited(rest).map(Flag::Inpos);
-        }
-        word.strip_prefix(near).and_then(awaited).map(Flag::Near)
     }
 }
 

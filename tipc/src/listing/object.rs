@@ -4,7 +4,7 @@ mod record;
 mod slot;
 
 use super::formal::line;
-use crate::commands::find;
+use crate::language::commands::find;
 use crate::program::{
     Action, Argument, Arithmetic, Axis, Condition, Function, Operand, Program, Relation,
     ScalarExpression, StepId, StructExpression,
@@ -12,7 +12,7 @@ use crate::program::{
 use crate::source::Source;
 use crate::syntax::Module;
 use record::Record;
-use slot::{Slot, Variables, flag_name, port_name, target_name};
+use slot::{Slot, Variables, port_name, target_name};
 use tip_runtime::command::{Port, Target};
 
 /// TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its target, and the types and values of its arguments.
@@ -225,7 +225,7 @@ impl Listing<'_> {
             ),
             Condition::Flag { flag, negated } => {
                 let sign = if *negated { -1.0 } else { 1.0 };
-                ("EVENT", Slot::new(flag_name(*flag), sign), Slot::NONE)
+                ("EVENT", Slot::new(flag.to_string(), sign), Slot::NONE)
             }
         };
         Record::new(format!("{name}_{kind}"))

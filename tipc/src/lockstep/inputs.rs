@@ -131,22 +131,9 @@ pub struct Sensor {
     pub cycle: u64,
 }
 
-impl Sensor {
-    /// The input's name as AD_IN has it.
-    pub fn name(&self) -> String {
-        match self.port {
-            Port::Channel(channel) => channel.to_string(),
-            Port::Knob(knob) => format!("VR{knob}"),
-            Port::Joint(leg, joint) => format!("J{leg}{joint}"),
-            Port::Paw(leg) => format!("PAW{leg}"),
-            Port::Antenna => "ANTENNA".to_owned(),
-        }
-    }
-}
-
 impl fmt::Display for Sensor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}@{}", self.name(), self.volts, self.cycle)
+        write!(f, "{}={}@{}", self.port, self.volts, self.cycle)
     }
 }
 
@@ -158,7 +145,9 @@ impl FromStr for Sensor {
         let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
         let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
         let name = name.trim().to_ascii_uppercase();
-        let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is no input")))?;
+        let port = name
+            .parse()
+            .map_err(|_| wrong(&format!("'{name}' is no input")))?;
         let volts = match volts.trim().parse::<f64>() {
             Ok(volts) if volts.is_finite() => volts,
             _ => return Err(wrong(&format!("'{volts}' is no number of volts"))),
@@ -190,21 +179,6 @@ impl Due {
     /// The next one that is to be set before the step of `cycle`.
     pub fn next(&mut self, cycle: u64) -> Option<Sensor> {
         self.sensors.pop_if(|sensor| sensor.cycle <= cycle)
-    }
-}
-
-/// The inputs by name, as AD_IN has them.
-fn port(name: &str) -> Option<Port> {
-    if name == "ANTENNA" {
-        return Some(Port::Antenna);
-    }
-    let digits = |prefix: &str| name.strip_prefix(prefix).map(str::as_bytes);
-    let number = |digit: u8, last: u8| (b'1'..=last).contains(&digit).then(|| digit - b'0');
-    match (digits("VR"), digits("PAW"), digits("J")) {
-        (Some(&[knob]), _, _) => number(knob, b'3').map(Port::Knob),
-        (_, Some(&[paw]), _) => number(paw, b'4').map(Port::Paw),
-        (_, _, Some(&[leg, joint])) => Some(Port::Joint(number(leg, b'9')?, number(joint, b'9')?)),
-        _ => None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Migrator;
 use super::lines::Statement;
-use crate::commands::{COMMANDS, find};
+use crate::language::commands::{COMMANDS, find};
 use crate::lex::Kind;
 use crate::syntax::{Arithmetic, Span};
 

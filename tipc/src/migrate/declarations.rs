@@ -5,7 +5,7 @@ use super::header::Title;
 use super::lines::Statement;
 use super::variables::Variables;
 use crate::check::is_reserved;
-use crate::commands::MOTION_FLAGS;
+use crate::language::commands::MOTION_FLAGS;
 use crate::syntax::VariableKind;
 
 /// How many names a line declares at most.

@@ -2,8 +2,8 @@
 
 use super::{Note, NoteKind};
 use crate::code::{Code, Level};
-use crate::commands::find;
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::find;
 use crate::parse::parse;
 use crate::source::{Encoding, Source};
 use crate::syntax::StatementKind;

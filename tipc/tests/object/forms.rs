@@ -3,7 +3,7 @@
 
 use crate::{BLOCKS, INPUTS_AND_OUTPUTS, JUMPS, records};
 use tipc::Robot;
-use tipc::commands::{COMMANDS, Command, Cycles, Form, Meaning, Values};
+use tipc::language::commands::{COMMANDS, Command, Cycles, Form, Meaning, Values};
 
 /// VAR_KEY is VAR 0, so N is VAR 1.
 const DECLARATIONS: &str = "DEF_VAR N, B\nDEF_POS P\nDEF_JOINT U\n";
@@ -16,7 +16,10 @@ const SCALARS: &[&str] = &["-3", "-N", "P.X", "-U.J2"];
 // clauses: 9.4 7.1
 #[test]
 fn every_form_of_every_command_is_written_as_it_stands() {
-    for command in COMMANDS.iter().filter(|it| it.meaning != Meaning::Word) {
+    for command in COMMANDS
+        .iter()
+        .filter(|it| !matches!(it.meaning, Meaning::Keyword(_)))
+    {
         for robot in Robot::ALL.iter().filter(|it| command.robots.contains(**it)) {
             let lines = lines(command, *robot);
             let program = format!("{DECLARATIONS}{GIVEN}{}", lines.join("\n"));
@@ -34,7 +37,10 @@ fn every_form_of_every_command_is_written_as_it_stands() {
 #[test]
 fn every_word_that_is_a_step_has_a_record_of_its_own() {
     let tables = [INPUTS_AND_OUTPUTS, BLOCKS, JUMPS].concat();
-    for command in COMMANDS.iter().filter(|it| it.meaning == Meaning::Word) {
+    for command in COMMANDS
+        .iter()
+        .filter(|it| matches!(it.meaning, Meaning::Keyword(_)))
+    {
         // END stands behind every program of these tests.
         let is_shown = tables.iter().any(|(line, record)| {
             line.split(' ').next() == Some(command.name) && record.starts_with(command.name)

@@ -5,7 +5,7 @@ use crate::{hold, read, workspace};
 use std::collections::BTreeSet;
 use std::fs;
 use tipc::Robot;
-use tipc::commands::{
+use tipc::language::commands::{
     COMMANDS, Command, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS, find,
 };
 use tipc::syntax::FUNCTIONS;

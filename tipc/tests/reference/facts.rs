@@ -3,7 +3,9 @@
 use crate::read;
 use tip_runtime::command::Teach;
 use tipc::Robot;
-use tipc::commands::{Arguments, Command, Cycles, Form, Joints, Meaning, Targets, Values};
+use tipc::language::commands::{
+    Arguments, Command, Cycles, Form, Joints, Meaning, Targets, Values,
+};
 
 /// Those with a letter in the reference.
 const ROBOTS: [(&str, Robot); 3] = [

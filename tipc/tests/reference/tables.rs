@@ -4,7 +4,7 @@ use crate::links::anchor;
 use crate::{hold, read};
 use std::fmt::Write as _;
 use tipc::code::{Code, Level};
-use tipc::commands::{COMMANDS, Command, Cycles};
+use tipc::language::commands::{COMMANDS, Command, Cycles};
 
 /// How many clauses each chapter has.
 const CLAUSES: [usize; 11] = [12, 25, 6, 9, 1, 7, 48, 1, 5, 1, 1];

@@ -162,7 +162,7 @@ fn check_sensors<P: Plant<L, J> + Clone, S, const L: usize, const J: usize>(
     match sensors.find(|sensor| !plant.set_sensor(sensor.port, sensor.volts)) {
         None => Ok(()),
         Some(sensor) => {
-            let (robot, name) = (robot.model.name, sensor.name());
+            let (robot, name) = (robot.model.name, sensor.port);
             Err(Error::Usage(format!("{robot} has no input {name}")))
         }
     }

@@ -3,6 +3,7 @@
 use crate::defect::{Defect, Reading};
 use crate::place::Place;
 use crate::trial::Outcome;
+use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::{Family, Model};
 
@@ -44,8 +45,6 @@ impl Expected {
         reading: Reading,
         model: &Model<L, J>,
     ) -> Self {
-        const KNOBS: [&str; 3] = ["VR1", "VR2", "VR3"];
-        const SOLES: [&str; 4] = ["PAW1", "PAW2", "PAW3", "PAW4"];
         let is_number = !matches!(reading, Reading::NotANumber | Reading::Infinite(_));
         let number = |n: usize| u8::try_from(n + 1).expect("nine at most");
         match place {
@@ -63,11 +62,15 @@ impl Expected {
                 Expected::StopsAtOnce(Fault::JointSensor(number(n), number(m)))
             }
             Place::Slider(_) if model.slider.is_none() => Expected::GoesOn,
-            Place::Slider(_) if !is_number => Expected::StopsAtOnce(Fault::Sensor("FLOOR")),
+            Place::Slider(_) if !is_number => Expected::StopsAtOnce(Fault::SliderSensor),
             Place::Sole(_) if matches!(model.family, Family::Hand) => Expected::GoesOn,
-            Place::Knob(knob) if !is_number => Expected::StopsWhereRead(Fault::Sensor(KNOBS[knob])),
-            Place::Sole(n) if !is_number => Expected::StopsWhereRead(Fault::Sensor(SOLES[n])),
-            Place::Antenna if !is_number => Expected::StopsWhereRead(Fault::Sensor("ANTENNA")),
+            Place::Knob(knob) if !is_number => {
+                Expected::StopsWhereRead(Fault::Sensor(Port::Knob(number(knob))))
+            }
+            Place::Sole(n) if !is_number => {
+                Expected::StopsWhereRead(Fault::Sensor(Port::Paw(number(n))))
+            }
+            Place::Antenna if !is_number => Expected::StopsWhereRead(Fault::Sensor(Port::Antenna)),
             Place::Torque(..) | Place::Slider(_) | Place::Knob(_) => Expected::GoesOnWithIt,
             Place::Sole(_) | Place::Antenna => Expected::GoesOnWithIt,
         }
@@ -98,6 +101,7 @@ impl Expected {
                 Fault::Hardware(_)
                     | Fault::EmergencyKey
                     | Fault::Sensor(_)
+                    | Fault::SliderSensor
                     | Fault::JointSensor(..)
             ),
             (Expected::GoesOnWithIt, _) => true,

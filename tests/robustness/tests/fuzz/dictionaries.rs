@@ -3,8 +3,8 @@
 use crate::fuzzer;
 use std::collections::BTreeSet;
 use std::{env, fs};
-use tipc::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
 use tipc::description::{KEYS, Part};
+use tipc::language::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
 use tipc::syntax::FUNCTIONS;
 
 /// What the language has beside the words of its tables.

@@ -182,7 +182,7 @@ fn read_ports(_: &mut Scalars, cx: &mut dyn Context) -> Result<Flow, Fault> {
     assert_eq!(cx.analog(Port::Knob(0)), Err(Fault::Domain));
     assert_eq!(cx.analog(Port::Joint(5, 1)), Err(Fault::Domain));
     assert_eq!(cx.analog(Port::Paw(5)), Err(Fault::Domain));
-    assert_eq!(cx.analog(Port::Knob(2)), Err(Fault::Sensor("VR2")));
+    assert_eq!(cx.analog(Port::Knob(2)), Err(Fault::Sensor(Port::Knob(2))));
     assert!(cx.flag(Flag::Antenna));
     Ok(Flow::Next)
 }

@@ -6,7 +6,7 @@ use super::counted::{Counted, counted};
 use super::distance::{Edge, Place, distances};
 use super::loops::Loops;
 use crate::analysis::flow::{Call, Flow, NodeId};
-use crate::commands;
+use crate::language::commands;
 use crate::program::{Action, Op, Operand, Program};
 use std::collections::{BTreeMap, BTreeSet};
 

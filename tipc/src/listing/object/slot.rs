@@ -2,7 +2,7 @@
 
 use crate::program::{Argument, Operand, Program, Scalar, VariableId, VariableKind};
 use std::borrow::Cow;
-use tip_runtime::command::{Flag, Port, Target};
+use tip_runtime::command::{Port, Target};
 
 /// The type and the value of an argument.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,21 +112,6 @@ pub(super) fn target_name(target: Target) -> String {
 pub(super) fn port_name(port: Port) -> String {
     match port {
         Port::Channel(_) => target_name(Target::None),
-        Port::Knob(number) => format!("TARGET_VR{number}"),
-        Port::Joint(leg, joint) => target_name(Target::Joint(leg, joint)),
-        Port::Paw(number) => format!("TARGET_PAW{number}"),
-        Port::Antenna => "TARGET_ANTENNA".to_owned(),
-    }
-}
-
-/// An event flag's name.
-pub(super) fn flag_name(flag: Flag) -> String {
-    match flag {
-        Flag::HaltRequest => "HALT_REQUEST".to_owned(),
-        Flag::KbHit => "KB_HIT".to_owned(),
-        Flag::Inpos(target) => format!("INPOS_{target}"),
-        Flag::Near(target) => format!("NEAR_{target}"),
-        Flag::Special(number) => format!("SPECIAL_FLAG{number}"),
-        Flag::Antenna => "ANTENNA_ON".to_owned(),
+        port => format!("TARGET_{port}"),
     }
 }

@@ -1,7 +1,7 @@
 //! How long a command takes, and how it can fail when it runs.
 
 use super::{Command, Form, Limit, Values};
-use tip_runtime::command::Target;
+use tip_runtime::command::{Port, Target};
 use tip_runtime::fault::Fault;
 
 /// How many control cycles a command takes.
@@ -74,7 +74,10 @@ pub(super) const SWING: &[Failure] = &[(
 )];
 
 pub(super) const FLOOR: &[Failure] = &[
-    (Fault::Sensor("PAW1"), "a sole's sensor reads nonsense"),
+    (
+        Fault::Sensor(Port::Paw(1)),
+        "a sole's sensor reads nonsense",
+    ),
     (
         Fault::OutOfReach(Target::Foot(1)),
         "a foot comes to the end of its reach before it feels the floor",
@@ -89,7 +92,7 @@ const NOTHING_THERE: Failure = (
     "a joint comes to its limit, since nothing is there to be felt",
 );
 
-pub(super) const INPUT: &[Failure] = &[(Fault::Sensor("VR1"), "the input reads nonsense")];
+pub(super) const INPUT: &[Failure] = &[(Fault::Sensor(Port::Knob(1)), "the input reads nonsense")];
 
 pub(super) const COUNT: &[Failure] = &[
     NO_VALUE,

@@ -1,0 +1,73 @@
+//! The event flags of conditions (T.I.P. 3.1 §6-2).
+
+use super::{Target, UnknownWord};
+use core::fmt;
+use core::str::FromStr;
+
+/// An event flag of a condition (T.I.P. 3.1 §6-2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Flag {
+    /// Somebody asked the program to stop at the next good moment.
+    HaltRequest,
+    /// The keyboard buffer is not empty.
+    KbHit,
+    /// The target has arrived within the JUST tolerance.
+    Inpos(Target),
+    /// The target has arrived within the NEAR tolerance.
+    Near(Target),
+    /// `SPECIAL_FLAG0…9`, set by native code.
+    Special(u8),
+    /// The palm touches (Hiroshima Hand).
+    Antenna,
+}
+
+impl Flag {
+    /// The word that names it, or what that word begins with: a target or a digit follows.
+    pub const fn stem(self) -> &'static str {
+        match self {
+            Flag::HaltRequest => "HALT_REQUEST",
+            Flag::KbHit => "KB_HIT",
+            Flag::Inpos(_) => "INPOS_",
+            Flag::Near(_) => "NEAR_",
+            Flag::Special(_) => "SPECIAL_FLAG",
+            Flag::Antenna => "ANTENNA_ON",
+        }
+    }
+}
+
+impl fmt::Display for Flag {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.stem())?;
+        match self {
+            Flag::Inpos(target) | Flag::Near(target) => write!(f, "{target}"),
+            Flag::Special(number) => write!(f, "{number}"),
+            Flag::HaltRequest | Flag::KbHit | Flag::Antenna => Ok(()),
+        }
+    }
+}
+
+impl FromStr for Flag {
+    type Err = UnknownWord;
+
+    /// Reads a name in capital letters. The slider is not awaited: it has no arrival.
+    fn from_str(word: &str) -> Result<Self, UnknownWord> {
+        let behind = |of: Flag| word.strip_prefix(of.stem());
+        let awaited = |word: &str| match word.parse()? {
+            Target::Floor => Err(UnknownWord),
+            target => Ok(target),
+        };
+        if let Some(target) = behind(Flag::Inpos(Target::All)) {
+            return awaited(target).map(Flag::Inpos);
+        }
+        if let Some(target) = behind(Flag::Near(Target::All)) {
+            return awaited(target).map(Flag::Near);
+        }
+        match behind(Flag::Special(0)).map(str::as_bytes) {
+            Some([digit @ b'0'..=b'9']) => Ok(Flag::Special(digit - b'0')),
+            _ => [Flag::HaltRequest, Flag::KbHit, Flag::Antenna]
+                .into_iter()
+                .find(|flag| flag.stem() == word)
+                .ok_or(UnknownWord),
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The analogue inputs.
+
+use super::{Target, UnknownWord};
+use core::fmt;
+use core::str::FromStr;
+
+/// How many potentiometers the control box has.
+const KNOBS: u8 = 3;
+
+/// How many soles have a pressure sensor with a name.
+const PAWS: u8 = 4;
+
+/// An analogue input, read in volts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Port {
+    /// A channel of the A/D board, 0…15.
+    Channel(u8),
+    /// `VR1…VR3`: the potentiometers of the control box.
+    Knob(u8),
+    /// `Jnm`: a joint's potentiometer.
+    Joint(u8, u8),
+    /// `PAW1…PAW4`: the pressure sensor of a sole.
+    Paw(u8),
+    /// `ANTENNA`: the feeler (TITAN VIII) or palm touch (Hiroshima Hand).
+    Antenna,
+}
+
+impl Port {
+    /// The word that names it, or what that word begins with; a channel has only its number.
+    pub const fn stem(self) -> &'static str {
+        match self {
+            Port::Channel(_) => "",
+            Port::Knob(_) => "VR",
+            Port::Joint(leg, joint) => Target::Joint(leg, joint).stem(),
+            Port::Paw(_) => "PAW",
+            Port::Antenna => "ANTENNA",
+        }
+    }
+
+    /// The inputs that a kind has a word for, joints aside; `self` says which kind.
+    pub fn named(self) -> impl Iterator<Item = Port> {
+        let count = match self {
+            Port::Channel(_) | Port::Joint(..) => 0,
+            Port::Knob(_) => KNOBS,
+            Port::Paw(_) => PAWS,
+            Port::Antenna => 1,
+        };
+        (1..=count).map(move |number| match self {
+            Port::Knob(_) => Port::Knob(number),
+            Port::Paw(_) => Port::Paw(number),
+            other => other,
+        })
+    }
+}
+
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.stem())?;
+        match self {
+            Port::Channel(number) | Port::Knob(number) | Port::Paw(number) => {
+                write!(f, "{number}")
+            }
+            Port::Joint(leg, joint) => write!(f, "{leg}{joint}"),
+            Port::Antenna => Ok(()),
+        }
+    }
+}
+
+impl FromStr for Port {
+    type Err = UnknownWord;
+
+    /// Reads a name in capital letters. A channel has none: its number alone does not say what it counts.
+    fn from_str(word: &str) -> Result<Self, UnknownWord> {
+        let numbered = |kind: Port, last: u8| match word.strip_prefix(kind.stem())?.as_bytes() {
+            [digit @ b'1'..=b'9'] if digit - b'0' <= last => Some(digit - b'0'),
+            _ => None,
+        };
+        if let Some(knob) = numbered(Port::Knob(1), KNOBS) {
+            return Ok(Port::Knob(knob));
+        }
+        if let Some(paw) = numbered(Port::Paw(1), PAWS) {
+            return Ok(Port::Paw(paw));
+        }
+        match word.parse() {
+            Ok(Target::Joint(leg, joint)) => Ok(Port::Joint(leg, joint)),
+            _ if word == Port::Antenna.stem() => Ok(Port::Antenna),
+            _ => Err(UnknownWord),
+        }
+    }
+}

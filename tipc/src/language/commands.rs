@@ -1,0 +1,273 @@
+//! The one table of every command: name, arguments, robots, documentation.
+//!
+//! The checker, the reserved words, the suggestions and the tables of the language reference are
+//! all derived from it. Each section of the reference has a file of rows.
+
+mod console;
+mod control;
+mod declarations;
+mod form;
+mod motion;
+mod others;
+mod outcome;
+mod robots;
+mod settings;
+mod usage;
+mod waiting;
+
+pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
+pub use outcome::{Cycles, Failure};
+
+use super::index::Index;
+use super::{Edition, Keyword};
+use tip_runtime::command::{Op, Teach};
+
+/// A command of the language.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Command {
+    /// Its name.
+    pub name: &'static str,
+    /// Another name that older programs use.
+    pub alias: Option<&'static str>,
+    /// The first edition that has it.
+    pub since: Edition,
+    /// The section of T.I.P. that describes it.
+    pub section: &'static str,
+    /// The clause of the language reference.
+    pub clause: &'static str,
+    /// What it does.
+    pub meaning: Meaning,
+    /// Its arguments.
+    pub form: Form,
+    /// The robots that have it.
+    pub robots: Robots,
+    /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
+    pub unit: &'static str,
+    /// How many control cycles it takes.
+    pub cycles: Cycles,
+    /// The runtime errors of its own step, beside those of its operands.
+    pub failures: &'static [Failure],
+    /// One line for the reference.
+    pub description: &'static str,
+}
+
+/// What a command does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// The robot carries it out.
+    Robot(Op),
+    /// It measures into a variable.
+    Teach(Teach),
+    /// It reads an input into a variable.
+    AdIn,
+    /// It waits for a key.
+    KeyIn,
+    /// It clears the message line.
+    MessageClear,
+    /// The parser reads it: control words, declarations, MESSAGE and REM.
+    Keyword(Keyword),
+}
+
+/// The tables of the sections, in the order of the reference.
+const SECTIONS: [&[Command]; 8] = [
+    declarations::ROWS,
+    motion::ROWS,
+    waiting::ROWS,
+    control::ROWS,
+    settings::ROWS,
+    console::ROWS,
+    others::ROWS,
+    robots::ROWS,
+];
+
+/// Every command.
+pub const COMMANDS: &[Command] = &ROWS;
+
+const COUNT: usize = {
+    let mut count = 0;
+    let mut section = 0;
+    while section < SECTIONS.len() {
+        count += SECTIONS[section].len();
+        section += 1;
+    }
+    count
+};
+
+static ROWS: [Command; COUNT] = {
+    let mut rows = [SECTIONS[0][0]; COUNT];
+    let (mut at, mut section) = (0, 0);
+    while section < SECTIONS.len() {
+        let mut row = 0;
+        while row < SECTIONS[section].len() {
+            rows[at] = SECTIONS[section][row];
+            row += 1;
+            at += 1;
+        }
+        section += 1;
+    }
+    rows
+};
+
+/// By name and alias; a command without alias stands there twice.
+static INDEX: Index<{ 2 * COUNT }> = {
+    let mut words = [("", 0); 2 * COUNT];
+    let mut row = 0;
+    while row < COUNT {
+        words[row] = (ROWS[row].name, row as u8);
+        words[COUNT + row] = match ROWS[row].alias {
+            Some(alias) => (alias, row as u8),
+            None => words[row],
+        };
+        row += 1;
+    }
+    Index::of(words)
+};
+
+/// The command of that name or alias, whatever the case.
+pub fn find(name: &str) -> Option<&'static Command> {
+    ROWS.get(INDEX.find(name)?)
+}
+
+impl Command {
+    /// A command of 3.1 that every robot has, that takes no argument and one cycle, and that cannot fail.
+    const fn new(name: &'static str, meaning: Meaning) -> Self {
+        Command {
+            name,
+            alias: None,
+            since: Edition::V3_1,
+            section: "",
+            clause: "",
+            meaning,
+            form: Form::Robot(Arguments::BARE),
+            robots: Robots::ALL,
+            unit: "",
+            cycles: Cycles::One,
+            failures: outcome::NONE,
+            description: "",
+        }
+    }
+
+    /// One that the robot carries out.
+    const fn robot(op: Op) -> Self {
+        Command::new(op.name(), Meaning::Robot(op))
+    }
+
+    /// One that the parser reads, without arguments.
+    const fn keyword(keyword: Keyword) -> Self {
+        let row = keyword.row();
+        Command {
+            since: row.since,
+            form: Form::Words(""),
+            ..Command::new(row.word, Meaning::Keyword(keyword))
+                .place(row.section, row.clause)
+                .does(row.description)
+        }
+    }
+
+    /// Its section of T.I.P. 3.1 and its clause of the language reference.
+    const fn place(self, section: &'static str, clause: &'static str) -> Self {
+        Command {
+            section,
+            clause,
+            ..self
+        }
+    }
+
+    /// What it does, in one line.
+    const fn does(self, description: &'static str) -> Self {
+        Command {
+            description,
+            ..self
+        }
+    }
+
+    /// Another name that older programs use.
+    const fn alias(self, alias: &'static str) -> Self {
+        Command {
+            alias: Some(alias),
+            ..self
+        }
+    }
+
+    /// Its arguments.
+    const fn takes(self, arguments: Arguments) -> Self {
+        self.form(Form::Robot(arguments))
+    }
+
+    /// Its arguments, in a form of its own.
+    const fn form(self, form: Form) -> Self {
+        Command { form, ..self }
+    }
+
+    /// Its arguments as the parser reads them.
+    const fn words(self, text: &'static str) -> Self {
+        self.form(Form::Words(text))
+    }
+
+    /// The unit of its values.
+    const fn unit(self, unit: &'static str) -> Self {
+        Command { unit, ..self }
+    }
+
+    /// The robots that have it.
+    const fn only(self, robots: Robots) -> Self {
+        Command { robots, ..self }
+    }
+
+    /// It is no step.
+    const fn no_step(self) -> Self {
+        Command {
+            cycles: Cycles::Zero,
+            ..self
+        }
+    }
+
+    /// The program stays on it until this holds.
+    const fn until(self, what: &'static str) -> Self {
+        Command {
+            cycles: Cycles::Until(what),
+            ..self
+        }
+    }
+
+    /// The runtime errors of its own step.
+    const fn fails(self, failures: &'static [Failure]) -> Self {
+        Command { failures, ..self }
+    }
+}
+
+/// Whether a command of the robot can take more than one control cycle.
+pub fn waits(op: Op) -> bool {
+    let mut rows = COMMANDS.iter();
+    rows.any(|command| {
+        command.meaning == Meaning::Robot(op) && matches!(command.cycles, Cycles::Until(_))
+    })
+}
+
+/// What an older version's command is called now (T.I.P. 3.1 §1-1).
+pub fn renamed(word: &str) -> Option<&'static str> {
+    let name = match word {
+        "SET_INPOS" => return Some(Op::SetJustPosition.name()),
+        "SET_NEAR" => return Some(Op::SetNearPosition.name()),
+        "COMPLIANCE" => return Some(Op::ComplianceAngle.name()),
+        _ => format!("SET_{word}"),
+    };
+    find(&name).map(|command| command.name)
+}
+
+/// The event flags without a number in their names.
+pub const FLAGS: &[&str] = &["HALT_REQUEST", "KB_HIT", "ANTENNA_ON"];
+
+/// The event flags that a number or target follows.
+pub const FLAG_FAMILIES: &[&str] = &["INPOS_", "NEAR_", "SPECIAL_FLAG"];
+
+/// Words that belong to other statements.
+pub const PARTICLES: &[&str] = &["THEN", "TO", "STEP"];
+
+/// The inputs besides joints.
+pub const PORTS: &[&str] = &[
+    "VR1", "VR2", "VR3", "PAW1", "PAW2", "PAW3", "PAW4", "ANTENNA",
+];
+
+/// The flags of motion arguments.
+pub const MOTION_FLAGS: &[&str] = &["R", "A", "HS"];

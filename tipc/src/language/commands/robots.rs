@@ -1,0 +1,45 @@
+//! Commands of one robot alone (T.I.P. 3.1 §7-11).
+
+use super::{Arguments, Command, Limit, Robots, Targets, Values, outcome};
+use tip_runtime::command::Op;
+
+pub(super) const ROWS: &[Command] = &[
+    Command::robot(Op::StandUp)
+        .place("§7-11-1", "7.44")
+        .does("Raises the body slowly.")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Any))
+        .unit("mm")
+        .only(Robots::TITAN)
+        .until("all feet have arrived")
+        .fails(outcome::STAND),
+    Command::robot(Op::SitDown)
+        .place("§7-11-2", "7.44")
+        .does("Lowers the body slowly.")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Any))
+        .unit("mm")
+        .only(Robots::TITAN)
+        .until("all feet have arrived")
+        .fails(outcome::STAND),
+    Command::robot(Op::DetectFloor)
+        .place("§7-11-3", "7.45")
+        .does("Searches the floor with feet or fingers.")
+        .takes(Arguments::setting(
+            Targets::FEET,
+            Values::One,
+            Limit::FloorType,
+        ))
+        .only(Robots::NAMED)
+        .until("every foot or finger feels the floor (T, type 3: no longer feels it)")
+        .fails(outcome::FLOOR),
+    Command::robot(Op::DetectObject)
+        .place("§7-11-4", "7.46")
+        .does("Closes the fingers until they touch an object.")
+        .takes(Arguments::setting(
+            Targets::NONE,
+            Values::One,
+            Limit::ObjectType,
+        ))
+        .only(Robots::HAND)
+        .until("every finger feels the object")
+        .fails(outcome::OBJECT),
+];

@@ -1,0 +1,48 @@
+//! Waiting and measuring (T.I.P. 3.1 §7-4, §7-5).
+
+use super::{Arguments, Command, Form, Limit, Meaning, Robots, Targets, Values, outcome};
+use tip_runtime::command::{Op, Teach};
+
+pub(super) const ROWS: &[Command] = &[
+    Command::robot(Op::Sleep)
+        .place("§7-4-1", "7.14")
+        .does("Waits for a time.")
+        .takes(Arguments::setting(Targets::NONE, Values::One, Limit::NotNegative))
+        .unit("ms")
+        .until("the time is over: V by the sampling time, rounded up"),
+    Command::robot(Op::WaitInpos)
+        .alias("WAIT_IN_POS")
+        .place("§7-4-2", "7.15")
+        .does("Waits until the target has arrived within the JUST tolerance.")
+        .takes(Arguments::target(Targets::ANY))
+        .until("the target has arrived within the JUST tolerance"),
+    Command::robot(Op::WaitNear)
+        .place("§7-4-3", "7.16")
+        .does("Waits until the target has arrived within the NEAR tolerance.")
+        .takes(Arguments::target(Targets::ANY))
+        .until("the target has arrived within the NEAR tolerance")
+        .fails(outcome::UNCONTROLLED),
+    Command::new("TEACH_POSITION", Meaning::Teach(Teach::Position))
+        .alias("TEACH_POS")
+        .place("§7-5-1", "7.17")
+        .does("Measures the position of a foot or joint into a POS.")
+        .form(Form::Teach(Targets::FOOT_JOINT))
+        .unit("mm"),
+    Command::new("TEACH_ANGLE", Meaning::Teach(Teach::Angle))
+        .place("§7-5-2", "7.18")
+        .does("Measures a leg's angles into a JOINT, or a joint's into a scalar.")
+        .form(Form::Teach(Targets::FOOT_JOINT))
+        .unit("deg"),
+    Command::new("TEACH_TORQUE", Meaning::Teach(Teach::Torque))
+        .place("§7-5-3", "7.18")
+        .does("Measures a leg's torques into a JOINT, or a joint's into a scalar.")
+        .form(Form::Teach(Targets::FOOT_JOINT))
+        .unit("torque")
+        .only(Robots::FORCE),
+    Command::new("TEACH_FORCE", Meaning::Teach(Teach::Force))
+        .place("§7-5-4", "7.19")
+        .does("Measures the contact force at a fingertip or second joint into a POS; (0, 0, -1) if it cannot be told.")
+        .form(Form::Teach(Targets::CONTACT))
+        .unit("N")
+        .only(Robots::FORCE),
+];

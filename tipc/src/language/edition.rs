@@ -1,0 +1,60 @@
+//! The editions of the language.
+
+use std::fmt;
+
+/// An edition of the language, in the order in which they came. Line 1 of a program chooses it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Edition {
+    /// T.I.P. 3.1: what a program is read by if its number names no edition.
+    #[default]
+    V3_1,
+}
+
+impl Edition {
+    /// Every edition, the oldest first.
+    pub const ALL: &'static [Edition] = &[Edition::V3_1];
+
+    /// The number that line 1 names it by.
+    pub const fn number(self) -> f64 {
+        match self {
+            Edition::V3_1 => 3.1,
+        }
+    }
+
+    /// The edition of that number; 3.1 if it names none.
+    pub fn of(number: f64) -> Edition {
+        let mut all = Edition::ALL.iter().copied();
+        all.find(|edition| edition.number() == number)
+            .unwrap_or_default()
+    }
+}
+
+impl fmt::Display for Edition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.number())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Edition;
+
+    // clauses: 1.3
+    #[test]
+    fn a_number_that_names_no_edition_is_read_by_the_rules_of_3_1() {
+        assert_eq!(Edition::of(3.1), Edition::V3_1);
+        for number in [0.0, 2.0, 3.0, 3.10001, 9.9, f64::NAN] {
+            assert_eq!(Edition::of(number), Edition::V3_1, "{number}");
+        }
+    }
+
+    #[test]
+    fn editions_are_ordered_by_their_numbers() {
+        let pairs = Edition::ALL.windows(2);
+        for pair in pairs {
+            assert!(pair[0] < pair[1] && pair[0].number() < pair[1].number());
+        }
+        assert_eq!(Edition::V3_1.to_string(), "3.1");
+    }
+}

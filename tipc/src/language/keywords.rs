@@ -1,0 +1,284 @@
+//! The words that the parser reads itself: declarations, control words, texts, ends.
+
+use super::Edition;
+use super::index::Index;
+use std::fmt;
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Which keyword.
+    pub keyword: Keyword,
+    /// How it is written.
+    pub word: &'static str,
+    /// The first edition that has it.
+    pub since: Edition,
+    /// The section of T.I.P. that describes it.
+    pub section: &'static str,
+    /// The clause of the language reference.
+    pub clause: &'static str,
+    /// One line for the reference.
+    pub description: &'static str,
+}
+
+macro_rules! keywords {
+    ($( $variant:ident {
+        word: $word:literal,
+        since: $since:expr,
+        section: $section:literal,
+        clause: $clause:literal,
+        description: $description:literal,
+    } )*) => {
+        /// A word that the parser reads itself.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Keyword {
+            $( #[doc = concat!("`", $word, "`: ", $description)] $variant, )*
+        }
+
+        /// Every keyword.
+        pub const KEYWORDS: &[Row] = &[$( Row {
+            keyword: Keyword::$variant,
+            word: $word,
+            since: $since,
+            section: $section,
+            clause: $clause,
+            description: $description,
+        }, )*];
+    };
+}
+
+keywords! {
+    DefVar {
+        word: "DEF_VAR",
+        since: Edition::V3_1,
+        section: "§7-10-1",
+        clause: "3.1",
+        description: "Declares scalar variables; takes no step.",
+    }
+    DefPos {
+        word: "DEF_POS",
+        since: Edition::V3_1,
+        section: "§7-10-1",
+        clause: "3.1",
+        description: "Declares positions with members X, Y, Z in mm; takes no step.",
+    }
+    DefJoint {
+        word: "DEF_JOINT",
+        since: Edition::V3_1,
+        section: "§7-10-1",
+        clause: "3.1",
+        description: "Declares joint variables with one member J1…Jn a joint; takes no step.",
+    }
+    If {
+        word: "IF",
+        since: Edition::V3_1,
+        section: "§7-6-1, §7-6-7, §7-6-8",
+        clause: "7.20",
+        description: "Opens a block, or jumps, if the condition holds.",
+    }
+    Then {
+        word: "THEN",
+        since: Edition::V3_1,
+        section: "§7-6-1",
+        clause: "7.20",
+        description: "Ends the condition of IF and ELSEIF; the block follows.",
+    }
+    ElseIf {
+        word: "ELSEIF",
+        since: Edition::V3_1,
+        section: "§7-6-1",
+        clause: "7.20",
+        description: "Opens another branch of IF.",
+    }
+    Else {
+        word: "ELSE",
+        since: Edition::V3_1,
+        section: "§7-6-1",
+        clause: "7.20",
+        description: "Opens the last branch of IF; alone on its line.",
+    }
+    EndIf {
+        word: "ENDIF",
+        since: Edition::V3_1,
+        section: "§7-6-1",
+        clause: "7.20",
+        description: "Closes IF; alone on its line.",
+    }
+    While {
+        word: "WHILE",
+        since: Edition::V3_1,
+        section: "§7-6-2",
+        clause: "7.20",
+        description: "Repeats the block while the condition holds.",
+    }
+    Wend {
+        word: "WEND",
+        since: Edition::V3_1,
+        section: "§7-6-2",
+        clause: "7.20",
+        description: "Closes WHILE; alone on its line.",
+    }
+    Repeat {
+        word: "REPEAT",
+        since: Edition::V3_1,
+        section: "§7-6-3",
+        clause: "7.20",
+        description: "Opens a block that runs at least once; alone on its line.",
+    }
+    Until {
+        word: "UNTIL",
+        since: Edition::V3_1,
+        section: "§7-6-3",
+        clause: "7.20",
+        description: "Closes REPEAT, which goes on until the condition holds.",
+    }
+    For {
+        word: "FOR",
+        since: Edition::V3_1,
+        section: "§7-6-4",
+        clause: "7.20",
+        description: "Counts a variable through a block.",
+    }
+    To {
+        word: "TO",
+        since: Edition::V3_1,
+        section: "§7-6-4",
+        clause: "7.20",
+        description: "Stands before the last value of FOR.",
+    }
+    Step {
+        word: "STEP",
+        since: Edition::V3_1,
+        section: "§7-6-4",
+        clause: "7.20",
+        description: "Stands before the increment of FOR.",
+    }
+    Next {
+        word: "NEXT",
+        since: Edition::V3_1,
+        section: "§7-6-4",
+        clause: "7.20",
+        description: "Closes FOR.",
+    }
+    Subroutine {
+        word: "SUBROUTINE",
+        since: Edition::V3_1,
+        section: "§7-6-5",
+        clause: "7.20",
+        description: "Opens a subroutine.",
+    }
+    SubEnd {
+        word: "SUBEND",
+        since: Edition::V3_1,
+        section: "§7-6-5",
+        clause: "7.20",
+        description: "Closes SUBROUTINE and returns.",
+    }
+    Call {
+        word: "CALL",
+        since: Edition::V3_1,
+        section: "§7-6-6",
+        clause: "7.20",
+        description: "Calls a SUBROUTINE.",
+    }
+    Goto {
+        word: "GOTO",
+        since: Edition::V3_1,
+        section: "§7-7-1",
+        clause: "7.20",
+        description: "Jumps to a label; without one to the nearest LOOP above.",
+    }
+    Gosub {
+        word: "GOSUB",
+        since: Edition::V3_1,
+        section: "§7-7-2",
+        clause: "7.20",
+        description: "Calls a label or SUBROUTINE.",
+    }
+    Return {
+        word: "RETURN",
+        since: Edition::V3_1,
+        section: "§7-7-3",
+        clause: "7.20",
+        description: "Returns behind the call.",
+    }
+    Message {
+        word: "MESSAGE",
+        since: Edition::V3_1,
+        section: "§7-9-4",
+        clause: "7.35",
+        description: "Shows a line of text with the values of variables.",
+    }
+    Rem {
+        word: "REM",
+        since: Edition::V3_1,
+        section: "§7-10-2",
+        clause: "7.38",
+        description: "Does nothing for one cycle.",
+    }
+    End {
+        word: "END",
+        since: Edition::V3_1,
+        section: "§7-10-3",
+        clause: "7.39",
+        description: "Ends the program, and its text.",
+    }
+    Exit {
+        word: "EXIT",
+        since: Edition::V3_1,
+        section: "§7-10-4",
+        clause: "7.39",
+        description: "Ends the program.",
+    }
+}
+
+impl Keyword {
+    /// Its row.
+    pub const fn row(self) -> &'static Row {
+        &KEYWORDS[self as usize]
+    }
+
+    /// How it is written.
+    pub const fn word(self) -> &'static str {
+        self.row().word
+    }
+}
+
+impl fmt::Display for Keyword {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+static INDEX: Index<{ KEYWORDS.len() }> = {
+    let mut words = [("", 0); KEYWORDS.len()];
+    let mut row = 0;
+    while row < KEYWORDS.len() {
+        words[row] = (KEYWORDS[row].word, row as u8);
+        row += 1;
+    }
+    Index::of(words)
+};
+
+/// The keyword that an edition writes so, whatever the case.
+pub fn find(word: &str, edition: Edition) -> Option<Keyword> {
+    let row = &KEYWORDS[INDEX.find(word)?];
+    (row.since <= edition).then_some(row.keyword)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{KEYWORDS, find};
+    use crate::language::Edition;
+
+    #[test]
+    fn every_keyword_is_found_by_its_word_and_has_the_row_of_its_place() {
+        for row in KEYWORDS {
+            assert_eq!(row.keyword.row(), row);
+            assert_eq!(find(row.word, Edition::V3_1), Some(row.keyword));
+            let small = row.word.to_ascii_lowercase();
+            assert_eq!(find(&small, Edition::V3_1), Some(row.keyword));
+        }
+        assert_eq!(find("PTP", Edition::V3_1), None);
+    }
+}
