@@ -1,6 +1,7 @@
 //! What is written down about a run: the trace, TITAN.LOG, the dump of variables.
 
 mod dump;
+mod ending;
 #[cfg(feature = "std")]
 mod json_lines;
 mod sample;
@@ -13,8 +14,9 @@ mod titan_log;
 mod whole_file;
 
 pub use dump::Dump;
+pub use ending::Ending;
 #[cfg(feature = "std")]
-pub use json_lines::{Ending, JsonLines};
+pub use json_lines::JsonLines;
 pub use sample::Sample;
 pub use state_hash::state_hash;
 #[cfg(feature = "std")]

@@ -65,6 +65,11 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
         self.cycles
     }
 
+    /// Time on the robot since the start, up to the end of the last cycle: ms.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// The sampling time: ms.
     pub fn period(&self) -> f64 {
         self.devices.controller.period()

@@ -20,8 +20,8 @@ pub use fall::Fall;
 pub use floor::Floor;
 pub use servo::ServoDynamics;
 
-use super::Plant;
 use super::override_sensors::Overrides;
+use super::{Motion, Plant};
 use crate::analog;
 use crate::command::Port;
 use crate::fault::Fault;
@@ -314,6 +314,15 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
 impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         self.overrides.set(&self.model, port, volts)
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        Some(Motion {
+            pose: self.body(),
+            falls: self.falls(),
+            margin: self.margin(),
+            slip: self.worst_slip(),
+        })
     }
 }
 

@@ -1,25 +1,12 @@
 //! The trace: one JSON object a line.
 
-use super::{Cycle, Sink, state_hash};
+use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, Target, Value};
 use crate::machine::Emergency;
 use crate::program::{End, Program};
 use core::fmt::{self, Display, Write};
 use std::string::String;
 use std::vec::Vec;
-
-/// How a run ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ending {
-    /// The program ended itself.
-    Program(End),
-    /// Somebody pressed Ctrl-C.
-    Interrupted,
-    /// The asked number of cycles is used up.
-    Limit,
-    /// Emergency stop.
-    Emergency(Emergency),
-}
 
 /// Writes the trace of a run, one record for each cycle and a last one, in a form that two engines
 /// share byte for byte. Keys keep their order; one with nothing to say is left out. Numbers are in

@@ -107,6 +107,16 @@ impl TitanLog {
         self.values.push(sample.antenna);
     }
 
+    /// Takes rows back, so that `rows` are left; nothing happens if there are fewer.
+    pub fn truncate(&mut self, rows: usize) {
+        if rows < self.rows {
+            self.rows = rows;
+            self.cycles.truncate(rows);
+            self.values
+                .truncate(rows.saturating_mul(self.shape.width()));
+        }
+    }
+
     fn joint_headings(
         &self,
         f: &mut fmt::Formatter<'_>,

@@ -1,0 +1,17 @@
+//! How a run ended.
+
+use crate::machine::Emergency;
+use crate::program::End;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// The program ended itself.
+    Program(End),
+    /// Somebody pressed Ctrl-C.
+    Interrupted,
+    /// The asked number of cycles is used up.
+    Limit,
+    /// Emergency stop.
+    Emergency(Emergency),
+}

@@ -1,0 +1,120 @@
+//! What happened in a cycle, as a value.
+
+use crate::shell::Shell;
+use std::fmt::Display;
+use tip_runtime::command::{Command, Op, Target, Value};
+use tip_runtime::machine::Status;
+use tip_runtime::plant::Pose;
+use tip_runtime::program::Program;
+use tip_runtime::record::{self, Sink, state_hash};
+
+/// One control cycle. Where [`step`](Self::step) is none no step ran to its end, and what a step does is empty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cycle {
+    /// Its number, from 0.
+    pub number: u64,
+    /// Time on the robot when it began: ms.
+    pub time: f64,
+    /// The step that ran; none in the cycle of an emergency stop, behind the program's end, and in a pause.
+    pub step: Option<u32>,
+    /// The step of the next cycle; none behind END and EXIT.
+    pub next: Option<u32>,
+    /// Scalars by name whose bits changed or that became assigned, with their values, in order of declaration.
+    pub set: Vec<(String, f64)>,
+    /// What a MESSAGE showed; an empty one cleared the line.
+    pub say: Option<String>,
+    /// The lamp that was switched, and whether on.
+    pub lamp: Option<(u8, bool)>,
+    /// The command that was accepted, in its first cycle.
+    pub command: Option<Asked>,
+    /// Where the body is after the cycle; none for a robot that stays where it is.
+    pub pose: Option<Pose>,
+    /// A hash of what each joint was sent and measured, as in a trace with state.
+    pub state: u64,
+    /// What became of the program.
+    pub status: Status,
+}
+
+/// A command as a step asked for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// Which command.
+    pub op: Op,
+    /// HS: hand over to the next command at once.
+    pub hs: bool,
+    /// What it is for.
+    pub target: Target,
+    /// Its numbers, before relative ones are resolved.
+    pub values: Vec<Value>,
+}
+
+/// Collects what a cycle does.
+#[derive(Default)]
+pub(crate) struct Collector {
+    before: Vec<Option<u64>>,
+    step: Option<u32>,
+    next: Option<u32>,
+    set: Vec<(String, f64)>,
+    say: Option<String>,
+    lamp: Option<(u8, bool)>,
+    command: Option<Asked>,
+}
+
+impl Collector {
+    /// The cycle that a robot is behind now; `number` and `time` are those of its beginning.
+    pub(crate) fn finish(self, shell: &dyn Shell, number: u64, time: f64, status: Status) -> Cycle {
+        let (commands, angles) = shell.joints();
+        Cycle {
+            number,
+            time,
+            step: self.step,
+            next: self.next,
+            set: self.set,
+            say: self.say,
+            lamp: self.lamp,
+            command: self.command,
+            pose: shell.motion().map(|motion| motion.pose),
+            state: state_hash(commands, angles),
+            status,
+        }
+    }
+}
+
+fn scalars(program: &dyn Program) -> impl Iterator<Item = (&str, Option<f64>)> {
+    (0..).map_while(|index| program.scalar(index))
+}
+
+impl Sink for Collector {
+    fn begin(&mut self, program: &dyn Program) {
+        let bits = scalars(program).map(|(_, value)| value.map(f64::to_bits));
+        self.before = bits.collect();
+    }
+
+    fn command(&mut self, command: &Command<'_>) {
+        self.command = Some(Asked {
+            op: command.op,
+            hs: command.hs,
+            target: command.target,
+            values: command.values.to_vec(),
+        });
+    }
+
+    fn say(&mut self, text: &dyn Display) {
+        self.say = Some(text.to_string());
+    }
+
+    fn lamp(&mut self, device: u8, on: bool) {
+        self.lamp = Some((device, on));
+    }
+
+    fn cycle(&mut self, cycle: &record::Cycle<'_>) {
+        self.step = Some(cycle.step);
+        self.next = cycle.next;
+        let now = scalars(cycle.program).zip(&self.before);
+        let changed = now.filter_map(|((name, value), before)| {
+            let value = value?;
+            (Some(value.to_bits()) != *before).then(|| (name.to_owned(), value))
+        });
+        self.set = changed.collect();
+    }
+}

@@ -1,0 +1,63 @@
+//! Robots from descriptions.
+
+use crate::body::Sized;
+use crate::robot::Robot;
+use std::fmt;
+use tip_runtime::model::Model;
+use tipc::Loaded;
+use tipc::description::{self, Description, WithModel};
+use tipc::render;
+
+impl Robot {
+    /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text.
+    pub fn description(toml: &str) -> Result<Self, NotDescribed> {
+        let parsed = description::parse("robot.toml", toml.as_bytes());
+        parsed
+            .map(|robot| Self::described(&robot))
+            .map_err(NotDescribed)
+    }
+
+    /// A walking robot from a description that was read. It stays in memory for good.
+    pub fn described(description: &Description) -> Self {
+        description.with_model(Made)
+    }
+}
+
+/// Makes a robot of a model of any size.
+struct Made;
+
+impl WithModel for Made {
+    type Output = Robot;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
+        Robot::new(Box::new(Sized::walker(Box::leak(Box::new(*model)))))
+    }
+}
+
+/// A text that describes no robot. Shown, it is one line for each fault.
+#[derive(Debug)]
+pub struct NotDescribed(Box<Loaded>);
+
+impl NotDescribed {
+    /// The faults, each at its place in the text.
+    pub fn loaded(&self) -> &Loaded {
+        &self.0
+    }
+}
+
+impl fmt::Display for NotDescribed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Loaded {
+            source,
+            diagnostics,
+            ..
+        } = &*self.0;
+        let mut faults = diagnostics.iter();
+        faults.try_for_each(|fault| writeln!(f, "{}", render::short(source, fault).trim_end()))
+    }
+}
+
+impl std::error::Error for NotDescribed {}

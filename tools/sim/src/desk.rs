@@ -1,0 +1,114 @@
+//! The console of a run: types the keys of its events, and shows what is shown to whoever listens.
+
+use std::any::Any;
+use std::collections::VecDeque;
+use std::fmt::{self, Display};
+use tip_runtime::console::{Bars, Console};
+use tip_runtime::machine::Report;
+use tip_runtime::record::Sample;
+
+/// Keys that wait to be typed, and who is shown what the program shows. A copy has the keys alone: listeners stand
+/// outside of a run.
+#[derive(Default)]
+pub(crate) struct Desk {
+    /// Typed before what the listener has to give.
+    due: VecDeque<u8>,
+    listener: Option<Box<dyn Listener>>,
+}
+
+/// A console that can be asked for again.
+pub(crate) trait Listener: Console {
+    fn any(&self) -> &dyn Any;
+    fn any_mut(&mut self) -> &mut dyn Any;
+}
+
+impl<C: Console + 'static> Listener for C {
+    fn any(&self) -> &dyn Any {
+        self
+    }
+
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+impl Desk {
+    /// A key is pressed.
+    pub(crate) fn press(&mut self, byte: u8) {
+        self.due.push_back(byte);
+    }
+
+    pub(crate) fn listener(&self) -> Option<&dyn Listener> {
+        self.listener.as_deref()
+    }
+
+    pub(crate) fn listener_mut(&mut self) -> Option<&mut (dyn Listener + 'static)> {
+        self.listener.as_deref_mut()
+    }
+
+    /// Exchanges who listens.
+    pub(crate) fn replace(
+        &mut self,
+        listener: Option<Box<dyn Listener>>,
+    ) -> Option<Box<dyn Listener>> {
+        std::mem::replace(&mut self.listener, listener)
+    }
+
+    fn tell(&mut self, what: impl FnOnce(&mut dyn Listener)) {
+        if let Some(listener) = self.listener.as_deref_mut() {
+            what(listener);
+        }
+    }
+}
+
+impl Clone for Desk {
+    fn clone(&self) -> Self {
+        Desk {
+            due: self.due.clone(),
+            listener: None,
+        }
+    }
+}
+
+impl fmt::Debug for Desk {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Desk")
+            .field("due", &self.due)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Console for Desk {
+    fn key(&mut self, cycle: u64) -> Option<u8> {
+        let next = self.due.pop_front();
+        next.or_else(|| self.listener.as_deref_mut()?.key(cycle))
+    }
+
+    fn message(&mut self, text: &dyn Display) {
+        self.tell(|listener| listener.message(text));
+    }
+
+    fn silent(&mut self, on: bool) {
+        self.tell(|listener| listener.silent(on));
+    }
+
+    fn bars(&mut self, graph: u8, bars: Bars<'_>) {
+        self.tell(|listener| listener.bars(graph, bars));
+    }
+
+    fn sample(&mut self, sample: &Sample<'_>) {
+        self.tell(|listener| listener.sample(sample));
+    }
+
+    fn variables(&mut self, dump: &dyn Display) {
+        self.tell(|listener| listener.variables(dump));
+    }
+
+    fn emergency(&mut self, report: &Report<'_>) {
+        self.tell(|listener| listener.emergency(report));
+    }
+
+    fn ended(&mut self) {
+        self.tell(|listener| listener.ended());
+    }
+}

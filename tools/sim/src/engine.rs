@@ -1,0 +1,83 @@
+//! Any program under one type, so that the control loop around it is compiled once.
+
+use std::any::Any;
+use std::fmt;
+use tip_runtime::fault::Fault;
+use tip_runtime::program::{Context, Flow, Program, Signature};
+
+/// A program of any engine, compiled or interpreted, that can be copied in the middle of its run.
+pub struct Engine(Box<dyn AnyProgram>);
+
+/// What an engine needs of its program besides running it.
+trait AnyProgram: Program {
+    fn boxed(&self) -> Box<dyn AnyProgram>;
+    fn any(&self) -> &dyn Any;
+}
+
+impl<P: Program + Clone + 'static> AnyProgram for P {
+    fn boxed(&self) -> Box<dyn AnyProgram> {
+        Box::new(self.clone())
+    }
+
+    fn any(&self) -> &dyn Any {
+        self
+    }
+}
+
+impl Engine {
+    /// Takes a program as it stands.
+    pub fn new(program: impl Program + Clone + 'static) -> Self {
+        Engine(Box::new(program))
+    }
+
+    /// The program, if it is one of type `P`.
+    pub fn get<P: Program + 'static>(&self) -> Option<&P> {
+        self.0.any().downcast_ref()
+    }
+}
+
+impl Clone for Engine {
+    fn clone(&self) -> Self {
+        Engine(self.0.boxed())
+    }
+}
+
+impl fmt::Debug for Engine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at {}", self.0.name(), self.0.at())
+    }
+}
+
+impl Program for Engine {
+    fn signature(&self) -> Signature {
+        self.0.signature()
+    }
+
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn title(&self) -> &str {
+        self.0.title()
+    }
+
+    fn at(&self) -> u32 {
+        self.0.at()
+    }
+
+    fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        self.0.step(cx)
+    }
+
+    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+        self.0.scalar(i)
+    }
+
+    fn line(&self, step: u32) -> u32 {
+        self.0.line(step)
+    }
+
+    fn reset(&mut self) {
+        self.0.reset();
+    }
+}

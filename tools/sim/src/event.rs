@@ -1,0 +1,101 @@
+//! What happens to a robot from outside, and when.
+
+mod options;
+mod text;
+
+pub use options::{Inputs, Keys, SensorAt};
+pub use text::EventError;
+pub(crate) use text::PortText;
+
+use tip_runtime::command::Port;
+
+/// Something that happens to a robot or to its program from outside.
+///
+/// As text, in `--events`, files and tests:
+///
+/// | event | text |
+/// |---|---|
+/// | a key is pressed: one ASCII character, or its code | `key F`, `key 0x2C` |
+/// | a halt is requested | `halt` |
+/// | an input reads this voltage from now on; it is called as in AD_IN | `VR1=8`, `PAW2=0`, `ANTENNA=1`, `J23=-0.5` |
+/// | every foot or finger begins to feel something, or ceases to | `touch on`, `touch off` |
+/// | the robot cannot be read in this cycle | `read fails` |
+/// | the robot cannot be written to any more | `write fails` |
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Event {
+    /// A byte is typed. ESC requests a halt, RETURN stops the robot.
+    Key(u8),
+    /// A halt is requested: `HALT_REQUEST` is true from now on.
+    Halt,
+    /// An input reads so many volts from now on.
+    Sensor(Port, f64),
+    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; of these robots
+    /// only the soles' sensors change.
+    Touch(bool),
+    /// The robot cannot be read in this cycle.
+    ReadFails,
+    /// The robot cannot be written to any more.
+    WriteFails,
+}
+
+/// An event, and the cycle before whose step it happens. As text: `10:key F`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timed {
+    /// The cycle, from 0.
+    pub cycle: u64,
+    /// What happens.
+    pub event: Event,
+}
+
+/// Events in order of their cycles; those of one cycle keep the order they were given in. As text:
+/// `10:key F, 300:VR1=8, 900:halt`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Events(Vec<Timed>);
+
+impl Events {
+    /// No events.
+    pub const NONE: Self = Events(Vec::new());
+
+    /// Puts events in order.
+    pub fn new(mut events: Vec<Timed>) -> Self {
+        events.sort_by_key(|event| event.cycle);
+        Events(events)
+    }
+
+    /// All of them, in order.
+    pub fn all(&self) -> &[Timed] {
+        &self.0
+    }
+
+    /// Whether nothing happens.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds an event behind those of its cycle, and not before place `from`.
+    pub(crate) fn insert(&mut self, from: usize, event: Timed) {
+        let later = self.0.get(from..).unwrap_or_default();
+        let place = from + later.partition_point(|other| other.cycle <= event.cycle);
+        self.0.insert(place.min(self.0.len()), event);
+    }
+}
+
+impl From<Vec<Timed>> for Events {
+    fn from(events: Vec<Timed>) -> Self {
+        Events::new(events)
+    }
+}
+
+impl FromIterator<Timed> for Events {
+    fn from_iter<I: IntoIterator<Item = Timed>>(events: I) -> Self {
+        Events::new(events.into_iter().collect())
+    }
+}
+
+impl Event {
+    /// This event before the step of a cycle.
+    pub fn at(self, cycle: u64) -> Timed {
+        Timed { cycle, event: self }
+    }
+}

@@ -1,0 +1,218 @@
+//! The text of events, written and read.
+
+use super::{Event, Events, Timed};
+use std::fmt;
+use std::str::FromStr;
+use tip_runtime::command::Port;
+
+/// A text that is not an event, or not a list of them; it says what was expected.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EventError(pub(super) String);
+
+impl fmt::Display for EventError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for EventError {}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Event::Key(byte) => write!(f, "key {}", KeyText(*byte)),
+            Event::Halt => f.write_str("halt"),
+            Event::Sensor(port, volts) => write!(f, "{}={volts}", PortText(*port)),
+            Event::Touch(true) => f.write_str("touch on"),
+            Event::Touch(false) => f.write_str("touch off"),
+            Event::ReadFails => f.write_str("read fails"),
+            Event::WriteFails => f.write_str("write fails"),
+        }
+    }
+}
+
+impl FromStr for Event {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let text = text.trim();
+        let wrong = || {
+            EventError(format!(
+                "'{text}' is not an event; expected one such as key F, halt, VR1=8, touch on, read fails"
+            ))
+        };
+        match text {
+            "halt" => return Ok(Event::Halt),
+            "touch on" => return Ok(Event::Touch(true)),
+            "touch off" => return Ok(Event::Touch(false)),
+            "read fails" => return Ok(Event::ReadFails),
+            "write fails" => return Ok(Event::WriteFails),
+            _ => {}
+        }
+        if let Some(key) = text.strip_prefix("key ") {
+            return key_byte(key.trim()).map(Event::Key).ok_or_else(wrong);
+        }
+        let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+        let port = port(name.trim()).ok_or_else(wrong)?;
+        let volts = number(value).ok_or_else(wrong)?;
+        Ok(Event::Sensor(port, volts))
+    }
+}
+
+impl fmt::Display for Timed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.cycle, self.event)
+    }
+}
+
+impl FromStr for Timed {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        let parts = text.split_once(':');
+        let cycle = parts.and_then(|(cycle, _)| cycle.trim().parse().ok());
+        let (Some(cycle), Some((_, event))) = (cycle, parts) else {
+            let text = text.trim();
+            return Err(EventError(format!(
+                "'{text}' is not CYCLE:EVENT, such as 10:key F or 300:VR1=8"
+            )));
+        };
+        Ok(Timed {
+            cycle,
+            event: event.parse()?,
+        })
+    }
+}
+
+impl fmt::Display for Events {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, event) in self.all().iter().enumerate() {
+            let comma = if n > 0 { ", " } else { "" };
+            write!(f, "{comma}{event}")?;
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Events {
+    type Err = EventError;
+
+    fn from_str(text: &str) -> Result<Self, EventError> {
+        match text.trim().is_empty() {
+            true => Ok(Events::NONE),
+            false => text.split(',').map(str::parse).collect(),
+        }
+    }
+}
+
+/// One character, or the code of another one.
+pub(super) struct KeyText(pub(super) u8);
+
+impl fmt::Display for KeyText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            byte if byte.is_ascii_alphanumeric() => write!(f, "{}", char::from(byte)),
+            byte => write!(f, "0x{byte:02X}"),
+        }
+    }
+}
+
+/// One ASCII character, or its code as `0x1B`.
+pub(super) fn key_byte(key: &str) -> Option<u8> {
+    match (key.as_bytes(), key.strip_prefix("0x")) {
+        (&[byte], _) if byte.is_ascii() => Some(byte),
+        (_, Some(digits)) if digits.len() <= 2 && !digits.starts_with('+') => {
+            u8::from_str_radix(digits, 16).ok()
+        }
+        _ => None,
+    }
+}
+
+/// A number that is finite.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let number = text.trim().parse::<f64>().ok();
+    number.filter(|number| number.is_finite())
+}
+
+/// An input's name as AD_IN has it.
+pub(crate) struct PortText(pub(crate) Port);
+
+impl fmt::Display for PortText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Port::Channel(channel) => write!(f, "{channel}"),
+            Port::Knob(knob) => write!(f, "VR{knob}"),
+            Port::Joint(leg, joint) => write!(f, "J{leg}{joint}"),
+            Port::Paw(leg) => write!(f, "PAW{leg}"),
+            Port::Antenna => f.write_str("ANTENNA"),
+        }
+    }
+}
+
+/// The inputs by name, as AD_IN has them, in either case.
+pub(super) fn port(name: &str) -> Option<Port> {
+    let name = name.to_ascii_uppercase();
+    if name == "ANTENNA" {
+        return Some(Port::Antenna);
+    }
+    let digits = |prefix: &str| name.strip_prefix(prefix).map(str::as_bytes);
+    let number = |digit: u8, last: u8| (b'1'..=last).contains(&digit).then(|| digit - b'0');
+    match (digits("VR"), digits("PAW"), digits("J")) {
+        (Some(&[knob]), _, _) => number(knob, b'3').map(Port::Knob),
+        (_, Some(&[paw]), _) => number(paw, b'4').map(Port::Paw),
+        (_, _, Some(&[leg, joint])) => Some(Port::Joint(number(leg, b'9')?, number(joint, b'9')?)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_event_is_read_from_what_it_is_written_as() {
+        let events = [
+            Event::Key(b'F'),
+            Event::Key(b','),
+            Event::Key(0x1B),
+            Event::Halt,
+            Event::Sensor(Port::Knob(1), 8.0),
+            Event::Sensor(Port::Joint(2, 3), -0.5),
+            Event::Sensor(Port::Antenna, 1e-3),
+            Event::Touch(true),
+            Event::Touch(false),
+            Event::ReadFails,
+            Event::WriteFails,
+        ];
+        for event in events {
+            assert_eq!(event.to_string().parse(), Ok(event));
+        }
+    }
+
+    #[test]
+    fn a_list_keeps_the_order_of_its_cycles_and_in_a_cycle_its_own() {
+        let events: Events = "900:halt, 10:key F,10: key g , 300:vr1=8".parse().unwrap();
+        assert_eq!(
+            events.to_string(),
+            "10:key F, 10:key g, 300:VR1=8, 900:halt"
+        );
+        assert_eq!(" ".parse(), Ok(Events::NONE));
+    }
+
+    #[test]
+    fn what_is_no_event_is_told() {
+        for (wrong, told) in [
+            ("halt", "'halt' is not CYCLE:EVENT"),
+            ("x:halt", "'x:halt' is not CYCLE:EVENT"),
+            ("3:stop", "'stop' is not an event"),
+            ("3:key", "'key' is not an event"),
+            ("3:key ab", "'key ab' is not an event"),
+            ("3:VR9=1", "'VR9=1' is not an event"),
+            ("3:VR1=NaN", "'VR1=NaN' is not an event"),
+            ("3:halt,", "'' is not CYCLE:EVENT"),
+        ] {
+            let error = wrong.parse::<Events>().expect_err(wrong).to_string();
+            assert!(error.starts_with(told), "{error}");
+        }
+    }
+}

@@ -1,0 +1,35 @@
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
+
+mod body;
+mod cycle;
+#[cfg(feature = "robot-files")]
+mod described;
+mod desk;
+mod echo;
+mod engine;
+pub mod event;
+mod load;
+mod native;
+mod rig;
+mod robot;
+mod run;
+mod shell;
+mod sink;
+mod snapshot;
+#[cfg(feature = "std")]
+mod trace;
+#[cfg(feature = "std")]
+mod transcript;
+
+pub use cycle::{Asked, Cycle};
+#[cfg(feature = "robot-files")]
+pub use described::NotDescribed;
+pub use engine::Engine;
+pub use event::{Event, Events, Inputs, Timed};
+pub use load::{NotLoaded, load};
+pub use robot::{GraspsNothing, Plant, Robot, UnknownRobot};
+pub use run::{Limit, Observer, Refused, Run};
+pub use snapshot::Snapshot;
+pub use tipc::interp::Interpreter;

@@ -1,0 +1,120 @@
+//! The simulated hardware of a run under one type for each size, to which things happen.
+
+use crate::echo::Echo;
+use std::any::Any;
+use std::fmt;
+use tip_runtime::command::Port;
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
+use tip_runtime::plant::{Motion, Plant};
+
+/// What a sole's sensor reads on the ground: V.
+const PRESSED: f64 = 2.0;
+
+/// A plant that may fail.
+pub(crate) struct Rig<const L: usize, const J: usize> {
+    plant: Box<dyn AnyPlant<L, J>>,
+    read_fails: bool,
+    write_fails: bool,
+}
+
+trait AnyPlant<const L: usize, const J: usize>: Plant<L, J> {
+    fn boxed(&self) -> Box<dyn AnyPlant<L, J>>;
+    fn any(&self) -> &dyn Any;
+    fn any_mut(&mut self) -> &mut dyn Any;
+}
+
+impl<P: Plant<L, J> + Clone + 'static, const L: usize, const J: usize> AnyPlant<L, J> for P {
+    fn boxed(&self) -> Box<dyn AnyPlant<L, J>> {
+        Box::new(self.clone())
+    }
+
+    fn any(&self) -> &dyn Any {
+        self
+    }
+
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+impl<const L: usize, const J: usize> Rig<L, J> {
+    pub(crate) fn new(plant: impl Plant<L, J> + Clone + 'static) -> Self {
+        Rig {
+            plant: Box::new(plant),
+            read_fails: false,
+            write_fails: false,
+        }
+    }
+
+    pub(crate) fn plant(&self) -> &dyn Any {
+        self.plant.any()
+    }
+
+    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; only soles
+    /// can be told.
+    pub(crate) fn touch(&mut self, on: bool) {
+        let volts = if on { PRESSED } else { 0.0 };
+        for leg in (1..).take(L) {
+            self.set_sensor(Port::Paw(leg), volts);
+        }
+        if let Some(echo) = self.plant.any_mut().downcast_mut::<Echo<L, J>>() {
+            echo.touch(on);
+        }
+    }
+
+    /// The next reading fails.
+    pub(crate) fn fail_to_read(&mut self) {
+        self.read_fails = true;
+    }
+
+    /// Every writing from now on fails.
+    pub(crate) fn fail_to_write(&mut self) {
+        self.write_fails = true;
+    }
+}
+
+impl<const L: usize, const J: usize> Clone for Rig<L, J> {
+    fn clone(&self) -> Self {
+        Rig {
+            plant: self.plant.boxed(),
+            ..*self
+        }
+    }
+}
+
+impl<const L: usize, const J: usize> fmt::Debug for Rig<L, J> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a plant of {L} x {J} joints")
+    }
+}
+
+impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
+    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
+        match std::mem::take(&mut self.read_fails) {
+            true => Err(HardwareFault("read")),
+            false => self.plant.read(into),
+        }
+    }
+
+    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
+        match self.write_fails {
+            true => Err(HardwareFault("write")),
+            false => self.plant.write(outputs),
+        }
+    }
+
+    fn stop(&mut self, why: &Fault) {
+        self.plant.stop(why);
+    }
+}
+
+impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        self.plant.set_sensor(port, volts)
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        self.plant.motion()
+    }
+}

@@ -1,0 +1,167 @@
+//! Simulated robots, whatever their size.
+
+use crate::body::{Body, Sized};
+use crate::desk::Desk;
+use crate::engine::Engine;
+use crate::native::Native;
+use crate::shell::Shell;
+use std::fmt;
+use tip_runtime::machine::Mismatch;
+use tip_runtime::model::{Model, generic, hand, titan8};
+use tip_runtime::plant::{self, Scene};
+use tip_runtime::special::Special;
+use tip_runtime::special::hand::HandSpecials;
+use tipc::{Facts, Options};
+
+/// How the robot's joints and surroundings are simulated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Plant {
+    /// As the runtime simulates them: servos, gravity, contact.
+    #[default]
+    Simulated,
+    /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
+    Echo,
+}
+
+/// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
+#[derive(Clone)]
+pub struct Robot {
+    body: Box<dyn Body>,
+    plant: Plant,
+    scene: Scene,
+    special: Native,
+}
+
+impl Robot {
+    /// A robot that the language knows by name: `titan8`, `hand` or `generic`. The hand has its SPECIAL commands.
+    ///
+    /// # Errors
+    /// There is no robot of that name.
+    pub fn named(name: &str) -> Result<Self, UnknownRobot> {
+        let walker = |model| Ok(Self::of(model));
+        match name {
+            _ if name == titan8::MODEL.name => walker(&titan8::MODEL),
+            _ if name == generic::MODEL.name => walker(&generic::MODEL),
+            _ if name == hand::MODEL.name => {
+                let body = Box::new(Sized::hand(&hand::MODEL));
+                Ok(Self::new(body).with_special(HandSpecials::new()))
+            }
+            _ => Err(UnknownRobot(name.to_owned())),
+        }
+    }
+
+    /// A walking robot of a model, such as `include_robot!` makes.
+    pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
+        Self::new(Box::new(Sized::walker(model)))
+    }
+
+    /// A robot of a model with a plant of its own.
+    pub fn on<const L: usize, const J: usize>(
+        model: &'static Model<L, J>,
+        plant: impl plant::Plant<L, J> + Clone + 'static,
+    ) -> Self {
+        Self::new(Box::new(Sized::own(model, plant)))
+    }
+
+    pub(crate) fn new(body: Box<dyn Body>) -> Self {
+        Robot {
+            body,
+            plant: Plant::default(),
+            scene: Scene::EMPTY,
+            special: Native::new(()),
+        }
+    }
+
+    /// Chooses how it is simulated. A robot with a plant of its own keeps it.
+    #[must_use]
+    pub fn with_plant(mut self, plant: Plant) -> Self {
+        self.plant = plant;
+        self
+    }
+
+    /// Puts a floor under the robot, and objects if it is a hand. A robot with a plant of its own has its own
+    /// surroundings.
+    ///
+    /// # Errors
+    /// There are objects, and the robot cannot grasp.
+    pub fn with_scene(mut self, scene: &Scene) -> Result<Self, GraspsNothing> {
+        let has_objects = scene.objects.iter().any(Option::is_some);
+        if has_objects && !self.body.grasps() {
+            return Err(GraspsNothing(self.name()));
+        }
+        self.scene = *scene;
+        Ok(self)
+    }
+
+    /// Answers SPECIAL by native code of its owner; for a hand that is usually
+    /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
+    #[must_use]
+    pub fn with_special(mut self, special: impl Special + Clone + 'static) -> Self {
+        self.special = Native::new(special);
+        self
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        self.facts().signature.robot
+    }
+
+    /// What programs for it are checked for.
+    pub fn facts(&self) -> Facts {
+        self.body.facts()
+    }
+
+    /// How programs for it are loaded.
+    pub fn options(&self) -> Options {
+        Options {
+            robot: tipc::Robot::Described(self.facts()),
+            ..Options::default()
+        }
+    }
+
+    /// Puts a program on it.
+    pub(crate) fn start(&self, program: Engine, desk: Desk) -> Result<Box<dyn Shell>, Mismatch> {
+        let special = self.special.clone();
+        self.body
+            .start(self.plant, &self.scene, program, desk, special)
+    }
+}
+
+impl fmt::Debug for Robot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Robot")
+            .field("name", &self.name())
+            .field("plant", &self.plant)
+            .field("scene", &self.scene)
+            .finish_non_exhaustive()
+    }
+}
+
+/// No robot has this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownRobot(String);
+
+impl fmt::Display for UnknownRobot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "'{}' is not a robot: the robots are titan8, hand and generic; any other one is a description",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for UnknownRobot {}
+
+/// A scene has objects, and this robot cannot grasp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GraspsNothing(&'static str);
+
+impl fmt::Display for GraspsNothing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} grasps nothing", self.0)
+    }
+}
+
+impl std::error::Error for GraspsNothing {}

@@ -1,0 +1,366 @@
+//! A run: a program on a simulated robot, with what happens to it from outside.
+
+use crate::cycle::{Collector, Cycle};
+use crate::desk::{Desk, Listener};
+use crate::engine::Engine;
+use crate::event::{Event, EventError, Events, Timed};
+use crate::robot::Robot;
+use crate::shell::{Clocks, Shell};
+use crate::sink::both;
+#[cfg(feature = "std")]
+use crate::trace::Trace;
+use std::fmt;
+use tip_runtime::command::Port;
+use tip_runtime::console::Console;
+use tip_runtime::machine::{Emergency, Mismatch, Status};
+use tip_runtime::plant::Motion;
+use tip_runtime::program::Program;
+use tip_runtime::record::{Ending, Sink, state_hash};
+
+/// The byte of the ESC key: a halt request.
+const ESCAPE: u8 = 0x1B;
+
+/// How long a run may take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Limit(Option<u64>);
+
+impl Limit {
+    /// Until the program ends.
+    pub const NONE: Self = Limit(None);
+
+    /// As many cycles since the start of the run.
+    pub const fn cycles(cycles: u64) -> Self {
+        Limit(Some(cycles))
+    }
+}
+
+impl From<Option<u64>> for Limit {
+    fn from(cycles: Option<u64>) -> Self {
+        Limit(cycles)
+    }
+}
+
+/// Stands beside a run while it lasts.
+pub trait Observer {
+    /// Asked before each cycle; `false` interrupts the run.
+    fn goes_on(&mut self) -> bool {
+        true
+    }
+
+    /// Where the cycle is written down, if anywhere. Each cycle that runs goes there once.
+    fn sink(&mut self) -> Option<&mut dyn Sink> {
+        None
+    }
+
+    /// A cycle is over; the program may have ended in it.
+    fn after(&mut self, run: &mut Run) {
+        let _ = run;
+    }
+}
+
+impl Observer for () {}
+
+/// Why something cannot happen to a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// The program is for another robot.
+    Mismatch(Mismatch),
+    /// The robot has no such input.
+    NoInput(Port),
+    /// The text is not an event.
+    Text(EventError),
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refused::Mismatch(mismatch) => mismatch.fmt(f),
+            Refused::NoInput(port) => {
+                let name = crate::event::PortText(*port);
+                write!(f, "the robot has no input {name}")
+            }
+            Refused::Text(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl From<Mismatch> for Refused {
+    fn from(mismatch: Mismatch) -> Self {
+        Refused::Mismatch(mismatch)
+    }
+}
+
+/// A program on a simulated robot, cycle by cycle.
+///
+/// A run is a value: it is copied with [`Clone`], marked with [`snapshot`](Self::snapshot) and taken back with
+/// [`restore`](Self::restore). Who listens to it stands outside, and is not copied.
+pub struct Run {
+    pub(crate) shell: Box<dyn Shell>,
+    pub(crate) events: Events,
+    /// How many of them have happened.
+    pub(crate) happened: usize,
+    pub(crate) ending: Option<Ending>,
+    #[cfg(feature = "std")]
+    pub(crate) trace: Option<Trace>,
+}
+
+impl Run {
+    /// Puts a program on a robot, before its first cycle: compiled code, or what [`load`](crate::load) gives.
+    ///
+    /// # Errors
+    /// The program was checked for another robot.
+    pub fn new(program: impl Program + Clone + 'static, robot: Robot) -> Result<Self, Mismatch> {
+        Self::of(Engine::new(program), &robot)
+    }
+
+    /// The same with any engine.
+    ///
+    /// # Errors
+    /// The program was checked for another robot.
+    pub fn of(engine: Engine, robot: &Robot) -> Result<Self, Mismatch> {
+        Ok(Run {
+            shell: robot.start(engine, Desk::default())?,
+            events: Events::NONE,
+            happened: 0,
+            ending: None,
+            #[cfg(feature = "std")]
+            trace: None,
+        })
+    }
+
+    /// Lets events happen, besides those that are to happen already, from their text.
+    ///
+    /// # Errors
+    /// The text is not a list of events, or the robot lacks an input.
+    pub fn events(self, text: &str) -> Result<Self, Refused> {
+        let events = text.parse::<Events>().map_err(Refused::Text)?;
+        self.with_events(&events)
+    }
+
+    /// Lets events happen, besides those that are to happen already.
+    ///
+    /// # Errors
+    /// The robot lacks an input.
+    pub fn with_events(mut self, events: &Events) -> Result<Self, Refused> {
+        for event in events.all() {
+            self.add(event.clone())?;
+        }
+        Ok(self)
+    }
+
+    /// Lets one more event happen; at once in the next cycle if its own is over.
+    ///
+    /// # Errors
+    /// The robot lacks an input.
+    pub fn add(&mut self, event: Timed) -> Result<(), Refused> {
+        if let Event::Sensor(port, _) = event.event
+            && !self.shell.has_input(port)
+        {
+            return Err(Refused::NoInput(port));
+        }
+        self.events.insert(self.happened, event);
+        Ok(())
+    }
+
+    /// Shows a console what the program shows from now on, and asks it for keys, behind those of events. It takes the
+    /// place of the one before.
+    #[must_use]
+    pub fn with_console(mut self, console: impl Console + 'static) -> Self {
+        let listener: Box<dyn Listener> = Box::new(console);
+        self.shell.desk_mut().replace(Some(listener));
+        self
+    }
+
+    /// The console, if it is one of type `C`.
+    pub fn console<C: Console + 'static>(&self) -> Option<&C> {
+        self.shell.desk().listener()?.any().downcast_ref()
+    }
+
+    /// The console, if it is one of type `C`.
+    pub fn console_mut<C: Console + 'static>(&mut self) -> Option<&mut C> {
+        let listener = self.shell.desk_mut().listener_mut()?;
+        listener.any_mut().downcast_mut()
+    }
+
+    /// Keeps a trace from now on; `with_state` ends each record with a hash of joint commands and measurements.
+    #[cfg(feature = "std")]
+    #[must_use]
+    pub fn with_trace(mut self, with_state: bool) -> Self {
+        self.trace = Some(Trace::new(with_state));
+        self
+    }
+
+    /// The trace so far, with its last record if the run has ended; empty if none is kept.
+    #[cfg(feature = "std")]
+    pub fn trace(&self) -> String {
+        let trace = self.trace.as_ref();
+        trace.map_or(String::new(), |trace| {
+            trace.text(self.ending, self.cycles())
+        })
+    }
+
+    /// Runs until the program ends or the cycles are used up.
+    pub fn to_end(&mut self, limit: Limit) -> Ending {
+        self.observed(limit, &mut ())
+    }
+
+    /// Runs until the program ends, the cycles are used up, or the observer interrupts.
+    pub fn observed(&mut self, limit: Limit, observer: &mut (impl Observer + ?Sized)) -> Ending {
+        loop {
+            if let Some(ending @ (Ending::Program(_) | Ending::Emergency(_))) = self.ending {
+                return ending;
+            }
+            if limit.0.is_some_and(|limit| self.cycles() >= limit) {
+                return self.end(Ending::Limit);
+            }
+            if !observer.goes_on() {
+                return self.end(Ending::Interrupted);
+            }
+            self.advance(observer.sink());
+            observer.after(self);
+        }
+    }
+
+    fn end(&mut self, ending: Ending) -> Ending {
+        *self.ending.insert(ending)
+    }
+
+    /// Runs one cycle, and tells what happened in it. Behind the program's end the robot is still held.
+    pub fn cycle(&mut self) -> Cycle {
+        let Clocks { cycles, time, .. } = self.shell.clocks();
+        let mut collector = Collector::default();
+        let status = self.advance(Some(&mut collector));
+        collector.finish(self.shell.as_ref(), cycles, time, status)
+    }
+
+    /// Runs one cycle, and tells a sink and the trace about it.
+    pub fn advance(&mut self, sink: Option<&mut dyn Sink>) -> Status {
+        self.happen();
+        #[cfg(feature = "std")]
+        let own = self.trace.as_mut().map(Trace::sink);
+        #[cfg(not(feature = "std"))]
+        let own = None;
+        let status = both(own, sink, |sink| self.shell.cycle(sink));
+        #[cfg(feature = "std")]
+        self.trace.iter_mut().for_each(Trace::keep);
+        self.ending = match status {
+            Status::Running => None,
+            Status::Finished(end) => Some(Ending::Program(end)),
+            Status::Emergency => self.shell.emergency().map(Ending::Emergency),
+        };
+        status
+    }
+
+    /// Lets everything happen that is due.
+    fn happen(&mut self) {
+        let cycle = self.cycles();
+        while let Some(due) = self.events.all().get(self.happened) {
+            if due.cycle > cycle {
+                break;
+            }
+            match &due.event {
+                Event::Key(byte) => self.shell.desk_mut().press(*byte),
+                Event::Halt => self.shell.desk_mut().press(ESCAPE),
+                Event::Sensor(port, volts) => self.shell.set_sensor(*port, *volts),
+                Event::Touch(on) => self.shell.touch(*on),
+                Event::ReadFails => self.shell.fail_to_read(),
+                Event::WriteFails => self.shell.fail_to_write(),
+            }
+            self.happened += 1;
+        }
+    }
+
+    /// Runs no steps and holds the robot, or goes on. Paused cycles do not count.
+    pub fn pause(&mut self, on: bool) {
+        self.shell.pause(on);
+    }
+
+    /// How it ended, if it has; a run whose cycles were used up goes on when it is told to.
+    pub fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+
+    /// Why and where the robot stopped.
+    pub fn emergency(&self) -> Option<Emergency> {
+        self.shell.emergency()
+    }
+
+    /// Cycles whose step ran without a fault.
+    pub fn cycles(&self) -> u64 {
+        self.shell.clocks().cycles
+    }
+
+    /// Time on the robot: ms.
+    pub fn time(&self) -> f64 {
+        self.shell.clocks().time
+    }
+
+    /// The sampling time: ms.
+    pub fn period(&self) -> f64 {
+        self.shell.clocks().period
+    }
+
+    /// The program as the run has left it.
+    pub fn program(&self) -> &dyn Program {
+        self.shell.engine()
+    }
+
+    /// The program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
+    pub fn engine<P: Program + 'static>(&self) -> Option<&P> {
+        self.shell.engine().get()
+    }
+
+    /// What is simulated, if it is one of type `H`, such as
+    /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
+    pub fn plant<H: 'static>(&self) -> Option<&H> {
+        self.shell.plant().downcast_ref()
+    }
+
+    /// How the body moves; none for a robot that stays where it is.
+    pub fn motion(&self) -> Option<Motion> {
+        self.shell.motion()
+    }
+
+    /// Joint angles as measured in the last cycle, leg by leg: deg.
+    pub fn angles(&self) -> &[f64] {
+        self.shell.joints().1
+    }
+
+    /// Whether a lamp or relay is on.
+    pub fn lamp(&self, device: u8) -> bool {
+        let lamps = self.shell.lamps();
+        let word = lamps.get(usize::from(device / 32));
+        word.is_some_and(|word| word >> (device % 32) & 1 == 1)
+    }
+
+    /// A hash of what each joint was sent and measured in the last cycle.
+    pub fn state_hash(&self) -> u64 {
+        let (commands, angles) = self.shell.joints();
+        state_hash(commands, angles)
+    }
+}
+
+impl Clone for Run {
+    fn clone(&self) -> Self {
+        Run {
+            shell: self.shell.boxed(),
+            events: self.events.clone(),
+            happened: self.happened,
+            ending: self.ending,
+            #[cfg(feature = "std")]
+            trace: self.trace.clone(),
+        }
+    }
+}
+
+impl fmt::Debug for Run {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Run")
+            .field("program", self.shell.engine())
+            .field("cycles", &self.cycles())
+            .field("ending", &self.ending)
+            .finish_non_exhaustive()
+    }
+}
