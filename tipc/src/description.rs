@@ -95,7 +95,7 @@ fn open<T>(
 ) -> Result<T, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, Encoding::Utf8);
     let outcome = match undecodable {
-        Some(fault) => Err(vec![fault]),
+        Some(fault) => Err(vec![fault.into()]),
         None => read(&source, part, build),
     };
     outcome.map_err(|mut diagnostics| {

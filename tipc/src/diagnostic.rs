@@ -1,8 +1,10 @@
 //! One diagnostic, as every pass makes it.
 
+mod undecodable;
+
 use crate::code::{Code, Level};
 use crate::message::Message;
-use crate::syntax::Span;
+use crate::source::Span;
 
 /// A second place that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]

@@ -61,7 +61,7 @@ impl Loaded {
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     if let Some(fault) = undecodable {
-        return Loaded::refused(source, vec![fault]);
+        return Loaded::refused(source, vec![fault.into()]);
     }
     let (module, mut diagnostics) = parse(&source, options.tip_version);
     let wrong_version = module.statements.is_empty()

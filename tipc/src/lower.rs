@@ -24,7 +24,7 @@ pub(crate) fn lower(
         .enumerate()
         .filter(|(_, statement)| statement.is_step())
         .map(|(index, statement)| {
-            let column = source.column(statement.line, statement.span.start);
+            let column = source.column(statement.span.start);
             Step {
                 action: lowering.action(index, &mut resolved),
                 line: statement.line,

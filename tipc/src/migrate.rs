@@ -122,7 +122,7 @@ impl Migration {
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {
-        return Err(Box::new(Loaded::refused(source, vec![fault])));
+        return Err(Box::new(Loaded::refused(source, vec![fault.into()])));
     }
     let mut migrator = Migrator {
         source: &source,

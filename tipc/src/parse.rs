@@ -17,8 +17,8 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::Token;
 use crate::message::Parsing;
-use crate::source::{Source, first_beyond};
-use crate::syntax::{Module, Span, Statement, StatementKind, StepId};
+use crate::source::{Line, Source, Span, first_beyond};
+use crate::syntax::{Module, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 const LINE_LIMIT: usize = 1023;
@@ -35,12 +35,12 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
     let mut parser = Parser {
         source,
         text: source.text(),
-        line: 1,
+        line: source.line(1),
         step: 0,
         tokens: Vec::new(),
         module: Module {
             title: header::title(source),
-            statements: Vec::with_capacity(source.line_count() as usize),
+            statements: Vec::new(),
         },
         diagnostics: Vec::new(),
     };
@@ -60,8 +60,7 @@ enum Flow {
 struct Parser<'a> {
     source: &'a Source,
     text: &'a str,
-    /// The current line, from 1.
-    line: u32,
+    line: Line,
     /// The next statement's step, from 0.
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
@@ -72,10 +71,10 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn lines(&mut self) {
-        for line in 1..=self.source.line_count() {
+        for line in self.source.lines() {
             self.line = line;
             self.check_length();
-            if line > 2 && self.statements_of_line() == Flow::End {
+            if line.number > 2 && self.statements_of_line() == Flow::End {
                 return;
             }
         }
@@ -83,7 +82,7 @@ impl Parser<'_> {
     }
 
     fn check_length(&mut self) {
-        let span = self.source.line_span(self.line);
+        let span = self.line.span;
         let Some(beyond) = first_beyond(self.source.slice(span), LINE_LIMIT) else {
             return;
         };
@@ -94,8 +93,8 @@ impl Parser<'_> {
     }
 
     fn report_missing_end(&mut self) {
-        let line = self.source.line_span(self.source.line_count());
-        let place = self.trim(line, char::is_whitespace);
+        // All lines are read, so this is the last one.
+        let place = self.trim(self.line.span, char::is_whitespace);
         let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
         self.report(missing.help(Parsing::PutEnd));
     }
@@ -108,7 +107,7 @@ impl Parser<'_> {
         let statement = Statement {
             kind,
             span,
-            line: self.line,
+            line: self.line.number,
             step: self.step,
         };
         self.step += u32::from(statement.is_step());

@@ -7,28 +7,8 @@ mod module;
 pub use module::{Module, Statement};
 
 use crate::diagnostic::Diagnostic;
+pub use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
-
-/// A stretch of the decoded source text, in bytes of UTF-8.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Span {
-    /// The first byte.
-    pub start: usize,
-    /// The byte behind the last one.
-    pub end: usize,
-}
-
-impl Span {
-    /// From `start` up to `end`.
-    pub const fn new(start: usize, end: usize) -> Self {
-        Span { start, end }
-    }
-
-    /// From the start of `self` to the end of `other`.
-    pub const fn to(self, other: Span) -> Span {
-        Span::new(self.start, other.end)
-    }
-}
 
 /// Something with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ const NAMES_PER_LINE: usize = 8;
 impl Migrator<'_> {
     /// Declares every variable behind the title, which is put in if it is missing.
     pub(super) fn declare(&mut self, variables: &Variables, title: Title) {
-        let above = self.source.line_span(title.first_line() - 1);
+        let above = self.source.line(title.first_line() - 1).span;
         let mut lines = Vec::new();
         if title == Title::Missing {
             lines.push(String::new());
@@ -44,10 +44,9 @@ impl Migrator<'_> {
 
     /// How the program ends its lines.
     fn line_end(&self) -> &'static str {
-        let behind = &self.source.text()[self.source.line_span(1).end..];
-        match behind.as_bytes() {
-            [b'\r', b'\n', ..] => "\r\n",
-            [b'\r', ..] => "\r",
+        match self.slice(self.source.line(1).end) {
+            "\r\n" => "\r\n",
+            "\r" => "\r",
             _ => "\n",
         }
     }

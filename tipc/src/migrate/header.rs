@@ -97,7 +97,7 @@ impl Migrator<'_> {
 
     /// The version number's place in line 1.
     fn version_word(&self) -> Span {
-        let line = self.source.line_span(1);
+        let line = self.source.line(1).span;
         let text = self.slice(line);
         let code = text.split_once("//").map_or(text, |(code, _)| code);
         let word = code.trim_end_matches(BLANKS);

@@ -113,7 +113,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn line_holds_end(&mut self) -> bool {
-        let line = self.source.line_span(self.line);
+        let line = self.source.line(self.line).span;
         let text = self.source.slice(line);
         let code = line.start + text.find("//").unwrap_or(text.len());
         let mut start = line.start;

@@ -10,7 +10,7 @@ use crate::syntax::Span;
 
 /// Whether line 1 names `wanted`, compared as numbers; blanks and a comment may stand beside it.
 pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
-    let line = source.line_span(1);
+    let line = source.line(1).span;
     let text = source.slice(line);
     let code = text.split_once("//").map_or(text, |(code, _)| code);
     let word = code.trim_end_matches(BLANKS);

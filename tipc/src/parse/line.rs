@@ -10,8 +10,7 @@ use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};
 impl Parser<'_> {
     /// Reads the statements of the current line.
     pub(super) fn statements_of_line(&mut self) -> Flow {
-        let line = self.source.line_span(self.line);
-        let (code, comment) = split_comment(self.text, line);
+        let (code, comment) = split_comment(self.text, self.line.span);
         let first = self.module.statements.len();
         let reported = self.diagnostics.len();
         let mut start = code.start;

@@ -2,8 +2,7 @@
 
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
-use crate::source::Source;
-use crate::syntax::Span;
+use crate::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::ops::Range;
 
@@ -41,7 +40,7 @@ impl Window {
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
         let (line, _) = source.line_column(span.start);
         let shown = self.lines.get(line.checked_sub(self.first)? as usize)?;
-        let base = source.line_span(line).start;
+        let base = source.line(line).span.start;
         let start = shown.start + span.start.saturating_sub(base);
         let end = shown.start + span.end.saturating_sub(base);
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))

@@ -1,8 +1,8 @@
 use super::{human, json, short};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::source::Span;
 use crate::source::{Encoding, Source};
-use crate::syntax::Span;
 
 fn source(name: &str, text: &str) -> Source {
     Source::decode(name, text.as_bytes(), Encoding::Utf8).0

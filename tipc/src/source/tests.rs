@@ -1,4 +1,5 @@
 use super::{Encoding, Source, first_beyond};
+use crate::diagnostic::Diagnostic;
 use encoding_rs::SHIFT_JIS;
 use std::collections::BTreeMap;
 
@@ -14,7 +15,7 @@ fn check(bytes: &[u8], encoding: Encoding, expected: &str) {
 #[track_caller]
 fn check_bad(bytes: &[u8], encoding: Encoding, byte: usize, place: (u32, u32)) {
     let (source, bad) = Source::decode("a.prg", bytes, encoding);
-    let bad = bad.expect("a decoding error");
+    let bad = Diagnostic::from(bad.expect("a decoding error"));
     assert_eq!(bad.title(), "TIP_ERR:Format error (PreprocessError)");
     assert!(
         bad.reason.to_string().contains(&format!("byte {byte} ")),

@@ -1,5 +1,6 @@
 //! Whatever comes in, the parser answers, and every place it names exists and can be shown.
 
+use crate::diagnostic::Diagnostic;
 use crate::parse::parse;
 use crate::render;
 use crate::source::{Encoding, Source};
@@ -92,6 +93,7 @@ fn assert_in_range(source: &Source, span: Span, input: &[u8]) {
 fn try_on(bytes: &[u8]) {
     for encoding in [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis] {
         let (source, bad) = Source::decode("random.prg", bytes, encoding);
+        let bad = bad.map(Diagnostic::from);
         if let Some(bad) = &bad {
             assert_in_range(&source, bad.span, bytes);
         }

@@ -1,0 +1,157 @@
+//! Bytes to text (T.I.P. 3.1 §3).
+
+use super::Span;
+use encoding_rs::{DecoderResult, SHIFT_JIS};
+
+/// How to read the bytes of a source file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Encoding {
+    /// UTF-8 if the bytes are valid UTF-8, else Shift_JIS.
+    #[default]
+    Auto,
+    /// UTF-8, with or without byte order mark.
+    Utf8,
+    /// Shift_JIS as Windows knows it (code page 932).
+    ShiftJis,
+}
+
+/// How the bytes of a source file spell its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Charset {
+    /// UTF-8.
+    Utf8,
+    /// Shift_JIS as Windows knows it (code page 932).
+    ShiftJis,
+}
+
+impl Charset {
+    /// Its name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Charset::Utf8 => "UTF-8",
+            Charset::ShiftJis => "Shift_JIS",
+        }
+    }
+}
+
+/// The first bytes of a file that are not text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Undecodable {
+    /// How the file was read.
+    pub charset: Charset,
+    /// Which byte of the file, from 0.
+    pub byte: usize,
+    /// The replacement character that stands in the text instead.
+    pub span: Span,
+    /// If either charset was allowed: the other one, and the first byte that it lacks.
+    pub other: Option<(Charset, usize)>,
+}
+
+/// The byte order mark of UTF-8.
+pub(super) const MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// The text of a file, and how it was read.
+pub(super) struct Decoded {
+    pub(super) text: String,
+    pub(super) charset: Charset,
+    /// A byte order mark stands before the text and is not part of it.
+    pub(super) marked: bool,
+    pub(super) bad: Option<Undecodable>,
+}
+
+/// Reads bytes; what cannot be read becomes replacement characters.
+pub(super) fn decode(bytes: &[u8], encoding: Encoding) -> Decoded {
+    match encoding {
+        Encoding::Utf8 => decode_utf8(bytes),
+        Encoding::ShiftJis => decode_shift_jis(bytes),
+        Encoding::Auto => decode_auto(bytes),
+    }
+}
+
+fn decode_auto(bytes: &[u8]) -> Decoded {
+    let Err(first) = std::str::from_utf8(bytes) else {
+        return decode_utf8(bytes);
+    };
+    if bytes.starts_with(MARK) {
+        return decode_utf8(bytes);
+    }
+    let first = first.valid_up_to();
+    let mut decoded = decode_shift_jis(bytes);
+    let Some(second) = &mut decoded.bad else {
+        return decoded;
+    };
+    // The charset that reads further is the likelier one.
+    if second.byte >= first {
+        second.other = Some((Charset::Utf8, first));
+        return decoded;
+    }
+    let other = Some((Charset::ShiftJis, second.byte));
+    let utf8 = decode_utf8(bytes);
+    Decoded {
+        bad: utf8.bad.map(|bad| Undecodable { other, ..bad }),
+        ..utf8
+    }
+}
+
+fn decode_utf8(bytes: &[u8]) -> Decoded {
+    let body = bytes.strip_prefix(MARK).unwrap_or(bytes);
+    let mark = bytes.len() - body.len();
+    let bad = std::str::from_utf8(body).err();
+    Decoded {
+        text: String::from_utf8_lossy(body).into_owned(),
+        charset: Charset::Utf8,
+        marked: mark > 0,
+        bad: bad.map(|bad| {
+            let offset = bad.valid_up_to();
+            undecodable(Charset::Utf8, mark + offset, offset)
+        }),
+    }
+}
+
+fn decode_shift_jis(bytes: &[u8]) -> Decoded {
+    let mut text = String::with_capacity(room(bytes));
+    let bad = extend(&mut text, bytes).map(|byte| {
+        let offset = text.len();
+        let (rest, _) = SHIFT_JIS.decode_without_bom_handling(&bytes[byte..]);
+        text.push_str(&rest);
+        undecodable(Charset::ShiftJis, byte, offset)
+    });
+    Decoded {
+        text,
+        charset: Charset::ShiftJis,
+        marked: false,
+        bad,
+    }
+}
+
+/// Reads Shift_JIS up to its end or to the first byte that is none, which is returned.
+fn extend(text: &mut String, bytes: &[u8]) -> Option<usize> {
+    let mut decoder = SHIFT_JIS.new_decoder_without_bom_handling();
+    let mut at = 0;
+    loop {
+        let (result, read) = decoder.decode_to_string_without_replacement(&bytes[at..], text, true);
+        at += read;
+        match result {
+            DecoderResult::InputEmpty => return None,
+            DecoderResult::OutputFull => text.reserve(room(&bytes[at..])),
+            DecoderResult::Malformed(length, behind) => {
+                return Some(at - usize::from(length) - usize::from(behind));
+            }
+        }
+    }
+}
+
+/// How long the text of Shift_JIS can be: three bytes for each one that is not ASCII. The decoder wants some to spare.
+fn room(bytes: &[u8]) -> usize {
+    bytes.len() + 2 * bytes.iter().filter(|byte| !byte.is_ascii()).count() + 16
+}
+
+fn undecodable(charset: Charset, byte: usize, offset: usize) -> Undecodable {
+    let end = offset + char::REPLACEMENT_CHARACTER.len_utf8();
+    Undecodable {
+        charset,
+        byte,
+        span: Span::new(offset, end),
+        other: None,
+    }
+}
