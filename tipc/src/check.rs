@@ -18,11 +18,13 @@ mod structure;
 mod suggest;
 mod targets;
 mod usage;
+mod uses;
 
 use crate::diagnostic::Diagnostic;
 use crate::program::Variable;
 use crate::robot::Robot;
 use crate::source::Source;
+use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
@@ -31,7 +33,6 @@ pub(crate) use names::is_reserved;
 pub(crate) use resolve::Resolved;
 #[cfg(feature = "robot-files")]
 pub(crate) use suggest::nearest;
-pub(crate) use usage::ReadPlace;
 
 /// What the passes found out about a module, statement by statement.
 #[derive(Debug)]
@@ -46,8 +47,8 @@ pub(crate) struct Checked<'m> {
     pub(crate) jumps: Vec<Option<usize>>,
     /// What the operands of each statement stand for.
     pub(crate) resolved: Vec<Resolved>,
-    /// Where variables are read, in the order of the source.
-    pub(crate) reads: Vec<ReadPlace>,
+    /// What the program names.
+    pub(crate) symbols: Symbols,
 }
 
 /// Runs every pass over a module.
@@ -58,11 +59,19 @@ pub(crate) fn check<'m>(
 ) -> (Checked<'m>, Vec<Diagnostic>) {
     let mut found = Vec::new();
     let names = names::Names::collect(module, robot, &mut found);
-    let (resolved, usage) = resolve::statements(source, module, robot, &names, &mut found);
-    usage.report(&names, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(module, &mut found);
     let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
+    let known = resolve::Known {
+        source,
+        module,
+        robot,
+        names: &names,
+        labels: &labels,
+        blocks: &blocks,
+    };
+    let (resolved, named) = resolve::statements(&known, &mut found);
+    usage::report(source, &names, &named, &mut found);
     entries::warn_of_entries(module, &mut found);
     let checked = Checked {
         variables: names.variables,
@@ -70,7 +79,7 @@ pub(crate) fn check<'m>(
         blocks,
         jumps,
         resolved,
-        reads: usage.into_reads(),
+        symbols: named.symbols,
     };
     (checked, found)
 }

@@ -32,6 +32,7 @@ pub mod program;
 pub mod render;
 mod robot;
 pub mod source;
+pub mod symbols;
 pub mod syntax;
 #[cfg(feature = "urdf")]
 pub mod urdf;

@@ -8,6 +8,7 @@ use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source};
+use crate::symbols::Symbols;
 use crate::syntax::Module;
 use crate::warn::warnings;
 
@@ -39,6 +40,8 @@ pub struct Loaded {
     pub source: Source,
     /// The statements, as far as the text could be read.
     pub module: Module,
+    /// What the program names, and where; as far as it is understood.
+    pub symbols: Symbols,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
     /// All findings, in order of their places.
@@ -51,6 +54,7 @@ impl Loaded {
         Loaded {
             source,
             module: Module::default(),
+            symbols: Symbols::default(),
             program: None,
             diagnostics,
         }
@@ -68,20 +72,21 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         && diagnostics
             .iter()
             .any(|diagnostic| diagnostic.code == Code::Version);
-    let program = if wrong_version {
-        None
+    let (symbols, program) = if wrong_version {
+        (Symbols::default(), None)
     } else {
         let (mut checked, found) = check(&source, &module, options.robot);
         diagnostics.extend(found);
         let loads = diagnostics
             .iter()
             .all(|diagnostic| diagnostic.level() == Level::Warning);
-        loads.then(|| {
-            let reads = std::mem::take(&mut checked.reads);
+        let symbols = std::mem::take(&mut checked.symbols);
+        let program = loads.then(|| {
             let program = lower(&source, &module, checked, options.robot);
-            diagnostics.extend(warnings(&source, &module, &reads, &program));
+            diagnostics.extend(warnings(&source, &module, &symbols, &program));
             program
-        })
+        });
+        (symbols, program)
     };
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
     // One mistake is told once, however many passes stumble over it.
@@ -92,6 +97,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     Loaded {
         source,
         module,
+        symbols,
         program,
         diagnostics,
     }

@@ -37,10 +37,10 @@ pub(crate) fn lower(
         .labels
         .all
         .iter()
-        .map(|(name, statement, subroutine)| Label {
-            name: (*name).to_owned(),
-            step: module.statements[*statement].step,
-            subroutine: *subroutine,
+        .map(|label| Label {
+            name: label.name.node.to_string(),
+            step: module.statements[label.statement].step,
+            subroutine: label.subroutine,
         })
         .collect();
     Program {

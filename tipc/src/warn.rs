@@ -1,11 +1,11 @@
 //! Warnings that the analysis of a program gives reason for, at their places in the source.
 
 use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
-use crate::check::ReadPlace;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId, VariableKind};
 use crate::source::Source;
+use crate::symbols::{Access, Symbols};
 use crate::syntax::{Module, Span};
 
 /// How many pieces of a way are shown, one for each jump on it.
@@ -15,7 +15,7 @@ const PIECES: usize = 8;
 pub(crate) fn warnings(
     source: &Source,
     module: &Module,
-    reads: &[ReadPlace],
+    symbols: &Symbols,
     program: &Program,
 ) -> Vec<Diagnostic> {
     let gaps = gaps(program, &Assignment::of(program));
@@ -25,7 +25,7 @@ pub(crate) fn warnings(
     let places = Places {
         source,
         module,
-        reads,
+        symbols,
     };
     gaps.iter()
         .map(|gap| warning(program, gap, places.of(program, gap)))
@@ -36,7 +36,7 @@ pub(crate) fn warnings(
 struct Places<'a> {
     source: &'a Source,
     module: &'a Module,
-    reads: &'a [ReadPlace],
+    symbols: &'a Symbols,
 }
 
 impl Places<'_> {
@@ -45,24 +45,23 @@ impl Places<'_> {
         let Some(statement) = self.module.statement_of(gap.step) else {
             return Span::default();
         };
-        let start = self
-            .reads
-            .partition_point(|read| read.statement < statement);
-        let operands: Vec<Span> = self.reads[start..]
-            .iter()
-            .take_while(|read| read.statement == statement)
-            .filter(|read| read.variable == gap.variable)
-            .map(|read| read.place)
+        let whole = self.module.statements[statement].span;
+        let named = self.symbols.within(whole).iter();
+        let named = named.filter(|it| it.definition.index() == gap.variable);
+        // What is updated is read last.
+        let first = named.clone().filter(|it| it.access == Access::Read);
+        let last = named.filter(|it| it.access == Access::Update);
+        let operands: Vec<Span> = first
+            .chain(last)
+            .map(|it| it.operand(self.source))
             .collect();
         let scalar = scalar_name(program, gap.scalars[0]);
         let names_it = |place: &&Span| {
             let operand = self.source.slice(**place).to_ascii_uppercase();
             operand.trim_start_matches('-') == scalar
         };
-        let named = operands.iter().find(names_it).or(operands.first());
-        named
-            .copied()
-            .unwrap_or(self.module.statements[statement].span)
+        let operand = operands.iter().find(names_it).or(operands.first());
+        operand.copied().unwrap_or(whole)
     }
 }
 

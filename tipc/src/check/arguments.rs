@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::program::{self, Action, Argument, Scalar};
 use crate::robot::Robot;
+use crate::symbols::Access;
 use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
 use tip_runtime::command::{Op, Target};
 
@@ -112,7 +113,7 @@ impl Resolver<'_> {
         let hs = form.hs && arguments.first().and_then(word) == Some("HS");
         let arguments = &arguments[usize::from(hs)..];
         if op == Op::OutputVariables {
-            self.usage.dump();
+            self.uses.dump();
         }
         let has_target = form.targets != commands::Targets::NONE;
         let target = match has_target {
@@ -199,7 +200,7 @@ impl Resolver<'_> {
         };
         self.no_more(name, &operands[flagged + 1..])?;
         let relative = self.relative(form, operands)?;
-        self.usage.read(id, operands[flagged].span);
+        self.uses.variable(operands[flagged].span, id, Access::Read);
         let members = 0..self.names.variables[id].size();
         let argument = |member| Argument {
             operand: program::Operand::Scalar {
@@ -306,7 +307,7 @@ impl Resolver<'_> {
         shape: Code,
     ) -> Option<program::Operand> {
         let meant = self.meant(operand, shape)?;
-        self.read(meant, operand.span);
+        self.uses.operand(operand, meant, Access::Read);
         match meant {
             Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
             Meant::Scalar { .. } | Meant::Struct { .. } => {

@@ -5,6 +5,7 @@ use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Action, Axis, Function, ScalarExpression, StructExpression, VariableId};
+use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, Span, VariableKind, Word};
 
 /// The right side of an equation with its type.
@@ -16,13 +17,15 @@ enum Value {
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
         let target = self.meant(&equation.target, Code::Equation);
-        let value = self.expression(&equation.value, target);
-        let (target, value) = (target?, value?);
-        let place = equation.target.span;
-        let action = self.assignment(equation, target, value)?;
-        if equation.update.is_some() {
-            self.read(target, place);
+        if let Some(target) = target {
+            let access = match equation.update {
+                Some(_) => Access::Update,
+                None => Access::Assign,
+            };
+            self.uses.operand(&equation.target, target, access);
         }
+        let value = self.expression(&equation.value, target);
+        let action = self.assignment(equation, target?, value?)?;
         self.warn_of_domain(equation);
         Some(action)
     }
@@ -39,16 +42,12 @@ impl Resolver<'_> {
             (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
                 self.refuse(Code::Equation, place, "the left side has no sign")
             }
-            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => {
-                self.usage.assign(scalar.variable);
-                Some(Action::SetScalar {
-                    target: scalar,
-                    update,
-                    value,
-                })
-            }
+            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Action::SetScalar {
+                target: scalar,
+                update,
+                value,
+            }),
             (Meant::Struct { variable, kind, .. }, Value::Struct(of, value)) if kind == of => {
-                self.usage.assign(variable);
                 Some(Action::SetStruct {
                     target: variable,
                     update,
@@ -212,7 +211,7 @@ impl Resolver<'_> {
     /// An operand that the equation reads; a struct has no sign.
     fn value(&mut self, operand: &Operand) -> Option<Meant> {
         let meant = self.meant(operand, Code::Equation)?;
-        self.read(meant, operand.span);
+        self.uses.operand(operand, meant, Access::Read);
         if let Meant::Struct { negative: true, .. } = meant {
             let fault = Diagnostic::new(Code::Equation, operand.span, "a struct has no sign");
             self.report(fault.help("change the sign of each member, as `P.X = -P.X`"));

@@ -7,7 +7,8 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Targets;
 use crate::program::{self, Action, Argument, Scalar};
-use crate::syntax::{Operand, VariableKind, Word};
+use crate::symbols::Access;
+use crate::syntax::{Operand, Span, VariableKind, Word};
 use tip_runtime::command::{Op, Port, Target, Teach};
 use tip_runtime::model::Family;
 
@@ -34,13 +35,14 @@ impl Resolver<'_> {
             VariableKind::Joint => "a JOINT variable belongs here",
             VariableKind::Var => "a VAR or a member belongs here",
         };
-        match self.meant(into, Code::Argument)? {
+        let meant = self.meant(into, Code::Argument)?;
+        match meant {
             Meant::Struct {
                 variable,
                 kind: of,
                 negative: false,
             } if kind == of => {
-                self.usage.assign(variable);
+                self.uses.variable(into.span, variable, Access::Assign);
                 Some(Action::TeachStruct {
                     what,
                     target,
@@ -52,7 +54,7 @@ impl Resolver<'_> {
                 negative: false,
                 ..
             } if kind == VariableKind::Var => {
-                self.usage.assign(scalar.variable);
+                self.uses.operand(into, meant, Access::Assign);
                 Some(Action::TeachScalar {
                     what,
                     target,
@@ -67,12 +69,16 @@ impl Resolver<'_> {
         self.no_more(name, arguments.get(1..).unwrap_or_default())?;
         let into = match arguments.first() {
             Some(operand) => self.receiver(operand)?,
-            None => Scalar {
-                variable: self.names.find(VAR_KEY)?,
-                member: 0,
-            },
+            None => {
+                let variable = self.names.find(VAR_KEY)?;
+                let left_out = Span::new(name.span.end, name.span.end);
+                self.uses.variable(left_out, variable, Access::Assign);
+                Scalar {
+                    variable,
+                    member: 0,
+                }
+            }
         };
-        self.usage.assign(into.variable);
         Some(Action::KeyIn { into })
     }
 
@@ -89,7 +95,6 @@ impl Resolver<'_> {
         };
         self.no_more(name, &arguments[used + 1..])?;
         let into = self.receiver(into)?;
-        self.usage.assign(into.variable);
         Some(Action::AdIn { port, into })
     }
 
@@ -165,12 +170,16 @@ impl Resolver<'_> {
 
     /// A VAR without sign, which a command fills.
     fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
-        match self.meant(operand, Code::Argument)? {
+        let meant = self.meant(operand, Code::Argument)?;
+        match meant {
             Meant::Scalar {
                 scalar,
                 negative: false,
                 member: false,
-            } => Some(scalar),
+            } => {
+                self.uses.operand(operand, meant, Access::Assign);
+                Some(scalar)
+            }
             _ => self.refuse(Code::Argument, operand.span, "a VAR belongs here"),
         }
     }

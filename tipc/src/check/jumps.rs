@@ -75,7 +75,7 @@ impl Jumps<'_> {
         if name == LOOP {
             return self.loop_target(index, kind, place);
         }
-        let Some(to) = self.labels.find(name) else {
+        let Some(to) = self.statement_of(self.labels.find(name)) else {
             let help = match nearest(name, self.labels.names()) {
                 Some(near) => format!("did you mean `{near}:`?"),
                 None => format!("declare it: `{name}:`"),
@@ -102,7 +102,7 @@ impl Jumps<'_> {
                 .push(fault.help("give the routine a label of its own"));
             return None;
         }
-        let to = self.labels.loop_above(index);
+        let to = self.statement_of(self.labels.loop_above(index));
         if to.is_none() {
             let reason = "no LOOP label stands above this jump";
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
@@ -110,6 +110,10 @@ impl Jumps<'_> {
                 .push(fault.help("put `LOOP:` where the repetition starts"));
         }
         to
+    }
+
+    fn statement_of(&self, label: Option<usize>) -> Option<usize> {
+        label.map(|label| self.labels.all[label].statement)
     }
 
     fn is_subroutine(&self, statement: usize) -> bool {

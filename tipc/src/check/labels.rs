@@ -3,19 +3,30 @@
 use super::names::{is_label_name, is_reserved};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::syntax::{Module, StatementKind, Word};
+use crate::syntax::{Jump, Module, StatementKind, Word};
 use std::collections::HashMap;
 
 /// The label that may stand more than once.
 pub(crate) const LOOP: &str = "LOOP";
 
-/// Every label, by the index of its statement.
+/// Every label.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Labels<'m> {
-    /// In order of the text: name, statement, declared by SUBROUTINE.
-    pub(crate) all: Vec<(&'m str, usize, bool)>,
+    /// In order of the text; of several of one name the first, but every LOOP.
+    pub(crate) all: Vec<DeclaredLabel<'m>>,
     by_name: HashMap<&'m str, usize>,
     loops: Vec<usize>,
+}
+
+/// A label or SUBROUTINE.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DeclaredLabel<'m> {
+    /// Its name.
+    pub(crate) name: &'m Word,
+    /// The index of its statement.
+    pub(crate) statement: usize,
+    /// Declared by SUBROUTINE.
+    pub(crate) subroutine: bool,
 }
 
 impl<'m> Labels<'m> {
@@ -24,9 +35,9 @@ impl<'m> Labels<'m> {
         let mut labels = Labels::default();
         for (index, statement) in module.statements.iter().enumerate() {
             match &statement.kind {
-                StatementKind::Label(name) => labels.declare(module, index, name, false, found),
+                StatementKind::Label(name) => labels.declare(index, name, false, found),
                 StatementKind::Subroutine { name, .. } => {
-                    labels.declare(module, index, name, true, found);
+                    labels.declare(index, name, true, found);
                 }
                 _ => {}
             }
@@ -36,48 +47,60 @@ impl<'m> Labels<'m> {
 
     fn declare(
         &mut self,
-        module: &'m Module,
-        index: usize,
+        statement: usize,
         name: &'m Word,
         subroutine: bool,
         found: &mut Vec<Diagnostic>,
     ) {
-        self.all.push((&name.node, index, subroutine));
+        let label = DeclaredLabel {
+            name,
+            statement,
+            subroutine,
+        };
+        let id = self.all.len();
         if let Some(fault) = refusal(name, subroutine) {
             found.push(fault);
         }
         if name.node == LOOP && !subroutine {
-            self.loops.push(index);
+            self.loops.push(id);
+            self.all.push(label);
             return;
         }
         if let Some(first) = self.by_name.get(name.node.as_str()) {
             let reason = format!("`{}` is declared again", name.node);
-            let first = label_word(&module.statements[*first].kind);
-            let mut fault = Diagnostic::new(Code::DuplicateLabel, name.span, reason)
-                .help("give each label a name of its own; only LOOP may stand more than once");
-            if let Some(first) = first {
-                fault = fault.label(first.span, "first declared here");
-            }
+            let fault = Diagnostic::new(Code::DuplicateLabel, name.span, reason)
+                .help("give each label a name of its own; only LOOP may stand more than once")
+                .label(self.all[*first].name.span, "first declared here");
             found.push(fault);
             return;
         }
-        self.by_name.insert(&name.node, index);
+        self.by_name.insert(&name.node, id);
+        self.all.push(label);
     }
 
-    /// The statement of a label other than LOOP.
+    /// A label other than LOOP, by its place among all.
     pub(crate) fn find(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }
 
-    /// The nearest LOOP above a statement.
+    /// The nearest LOOP above a statement, by its place among all.
     pub(crate) fn loop_above(&self, statement: usize) -> Option<usize> {
-        let above = self.loops.partition_point(|index| *index < statement);
+        let is_above = |label: &usize| self.all[*label].statement < statement;
+        let above = self.loops.partition_point(is_above);
         above.checked_sub(1).map(|last| self.loops[last])
+    }
+
+    /// The label that a jump in a statement names, by its place among all.
+    pub(crate) fn meant(&self, statement: usize, jump: &Jump) -> Option<usize> {
+        match &jump.label {
+            Some(label) if label.node != LOOP => self.find(&label.node),
+            _ => self.loop_above(statement),
+        }
     }
 
     /// The names that a jump may have meant.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.all.iter().map(|(name, ..)| *name)
+        self.all.iter().map(|label| label.name.node.as_str())
     }
 }
 
@@ -93,11 +116,4 @@ fn refusal(name: &Word, subroutine: bool) -> Option<Diagnostic> {
         return Some(fault(format!("`{word}` is a word of the language")).help(help));
     }
     (subroutine && word == LOOP).then(|| fault("a SUBROUTINE cannot be named LOOP".to_owned()))
-}
-
-fn label_word(kind: &StatementKind) -> Option<&Word> {
-    match kind {
-        StatementKind::Label(name) | StatementKind::Subroutine { name, .. } => Some(name),
-        _ => None,
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::resolve::Resolver;
 use crate::program::{Action, MessagePart, Scalar};
+use crate::symbols::Access;
 use crate::syntax::{Span, VariableKind};
 
 impl Resolver<'_> {
@@ -12,11 +13,12 @@ impl Resolver<'_> {
         let mut rest = text;
         while let Some(first) = rest.chars().next() {
             if let Some((variable, decimals, length)) = self.placeholder(rest) {
+                let start = place.end - rest.len() + 1;
+                let name = Span::new(start, start + self.names.variables[variable].name.len());
+                self.uses.variable(name, variable, Access::Read);
                 if !plain.is_empty() {
                     parts.push(MessagePart::Text(std::mem::take(&mut plain)));
                 }
-                let start = place.end - rest.len();
-                self.usage.read(variable, Span::new(start, start + length));
                 parts.push(MessagePart::Value {
                     scalar: Scalar {
                         variable,

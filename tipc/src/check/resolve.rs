@@ -1,14 +1,17 @@
 //! What the operands of every statement stand for.
 
+use super::blocks::Blocks;
+use super::labels::Labels;
 use super::names::{Meant, Names};
-use super::usage::Usage;
+use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::Message;
-use crate::program::{self, Action, Condition, Scalar, VariableId};
+use crate::program::{self, Action, Condition, Scalar};
 use crate::robot::Robot;
 use crate::source::Source;
-use crate::syntax::{Counting, Module, Operand, Span, Statement, StatementKind};
+use crate::symbols::Access;
+use crate::syntax::{Counting, Module, Operand, OperandKind, Span, Statement, StatementKind, Then};
 
 /// A statement with its operands resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,19 +33,34 @@ pub(crate) enum Resolved {
     Failed,
 }
 
+/// What the passes before know.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'a> {
+    pub(super) source: &'a Source,
+    pub(super) module: &'a Module,
+    pub(super) robot: Robot,
+    pub(super) names: &'a Names,
+    pub(super) labels: &'a Labels<'a>,
+    pub(super) blocks: &'a Blocks,
+}
+
 /// Resolves every statement.
-pub(crate) fn statements(
-    source: &Source,
-    module: &Module,
-    robot: Robot,
-    names: &Names,
-    found: &mut Vec<Diagnostic>,
-) -> (Vec<Resolved>, Usage) {
+pub(super) fn statements(known: &Known<'_>, found: &mut Vec<Diagnostic>) -> (Vec<Resolved>, Named) {
+    let Known {
+        source,
+        module,
+        robot,
+        names,
+        labels,
+        blocks,
+    } = *known;
     let mut resolver = Resolver {
         robot,
         names,
+        module,
+        blocks,
         source,
-        usage: Usage::new(names.variables.len()),
+        uses: Uses::new(names, labels),
         found,
     };
     let resolved = module
@@ -50,40 +68,58 @@ pub(crate) fn statements(
         .iter()
         .enumerate()
         .map(|(index, statement)| {
-            resolver.usage.enter(index);
-            let resolved = resolver.statement(statement);
+            resolver.uses.enter();
+            let resolved = resolver.statement(index, statement);
             if resolved == Some(Resolved::Failed) || resolved.is_none() {
-                resolver.excuse(source.slice(statement.span));
+                resolver.uses.excuse(source, statement.span);
             }
             resolved.unwrap_or(Resolved::Failed)
         })
         .collect();
-    (resolved, resolver.usage)
+    (resolved, resolver.uses.finish())
 }
 
 /// One pass over the statements. Its methods answer `None` once they have reported why.
 pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
+    module: &'a Module,
+    blocks: &'a Blocks,
     source: &'a Source,
-    pub(super) usage: Usage,
+    pub(super) uses: Uses<'a>,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
 
 impl Resolver<'_> {
-    fn statement(&mut self, statement: &Statement) -> Option<Resolved> {
+    fn statement(&mut self, index: usize, statement: &Statement) -> Option<Resolved> {
         match &statement.kind {
             StatementKind::Equation(equation) => self.equation(equation).map(Resolved::Action),
-            StatementKind::If { condition, .. }
-            | StatementKind::ElseIf { condition, .. }
+            StatementKind::If {
+                condition, then, ..
+            } => {
+                let condition = self.condition(condition);
+                match then {
+                    Then::Block => {}
+                    Then::Goto(jump) => self.uses.jump(index, jump, Access::Jump),
+                    Then::Gosub(jump) => self.uses.jump(index, jump, Access::Call),
+                }
+                condition.map(Resolved::Condition)
+            }
+            StatementKind::ElseIf { condition, .. }
             | StatementKind::While { condition, .. }
             | StatementKind::Until { condition, .. } => {
                 self.condition(condition).map(Resolved::Condition)
             }
             StatementKind::For { counting, .. } => self.counting(counting),
-            StatementKind::Next { variable, .. } => match variable {
-                Some(variable) => self.loop_variable(variable).map(|_| Resolved::Plain),
-                None => Some(Resolved::Plain),
+            StatementKind::Next { keyword, variable } => match variable {
+                Some(variable) => {
+                    let counter = self.loop_variable(variable, Access::Count);
+                    counter.map(|_| Resolved::Plain)
+                }
+                None => {
+                    self.count_unnamed(index, *keyword);
+                    Some(Resolved::Plain)
+                }
             },
             StatementKind::Message { text } => {
                 let shown = self.source.slice(text.span);
@@ -97,17 +133,29 @@ impl Resolver<'_> {
                 .command(name, arguments, malformed.as_deref())
                 .map(Resolved::Action),
             StatementKind::Broken(_) => Some(Resolved::Failed),
-            StatementKind::Define { .. }
-            | StatementKind::Label(_)
-            | StatementKind::Else
+            StatementKind::Define { names, .. } => {
+                for name in names {
+                    self.uses.declare(name);
+                }
+                Some(Resolved::Plain)
+            }
+            StatementKind::Label(name) | StatementKind::Subroutine { name, .. } => {
+                self.uses.define_label(name, index);
+                Some(Resolved::Plain)
+            }
+            StatementKind::Goto(jump) => {
+                self.uses.jump(index, jump, Access::Jump);
+                Some(Resolved::Plain)
+            }
+            StatementKind::Call(jump) | StatementKind::Gosub(jump) => {
+                self.uses.jump(index, jump, Access::Call);
+                Some(Resolved::Plain)
+            }
+            StatementKind::Else
             | StatementKind::EndIf
             | StatementKind::Wend
             | StatementKind::Repeat
-            | StatementKind::Subroutine { .. }
             | StatementKind::SubEnd
-            | StatementKind::Call(_)
-            | StatementKind::Goto(_)
-            | StatementKind::Gosub(_)
             | StatementKind::Return
             | StatementKind::End
             | StatementKind::Exit
@@ -116,18 +164,15 @@ impl Resolver<'_> {
     }
 
     fn counting(&mut self, counting: &Counting) -> Option<Resolved> {
-        let counter = self.loop_variable(&counting.variable);
+        let counter = self.loop_variable(&counting.variable, Access::Update);
         let from = self.number(&counting.from, Code::Argument);
         let to = self.number(&counting.to, Code::Argument);
         let step = match &counting.step {
             Some(step) => self.for_step(step),
             None => Some(program::Operand::Constant(1.0)),
         };
-        let counter = counter?;
-        self.usage.assign(counter.variable);
-        self.usage.read(counter.variable, counting.variable.span);
         Some(Resolved::For {
-            variable: counter,
+            variable: counter?,
             from: from?,
             to: to?,
             step: step?,
@@ -144,13 +189,30 @@ impl Resolver<'_> {
         Some(number)
     }
 
-    fn loop_variable(&mut self, operand: &Operand) -> Option<Scalar> {
-        match self.meant(operand, Code::Argument)? {
+    /// NEXT without a name counts the variable of its FOR.
+    fn count_unnamed(&mut self, next: usize, keyword: Span) {
+        let opener = self.blocks.links[next].partner;
+        if let Some(opener) = opener
+            && let StatementKind::For { counting, .. } = &self.module.statements[opener].kind
+            && let OperandKind::Name(name) = &counting.variable.kind
+            && let Some(variable) = self.names.find(name)
+        {
+            let left_out = Span::new(keyword.end, keyword.end);
+            self.uses.variable(left_out, variable, Access::Count);
+        }
+    }
+
+    fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
+        let meant = self.meant(operand, Code::Argument)?;
+        match meant {
             Meant::Scalar {
                 scalar,
                 member: false,
                 ..
-            } => Some(scalar),
+            } => {
+                self.uses.operand(operand, meant, access);
+                Some(scalar)
+            }
             _ => {
                 let reason = "the variable of a FOR is a VAR";
                 let fault = Diagnostic::new(Code::Argument, operand.span, reason);
@@ -174,7 +236,7 @@ impl Resolver<'_> {
     /// A number that the statement reads. `shape` is the code of a struct in its place.
     pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
         let meant = self.meant(operand, shape)?;
-        self.read(meant, operand.span);
+        self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
             return Some(number);
         }
@@ -182,15 +244,6 @@ impl Resolver<'_> {
         let fault = Diagnostic::new(shape, operand.span, reason);
         self.report(fault.help("name a member, as `P.X` or `Q.J2`"));
         None
-    }
-
-    /// Notes that the statement reads what an operand stands for.
-    pub(super) fn read(&mut self, meant: Meant, place: Span) {
-        match meant {
-            Meant::Constant(_) => {}
-            Meant::Scalar { scalar, .. } => self.usage.read(scalar.variable, place),
-            Meant::Struct { variable, .. } => self.usage.read(variable, place),
-        }
     }
 
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
@@ -206,16 +259,5 @@ impl Resolver<'_> {
     ) -> Option<T> {
         self.report(Diagnostic::new(code, place, reason));
         None
-    }
-
-    /// Lets the pass over the use of variables say nothing of those that a broken statement names.
-    fn excuse(&mut self, text: &str) {
-        let is_name = |char: char| char.is_ascii_alphanumeric() || char == '_';
-        for word in text.split(|char| !is_name(char)) {
-            let id: Option<VariableId> = self.names.find(&word.to_ascii_uppercase());
-            if let Some(id) = id {
-                self.usage.excuse(id);
-            }
-        }
     }
 }

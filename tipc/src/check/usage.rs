@@ -1,106 +1,67 @@
-//! Which variables are read and assigned (T.I.P. 3.1 §4-2 path 3).
+//! Variables that nothing reads, assigns or uses (T.I.P. 3.1 §4-2 path 3).
 
 use super::names::Names;
+use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::program::VariableId;
+use crate::source::Source;
+use crate::symbols::{Access, Use};
 use crate::syntax::{Span, VariableKind};
 
-/// Where a statement reads a variable.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ReadPlace {
-    /// The statement.
-    pub(crate) statement: usize,
-    /// The variable.
-    pub(crate) variable: VariableId,
-    /// The operand that names it.
-    pub(crate) place: Span,
-}
-
-/// What a program does with its variables.
-#[derive(Debug)]
-pub(crate) struct Usage {
-    /// The statement that is being looked at.
-    statement: usize,
-    /// In the order of the source.
-    reads: Vec<ReadPlace>,
-    first_read: Vec<Option<Span>>,
-    assigned: Vec<bool>,
-    /// A broken statement names the variable: nothing can be said of it.
-    excused: Vec<bool>,
-    /// OUTPUT_VARIABLES reads them all.
-    dumped: bool,
-}
-
-impl Usage {
-    pub(crate) fn new(variables: usize) -> Self {
-        Usage {
-            statement: 0,
-            reads: Vec::new(),
-            first_read: vec![None; variables],
-            assigned: vec![false; variables],
-            excused: vec![false; variables],
-            dumped: false,
+/// Reports reads that nothing assigned, and variables that serve nothing.
+pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Vec<Diagnostic>) {
+    let mut serves = vec![Service::default(); names.variables.len()];
+    for used in named.symbols.all_uses() {
+        if let Some(service) = serves.get_mut(used.definition.index()) {
+            service.add(used);
         }
     }
-
-    /// What follows is about this statement.
-    pub(crate) fn enter(&mut self, statement: usize) {
-        self.statement = statement;
-    }
-
-    /// Something reads the variable here.
-    pub(crate) fn read(&mut self, variable: VariableId, place: Span) {
-        self.reads.push(ReadPlace {
-            statement: self.statement,
-            variable,
-            place,
-        });
-        self.first_read[variable].get_or_insert(place);
-    }
-
-    /// Something assigns the variable.
-    pub(crate) fn assign(&mut self, variable: VariableId) {
-        self.assigned[variable] = true;
-    }
-
-    /// A broken statement may do anything with the variable.
-    pub(crate) fn excuse(&mut self, variable: VariableId) {
-        self.excused[variable] = true;
-    }
-
-    /// OUTPUT_VARIABLES writes every variable to a file.
-    pub(crate) fn dump(&mut self) {
-        self.dumped = true;
-    }
-
-    /// Every read, in the order of the source.
-    pub(crate) fn into_reads(self) -> Vec<ReadPlace> {
-        self.reads
-    }
-
-    /// Reports reads that nothing assigned, and variables that serve nothing.
-    pub(crate) fn report(&self, names: &Names, found: &mut Vec<Diagnostic>) {
-        for (id, variable) in names.variables.iter().enumerate() {
-            if self.excused[id] {
-                continue;
+    for (id, variable) in names.variables.iter().enumerate() {
+        if named.excused[id] {
+            continue;
+        }
+        let name = &variable.name;
+        let Service { read, assigned } = serves[id];
+        let finding = match (read, assigned, names.declared[id]) {
+            (Some(read), false, declared) => {
+                let place = read.operand(source);
+                Some(never_assigned(name, variable.kind, place, declared))
             }
-            let name = &variable.name;
-            let finding = match (self.first_read[id], self.assigned[id], names.declared[id]) {
-                (Some(place), false, declared) => {
-                    Some(never_assigned(name, variable.kind, place, declared))
-                }
-                (None, false, Some(declared)) => {
-                    let reason = "nothing uses this name";
-                    Some(Diagnostic::new(Code::Unused, declared, reason).about(name))
-                }
-                (None, true, Some(declared)) if !self.dumped => {
-                    let reason = "nothing reads this variable";
-                    Some(Diagnostic::new(Code::NeverRead, declared, reason).about(name))
-                }
-                _ => None,
-            };
-            found.extend(finding);
+            (None, false, Some(declared)) => {
+                let reason = "nothing uses this name";
+                Some(Diagnostic::new(Code::Unused, declared, reason).about(name))
+            }
+            (None, true, Some(declared)) if !named.dumped => {
+                let reason = "nothing reads this variable";
+                Some(Diagnostic::new(Code::NeverRead, declared, reason).about(name))
+            }
+            _ => None,
+        };
+        found.extend(finding);
+    }
+}
+
+/// What a program does with a variable.
+#[derive(Clone, Copy, Default)]
+struct Service<'a> {
+    /// The first read.
+    read: Option<&'a Use>,
+    assigned: bool,
+}
+
+impl<'a> Service<'a> {
+    fn add(&mut self, used: &'a Use) {
+        match used.access {
+            Access::Read => {
+                self.read.get_or_insert(used);
+            }
+            Access::Assign => self.assigned = true,
+            Access::Update => {
+                self.read.get_or_insert(used);
+                self.assigned = true;
+            }
+            // What NEXT counts its FOR has begun.
+            Access::Count | Access::Define | Access::Jump | Access::Call | Access::Unclear => {}
         }
     }
 }

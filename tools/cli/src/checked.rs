@@ -39,6 +39,7 @@ pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checke
         module,
         program,
         diagnostics,
+        ..
     } = loaded;
     Some(Checked {
         robot,

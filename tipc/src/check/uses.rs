@@ -1,0 +1,205 @@
+//! Notes every place that names a variable or label, in the order of the text.
+
+use super::labels::Labels;
+use super::names::{Meant, Names};
+use crate::program::VariableId;
+use crate::source::Source;
+use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
+use crate::syntax::{Jump, Operand, OperandKind, Span, Word};
+
+/// What the statements name, so far.
+pub(super) struct Uses<'a> {
+    names: &'a Names,
+    labels: &'a Labels<'a>,
+    /// In the order of the text.
+    all: Vec<Use>,
+    /// The first use of the statement that is being looked at.
+    first: usize,
+    /// The next variable and the next label to be defined.
+    next: (VariableId, usize),
+    excused: Vec<bool>,
+    dumped: bool,
+}
+
+/// What became of the names of a whole program.
+pub(super) struct Named {
+    pub(super) symbols: Symbols,
+    /// The variables that a broken statement names: nothing can be said of them.
+    pub(super) excused: Vec<bool>,
+    /// OUTPUT_VARIABLES reads them all.
+    pub(super) dumped: bool,
+}
+
+impl<'a> Uses<'a> {
+    pub(super) fn new(names: &'a Names, labels: &'a Labels<'a>) -> Self {
+        Uses {
+            names,
+            labels,
+            all: Vec::new(),
+            first: 0,
+            next: (1, 0),
+            excused: vec![false; names.variables.len()],
+            dumped: false,
+        }
+    }
+
+    /// What follows is about the next statement.
+    pub(super) fn enter(&mut self) {
+        self.first = self.all.len();
+    }
+
+    /// All of them.
+    pub(super) fn finish(self) -> Named {
+        Named {
+            symbols: Symbols::new(definitions(self.names, self.labels), self.all),
+            excused: self.excused,
+            dumped: self.dumped,
+        }
+    }
+
+    /// The name of a declaration.
+    pub(super) fn declare(&mut self, word: &Word) {
+        let (next, _) = self.next;
+        let is_next = self.names.declared.get(next) == Some(&Some(word.span));
+        self.next.0 += usize::from(is_next);
+        let variable = match is_next {
+            true => Some(next),
+            false => self.names.find(&word.node),
+        };
+        if let Some(variable) = variable {
+            self.note(
+                word.span,
+                DefinitionId::of_variable(variable),
+                Access::Define,
+            );
+        }
+    }
+
+    /// A label or the name of a SUBROUTINE, defined by a statement.
+    pub(super) fn define_label(&mut self, word: &Word, statement: usize) {
+        let (_, next) = self.next;
+        let is_next = self
+            .labels
+            .all
+            .get(next)
+            .is_some_and(|label| label.statement == statement);
+        self.next.1 += usize::from(is_next);
+        let label = match is_next {
+            true => Some(next),
+            false => self.labels.find(&word.node),
+        };
+        if let Some(label) = label {
+            self.note(word.span, self.label(label), Access::Define);
+        }
+    }
+
+    /// The label that a jump leads to, which GOTO may leave out.
+    pub(super) fn jump(&mut self, statement: usize, jump: &Jump, access: Access) {
+        let left_out = Span::new(jump.keyword.end, jump.keyword.end);
+        let place = jump.label.as_ref().map_or(left_out, |label| label.span);
+        if let Some(label) = self.labels.meant(statement, jump) {
+            self.note(place, self.label(label), access);
+        }
+    }
+
+    /// An operand that stands for something of this meaning.
+    pub(super) fn operand(&mut self, operand: &Operand, meant: Meant, access: Access) {
+        let (variable, member) = match meant {
+            Meant::Constant(_) => return,
+            Meant::Struct { variable, .. } => (variable, None),
+            Meant::Scalar { scalar, member, .. } => {
+                let index = u8::try_from(scalar.member).ok();
+                (scalar.variable, index.filter(|_| member))
+            }
+        };
+        let length = match &operand.kind {
+            OperandKind::Number(_) => return,
+            OperandKind::Name(name) => name.len(),
+            OperandKind::Member(words) => words.0.len(),
+        };
+        let start = operand.span.start + usize::from(operand.negative);
+        self.all.push(Use {
+            place: Span::new(start, start + length),
+            definition: DefinitionId::of_variable(variable),
+            access,
+            member,
+            negative: operand.negative,
+        });
+    }
+
+    /// A whole variable without sign: the name at this place, or none if it is empty.
+    pub(super) fn variable(&mut self, place: Span, variable: VariableId, access: Access) {
+        self.note(place, DefinitionId::of_variable(variable), access);
+    }
+
+    /// OUTPUT_VARIABLES writes every variable to a file.
+    pub(super) fn dump(&mut self) {
+        self.dumped = true;
+    }
+
+    /// Something is wrong with the statement: it may do anything with the variables that its text names.
+    pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
+        let text = source.slice(statement);
+        let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
+        let noted = self.all.len();
+        let mut start = 0;
+        for word in text.split_inclusive(is_outside) {
+            let name = word.trim_end_matches(is_outside);
+            let place = Span::new(
+                statement.start + start,
+                statement.start + start + name.len(),
+            );
+            start += word.len();
+            let Some(definition) = self.named(&name.to_ascii_uppercase()) else {
+                continue;
+            };
+            if let Some(excused) = self.excused.get_mut(definition.index()) {
+                *excused = true;
+            }
+            let is_member = source.text()[..place.start].ends_with('.');
+            let mut known = self.all[self.first..noted].iter();
+            if !is_member && known.all(|it| it.place.start != place.start) {
+                self.note(place, definition, Access::Unclear);
+            }
+        }
+        self.all[self.first..].sort_by_key(|it| it.place);
+    }
+
+    /// The variable of that name, else the label.
+    fn named(&self, name: &str) -> Option<DefinitionId> {
+        let variable = self.names.find(name).map(DefinitionId::of_variable);
+        variable.or_else(|| self.labels.find(name).map(|label| self.label(label)))
+    }
+
+    fn label(&self, label: usize) -> DefinitionId {
+        DefinitionId::of_label(label, self.names.variables.len())
+    }
+
+    fn note(&mut self, place: Span, definition: DefinitionId, access: Access) {
+        self.all.push(Use {
+            place,
+            definition,
+            access,
+            member: None,
+            negative: false,
+        });
+    }
+}
+
+fn definitions(names: &Names, labels: &Labels<'_>) -> Vec<Definition> {
+    let variables = names.variables.iter().zip(&names.declared);
+    let variables = variables.map(|(variable, place)| Definition {
+        name: variable.name.as_str().into(),
+        kind: DefinitionKind::Variable(variable.kind),
+        place: *place,
+    });
+    let labels = labels.all.iter().map(|label| Definition {
+        name: label.name.node.clone(),
+        kind: match label.subroutine {
+            true => DefinitionKind::Subroutine,
+            false => DefinitionKind::Label,
+        },
+        place: Some(label.name.span),
+    });
+    variables.chain(labels).collect()
+}

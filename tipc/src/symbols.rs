@@ -1,0 +1,173 @@
+//! The names of a program: what defines them, and every place that names them.
+
+use crate::program::VariableId;
+use crate::source::Source;
+use crate::syntax::{Span, VariableKind};
+use smol_str::SmolStr;
+
+/// All names of a program that it defines itself, and `VAR_KEY`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Symbols {
+    definitions: Vec<Definition>,
+    uses: Vec<Use>,
+}
+
+/// A definition, by its place among [`Symbols::definitions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DefinitionId(u32);
+
+/// A variable, label or SUBROUTINE.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// Its name, upper case.
+    pub name: SmolStr,
+    /// What it is.
+    pub kind: DefinitionKind,
+    /// The name where it is defined; `VAR_KEY` is defined nowhere.
+    pub place: Option<Span>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DefinitionKind {
+    /// A variable of this type.
+    Variable(VariableKind),
+    /// A label.
+    Label,
+    /// A label that SUBROUTINE declares.
+    Subroutine,
+}
+
+/// A place that names a definition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Use {
+    /// The name alone, without sign, member and colon. It is empty where the name is left out, behind KEY_IN, NEXT and GOTO.
+    pub place: Span,
+    /// What it names.
+    pub definition: DefinitionId,
+    /// What the statement does with it.
+    pub access: Access,
+    /// The member of a POS or JOINT that is meant, from 0; none means the whole.
+    pub member: Option<u8>,
+    /// A minus stands before it.
+    pub negative: bool,
+}
+
+/// What a statement does with what it names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Access {
+    /// Defines it; a second time, which is refused.
+    Define,
+    /// Reads it.
+    Read,
+    /// Assigns it.
+    Assign,
+    /// Assigns and reads it: `A += 1`, or FOR.
+    Update,
+    /// Assigns and reads what its FOR counts: NEXT.
+    Count,
+    /// GOTO leads there.
+    Jump,
+    /// GOSUB or CALL leads there and comes back.
+    Call,
+    /// Nobody knows: something is wrong with the statement.
+    Unclear,
+}
+
+impl DefinitionId {
+    /// The place among [`Symbols::definitions`].
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The definition of a variable: they come first.
+    pub(crate) const fn of_variable(variable: VariableId) -> Self {
+        DefinitionId(variable as u32)
+    }
+
+    /// The definition of a label, by its place among all labels. They stand behind so many variables.
+    pub(crate) const fn of_label(label: usize, variables: usize) -> Self {
+        DefinitionId((variables + label) as u32)
+    }
+}
+
+impl Symbols {
+    /// The uses have to be in the order of their places.
+    pub(crate) const fn new(definitions: Vec<Definition>, uses: Vec<Use>) -> Self {
+        Symbols { definitions, uses }
+    }
+
+    /// The variables, `VAR_KEY` first, as [`Program::variables`](crate::program::Program::variables) has them; then the
+    /// labels, as [`Program::labels`](crate::program::Program::labels) has them. Of several of one name only the first is
+    /// here; but each LOOP is a label of its own.
+    pub fn definitions(&self) -> &[Definition] {
+        &self.definitions
+    }
+
+    /// Every place that names one of the definitions, and every definition, in the order of the text.
+    pub fn all_uses(&self) -> &[Use] {
+        &self.uses
+    }
+
+    /// One of the definitions.
+    ///
+    /// # Panics
+    ///
+    /// The id is of other symbols.
+    pub fn definition(&self, id: DefinitionId) -> &Definition {
+        &self.definitions[id.index()]
+    }
+
+    /// The places that name a definition, itself among them.
+    pub fn uses(&self, id: DefinitionId) -> impl Iterator<Item = &Use> {
+        self.uses.iter().filter(move |it| it.definition == id)
+    }
+
+    /// What is named at a byte of the text, in the name, in the member behind it, or right behind them.
+    pub fn at(&self, offset: usize) -> Option<&Use> {
+        let behind = self.uses.partition_point(|it| it.place.start <= offset);
+        let last = self.uses[..behind].last()?;
+        let is_named = last.place.start < last.place.end;
+        (is_named && offset <= self.end(last)).then_some(last)
+    }
+
+    /// The uses inside a stretch of the text, such as a statement.
+    pub fn within(&self, span: Span) -> &[Use] {
+        let start = self.uses.partition_point(|it| it.place.start < span.start);
+        let rest = &self.uses[start..];
+        &rest[..rest.partition_point(|it| it.place.end <= span.end)]
+    }
+
+    /// Where a name ends, with its member.
+    fn end(&self, named: &Use) -> usize {
+        let point_and_member = match (named.member, self.definition(named.definition).kind) {
+            (None, _) => 0,
+            (Some(_), DefinitionKind::Variable(VariableKind::Joint)) => ".J1".len(),
+            (Some(_), _) => ".X".len(),
+        };
+        named.place.end + point_and_member
+    }
+}
+
+impl Use {
+    /// The operand that the name is part of: with its sign and member, and in a MESSAGE with its percent signs.
+    pub fn operand(&self, source: &Source) -> Span {
+        let Span { start, end } = self.place;
+        let text = source.text();
+        let before = text.get(..start).unwrap_or_default();
+        let behind = text.get(end..).unwrap_or_default();
+        if before.ends_with('%')
+            && let Some(length) = behind.find('%')
+        {
+            return Span::new(start - 1, end + length + 1);
+        }
+        let length = match self.member {
+            None => 0,
+            Some(_) => {
+                let is_outside = |char: char| char != '.' && !char.is_ascii_alphanumeric();
+                behind.find(is_outside).unwrap_or(behind.len())
+            }
+        };
+        Span::new(start - usize::from(self.negative), end + length)
+    }
+}
