@@ -16,7 +16,7 @@ pub use scripted::{Scripted, Transcript};
 #[cfg(feature = "terminal")]
 pub use terminal::{Terminal, TerminalState};
 
-use crate::machine::Report;
+use crate::emergency::Report;
 use crate::record::Sample;
 use core::fmt::Display;
 

@@ -30,6 +30,7 @@ mod native;
 mod operands;
 mod params;
 mod posture;
+mod sleep;
 mod stand;
 mod stop;
 mod targets;

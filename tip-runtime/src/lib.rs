@@ -17,6 +17,8 @@ pub mod command;
 pub mod console;
 #[cfg(feature = "control")]
 pub mod controller;
+#[cfg(feature = "control")]
+mod emergency;
 pub mod fault;
 #[cfg(feature = "control")]
 pub mod hardware;

@@ -2,14 +2,13 @@
 
 mod context;
 mod devices;
-mod emergency;
 mod graphs;
 mod keyboard;
 mod mismatch;
 mod sampling;
 mod view;
 
-pub use emergency::{Emergency, Report};
+pub use crate::emergency::{Emergency, Report};
 pub use mismatch::Mismatch;
 
 use crate::console::Console;
@@ -209,7 +208,12 @@ where
         if let Some(on) = self.devices.silence.take() {
             self.console.silent(on);
         }
-        self.devices.show_graphs(self.sampled_at, &mut self.console);
+        let devices = &mut self.devices;
+        let torques = &devices.sensors.torques;
+        let console = &mut self.console;
+        devices
+            .graphs
+            .show(self.sampled_at, torques, &devices.controller, console);
         if core::mem::take(&mut self.devices.dump_requested) {
             self.console.variables(&Dump {
                 program: &self.program,

@@ -12,8 +12,6 @@ pub mod titan8;
 
 pub use check::{ModelError, Place};
 
-use crate::program::Signature;
-
 /// Whose commands a robot understands (the letters T, H, G of the language reference).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Family {
@@ -236,16 +234,4 @@ pub struct Model<const L: usize, const J: usize> {
     pub slider: Option<Slider>,
     /// How its joints vibrate, if they do.
     pub vibration: Option<PerVolt>,
-}
-
-impl<const L: usize, const J: usize> Model<L, J> {
-    /// What a program must have been checked for to run on this robot.
-    pub const fn signature(&self) -> Signature {
-        Signature {
-            robot: self.name,
-            family: self.family,
-            legs: L as u8,
-            joints: J as u8,
-        }
-    }
 }

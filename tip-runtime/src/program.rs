@@ -2,7 +2,7 @@
 
 use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
 use crate::fault::Fault;
-use crate::model::Family;
+use crate::model::{Family, Model};
 use crate::vibration::Vibration;
 use core::fmt::Display;
 
@@ -37,6 +37,18 @@ pub struct Signature {
     pub legs: u8,
     /// Number of joints on each leg.
     pub joints: u8,
+}
+
+impl<const L: usize, const J: usize> Model<L, J> {
+    /// What a program must have been checked for to run on this robot.
+    pub const fn signature(&self) -> Signature {
+        Signature {
+            robot: self.name,
+            family: self.family,
+            legs: L as u8,
+            joints: J as u8,
+        }
+    }
 }
 
 /// A motion program: generated code or the reference interpreter.

@@ -5,7 +5,7 @@ mod claim;
 pub use claim::LogError;
 
 use super::{Bars, Console};
-use crate::machine::Report;
+use crate::emergency::Report;
 use crate::record::{Sample, TitanLog};
 use claim::Claim;
 use core::fmt::Display;

@@ -1,7 +1,7 @@
 //! Keys typed by a script, and a console that remembers what it was shown.
 
 use super::{Bars, Console};
-use crate::machine::Report;
+use crate::emergency::Report;
 use crate::record::{Sample, TitanLog};
 use core::fmt::Display;
 use std::string::{String, ToString};

@@ -7,7 +7,7 @@ mod raw;
 pub use raw::TerminalState;
 
 use super::{Bars, Console};
-use crate::machine::Report;
+use crate::emergency::Report;
 use core::fmt::Display;
 use std::io::{self, IsTerminal, Read, Stdout, Write};
 use std::string::{String, ToString};

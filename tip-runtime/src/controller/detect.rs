@@ -1,41 +1,22 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
-use super::task::Task;
+use super::task::{Course, Search, Task};
 use super::trajectory::Goal;
 use super::{Controller, targets};
 use crate::command::{Command, Poll, Port};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
-/// The search under way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Search<const L: usize> {
-    way: Way,
-    /// Which legs have still to find what they look for.
-    looking: [bool; L],
-}
-
-/// The operand of DETECT_FLOOR.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
-    /// One leg after the other goes down.
-    DownInTurn,
-    /// All legs go down at once.
-    DownTogether,
-    /// All legs go up: the body sinks.
-    Up,
-}
-
 /// The speed of a searching foot, as a share of the standard V_MAX (SLOW).
 const SLOW: f64 = 0.5;
 
-impl Way {
+impl Course {
     fn new(operand: f64) -> Result<Self, Fault> {
         match libm::trunc(operand) {
-            1.0 => Ok(Way::DownInTurn),
-            2.0 => Ok(Way::DownTogether),
-            3.0 => Ok(Way::Up),
+            1.0 => Ok(Course::DownInTurn),
+            2.0 => Ok(Course::DownTogether),
+            3.0 => Ok(Course::Up),
             _ => Err(Fault::Domain),
         }
     }
@@ -51,13 +32,13 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             if !*looking {
                 continue;
             }
-            if self.touches(n)? != (search.way == Way::Up) {
+            if self.touches(n)? != (search.course == Course::Up) {
                 // The floor has stopped the foot already: its set point follows at once.
                 self.send_foot(n, self.measured_point(n, Point::Tip)?, true)?;
                 *looking = false;
             } else {
-                self.set_off(n, search.way)?;
-                if search.way == Way::DownInTurn {
+                self.set_off(n, search.course)?;
+                if search.course == Course::DownInTurn {
                     break;
                 }
             }
@@ -72,15 +53,15 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     }
 
     fn new_search(command: &Command<'_>) -> Result<Search<L>, Fault> {
-        let [way] = command.values else {
+        let [operand] = command.values else {
             return Err(Fault::Domain);
         };
-        let way = Way::new(way.number())?;
+        let course = Course::new(operand.number())?;
         let mut looking = [false; L];
         for looking in targets::feet(&mut looking, command.target)? {
             *looking = true;
         }
-        Ok(Search { way, looking })
+        Ok(Search { course, looking })
     }
 
     /// Whether the sole of leg `n` feels the floor.
@@ -93,11 +74,11 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
     }
 
-    fn set_off(&mut self, n: u8, way: Way) -> Result<(), Fault> {
+    fn set_off(&mut self, n: u8, course: Course) -> Result<(), Fault> {
         let slow = SLOW * self.model.standards.v_max;
-        let velocity = match way {
-            Way::DownInTurn | Way::DownTogether => [0.0, 0.0, -slow],
-            Way::Up => [0.0, 0.0, slow],
+        let velocity = match course {
+            Course::DownInTurn | Course::DownTogether => [0.0, 0.0, -slow],
+            Course::Up => [0.0, 0.0, slow],
         };
         let foot = self.foot_track(n)?.towards(Goal::Speed(velocity));
         self.take_point(n, Point::Tip, foot)

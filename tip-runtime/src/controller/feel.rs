@@ -6,20 +6,13 @@
 //! found something; then all of them hold the angles that are measured.
 
 use super::drive::{Drive, THIRD};
-use super::task::Task;
+use super::task::{Feeling, Task};
 use super::trajectory::{Goal, Track};
 use super::{Controller, targets};
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 use crate::model::{Forces, Leg};
-
-/// The search under way: for how many cycles each finger has been still; `None` for one that does
-/// not search.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Feeling<const L: usize> {
-    still: [Option<u16>; L],
-}
 
 /// How long a joint that meets something stands still before that counts.
 const STILL_CYCLES: u16 = 10;

@@ -1,20 +1,11 @@
 //! STAND_UP and SIT_DOWN (T.I.P. 3.1 §7-11-1, §7-11-2): the feet push the body up, or let it down.
 
 use super::drive::LegDrive;
-use super::task::Task;
+use super::task::{Stand, Task};
 use super::{Controller, targets};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
-
-/// How far STAND_UP or SIT_DOWN has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stand {
-    /// The feet come to rest where they are.
-    Settling,
-    /// The feet move.
-    Moving,
-}
 
 /// V_MAX on the way, as a share of its standard value (SLOW).
 const SLOW: f64 = 0.5;

@@ -1,13 +1,5 @@
 //! What a command that takes several cycles remembers between them.
 
-use super::Controller;
-use super::arrival::done_if;
-use super::detect::Search;
-use super::feel::Feeling;
-use super::stand::Stand;
-use crate::command::{Command, Poll};
-use crate::fault::Fault;
-
 /// The command under way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Task<const L: usize> {
@@ -25,23 +17,37 @@ pub(super) enum Task<const L: usize> {
     Feel(Feeling<L>),
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
-    /// SLEEP: at least one cycle, and no time of a cycle too little (T.I.P. 3.1 §7-4-1).
-    pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        let left = match (self.task, command.values) {
-            (Task::Sleep(left), _) => left,
-            (_, [time]) if time.number() >= 0.0 => {
-                // The subtrahend forgives the rounding of a division that should be exact.
-                libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
-            }
-            _ => return Err(Fault::Domain),
-        };
-        let done = left <= 1.0;
-        self.task = if done {
-            Task::Idle
-        } else {
-            Task::Sleep(left - 1.0)
-        };
-        Ok(done_if(done))
-    }
+/// How far STAND_UP or SIT_DOWN has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stand {
+    /// The feet come to rest where they are.
+    Settling,
+    /// The feet move.
+    Moving,
+}
+
+/// DETECT_FLOOR by soles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Search<const L: usize> {
+    pub(super) course: Course,
+    /// Which legs have still to find what they look for.
+    pub(super) looking: [bool; L],
+}
+
+/// The operand of DETECT_FLOOR by soles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Course {
+    /// One leg after the other goes down.
+    DownInTurn,
+    /// All legs go down at once.
+    DownTogether,
+    /// All legs go up: the body sinks.
+    Up,
+}
+
+/// A search by touch: for how many cycles each finger has been still; `None` for one that does not
+/// search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Feeling<const L: usize> {
+    pub(super) still: [Option<u16>; L],
 }

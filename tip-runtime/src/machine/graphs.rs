@@ -1,11 +1,10 @@
 //! Bar graphs on the console (SPECIAL 20 of the Hiroshima Hand, T.I.P. 3.1 §8-2-3).
 
-use super::devices::Devices;
 use crate::command::{Target, Teach};
 use crate::console::{Bars, Console};
+use crate::controller::Controller;
 use crate::fault::Fault;
 use crate::model::Forces;
-use crate::program::Robot;
 
 /// How long bars stand before they are drawn anew: ms.
 const EVERY: f64 = 100.0;
@@ -33,16 +32,19 @@ impl Graphs {
         *graph = if on { Graph::On(0.0) } else { Graph::Leaving };
         Ok(())
     }
-}
-
-impl<const L: usize, const J: usize> Devices<'_, L, J> {
-    /// Hands the graphs that are due at `time` (ms) to the console.
-    pub(super) fn show_graphs(&mut self, time: f64, console: &mut dyn Console) {
-        let Some(forces) = &self.model.forces else {
+    /// Hands the graphs that are due at `time` (ms) to the console: of these torques, and of the forces
+    /// that the controller senses.
+    pub(super) fn show<const L: usize, const J: usize>(
+        &mut self,
+        time: f64,
+        torques: &[[f64; J]; L],
+        controller: &Controller<'_, L, J>,
+        console: &mut dyn Console,
+    ) {
+        let Some(forces) = &controller.model().forces else {
             return;
         };
-        let mut graphs = self.graphs;
-        for (number, graph) in (0..).zip(&mut graphs.0) {
+        for (number, graph) in (0..).zip(&mut self.0) {
             *graph = match *graph {
                 Graph::Leaving => {
                     console.bars(number, Bars(&[]));
@@ -50,36 +52,41 @@ impl<const L: usize, const J: usize> Devices<'_, L, J> {
                 }
                 Graph::On(due) if time >= due => {
                     match number {
-                        0 => console.bars(number, Bars(self.torque_bars(forces).as_flattened())),
-                        _ => console.bars(number, Bars(&self.force_bars(forces))),
+                        0 => {
+                            console.bars(number, Bars(torque_bars(torques, forces).as_flattened()))
+                        }
+                        _ => console.bars(number, Bars(&force_bars(controller, forces))),
                     }
                     Graph::On(time + EVERY)
                 }
                 Graph::Off | Graph::On(_) => continue,
             };
         }
-        self.graphs = graphs;
     }
+}
 
-    /// Full height is twice the torque of a search.
-    fn torque_bars(&self, forces: &Forces) -> [[f64; J]; L] {
-        let full = 2.0 * forces.search_torque;
-        self.sensors
-            .torques
-            .map(|leg| leg.map(|torque| torque / full))
-    }
+/// Full height is twice the torque of a search.
+fn torque_bars<const L: usize, const J: usize>(
+    torques: &[[f64; J]; L],
+    forces: &Forces,
+) -> [[f64; J]; L] {
+    let full = 2.0 * forces.search_torque;
+    torques.map(|leg| leg.map(|torque| torque / full))
+}
 
-    /// Full height is four times the force of a search; a force that is not available has no height.
-    fn force_bars(&self, forces: &Forces) -> [f64; L] {
-        let full = 4.0 * forces.search_force;
-        let mut bars = [0.0; L];
-        for (n, bar) in (1..).zip(&mut bars) {
-            if let Ok([x, y, z, ..]) = self.teach(Teach::Force, Target::Foot(n))
-                && z >= 0.0
-            {
-                *bar = libm::sqrt(x * x + y * y) / full;
-            }
+/// Full height is four times the force of a search; a force that is not available has no height.
+fn force_bars<const L: usize, const J: usize>(
+    controller: &Controller<'_, L, J>,
+    forces: &Forces,
+) -> [f64; L] {
+    let full = 4.0 * forces.search_force;
+    let mut bars = [0.0; L];
+    for (n, bar) in (1..).zip(&mut bars) {
+        if let Ok([x, y, z, ..]) = controller.teach(Teach::Force, Target::Foot(n))
+            && z >= 0.0
+        {
+            *bar = libm::sqrt(x * x + y * y) / full;
         }
-        bars
     }
+    bars
 }

@@ -2,7 +2,7 @@
 
 use super::{Cycle, Ending, Sink, state_hash};
 use crate::command::{Command, Target, Value};
-use crate::machine::Emergency;
+use crate::emergency::Emergency;
 use crate::program::{End, Program};
 use core::fmt::{self, Display, Write};
 use std::string::String;

@@ -1,0 +1,28 @@
+//! SLEEP (T.I.P. 3.1 §7-4-1).
+
+use super::Controller;
+use super::arrival::done_if;
+use super::task::Task;
+use crate::command::{Command, Poll};
+use crate::fault::Fault;
+
+impl<const L: usize, const J: usize> Controller<'_, L, J> {
+    /// At least one cycle, and no time of a cycle too little.
+    pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        let left = match (self.task, command.values) {
+            (Task::Sleep(left), _) => left,
+            (_, [time]) if time.number() >= 0.0 => {
+                // The subtrahend forgives the rounding of a division that should be exact.
+                libm::ceil(time.number() / self.params.period - 1e-9).max(1.0)
+            }
+            _ => return Err(Fault::Domain),
+        };
+        let done = left <= 1.0;
+        self.task = if done {
+            Task::Idle
+        } else {
+            Task::Sleep(left - 1.0)
+        };
+        Ok(done_if(done))
+    }
+}
