@@ -25,6 +25,7 @@ mod detect;
 mod drive;
 mod feel;
 mod force;
+mod leg;
 mod motion;
 mod native;
 mod operands;
@@ -43,58 +44,53 @@ mod watch;
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
-use crate::model::{Family, Model};
-use drive::{Going, LegDrive};
+use crate::model::{Family, Joint, Model, Whole};
+use core::ops::{Deref, DerefMut};
+use drive::Going;
+use leg::LegState;
 use operands::Base;
 use params::Params;
 use stop::Hold;
 use task::Task;
 use trajectory::Track;
-use vibrate::Shaker;
 
-/// The controller of a robot with `L` legs of `J` joints.
+/// The controller of a robot with `L` legs of `J` joints: everything that a [`ControllerView`] can do.
 #[derive(Clone, Debug)]
 pub struct Controller<'m, const L: usize, const J: usize> {
     model: &'m Model<L, J>,
-    params: Params<L, J>,
-    drives: [LegDrive<J>; L],
-    measured: Sensors<L, J>,
+    core: Core<'m, [LegState<'m, J>; L]>,
+}
+
+/// The controller of a robot with any number of legs of `J` joints. A [`Controller`] dereferences to it
+/// as an array coerces to a slice, so that one of each `J` is compiled, whatever the number of legs.
+pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
+
+/// A controller over its legs: an array of them, or a slice.
+#[derive(Clone, Debug)]
+pub struct Core<'m, S: ?Sized> {
+    robot: Whole<'m>,
+    params: Params,
     /// Where the slider is to stand: mm.
     slider: Track<3>,
-    /// Measured joint rates: deg/s.
-    rates: [[f64; J]; L],
+    /// Where the slider was measured: mm.
+    slider_at: [f64; 3],
     /// Whether joint angles have been measured yet.
     sensed: bool,
     hold: Hold,
-    shakers: [[Shaker; J]; L],
-    task: Task<L>,
+    task: Task,
     /// What arose in the last advance, to be reported by the next sense.
     pending: Option<Fault>,
+    legs: S,
 }
 
 impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// A robot in its initial posture with nothing controlled and standard parameters.
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
-        let initial = model.legs.map(|leg| leg.initial);
-        let slider = model.slider.map_or([0.0; 3], |slider| slider.initial);
-        Controller {
-            model,
-            params: Params::standard(model),
-            drives: initial.map(LegDrive::free),
-            measured: Sensors {
-                angles: initial,
-                slider,
-                ..Sensors::ZERO
-            },
-            slider: Track::resting(slider),
-            rates: [[0.0; J]; L],
-            sensed: false,
-            hold: Hold::Off,
-            shakers: [[Shaker::STILL; J]; L],
-            task: Task::Idle,
-            pending: None,
-        }
+        let robot = Whole::of(model);
+        let legs = model.legs.each_ref();
+        let core = Core::new(robot, legs.map(|leg| LegState::new(leg, &robot)));
+        Controller { model, core }
     }
 
     /// The robot that is controlled.
@@ -103,28 +99,92 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
         self.model
     }
 
+    /// What every joint is commanded.
+    #[must_use]
+    pub fn outputs(&self) -> [[JointCommand; J]; L] {
+        let mut outputs = [[JointCommand::Angle(0.0); J]; L];
+        self.put_outputs(&mut outputs);
+        outputs
+    }
+
+    /// Takes in what the sensors read.
+    ///
+    /// # Errors
+    /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
+    /// EMG_ON beyond its working limits; what went wrong in the last advance.
+    pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
+        (**self).take_in(&sensors.view())
+    }
+}
+
+impl<'m, const L: usize, const J: usize> Deref for Controller<'m, L, J> {
+    type Target = ControllerView<'m, J>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.core
+    }
+}
+
+impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.core
+    }
+}
+
+impl<'m, S> Core<'m, S> {
+    fn new(robot: Whole<'m>, legs: S) -> Self {
+        let slider = robot.slider.map_or([0.0; 3], |slider| slider.initial);
+        Core {
+            robot,
+            params: Params::standard(&robot),
+            slider: Track::resting(slider),
+            slider_at: slider,
+            sensed: false,
+            hold: Hold::Off,
+            task: Task::Idle,
+            pending: None,
+            legs,
+        }
+    }
+}
+
+impl<'m, const J: usize> ControllerView<'m, J> {
     /// The sampling time: ms.
     #[must_use]
     pub const fn period(&self) -> f64 {
         self.params.period
     }
 
-    /// What every joint is told.
-    #[must_use]
-    pub fn outputs(&self) -> [[JointCommand; J]; L] {
-        self.shaken(self.drives.each_ref().map(LegDrive::outputs))
+    /// What the model says of the robot as a whole.
+    pub(crate) const fn robot(&self) -> &Whole<'m> {
+        &self.robot
     }
 
-    /// How many of the robot's torque unit one N·m is.
-    fn torque_unit(&self) -> f64 {
-        let forces = self.model.forces.as_ref();
-        forces.map_or(1.0, |forces| forces.unit.per_newton_metre())
+    /// A joint's model; leg and joint count from 0.
+    pub(crate) fn joint(&self, leg: usize, joint: usize) -> Option<&'m Joint> {
+        self.legs.get(leg)?.model.joints.get(joint)
     }
 
-    /// Where the slider is told to stand: mm; zeros where there is none.
+    /// Writes what every joint is commanded, leg by leg.
+    pub(crate) fn put_outputs(&self, outputs: &mut [[JointCommand; J]]) {
+        for (outputs, leg) in outputs.iter_mut().zip(&self.legs) {
+            *outputs = leg.outputs(&self.robot);
+        }
+    }
+
+    /// Where the slider is commanded to stand: mm; zeros where there is none.
     #[must_use]
     pub const fn slider(&self) -> [f64; 3] {
         self.slider.position()
+    }
+
+    /// How many legs there are.
+    pub(crate) fn count(&self) -> u8 {
+        u8::try_from(self.legs.len()).unwrap_or(u8::MAX)
+    }
+
+    fn leg(&self, n: u8) -> Result<&LegState<'_, J>, Fault> {
+        targets::leg(&self.legs, n)
     }
 
     /// Starts or continues a command. A command that answers `Pending` is asked again, unchanged,
@@ -135,13 +195,13 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// # Errors
     /// The fault of the command, which then had no effect.
     pub fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        if is_of_force(command.op) && self.model.forces.is_none() {
+        if is_of_force(command.op) && self.robot.forces.is_none() {
             return Err(Fault::Domain);
         }
         if let Some(set) = self.set_parameter(command) {
             return set.map(|()| Poll::Done);
         }
-        let family = self.model.family;
+        let family = self.robot.family;
         match command.op {
             Op::Ptp => self.move_point(command, Base::Operand)?,
             Op::RelPtp => self.move_point(command, Base::Target)?,
@@ -182,22 +242,14 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// [`sense`](Self::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
-        let torque_unit = self.torque_unit();
-        let legs = self.model.legs.iter().zip(&mut self.drives);
-        let params = self.params.feet.iter().zip(&self.params.joints);
-        let states = params.zip(&self.measured.angles);
-        for (n, ((leg, drive), ((foot, joints), measured))) in legs.zip(states).enumerate() {
-            let going = Going {
-                inverse: self.model.inverse,
-                torque_unit,
-                number: targets::number(n),
-                dt,
-                held: self.hold.is_on(),
-                measured,
-                foot,
-                joints,
-            };
-            if let (Err(fault), true) = (drive.advance(leg, &going), self.params.emg) {
+        let going = Going {
+            inverse: self.robot.inverse,
+            torque_unit: self.robot.torque_unit(),
+            dt,
+            held: self.hold.is_on(),
+        };
+        for (n, leg) in self.legs.iter_mut().enumerate() {
+            if let (Err(fault), true) = (leg.advance(targets::number(n), &going), self.params.emg) {
                 self.pending.get_or_insert(fault);
             }
         }

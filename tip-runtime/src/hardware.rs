@@ -32,6 +32,30 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     };
 }
 
+/// What a robot of any number of legs measured, leg by leg.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SensorsView<'a, const J: usize> {
+    pub(crate) angles: &'a [[f64; J]],
+    pub(crate) torques: &'a [[f64; J]],
+    pub(crate) knobs: [f64; 3],
+    pub(crate) paws: &'a [f64],
+    pub(crate) antenna: f64,
+    pub(crate) slider: [f64; 3],
+}
+
+impl<const L: usize, const J: usize> Sensors<L, J> {
+    pub(crate) const fn view(&self) -> SensorsView<'_, J> {
+        SensorsView {
+            angles: &self.angles,
+            torques: &self.torques,
+            knobs: self.knobs,
+            paws: &self.paws,
+            antenna: self.antenna,
+            slider: self.slider,
+        }
+    }
+}
+
 /// What one joint is told in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointCommand {
@@ -61,6 +85,26 @@ pub struct Outputs<const L: usize, const J: usize> {
     pub lamps: [u32; 8],
     /// The sampling time for which the commands hold: ms.
     pub period: f64,
+}
+
+/// What a robot of any number of legs is told, leg by leg.
+#[derive(Debug)]
+pub(crate) struct OutputsView<'a, const J: usize> {
+    pub(crate) joints: &'a mut [[JointCommand; J]],
+    pub(crate) slider: &'a mut [f64; 3],
+    pub(crate) lamps: &'a mut [u32; 8],
+    pub(crate) period: &'a mut f64,
+}
+
+impl<const L: usize, const J: usize> Outputs<L, J> {
+    pub(crate) const fn view(&mut self) -> OutputsView<'_, J> {
+        OutputsView {
+            joints: &mut self.joints,
+            slider: &mut self.slider,
+            lamps: &mut self.lamps,
+            period: &mut self.period,
+        }
+    }
 }
 
 /// The robot failed to read or to write; the text names what.

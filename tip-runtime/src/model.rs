@@ -9,8 +9,12 @@ mod check;
 pub mod generic;
 pub mod hand;
 pub mod titan8;
+#[cfg(feature = "control")]
+mod whole;
 
 pub use check::{ModelError, Place};
+#[cfg(feature = "control")]
+pub(crate) use whole::Whole;
 
 /// Whose commands a robot understands (the letters T, H, G of the language reference).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

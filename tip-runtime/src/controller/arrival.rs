@@ -1,11 +1,13 @@
 //! INPOS and NEAR: whether what a target names has arrived (T.I.P. 3.1 §6-2, §7-4).
 
+use super::leg::LegState;
 use super::params::{FootParams, JointParams};
 use super::trajectory::Track;
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
+use crate::model::Inverse;
 
 /// How close counts.
 #[derive(Clone, Copy)]
@@ -30,7 +32,7 @@ impl Tolerance {
     }
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// `INPOS_…`: arrived within JUST; true where nothing is under position or angle control.
     #[must_use]
     pub fn inpos(&self, target: Target) -> bool {
@@ -59,41 +61,48 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// `None` where nothing is under position or angle control.
     fn arrived(&self, target: Target, tolerance: Tolerance) -> Option<bool> {
+        let inverse = self.robot.inverse;
         match target {
             Target::All => {
-                let legs = (1..=targets::number(L.wrapping_sub(1)))
-                    .filter_map(|n| self.leg_arrived(n, tolerance));
+                let legs = self.legs.iter();
+                let legs = legs.filter_map(|leg| leg.arrived(inverse, tolerance));
                 all(legs.chain(self.slider_arrived(tolerance)))
             }
-            Target::Foot(n) => self.leg_arrived(n, tolerance),
-            Target::Joint(n, m) => self.joint_arrived(n, m, tolerance),
+            Target::Foot(n) => self.leg(n).ok()?.arrived(inverse, tolerance),
+            Target::Joint(n, m) => self.leg(n).ok()?.joint_arrived(m, inverse, tolerance),
             Target::None | Target::Floor => None,
         }
     }
 
+    fn slider_arrived(&self, tolerance: Tolerance) -> Option<bool> {
+        let target = self.slider.goal().target()?;
+        let gap = distance(target, self.slider_at);
+        Some(gap <= tolerance.of_foot(&self.params.slider))
+    }
+}
+
+impl<const J: usize> LegState<'_, J> {
     /// Joints under angle control, and a third joint under position control, decide; else the foot.
-    fn leg_arrived(&self, n: u8, tolerance: Tolerance) -> Option<bool> {
-        let drive = targets::leg(&self.drives, n).ok()?;
+    fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         // A point that decides about any joint decides about the first.
-        let point = drive.point_of_joint(0);
-        let point = point.and_then(|point| self.point_arrived(n, point, tolerance));
-        let (first, tracks) = drive.own_joints();
-        let joints = (targets::number(first)..).zip(tracks);
-        let joints = joints.filter_map(|(m, track)| self.angle_arrived(n, m, track, tolerance));
+        let point = self.drive.point_of_joint(0);
+        let point = point.and_then(|point| self.point_arrived(point, inverse, tolerance));
+        let (first, tracks) = self.drive.own_joints();
+        let joints = (first..).zip(tracks);
+        let joints = joints.filter_map(|(m, track)| self.angle_arrived(m, track, tolerance));
         all(point.into_iter().chain(joints))
     }
 
     /// A joint that serves a point has arrived when the point has.
-    fn joint_arrived(&self, n: u8, m: u8, tolerance: Tolerance) -> Option<bool> {
-        let drive = targets::leg(&self.drives, n).ok()?;
+    fn joint_arrived(&self, m: u8, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         let at = targets::index(m);
-        let point = match drive.point_of_joint(at) {
-            Some((point, track)) => self.point_arrived(n, (point, track), tolerance),
+        let point = match self.drive.point_of_joint(at) {
+            Some(point) => self.point_arrived(point, inverse, tolerance),
             None => None,
         };
-        let (first, tracks) = drive.own_joints();
+        let (first, tracks) = self.drive.own_joints();
         let angle = match at.checked_sub(first).and_then(|own| tracks.get(own)) {
-            Some(track) => self.angle_arrived(n, m, track, tolerance),
+            Some(track) => self.angle_arrived(at, track, tolerance),
             None => None,
         };
         match (point, angle) {
@@ -102,29 +111,23 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
     }
 
-    fn angle_arrived(&self, n: u8, m: u8, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
+    /// Of joint `m`, counted from 0.
+    fn angle_arrived(&self, m: usize, track: &Track<1>, tolerance: Tolerance) -> Option<bool> {
         let [target] = track.goal().target()?;
-        let params = targets::joint(&self.params.joints, n, m).ok()?;
-        let measured = targets::joint(&self.measured.angles, n, m).ok()?;
+        let params = self.params.joints.get(m)?;
+        let measured = self.angles.get(m)?;
         Some(libm::fabs(target - measured) <= tolerance.of_joint(params))
     }
 
     fn point_arrived(
         &self,
-        n: u8,
         (point, track): (Point, &Track<3>),
+        inverse: Inverse,
         tolerance: Tolerance,
     ) -> Option<bool> {
         let target = track.goal().target()?;
-        let measured = self.measured_point(n, point).ok()?;
-        let params = targets::leg(&self.params.feet, n).ok()?;
-        Some(distance(target, measured) <= tolerance.of_foot(params))
-    }
-
-    fn slider_arrived(&self, tolerance: Tolerance) -> Option<bool> {
-        let target = self.slider.goal().target()?;
-        let gap = distance(target, self.measured.slider);
-        Some(gap <= tolerance.of_foot(&self.params.slider))
+        let measured = self.place(point, inverse).ok()?;
+        Some(distance(target, measured) <= tolerance.of_foot(&self.params.foot))
     }
 }
 

@@ -1,49 +1,49 @@
 //! DETECT_FLOOR of TITAN VIII (T.I.P. 3.1 §7-11-3): feet move until their soles touch the floor,
 //! or leave it.
 
-use super::task::{Course, Search, Task};
+use super::task::{Search, Task};
 use super::trajectory::Goal;
-use super::{Controller, targets};
-use crate::command::{Command, Poll, Port};
+use super::{ControllerView, targets};
+use crate::command::{Command, Poll, Port, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
 /// The speed of a searching foot, as a share of the standard V_MAX (SLOW).
 const SLOW: f64 = 0.5;
 
-impl Course {
+impl Search {
     fn new(operand: f64) -> Result<Self, Fault> {
         match libm::trunc(operand) {
-            1.0 => Ok(Course::DownInTurn),
-            2.0 => Ok(Course::DownTogether),
-            3.0 => Ok(Course::Up),
+            1.0 => Ok(Search::DownInTurn),
+            2.0 => Ok(Search::DownTogether),
+            3.0 => Ok(Search::Up),
             _ => Err(Fault::Domain),
         }
     }
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn detect_floor_by_soles(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
-        let mut search = match self.task {
+        let search = match self.task {
             Task::Detect(search) => search,
-            _ => Self::new_search(command)?,
+            _ => self.new_search(command)?,
         };
-        for (n, looking) in (1..).zip(&mut search.looking) {
-            if !*looking {
+        for n in 1..=self.count() {
+            if self.leg(n)?.search.is_none() {
                 continue;
             }
-            if self.touches(n)? != (search.course == Course::Up) {
+            if self.touches(n)? != (search == Search::Up) {
                 // The floor has stopped the foot already: its set point follows at once.
                 self.send_foot(n, self.measured_point(n, Point::Tip)?, true)?;
-                *looking = false;
+                targets::leg_mut(&mut self.legs, n)?.search = None;
             } else {
-                self.set_off(n, search.course)?;
-                if search.course == Course::DownInTurn {
+                self.set_off(n, search)?;
+                if search == Search::DownInTurn {
                     break;
                 }
             }
         }
-        if search.looking.contains(&true) {
+        if self.legs.iter().any(|leg| leg.search.is_some()) {
             self.task = Task::Detect(search);
             Ok(Poll::Pending)
         } else {
@@ -52,33 +52,41 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
     }
 
-    fn new_search(command: &Command<'_>) -> Result<Search<L>, Fault> {
+    fn new_search(&mut self, command: &Command<'_>) -> Result<Search, Fault> {
         let [operand] = command.values else {
             return Err(Fault::Domain);
         };
-        let course = Course::new(operand.number())?;
-        let mut looking = [false; L];
-        for looking in targets::feet(&mut looking, command.target)? {
-            *looking = true;
+        let search = Search::new(operand.number())?;
+        self.mark_searching(command.target)?;
+        Ok(search)
+    }
+
+    /// Legs that a target names begin to search, no others.
+    pub(super) fn mark_searching(&mut self, target: Target) -> Result<(), Fault> {
+        for leg in &mut self.legs {
+            leg.search = None;
         }
-        Ok(Search { course, looking })
+        for leg in targets::feet(&mut self.legs, target)? {
+            leg.search = Some(0);
+        }
+        Ok(())
     }
 
     /// Whether the sole of leg `n` feels the floor.
     fn touches(&self, n: u8) -> Result<bool, Fault> {
-        let volts = *targets::leg(&self.measured.paws, n)?;
+        let volts = self.leg(n)?.paw;
         if volts.is_finite() {
-            Ok(volts >= self.model.contact)
+            Ok(volts >= self.robot.contact)
         } else {
             Err(Fault::Sensor(Port::Paw(n)))
         }
     }
 
-    fn set_off(&mut self, n: u8, course: Course) -> Result<(), Fault> {
-        let slow = SLOW * self.model.standards.v_max;
-        let velocity = match course {
-            Course::DownInTurn | Course::DownTogether => [0.0, 0.0, -slow],
-            Course::Up => [0.0, 0.0, slow],
+    fn set_off(&mut self, n: u8, search: Search) -> Result<(), Fault> {
+        let slow = SLOW * self.robot.standards.v_max;
+        let velocity = match search {
+            Search::DownInTurn | Search::DownTogether => [0.0, 0.0, -slow],
+            Search::Up => [0.0, 0.0, slow],
         };
         let foot = self.foot_track(n)?.towards(Goal::Speed(velocity));
         self.take_point(n, Point::Tip, foot)

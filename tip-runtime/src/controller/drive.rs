@@ -4,7 +4,7 @@ mod advance;
 mod law;
 mod reach;
 
-pub(super) use advance::Going;
+pub(super) use advance::{Going, Mover};
 pub(super) use law::bounded;
 pub(super) use reach::{name, nearest_place, reach};
 

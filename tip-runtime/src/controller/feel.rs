@@ -5,14 +5,14 @@
 //! joint has turned for [`STILL_CYCLES`]. It goes on pressing until every finger that searches has
 //! found something; then all of them hold the angles that are measured.
 
+use super::ControllerView;
 use super::drive::{Drive, THIRD};
-use super::task::{Feeling, Task};
+use super::task::Task;
 use super::trajectory::{Goal, Track};
-use super::{Controller, targets};
-use crate::command::{Command, Poll};
+use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
-use crate::model::{Forces, Leg};
+use crate::model::Forces;
 
 /// How long a joint that meets something stands still before that counts.
 const STILL_CYCLES: u16 = 10;
@@ -24,28 +24,26 @@ const STILL: f64 = 2.0;
 /// would lift the fingertip off the floor again.
 const SHARES: [f64; 2] = [1.0, 1.0 / 3.0];
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Starts a search, or goes on with it.
     pub(super) fn feel(
         &mut self,
         command: &Command<'_>,
-        start: fn(&mut Self, &Command<'_>, &Forces) -> Result<[bool; L], Fault>,
+        start: fn(&mut Self, &Command<'_>, &Forces) -> Result<(), Fault>,
     ) -> Result<Poll, Fault> {
-        let forces = self.model.forces.as_ref().ok_or(Fault::Domain)?;
-        let Task::Feel(mut feeling) = self.task else {
-            let searching = start(self, command, forces)?;
-            self.task = Task::Feel(Feeling {
-                still: searching.map(|searches| searches.then_some(0)),
-            });
+        let forces = self.robot.forces.ok_or(Fault::Domain)?;
+        if self.task != Task::Feel {
+            start(self, command, forces)?;
+            self.task = Task::Feel;
             return Ok(Poll::Pending);
-        };
-        let states = self.rates.iter().zip(&self.measured.torques);
-        for (still, (rates, torques)) in feeling.still.iter_mut().zip(states) {
-            let presses = torques
+        }
+        for leg in &mut self.legs {
+            let presses = leg
+                .torques
                 .first()
                 .is_some_and(|torque| libm::fabs(*torque) >= forces.contact_torque);
-            let stands = rates.iter().all(|rate| libm::fabs(*rate) <= STILL);
-            if let Some(still) = still {
+            let stands = leg.rates.iter().all(|rate| libm::fabs(*rate) <= STILL);
+            if let Some(still) = &mut leg.search {
                 *still = if presses && stands {
                     still.saturating_add(1)
                 } else {
@@ -53,22 +51,20 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
                 };
             }
         }
-        let found = |still: &u16| *still >= STILL_CYCLES;
-        if feeling.still.iter().flatten().all(found) {
+        let mut searching = self.legs.iter().filter_map(|leg| leg.search);
+        if searching.all(|still| still >= STILL_CYCLES) {
             self.task = Task::Idle;
-            self.stop_where_felt(&feeling);
+            self.stop_where_felt();
             return Ok(Poll::Done);
         }
-        self.task = Task::Feel(feeling);
         Ok(Poll::Pending)
     }
 
     /// Every finger that searched holds the angles that are measured.
-    fn stop_where_felt(&mut self, feeling: &Feeling<L>) {
-        let fingers = self.drives.iter_mut().zip(&self.measured.angles);
-        for ((drive, measured), still) in fingers.zip(feeling.still) {
-            if still.is_some() {
-                drive.drive = Drive::Joints(measured.map(held));
+    fn stop_where_felt(&mut self) {
+        for leg in &mut self.legs {
+            if leg.search.is_some() {
+                leg.drive.drive = Drive::Joints(leg.angles.map(held));
             }
         }
     }
@@ -79,28 +75,21 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         &mut self,
         command: &Command<'_>,
         forces: &Forces,
-    ) -> Result<[bool; L], Fault> {
+    ) -> Result<(), Fault> {
         let closing = match kind(command)? {
             1 => 1,
             2 => 2,
             _ => return Err(Fault::Domain),
         };
-        let mut searching = [false; L];
-        for searches in targets::feet(&mut searching, command.target)? {
-            *searches = true;
-        }
-        let fingers = self.drives.iter_mut().zip(&self.measured.angles);
-        for ((drive, measured), searches) in fingers.zip(searching) {
-            if !searches {
-                continue;
-            }
-            let mut tracks = measured.map(held);
+        self.mark_searching(command.target)?;
+        for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
+            let mut tracks = leg.angles.map(held);
             for (track, share) in tracks.iter_mut().zip(SHARES).take(closing) {
                 *track = track.towards(Goal::Effort([share * forces.search_torque]));
             }
-            drive.drive = Drive::Joints(tracks);
+            leg.drive.drive = Drive::Joints(tracks);
         }
-        Ok(searching)
+        Ok(())
     }
 
     /// DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force, which the
@@ -109,26 +98,28 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         &mut self,
         command: &Command<'_>,
         forces: &Forces,
-    ) -> Result<[bool; L], Fault> {
+    ) -> Result<(), Fault> {
         let kind = kind(command)?;
         let point = match kind {
             1 | 3 => Point::Tip,
             2 => Point::Joint(THIRD),
             _ => return Err(Fault::Domain),
         };
-        let is_left = |leg: &Leg<J>| leg.base[0].is_sign_negative();
-        for n in 1..=targets::number(L.wrapping_sub(1)) {
-            let leg = targets::leg(&self.model.legs, n)?;
-            let beside = |other: &&Leg<J>| is_left(other) == is_left(leg);
-            let sharing = self.model.legs.iter().filter(beside).count();
-            let force = libm::copysign(forces.search_force / sharing as f64, -leg.base[0]);
+        for n in 1..=self.count() {
+            let base = self.leg(n)?.model.base;
+            let sharing = self
+                .legs
+                .iter()
+                .filter(|other| is_left(other.model.base) == is_left(base));
+            let sharing = sharing.count();
+            let force = libm::copysign(forces.search_force / sharing as f64, -base[0]);
             if kind == 3 {
                 self.draw_inward(n)?;
             } else {
                 self.push_point(n, point, [force, 0.0, 0.0])?;
             }
         }
-        Ok([true; L])
+        self.mark_searching(Target::All)
     }
 
     /// A spring that draws a fingertip to the middle of the palm, at the height that it has.
@@ -138,6 +129,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let spring = Goal::Spring { target, hs: false };
         self.take_point(n, Point::Tip, Track::resting(from).towards(spring))
     }
+}
+
+fn is_left(base: [f64; 3]) -> bool {
+    base[0].is_sign_negative()
 }
 
 /// Angle control at rest.

@@ -4,21 +4,20 @@
 use super::drive::Drive;
 use super::operands::{Base, resolve, resolve_from};
 use super::trajectory::{Goal, Track};
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::{Chain, Point};
+use crate::kinematics::Point;
+use core::ops::RangeInclusive;
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// TORQUE: relative operands count from the torque commanded, else from that sensed.
     pub(super) fn torque(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let sensed = targets::leg(&self.measured.torques, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let mut tracks = drive.joints(leg, measured, self.model.inverse);
-        let states = measured.iter().zip(sensed);
+        let inverse = self.robot.inverse;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        let mut tracks = leg.joints(inverse);
+        let states = leg.angles.iter().zip(&leg.torques);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
         for ((track, (measured, sensed)), value) in chosen.zip(command.values) {
             let current = match track.goal() {
@@ -28,7 +27,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             let torque = resolve(&[*value], current)?;
             *track = Track::resting([*measured]).towards(Goal::Effort(torque));
         }
-        drive.drive = Drive::Joints(tracks);
+        leg.drive.drive = Drive::Joints(tracks);
         Ok(())
     }
 
@@ -36,12 +35,12 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     pub(super) fn force(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
-        let own = targets::leg(&self.drives, n)?.own_point(point);
+        let own = self.leg(n)?.drive.own_point(point);
         let current = match own.map(Track::goal) {
             Some(Goal::Effort(force)) => force,
             _ => self.sensed_force(n, point)?.unwrap_or([0.0; 3]),
         };
-        let force = self.model.inverse.flat(resolve(values, current)?);
+        let force = self.robot.inverse.flat(resolve(values, current)?);
         self.push_point(n, point, force)
     }
 
@@ -51,33 +50,26 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         self.take_point(n, point, Track::resting(place).towards(Goal::Effort(force)))
     }
 
-    /// COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE.
+    /// COMPLIANCE_ANGLE and REL_COMPLIANCE_ANGLE. Of all legs none is softened unless each can be.
     pub(super) fn soften_joints(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
-        if command.target != Target::All {
-            return self.soften_joints_of_leg(command, base);
+        for n in self.legs_of(command.target)? {
+            self.softened(&of_leg(command, n), base)?;
         }
-        let before = self.drives;
-        for n in 1..=targets::number(L.wrapping_sub(1)) {
-            let target = Target::Foot(n);
-            let softened = self.soften_joints_of_leg(&Command { target, ..*command }, base);
-            if softened.is_err() {
-                self.drives = before;
-                return softened;
-            }
+        for n in self.legs_of(command.target)? {
+            let tracks = self.softened(&of_leg(command, n), base)?;
+            targets::leg_mut(&mut self.legs, n)?.drive.drive = Drive::Joints(tracks);
         }
         Ok(())
     }
 
-    fn soften_joints_of_leg(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+    fn softened(&self, command: &Command<'_>, base: Base) -> Result<[Track<1>; J], Fault> {
         let (n, first, count) = self.joints_of(command)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let mut tracks = drive.joints(leg, measured, self.model.inverse);
-        let states = tracks.iter_mut().zip(measured).enumerate();
+        let leg = self.leg(n)?;
+        let mut tracks = leg.joints(self.robot.inverse);
+        let states = tracks.iter_mut().zip(&leg.angles).enumerate();
         let chosen = states.skip(first).take(count).zip(command.values);
         for ((m, (track, measured)), value) in chosen {
-            let from = match (base, drive.point_of_joint(m), track.goal().target()) {
+            let from = match (base, leg.drive.point_of_joint(m), track.goal().target()) {
                 (Base::Target, None, Some(target)) => target,
                 _ => [*measured],
             };
@@ -85,40 +77,47 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             let hs = command.hs;
             *track = track.towards(Goal::Spring { target, hs });
         }
-        drive.drive = Drive::Joints(tracks);
-        Ok(())
+        Ok(tracks)
     }
 
-    /// COMPLIANCE_POSITION and REL_COMPLIANCE_POSITION.
+    /// COMPLIANCE_POSITION and REL_COMPLIANCE_POSITION. Of all legs none is softened unless each can be.
     pub(super) fn soften_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
-        if command.target != Target::All {
-            return self.soften_point_of_leg(command, base);
+        for n in self.legs_of(command.target)? {
+            self.softened_point(&of_leg(command, n), base)?;
         }
-        let before = self.drives;
-        for n in 1..=targets::number(L.wrapping_sub(1)) {
-            let target = Target::Foot(n);
-            let softened = self.soften_point_of_leg(&Command { target, ..*command }, base);
-            if softened.is_err() {
-                self.drives = before;
-                return softened;
-            }
+        for n in self.legs_of(command.target)? {
+            let (point, track) = self.softened_point(&of_leg(command, n), base)?;
+            self.take_point(n, point, track)?;
         }
         Ok(())
     }
 
-    fn soften_point_of_leg(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
+    fn softened_point(
+        &self,
+        command: &Command<'_>,
+        base: Base,
+    ) -> Result<(Point, Track<3>), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let from = match base {
             Base::Operand => self.measured_point(n, point)?,
             Base::Target => self.point_target(n, point)?,
         };
-        let inverse = self.model.inverse;
+        let inverse = self.robot.inverse;
         let target = inverse.flat(resolve_from(values, from, base)?);
-        let leg = targets::leg(&self.model.legs, n)?;
-        let track = targets::leg(&self.drives, n)?.strained_point(point, leg, inverse);
+        let leg = self.leg(n)?;
+        let track = leg.drive.strained_point(point, leg.model, inverse);
         let hs = command.hs;
-        self.take_point(n, point, track.towards(Goal::Spring { target, hs }))
+        Ok((point, track.towards(Goal::Spring { target, hs })))
+    }
+
+    /// The legs that a target of one leg, or of all, means.
+    fn legs_of(&self, target: Target) -> Result<RangeInclusive<u8>, Fault> {
+        match target {
+            Target::All => Ok(1..=self.count()),
+            Target::Foot(n) | Target::Joint(n, _) => Ok(n..=n),
+            Target::None | Target::Floor => Err(Fault::Domain),
+        }
     }
 
     /// NO_COMPLIANCE: what a torque, force or spring decides about is held where it is measured.
@@ -130,21 +129,21 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
                 return Err(Fault::Domain);
             }
         };
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let mut tracks = match &drive.drive {
+        let inverse = self.robot.inverse;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        let mut tracks = match &leg.drive.drive {
             Drive::Foot(track) if !track.goal().is_soft() => return Ok(()),
-            _ => drive.joints(leg, measured, self.model.inverse),
+            _ => leg.joints(inverse),
         };
-        let chosen = tracks.iter_mut().zip(measured).skip(first).take(count);
+        let chosen = tracks.iter_mut().zip(&leg.angles);
+        let chosen = chosen.skip(first).take(count);
         for (track, measured) in chosen {
             if track.goal().is_soft() {
                 let target = [*measured];
                 *track = Track::resting(target).towards(Goal::Point { target, hs: false });
             }
         }
-        drive.drive = match drive.drive {
+        leg.drive.drive = match leg.drive.drive {
             Drive::Third(third, _) if !third.goal().is_soft() => Drive::Third(third, tracks),
             _ => Drive::Joints(tracks),
         };
@@ -154,12 +153,21 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// The force with which a point pushes, as the joint torques reveal it: N; `None` in a singular
     /// posture.
     pub(super) fn sensed_force(&self, n: u8, point: Point) -> Result<Option<[f64; 3]>, Fault> {
-        let forces = self.model.forces.as_ref().ok_or(Fault::Domain)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
-        let sensed = targets::leg(&self.measured.torques, n)?;
-        let torques = sensed.map(|torque| torque / forces.unit.per_newton_metre());
-        let axes = self.model.inverse.axes();
-        Ok(chain.force_of_torques(point, &torques, axes))
+        let forces = self.robot.forces.ok_or(Fault::Domain)?;
+        let leg = self.leg(n)?;
+        let torques = leg
+            .torques
+            .map(|torque| torque / forces.unit.per_newton_metre());
+        let axes = self.robot.inverse.axes();
+        Ok(leg.chain().force_of_torques(point, &torques, axes))
     }
+}
+
+/// The same for leg `n` alone, where it is for all.
+fn of_leg<'c>(command: &Command<'c>, n: u8) -> Command<'c> {
+    let target = match command.target {
+        Target::All => Target::Foot(n),
+        target => target,
+    };
+    Command { target, ..*command }
 }

@@ -3,37 +3,36 @@
 use super::drive::{Drive, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
 use super::trajectory::{Goal, Track};
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::{self, Chain, Point};
+use crate::kinematics::{self, Point};
 use crate::model::{Family, Inverse};
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// PTP and REL_PTP.
     pub(super) fn move_point(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         if command.target == Target::Floor {
             return self.move_slider(command, base);
         }
         let (n, point) = self.point_of(command.target)?;
-        if point != Point::Tip && self.model.family != Family::Hand {
+        if point != Point::Tip && self.robot.family != Family::Hand {
             return Err(Fault::Domain);
         }
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let track = targets::leg(&self.drives, n)?.point(point, leg, self.model.inverse);
-        let limits = targets::leg(&self.params.feet, n)?.limits();
+        let inverse = self.robot.inverse;
+        let leg = self.leg(n)?;
+        let track = leg.drive.point(point, leg.model, inverse);
         let stop = base == Base::Target && is_zero(values);
         let target = if stop {
-            let angles = &targets::leg(&self.drives, n)?.angles;
-            let rest = track.rest_point(limits);
-            nearest_place(self.model.inverse, leg, point, angles, rest)
+            let rest = track.rest_point(leg.params.foot.limits());
+            nearest_place(inverse, leg.model, point, &leg.drive.angles, rest)
         } else {
             let from = match base {
-                Base::Operand => self.measured_point(n, point)?,
-                Base::Target => self.point_target(n, point)?,
+                Base::Operand => leg.place(point, inverse)?,
+                Base::Target => leg.target(point, inverse)?,
             };
-            let target = self.model.inverse.flat(resolve_from(values, from, base)?);
+            let target = inverse.flat(resolve_from(values, from, base)?);
             self.require_reach(n, point, target)?;
             target
         };
@@ -44,15 +43,15 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// PTP and REL_PTP of the slider.
     fn move_slider(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
-        let slider = self.model.slider.as_ref().ok_or(Fault::Domain)?;
+        let slider = self.robot.slider.ok_or(Fault::Domain)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let stop = base == Base::Target && is_zero(values);
         let mut target = match base {
             _ if stop => self.slider.rest_point(self.params.slider.limits()),
-            Base::Operand => resolve(values, self.measured.slider)?,
+            Base::Operand => resolve(values, self.slider_at)?,
             Base::Target => {
                 let target = self.slider.goal().target();
-                sum(values, target.unwrap_or(self.measured.slider))?
+                sum(values, target.unwrap_or(self.slider_at))?
             }
         };
         if !stop && !slider.reaches(target) {
@@ -71,17 +70,17 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// PTP_ANGLE and REL_PTP_ANGLE.
     pub(super) fn move_joints(&mut self, command: &Command<'_>, base: Base) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let params = targets::leg(&self.params.joints, n)?;
+        let inverse = self.robot.inverse;
+        let emg = self.params.emg;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
         let stop = base == Base::Target && is_zero(command.values);
-        let mut tracks = drive.joints(leg, measured, self.model.inverse);
-        let states = leg.joints.iter().zip(measured).zip(params);
+        let mut tracks = leg.joints(inverse);
+        let states = leg.model.joints.iter().zip(&leg.angles);
+        let states = states.zip(&leg.params.joints);
         let chosen = tracks.iter_mut().zip(states).enumerate().skip(first);
         let chosen = chosen.take(count).zip(command.values);
         for ((m, (track, ((joint, measured), params))), value) in chosen {
-            let current = match (drive.point_of_joint(m), track.goal().target()) {
+            let current = match (leg.drive.point_of_joint(m), track.goal().target()) {
                 (None, Some([target])) => target,
                 _ => *measured,
             };
@@ -94,7 +93,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
                 Base::Target => sum(&[*value], [current])?,
             };
             let reachable = joint.limits.widened(kinematics::ROUNDING).contains(target);
-            if self.params.emg && !stop && !reachable {
+            if emg && !stop && !reachable {
                 return Err(Fault::OutOfReach(Target::Joint(n, targets::number(m))));
             }
             let hs = command.hs || (stop && track.goal().is_hs());
@@ -103,7 +102,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
                 hs,
             });
         }
-        drive.drive = Drive::Joints(tracks);
+        leg.drive.drive = Drive::Joints(tracks);
         Ok(())
     }
 
@@ -112,16 +111,13 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let Target::Foot(n) = command.target else {
             return Err(Fault::Domain);
         };
-        let inverse = self.model.inverse;
+        let inverse = self.robot.inverse;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let foot = targets::leg(&self.drives, n)?.point(Point::Tip, leg, inverse);
+        let leg = self.leg(n)?;
+        let foot = leg.drive.point(Point::Tip, leg.model, inverse);
         let current = match foot.goal() {
             Goal::Speed(velocity) => velocity,
-            _ => {
-                let rates = targets::leg(&self.rates, n)?;
-                Chain::new(leg, targets::leg(&self.measured.angles, n)?).foot_velocity(rates)
-            }
+            _ => leg.chain().foot_velocity(&leg.rates),
         };
         let velocity = inverse.flat(resolve(values, current)?);
         self.take_point(n, Point::Tip, foot.towards(Goal::Speed(velocity)))
@@ -130,12 +126,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// OMEGA_CONTROL.
     pub(super) fn drive_joints(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let rates = targets::leg(&self.rates, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        let mut tracks = drive.joints(leg, measured, self.model.inverse);
-        let states = measured.iter().zip(rates);
+        let inverse = self.robot.inverse;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        let mut tracks = leg.joints(inverse);
+        let states = leg.angles.iter().zip(&leg.rates);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
         for ((track, (measured, rate)), value) in chosen.zip(command.values) {
             let current = match track.goal() {
@@ -147,16 +141,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             }
             *track = track.towards(Goal::Speed(resolve(&[*value], current)?));
         }
-        drive.drive = Drive::Joints(tracks);
+        leg.drive.drive = Drive::Joints(tracks);
         Ok(())
     }
 
     /// Puts a point of leg `n` under control.
     pub(super) fn take_point(&mut self, n: u8, point: Point, track: Track<3>) -> Result<(), Fault> {
-        let leg = targets::leg(&self.model.legs, n)?;
-        let measured = targets::leg(&self.measured.angles, n)?;
-        let drive = targets::leg_mut(&mut self.drives, n)?;
-        drive.take_point(point, track, leg, measured, self.model.inverse);
+        let inverse = self.robot.inverse;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        leg.drive
+            .take_point(point, track, leg.model, &leg.angles, inverse);
         Ok(())
     }
 
@@ -168,31 +162,25 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// A foot's set point, in the motion that its leg is commanded now.
     pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
-        let leg = targets::leg(&self.model.legs, n)?;
-        Ok(targets::leg(&self.drives, n)?.point(Point::Tip, leg, self.model.inverse))
+        let leg = self.leg(n)?;
+        let inverse = self.robot.inverse;
+        Ok(leg.drive.point(Point::Tip, leg.model, inverse))
     }
 
     /// Where a foot comes to rest when it brakes now.
     pub(super) fn foot_rest_point(&self, n: u8) -> Result<[f64; 3], Fault> {
-        let limits = targets::leg(&self.params.feet, n)?.limits();
+        let limits = self.leg(n)?.params.foot.limits();
         Ok(self.foot_track(n)?.rest_point(limits))
     }
 
     /// A point's target, or where the point is if it has none.
     pub(super) fn point_target(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
-        let own = targets::leg(&self.drives, n)?.own_point(point);
-        match own.and_then(|track| track.goal().target()) {
-            Some(target) => Ok(target),
-            None => self.measured_point(n, point),
-        }
+        self.leg(n)?.target(point, self.robot.inverse)
     }
 
     /// Where a point of leg `n` is.
     pub(super) fn measured_point(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
-        let leg = targets::leg(&self.model.legs, n)?;
-        let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
-        let place = chain.point(point).ok_or(Fault::Domain)?;
-        Ok(self.model.inverse.flat(place))
+        self.leg(n)?.place(point, self.robot.inverse)
     }
 
     /// Refuses a target that the leg cannot reach; under EMG_OFF the leg goes as far as it can.
@@ -200,11 +188,10 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         if !self.params.emg {
             return Ok(());
         }
-        let leg = targets::leg(&self.model.legs, n)?;
-        let inverse = self.model.inverse;
-        let commanded = &targets::leg(&self.drives, n)?.angles;
-        let reached = reach(inverse, leg, (point, n), commanded, target).is_ok();
-        let elsewhere = || kinematics::search(leg, point, target, inverse.axes()).is_some();
+        let leg = self.leg(n)?;
+        let inverse = self.robot.inverse;
+        let reached = reach(inverse, leg.model, (point, n), &leg.drive.angles, target).is_ok();
+        let elsewhere = || kinematics::search(leg.model, point, target, inverse.axes()).is_some();
         if reached || (inverse != Inverse::YawPitchPitch && elsewhere()) {
             Ok(())
         } else {
@@ -230,7 +217,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             Target::Joint(n, m) => (n, targets::index(m), 1),
             Target::None | Target::All | Target::Floor => return Err(Fault::Domain),
         };
-        let exists = usize::from(n) >= 1 && usize::from(n) <= L && first < J;
+        let exists = self.leg(n).is_ok() && first < J;
         if exists && command.values.len() == count {
             Ok((n, first, count))
         } else {

@@ -2,13 +2,13 @@
 
 use super::drive::reach;
 use super::trajectory::{Goal, Track};
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{MAX, Target};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::kinematics::Point;
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
     /// along each axis), whose set point is there at once. The rest is as COMPLIANCE_POSITION has it.
     ///
@@ -19,13 +19,13 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         let (n, point) = self.point_of(target)?;
         let sound = to.iter().all(|place| place.is_finite())
             && stiffness.iter().all(|k| k.is_finite() && *k >= 0.0);
-        if !sound || self.model.forces.is_none() {
+        if !sound || self.robot.forces.is_none() {
             return Err(Fault::Domain);
         }
-        let target = self.model.inverse.flat(to);
+        let target = self.robot.inverse.flat(to);
         let spring = Goal::Spring { target, hs: false };
         self.take_point(n, point, Track::resting(target).towards(spring))?;
-        targets::leg_mut(&mut self.drives, n)?.own_stiffness = Some(stiffness);
+        targets::leg_mut(&mut self.legs, n)?.drive.own_stiffness = Some(stiffness);
         Ok(())
     }
 
@@ -34,14 +34,15 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.
     pub fn torques(&self, n: u8) -> Result<[f64; MAX], Fault> {
-        if self.model.forces.is_none() {
+        if self.robot.forces.is_none() {
             return Err(Fault::Domain);
         }
-        let told = targets::leg(&self.drives, n)?.outputs();
-        let sensed = targets::leg(&self.measured.torques, n)?;
+        let leg = self.leg(n)?;
         let mut torques = [0.0; MAX];
-        for (torque, (told, sensed)) in torques.iter_mut().zip(told.iter().zip(sensed)) {
-            *torque = match told {
+        let commands = leg.drive.outputs();
+        for (torque, (command, sensed)) in torques.iter_mut().zip(commands.iter().zip(&leg.torques))
+        {
+            *torque = match command {
                 JointCommand::Torque(torque) => *torque,
                 JointCommand::Angle(_) => *sensed,
             };
@@ -59,12 +60,12 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         from: &[f64; MAX],
         position: [f64; 3],
     ) -> Result<[f64; MAX], Fault> {
-        let leg = targets::leg(&self.model.legs, n)?;
+        let leg = self.leg(n)?.model;
         let mut near = leg.initial;
         for (near, from) in near.iter_mut().zip(from) {
             *near = *from;
         }
-        let found = reach(self.model.inverse, leg, (Point::Tip, n), &near, position)?;
+        let found = reach(self.robot.inverse, leg, (Point::Tip, n), &near, position)?;
         let mut angles = [0.0; MAX];
         for (angle, found) in angles.iter_mut().zip(found) {
             *angle = found;

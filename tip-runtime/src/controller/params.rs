@@ -3,11 +3,11 @@
 mod springs;
 
 use super::trajectory::Limits;
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
-use crate::model::{Forces, Model, Standards};
+use crate::model::{Forces, Standards, TorqueUnit, Whole};
 
 /// Parameters of one foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub(super) struct JointParams {
 
 /// What a robot without commands of force has in their place.
 const NO_FORCES: Forces = Forces {
-    unit: crate::model::TorqueUnit::NewtonMetre,
+    unit: TorqueUnit::NewtonMetre,
     torque_max: 0.0,
     angle_stiffness: 0.0,
     position_stiffness: 0.0,
@@ -59,11 +59,8 @@ const NO_FORCES: Forces = Forces {
     contact_torque: 0.0,
 };
 
-const fn forces<const L: usize, const J: usize>(model: &Model<L, J>) -> &Forces {
-    match &model.forces {
-        Some(forces) => forces,
-        None => &NO_FORCES,
-    }
+fn forces<'m>(robot: &Whole<'m>) -> &'m Forces {
+    robot.forces.unwrap_or(&NO_FORCES)
 }
 
 impl FootParams {
@@ -118,11 +115,26 @@ impl JointParams {
     }
 }
 
-/// Every parameter and switch that INITIAL_POSTURE and the end of a program put back.
+/// Parameters of one leg.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Params<const L: usize, const J: usize> {
-    pub(super) feet: [FootParams; L],
-    pub(super) joints: [[JointParams; J]; L],
+pub(super) struct LegParams<const J: usize> {
+    pub(super) foot: FootParams,
+    pub(super) joints: [JointParams; J],
+}
+
+impl<const J: usize> LegParams<J> {
+    pub(super) fn standard(robot: &Whole<'_>) -> Self {
+        let (standards, forces) = (robot.standards, forces(robot));
+        LegParams {
+            foot: FootParams::standard(standards, forces),
+            joints: [JointParams::standard(standards, forces); J],
+        }
+    }
+}
+
+/// Parameters and switches of the robot as a whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Params {
     /// Of the slider.
     pub(super) slider: FootParams,
     /// Sampling time: ms.
@@ -131,15 +143,11 @@ pub(super) struct Params<const L: usize, const J: usize> {
     pub(super) emg: bool,
 }
 
-impl<const L: usize, const J: usize> Params<L, J> {
-    pub(super) const fn standard(model: &Model<L, J>) -> Self {
-        let (standards, forces) = (&model.standards, forces(model));
-        let foot = FootParams::standard(standards, forces);
+impl Params {
+    pub(super) fn standard(robot: &Whole<'_>) -> Self {
         Params {
-            feet: [foot; L],
-            joints: [[JointParams::standard(standards, forces); J]; L],
-            slider: foot,
-            period: standards.period,
+            slider: FootParams::standard(robot.standards, forces(robot)),
+            period: robot.standards.period,
             emg: true,
         }
     }
@@ -246,7 +254,16 @@ impl<'a> Checked<'a> {
     }
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
+    /// Puts back every parameter and switch, as INITIAL_POSTURE and the end of a program do.
+    pub(super) fn standardise(&mut self) {
+        self.params = Params::standard(&self.robot);
+        let standard = LegParams::standard(&self.robot);
+        for leg in &mut self.legs {
+            leg.params = standard;
+        }
+    }
+
     /// Carries out a parameter command; `None` if the command is none.
     pub(super) fn set_parameter(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
         if let Some(set) = self.set_spring(command) {
@@ -273,42 +290,49 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         source: Source,
     ) -> Result<(), Fault> {
         let operands = Checked::new(command, source)?;
-        let (standards, forces) = (&self.model.standards, forces(self.model));
-        let mut changed = self.params;
         match field {
-            Field::Foot(field) => {
-                let value =
-                    operands.value(0, *field(&mut FootParams::standard(standards, forces)))?;
-                if matches!(command.target, Target::All | Target::Floor) {
-                    *field(&mut changed.slider) = value;
-                }
-                if command.target != Target::Floor {
-                    for foot in targets::feet(&mut changed.feet, command.target)? {
-                        *field(foot) = value;
-                    }
-                } else if self.model.slider.is_none() {
-                    return Err(Fault::Domain);
-                }
-            }
-            Field::Joint(field) => {
-                let standard = *field(&mut JointParams::standard(standards, forces));
-                match (command.target, command.values) {
-                    (Target::Joint(leg, joint), [_] | []) => {
-                        let joint = targets::joint_mut(&mut changed.joints, leg, joint)?;
-                        *field(joint) = operands.value(0, standard)?;
-                    }
-                    (Target::Joint(..), _) => return Err(Fault::Domain),
-                    (target, _) => {
-                        for leg in targets::feet(&mut changed.joints, target)? {
-                            for (i, joint) in leg.iter_mut().enumerate() {
-                                *field(joint) = operands.value(i, standard)?;
-                            }
-                        }
-                    }
-                }
+            Field::Foot(field) => self.set_foot_field(&operands, field),
+            Field::Joint(field) => self.set_joint_field(&operands, field),
+        }
+    }
+
+    fn set_foot_field(&mut self, operands: &Checked<'_>, field: FootField) -> Result<(), Fault> {
+        let mut standard = FootParams::standard(self.robot.standards, forces(&self.robot));
+        let value = operands.value(0, *field(&mut standard))?;
+        let target = operands.command.target;
+        if target == Target::Floor {
+            self.robot.slider.ok_or(Fault::Domain)?;
+        } else {
+            for leg in targets::feet(&mut self.legs, target)? {
+                *field(&mut leg.params.foot) = value;
             }
         }
-        self.params = changed;
+        if matches!(target, Target::All | Target::Floor) {
+            *field(&mut self.params.slider) = value;
+        }
+        Ok(())
+    }
+
+    fn set_joint_field(&mut self, operands: &Checked<'_>, field: JointField) -> Result<(), Fault> {
+        let mut standard = JointParams::standard(self.robot.standards, forces(&self.robot));
+        let standard = *field(&mut standard);
+        if let Target::Joint(n, m) = operands.command.target {
+            let ([_] | []) = operands.command.values else {
+                return Err(Fault::Domain);
+            };
+            let leg = targets::leg_mut(&mut self.legs, n)?;
+            *field(targets::leg_mut(&mut leg.params.joints, m)?) = operands.value(0, standard)?;
+            return Ok(());
+        }
+        let mut values = [0.0; J];
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = operands.value(i, standard)?;
+        }
+        for leg in targets::feet(&mut self.legs, operands.command.target)? {
+            for (joint, value) in leg.params.joints.iter_mut().zip(values) {
+                *field(joint) = value;
+            }
+        }
         Ok(())
     }
 
@@ -317,7 +341,7 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             return Err(Fault::Domain);
         };
         let period = to_ms(value.number());
-        if !self.model.periods.contains(period) {
+        if !self.robot.periods.contains(period) {
             return Err(Fault::Domain);
         }
         self.params.period = period;
@@ -326,8 +350,8 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Puts V_MAX of every foot to a share of its standard value.
     pub(super) fn set_all_v_max(&mut self, share: f64) {
-        for foot in &mut self.params.feet {
-            foot.v_max = self.model.standards.v_max * share;
+        for leg in &mut self.legs {
+            leg.params.foot.v_max = self.robot.standards.v_max * share;
         }
     }
 }

@@ -1,12 +1,12 @@
 //! SLEEP (T.I.P. 3.1 §7-4-1).
 
-use super::Controller;
+use super::ControllerView;
 use super::arrival::done_if;
 use super::task::Task;
 use crate::command::{Command, Poll};
 use crate::fault::Fault;
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// At least one cycle, and no time of a cycle too little.
     pub(super) fn sleep(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let left = match (self.task, command.values) {

@@ -1,8 +1,7 @@
 //! STAND_UP and SIT_DOWN (T.I.P. 3.1 §7-11-1, §7-11-2): the feet push the body up, or let it down.
 
-use super::drive::LegDrive;
+use super::ControllerView;
 use super::task::{Stand, Task};
-use super::{Controller, targets};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
@@ -10,7 +9,7 @@ use crate::kinematics::Point;
 /// V_MAX on the way, as a share of its standard value (SLOW).
 const SLOW: f64 = 0.5;
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Moves every foot by the operand times `direction` along z.
     pub(super) fn stand(&mut self, command: &Command<'_>, direction: f64) -> Result<Poll, Fault> {
         let [height] = command.values else {
@@ -45,22 +44,21 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// # Errors
     /// `InvalidMode` while a torque, force or spring decides about any joint; `OutOfReach`.
     fn settle(&mut self, rise: f64) -> Result<(), Fault> {
-        if self.drives.iter().any(LegDrive::is_soft) {
+        if self.legs.iter().any(|leg| leg.drive.is_soft()) {
             return Err(Fault::InvalidMode);
         }
-        let mut rest = [[0.0; 3]; L];
-        for (n, rest) in (1..).zip(&mut rest) {
-            *rest = self.foot_rest_point(n)?;
-            self.require_reach(n, Point::Tip, raised(*rest, rise)?)?;
+        for n in 1..=self.count() {
+            let raised = raised(self.foot_rest_point(n)?, rise)?;
+            self.require_reach(n, Point::Tip, raised)?;
         }
-        for (n, rest) in (1..).zip(rest) {
-            self.send_foot(n, rest, false)?;
+        for n in 1..=self.count() {
+            self.send_foot(n, self.foot_rest_point(n)?, false)?;
         }
         Ok(())
     }
 
     fn shift_feet(&mut self, rise: f64) -> Result<(), Fault> {
-        for n in 1..=targets::number(L.wrapping_sub(1)) {
+        for n in 1..=self.count() {
             let target = raised(self.point_target(n, Point::Tip)?, rise)?;
             self.send_foot(n, target, false)?;
         }

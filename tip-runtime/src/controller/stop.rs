@@ -1,8 +1,7 @@
 //! Everything that brings the robot to rest (T.I.P. 3.1 §7-1-5, §7-10-3).
 
-use super::Controller;
+use super::ControllerView;
 use super::drive::LegDrive;
-use super::params::Params;
 use super::task::Task;
 use super::trajectory::Track;
 
@@ -23,12 +22,21 @@ impl Hold {
     }
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// ALL_STOP: every motion brakes under the limits in force; modes and targets stay.
     pub fn hold(&mut self) {
         if self.hold == Hold::Off {
             self.hold = Hold::On;
         }
+    }
+
+    /// As [`hold`](Self::hold); whether this call is what holds the robot.
+    pub(crate) fn take_hold(&mut self) -> bool {
+        let holds = !self.is_held();
+        if holds {
+            self.hold();
+        }
+        holds
     }
 
     /// ALL_STOP_RELEASE: every motion goes on towards its target.
@@ -57,15 +65,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     /// controlled. What is measured outside of the outer limits, or the travel, is to stay at their
     /// border; a slider that reads nonsense where it was told to be.
     pub fn emergency(&mut self) {
-        let mut angles = self.measured.angles;
-        let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
-        for (angle, joint) in angles.iter_mut().flatten().zip(joints) {
-            *angle = angle.max(joint.outer.min).min(joint.outer.max);
+        for leg in &mut self.legs {
+            let mut angles = leg.angles;
+            for (angle, joint) in angles.iter_mut().zip(&leg.model.joints) {
+                *angle = angle.max(joint.outer.min).min(joint.outer.max);
+            }
+            leg.drive = LegDrive::free(angles);
         }
-        self.drives = angles.map(LegDrive::free);
         let mut slider = self.slider.position();
-        let travel = self.model.slider.map(|slider| slider.travel);
-        let axes = self.measured.slider.iter().zip(travel.iter().flatten());
+        let travel = self.robot.slider.map(|slider| slider.travel);
+        let axes = self.slider_at.iter().zip(travel.iter().flatten());
         for (at, (measured, travel)) in slider.iter_mut().zip(axes) {
             if measured.is_finite() {
                 *at = measured.max(travel.min).min(travel.max);
@@ -80,14 +89,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Whether no joint command moves.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.drives.iter().all(LegDrive::is_at_rest) && self.slider.is_at_rest()
+        self.legs.iter().all(|leg| leg.drive.is_at_rest()) && self.slider.is_at_rest()
     }
 
     pub(super) fn end_if_finished(&mut self) {
         if self.hold == Hold::Finishing && self.is_at_rest() {
-            self.drives = self.drives.map(|drive| LegDrive::free(drive.angles));
+            for leg in &mut self.legs {
+                leg.drive = LegDrive::free(leg.drive.angles);
+            }
             self.slider = Track::resting(self.slider.position());
-            self.params = Params::standard(self.model);
+            self.standardise();
             self.hold = Hold::Off;
         }
     }

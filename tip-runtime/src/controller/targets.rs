@@ -8,28 +8,14 @@ pub(super) fn index(n: u8) -> usize {
     usize::from(n).wrapping_sub(1)
 }
 
-/// What belongs to leg `n`.
+/// What belongs to leg or joint `n`.
 pub(super) fn leg<T>(legs: &[T], n: u8) -> Result<&T, Fault> {
     legs.get(index(n)).ok_or(Fault::Domain)
 }
 
-/// What belongs to leg `n`.
+/// What belongs to leg or joint `n`.
 pub(super) fn leg_mut<T>(legs: &mut [T], n: u8) -> Result<&mut T, Fault> {
     legs.get_mut(index(n)).ok_or(Fault::Domain)
-}
-
-/// What belongs to joint `m` of leg `n`.
-pub(super) fn joint<const J: usize, T>(legs: &[[T; J]], n: u8, m: u8) -> Result<&T, Fault> {
-    leg(legs, n)?.get(index(m)).ok_or(Fault::Domain)
-}
-
-/// What belongs to joint `m` of leg `n`.
-pub(super) fn joint_mut<const J: usize, T>(
-    legs: &mut [[T; J]],
-    n: u8,
-    m: u8,
-) -> Result<&mut T, Fault> {
-    leg_mut(legs, n)?.get_mut(index(m)).ok_or(Fault::Domain)
 }
 
 /// What belongs to the one leg, or to all legs, that a target names.

@@ -1,15 +1,15 @@
 //! TEACH_ commands (T.I.P. 3.1 §7-5).
 
 use super::drive::THIRD;
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::{MAX, Target, Teach};
 use crate::fault::Fault;
-use crate::kinematics::{Chain, Point};
+use crate::kinematics::Point;
 
 /// What TEACH_FORCE tells where the posture is singular.
 const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Measures: X, Y, Z of a foot or joint in mm; the angles (deg) or torques of a leg, or of a
     /// single joint; the force in N with which a foot, or the end of its second link (`Jn2`),
     /// pushes, which is (0, 0, −1) in a singular posture. Members beyond those are zero.
@@ -19,10 +19,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     pub fn teach(&self, what: Teach, target: Target) -> Result<[f64; MAX], Fault> {
         match what {
             Teach::Position => self.teach_position(target),
-            Teach::Angle => of_joints(&self.measured.angles, target),
-            Teach::Torque | Teach::Force if self.model.forces.is_none() => Err(Fault::Domain),
-            Teach::Torque => of_joints(&self.measured.torques, target),
+            Teach::Torque | Teach::Force if self.robot.forces.is_none() => Err(Fault::Domain),
             Teach::Force => self.teach_force(target),
+            Teach::Angle => {
+                let (n, joint) = leg_and_joint(target)?;
+                of_joints(&self.leg(n)?.angles, joint)
+            }
+            Teach::Torque => {
+                let (n, joint) = leg_and_joint(target)?;
+                of_joints(&self.leg(n)?.torques, joint)
+            }
         }
     }
 
@@ -39,28 +45,32 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
     }
 
     fn teach_position(&self, target: Target) -> Result<[f64; MAX], Fault> {
-        let (n, joint) = match target {
-            Target::Foot(n) => (n, None),
-            Target::Joint(n, m) => (n, Some(m)),
-            Target::None | Target::All | Target::Floor => return Err(Fault::Domain),
-        };
-        let leg = targets::leg(&self.model.legs, n)?;
-        let chain = Chain::new(leg, targets::leg(&self.measured.angles, n)?);
+        let (n, joint) = leg_and_joint(target)?;
+        let chain = self.leg(n)?.chain();
         match joint {
-            None => Ok(members(&self.model.inverse.flat(chain.foot()))),
+            None => Ok(members(&self.robot.inverse.flat(chain.foot()))),
             Some(m) => chain
-                .joint(targets::index(m))
-                .map(|place| members(&self.model.inverse.flat(place)))
+                .joint(m)
+                .map(|place| members(&self.robot.inverse.flat(place)))
                 .ok_or(Fault::Domain),
         }
     }
 }
 
-fn of_joints<const J: usize>(legs: &[[f64; J]], target: Target) -> Result<[f64; MAX], Fault> {
+/// The leg that a target names, and the joint of it (from 0) if it names one alone.
+fn leg_and_joint(target: Target) -> Result<(u8, Option<usize>), Fault> {
     match target {
-        Target::Foot(n) => Ok(members(targets::leg(legs, n)?)),
-        Target::Joint(n, m) => Ok(members(&[*targets::joint(legs, n, m)?])),
+        Target::Foot(n) => Ok((n, None)),
+        Target::Joint(n, m) => Ok((n, Some(targets::index(m)))),
         Target::None | Target::All | Target::Floor => Err(Fault::Domain),
+    }
+}
+
+/// Of all joints, or of a single one.
+fn of_joints(values: &[f64], joint: Option<usize>) -> Result<[f64; MAX], Fault> {
+    match joint {
+        None => Ok(members(values)),
+        Some(m) => Ok(members(&[*values.get(m).ok_or(Fault::Domain)?])),
     }
 }
 

@@ -1,11 +1,11 @@
 //! Vibration, added to the commands that joints are sent (active friction control, T.I.P. 3.1 §8-2-2).
 
 use super::drive::bounded;
-use super::{Controller, targets};
+use super::{ControllerView, targets};
 use crate::command::Target;
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
-use crate::model::Joint;
+use crate::model::{Joint, PerVolt};
 use crate::vibration::{Vibration, Waveform};
 use core::f64::consts::TAU;
 
@@ -15,6 +15,17 @@ pub(super) struct Shaker {
     vibration: Option<Vibration>,
     /// Where in its wave it is: 0…1.
     phase: f64,
+}
+
+/// What a vibration at a joint depends on.
+pub(super) struct Shaken {
+    pub(super) per_volt: PerVolt,
+    /// How many of the robot's torque unit one N·m is.
+    pub(super) torque_unit: f64,
+    /// The most torque that the joint is commanded.
+    pub(super) torque_max: f64,
+    /// deg.
+    pub(super) measured: f64,
 }
 
 /// The share of a sawtooth's time that its slow flank takes.
@@ -40,6 +51,30 @@ impl Shaker {
             vibration.amplitude * wave(vibration.waveform, self.phase)
         })
     }
+
+    /// A command with the vibration of its joint.
+    pub(super) fn shaken(
+        &self,
+        command: JointCommand,
+        joint: &Joint,
+        state: &Shaken,
+    ) -> JointCommand {
+        if self.vibration.is_none() {
+            return command;
+        }
+        let (volts, per_volt) = (self.volts(), state.per_volt);
+        match command {
+            JointCommand::Angle(angle) => {
+                JointCommand::Angle(shaken_angle(angle, per_volt.angle * volts, joint))
+            }
+            JointCommand::Torque(torque) => {
+                let motor = joint.torque * state.torque_unit;
+                let most = state.torque_max.min(motor).max(libm::fabs(torque));
+                let shaken = bounded(torque + per_volt.torque * volts, most);
+                JointCommand::Torque(inward(shaken, state.measured, joint))
+            }
+        }
+    }
 }
 
 /// A wave of amplitude 1 at a phase of 0…1.
@@ -64,7 +99,7 @@ fn fraction(value: f64) -> f64 {
     value - libm::floor(value)
 }
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Lets a joint vibrate about what it is commanded, or keep still. One that vibrates already goes
     /// on from where in its wave it is.
     ///
@@ -83,10 +118,11 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
             } = vibration;
             amplitude.is_finite() && frequency.is_finite() && frequency >= 0.0
         });
-        if !sound || self.model.vibration.is_none() {
+        if !sound || self.robot.vibration.is_none() {
             return Err(Fault::Domain);
         }
-        let shaker = targets::joint_mut(&mut self.shakers, n, m)?;
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        let shaker = targets::leg_mut(&mut leg.shakers, m)?;
         *shaker = match vibration {
             Some(_) => Shaker {
                 vibration,
@@ -99,46 +135,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     /// Every vibration ends.
     pub(super) fn still(&mut self) {
-        self.shakers = [[Shaker::STILL; J]; L];
+        for leg in &mut self.legs {
+            leg.shakers = [Shaker::STILL; J];
+        }
     }
 
     /// Vibrations go on by `dt` seconds.
     pub(super) fn shake(&mut self, dt: f64) {
-        for shaker in self.shakers.iter_mut().flatten() {
+        for shaker in self.legs.iter_mut().flat_map(|leg| &mut leg.shakers) {
             shaker.advance(dt, self.hold.is_on());
         }
-    }
-
-    /// The commands with the vibrations of their joints.
-    pub(super) fn shaken(&self, mut commands: [[JointCommand; J]; L]) -> [[JointCommand; J]; L] {
-        let Some(per_volt) = self.model.vibration else {
-            return commands;
-        };
-        let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
-        let params = self.params.joints.iter().flatten();
-        let states = self.shakers.iter().zip(&self.measured.angles);
-        let states = states.flat_map(|(shakers, angles)| shakers.iter().zip(angles));
-        let data = joints.zip(params).zip(states);
-        for (command, ((joint, params), (shaker, measured))) in
-            commands.iter_mut().flatten().zip(data)
-        {
-            if shaker.vibration.is_none() {
-                continue;
-            }
-            let volts = shaker.volts();
-            *command = match *command {
-                JointCommand::Angle(angle) => {
-                    JointCommand::Angle(shaken_angle(angle, per_volt.angle * volts, joint))
-                }
-                JointCommand::Torque(torque) => {
-                    let motor = joint.torque * self.torque_unit();
-                    let most = params.torque_max.min(motor).max(libm::fabs(torque));
-                    let shaken = bounded(torque + per_volt.torque * volts, most);
-                    JointCommand::Torque(inward(shaken, *measured, joint))
-                }
-            };
-        }
-        commands
     }
 }
 

@@ -10,16 +10,16 @@ use crate::special::{Call, Special};
 use crate::vibration::Vibration;
 use core::fmt::Display;
 
-pub(super) struct StepContext<'a, 'm, C, S, const L: usize, const J: usize> {
-    pub(super) devices: &'a mut Devices<'m, L, J>,
-    pub(super) special: &'a mut S,
-    pub(super) console: &'a mut C,
+pub(super) struct StepContext<'a, 'm, const J: usize> {
+    pub(super) devices: Devices<'a, 'm, J>,
+    pub(super) special: &'a mut dyn Special,
+    pub(super) console: &'a mut dyn Console,
     pub(super) sink: Option<&'a mut dyn Sink>,
     /// The step does not continue one that waited.
     pub(super) first: bool,
 }
 
-impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L, J> {
+impl<const J: usize> StepContext<'_, '_, J> {
     fn call_special(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let value = |place: usize| command.values.get(place).map(|value| value.number());
         let call = Call {
@@ -27,7 +27,7 @@ impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L,
             arguments: [value(1), value(2)],
             first: self.first,
         };
-        self.special.poll(call, self.devices)
+        self.special.poll(call, &mut self.devices)
     }
 
     fn note(&mut self, command: &Command<'_>) {
@@ -48,7 +48,7 @@ impl<C, S: Special, const L: usize, const J: usize> StepContext<'_, '_, C, S, L,
     }
 }
 
-impl<C, S: Special, const L: usize, const J: usize> Robot for StepContext<'_, '_, C, S, L, J> {
+impl<const J: usize> Robot for StepContext<'_, '_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         let poll = match command.op {
             Op::Special => self.call_special(command)?,
@@ -99,11 +99,9 @@ impl<C, S: Special, const L: usize, const J: usize> Robot for StepContext<'_, '_
     }
 }
 
-impl<C: Console, S: Special, const L: usize, const J: usize> Context
-    for StepContext<'_, '_, C, S, L, J>
-{
+impl<const J: usize> Context for StepContext<'_, '_, J> {
     fn key(&mut self) -> Option<u8> {
-        self.devices.keyboard.take()
+        self.devices.board.keyboard.take()
     }
 
     fn message(&mut self, text: &dyn Display) {

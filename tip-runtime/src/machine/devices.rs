@@ -1,110 +1,44 @@
 //! The robot as steps and native code see it: motion goes to the controller, the rest is here.
 
-use super::graphs::Graphs;
-use super::keyboard::Keyboard;
-use super::sampling::Sampling;
+use super::board::Board;
 use crate::analog::{self, Wire};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
-use crate::controller::Controller;
+use crate::controller::ControllerView;
 use crate::fault::Fault;
-use crate::hardware::{JointCommand, Outputs, Sensors};
-use crate::model::Model;
+use crate::hardware::SensorsView;
 use crate::program::Robot;
 use crate::vibration::Vibration;
 
 /// Volts from which the antenna counts as touching.
 const TOUCH: f64 = 0.5;
 
-#[derive(Clone, Debug)]
-pub(super) struct Devices<'m, const L: usize, const J: usize> {
-    pub(super) model: &'m Model<L, J>,
-    pub(super) controller: Controller<'m, L, J>,
-    pub(super) sensors: Sensors<L, J>,
-    /// What was sent last.
-    pub(super) outputs: Outputs<L, J>,
-    pub(super) keyboard: Keyboard,
-    pub(super) halt_requested: bool,
-    special_flags: [bool; 10],
-    pub(super) lamps: [u32; 8],
-    pub(super) sampling: Sampling,
-    /// SILENT_ON or SILENT_OFF ran in this cycle.
-    pub(super) silence: Option<bool>,
-    /// OUTPUT_VARIABLES ran in this cycle.
-    pub(super) dump_requested: bool,
-    held_for_dump: bool,
-    held_for_pause: bool,
-    pub(super) graphs: Graphs,
+/// A robot with any number of legs of `J` joints, in one cycle.
+pub(super) struct Devices<'a, 'm, const J: usize> {
+    pub(super) controller: &'a mut ControllerView<'m, J>,
+    pub(super) sensors: SensorsView<'a, J>,
+    pub(super) board: &'a mut Board,
 }
 
-impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
-    pub(super) fn new(model: &'m Model<L, J>) -> Self {
-        Devices {
-            model,
-            controller: Controller::new(model),
-            sensors: Sensors::ZERO,
-            outputs: Outputs {
-                joints: [[JointCommand::Angle(0.0); J]; L],
-                slider: [0.0; 3],
-                lamps: [0; 8],
-                period: model.standards.period,
-            },
-            keyboard: Keyboard::new(),
-            halt_requested: false,
-            special_flags: [false; 10],
-            lamps: [0; 8],
-            sampling: Sampling::default(),
-            silence: None,
-            dump_requested: false,
-            held_for_dump: false,
-            held_for_pause: false,
-            graphs: Graphs::OFF,
-        }
-    }
-
-    /// Whether this call is what holds the robot.
-    fn hold(&mut self) -> bool {
-        let holds = !self.controller.is_held();
-        if holds {
-            self.controller.hold();
-        }
-        holds
-    }
-
+impl<const J: usize> Devices<'_, '_, J> {
     fn dump_variables(&mut self) {
-        self.dump_requested = true;
-        self.held_for_dump = self.hold();
-    }
-
-    pub(super) fn release_after_dump(&mut self) {
-        if core::mem::take(&mut self.held_for_dump) {
-            self.controller.release();
-        }
-    }
-
-    pub(super) fn hold_for_pause(&mut self) {
-        self.held_for_pause = self.hold();
-    }
-
-    pub(super) fn release_after_pause(&mut self) {
-        if core::mem::take(&mut self.held_for_pause) {
-            self.controller.release();
-        }
+        self.board.dump_requested = true;
+        self.board.held_for_dump = self.controller.take_hold();
     }
 
     fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
         let device = whole_byte(command.values.first().map(|value| value.number()))?;
-        if device >= self.model.lamps {
+        if device >= self.controller.robot().lamps {
             return Err(Fault::Domain);
         }
         let bit = 1 << (device % 32);
-        if let Some(word) = self.lamps.get_mut(usize::from(device / 32)) {
+        if let Some(word) = self.board.lamps.get_mut(usize::from(device / 32)) {
             *word = if on { *word | bit } else { *word & !bit };
         }
         Ok(())
     }
 
     fn channel(&self, channel: u8) -> Result<f64, Fault> {
-        match analog::wire(channel, L, J).ok_or(Fault::Domain)? {
+        match analog::wire(channel, self.sensors.angles.len(), J).ok_or(Fault::Domain)? {
             Wire::Joint(leg, joint) => self.joint(leg, joint),
             Wire::Knob(knob) => self.knob(knob),
             Wire::Open => Ok(0.0),
@@ -112,13 +46,8 @@ impl<'m, const L: usize, const J: usize> Devices<'m, L, J> {
     }
 
     fn joint(&self, leg: usize, joint: usize) -> Result<f64, Fault> {
-        let range = self
-            .model
-            .legs
-            .get(leg)
-            .and_then(|leg| leg.joints.get(joint));
         let angle = self.sensors.angles.get(leg).and_then(|leg| leg.get(joint));
-        match (range, angle) {
+        match (self.controller.joint(leg, joint), angle) {
             (Some(joint), Some(angle)) => Ok(analog::volts_of_angle(joint.outer, *angle)),
             _ => Err(Fault::Domain),
         }
@@ -144,17 +73,17 @@ fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }
 
-impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
+impl<const J: usize> Robot for Devices<'_, '_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         match command.op {
-            Op::FlushBuf => self.keyboard.clear(),
+            Op::FlushBuf => self.board.keyboard.clear(),
             Op::LampOn => self.switch_lamp(command, true)?,
             Op::LampOff => self.switch_lamp(command, false)?,
-            Op::SilentOn => self.silence = Some(true),
-            Op::SilentOff => self.silence = Some(false),
-            Op::LogStart => self.sampling.start(),
-            Op::LogStop => self.sampling.stop(),
-            Op::LogOneShot => self.sampling.one_shot(),
+            Op::SilentOn => self.board.silence = Some(true),
+            Op::SilentOff => self.board.silence = Some(false),
+            Op::LogStart => self.board.sampling.start(),
+            Op::LogStop => self.board.sampling.stop(),
+            Op::LogOneShot => self.board.sampling.one_shot(),
             Op::OutputVariables => self.dump_variables(),
             Op::Special => return Err(Fault::Domain),
             _ => return self.controller.command(command),
@@ -183,11 +112,12 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
 
     fn flag(&self, flag: Flag) -> bool {
         match flag {
-            Flag::HaltRequest => self.halt_requested,
-            Flag::KbHit => !self.keyboard.is_empty(),
+            Flag::HaltRequest => self.board.halt_requested,
+            Flag::KbHit => !self.board.keyboard.is_empty(),
             Flag::Inpos(target) => self.controller.inpos(target),
             Flag::Near(target) => self.controller.near(target),
             Flag::Special(n) => self
+                .board
                 .special_flags
                 .get(usize::from(n))
                 .copied()
@@ -197,7 +127,7 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
     }
 
     fn set_special_flag(&mut self, n: u8, on: bool) {
-        if let Some(flag) = self.special_flags.get_mut(usize::from(n)) {
+        if let Some(flag) = self.board.special_flags.get_mut(usize::from(n)) {
             *flag = on;
         }
     }
@@ -219,10 +149,10 @@ impl<const L: usize, const J: usize> Robot for Devices<'_, L, J> {
     }
 
     fn show_graph(&mut self, graph: u8, on: bool) -> Result<(), Fault> {
-        if self.model.forces.is_none() {
+        if self.controller.robot().forces.is_none() {
             return Err(Fault::Domain);
         }
-        self.graphs.switch(graph, on)
+        self.board.graphs.switch(graph, on)
     }
 
     fn period(&self) -> f64 {

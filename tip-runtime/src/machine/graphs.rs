@@ -1,13 +1,16 @@
 //! Bar graphs on the console (SPECIAL 20 of the Hiroshima Hand, T.I.P. 3.1 §8-2-3).
 
-use crate::command::{Target, Teach};
+use crate::command::{MAX, Target, Teach};
 use crate::console::{Bars, Console};
-use crate::controller::Controller;
+use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::model::Forces;
 
 /// How long bars stand before they are drawn anew: ms.
 const EVERY: f64 = 100.0;
+
+/// One bar for each joint that the language can name.
+const MOST: usize = MAX * MAX;
 
 /// A bar graph.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,14 +37,14 @@ impl Graphs {
     }
     /// Hands the graphs that are due at `time` (ms) to the console: of these torques, and of the forces
     /// that the controller senses.
-    pub(super) fn show<const L: usize, const J: usize>(
+    pub(super) fn show<const J: usize>(
         &mut self,
         time: f64,
-        torques: &[[f64; J]; L],
-        controller: &Controller<'_, L, J>,
+        torques: &[[f64; J]],
+        controller: &ControllerView<'_, J>,
         console: &mut dyn Console,
     ) {
-        let Some(forces) = &controller.model().forces else {
+        let Some(forces) = controller.robot().forces else {
             return;
         };
         for (number, graph) in (0..).zip(&mut self.0) {
@@ -51,12 +54,12 @@ impl Graphs {
                     Graph::Off
                 }
                 Graph::On(due) if time >= due => {
-                    match number {
-                        0 => {
-                            console.bars(number, Bars(torque_bars(torques, forces).as_flattened()))
-                        }
-                        _ => console.bars(number, Bars(&force_bars(controller, forces))),
-                    }
+                    let mut bars = [0.0; MOST];
+                    let bars = match number {
+                        0 => torque_bars(torques.as_flattened(), forces, &mut bars),
+                        _ => force_bars(controller, forces, &mut bars),
+                    };
+                    console.bars(number, Bars(bars));
                     Graph::On(time + EVERY)
                 }
                 Graph::Off | Graph::On(_) => continue,
@@ -66,27 +69,28 @@ impl Graphs {
 }
 
 /// Full height is twice the torque of a search.
-fn torque_bars<const L: usize, const J: usize>(
-    torques: &[[f64; J]; L],
-    forces: &Forces,
-) -> [[f64; J]; L] {
+fn torque_bars<'a>(torques: &[f64], forces: &Forces, bars: &'a mut [f64; MOST]) -> &'a [f64] {
     let full = 2.0 * forces.search_torque;
-    torques.map(|leg| leg.map(|torque| torque / full))
+    for (bar, torque) in bars.iter_mut().zip(torques) {
+        *bar = torque / full;
+    }
+    bars.get(..torques.len()).unwrap_or(bars)
 }
 
 /// Full height is four times the force of a search; a force that is not available has no height.
-fn force_bars<const L: usize, const J: usize>(
-    controller: &Controller<'_, L, J>,
+fn force_bars<'a, const J: usize>(
+    controller: &ControllerView<'_, J>,
     forces: &Forces,
-) -> [f64; L] {
+    bars: &'a mut [f64; MOST],
+) -> &'a [f64] {
     let full = 4.0 * forces.search_force;
-    let mut bars = [0.0; L];
-    for (n, bar) in (1..).zip(&mut bars) {
+    let legs = controller.count();
+    for (n, bar) in (1..=legs).zip(bars.iter_mut()) {
         if let Ok([x, y, z, ..]) = controller.teach(Teach::Force, Target::Foot(n))
             && z >= 0.0
         {
             *bar = libm::sqrt(x * x + y * y) / full;
         }
     }
-    bars
+    bars.get(..usize::from(legs)).unwrap_or(bars)
 }

@@ -8,9 +8,10 @@ mod native;
 use super::*;
 use crate::command::{Command, Op, Poll, Target, Value};
 use crate::console::Scripted;
-use crate::hardware::{JointCommand, Sensors};
-use crate::model::{Model, titan8};
-use crate::program::{Context, Signature};
+use crate::fault::Fault;
+use crate::hardware::HardwareFault;
+use crate::model::titan8;
+use crate::program::{Context, End, Flow, Signature};
 use std::vec::Vec;
 
 pub(super) type Scalars = [(&'static str, Option<f64>); 2];

@@ -7,12 +7,12 @@ use crate::hardware::{Outputs, Sensors};
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
     /// What became of the program.
     pub fn status(&self) -> Status {
-        self.status
+        self.state.status
     }
 
     /// Why and where the robot stopped.
     pub fn emergency(&self) -> Option<&Emergency> {
-        self.emergency.as_ref()
+        self.state.emergency.as_ref()
     }
 
     /// The program.
@@ -47,31 +47,31 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
 
     /// The controller.
     pub fn controller(&self) -> &Controller<'m, L, J> {
-        &self.devices.controller
+        &self.controller
     }
 
     /// What was measured in the last cycle.
     pub fn sensors(&self) -> &Sensors<L, J> {
-        &self.devices.sensors
+        &self.sensors
     }
 
     /// What was sent in the last cycle.
     pub fn outputs(&self) -> &Outputs<L, J> {
-        &self.devices.outputs
+        &self.outputs
     }
 
     /// Cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
-        self.cycles
+        self.state.cycles
     }
 
     /// Time on the robot since the start, up to the end of the last cycle: ms.
     pub fn time(&self) -> f64 {
-        self.time
+        self.state.time
     }
 
     /// The sampling time: ms.
     pub fn period(&self) -> f64 {
-        self.devices.controller.period()
+        self.controller.period()
     }
 }

@@ -3,29 +3,35 @@
 use super::law::{bounded, spring};
 use super::reach::{follow, name};
 use super::{Drive, LegDrive, Solved, THIRD};
-use crate::controller::params::{FootParams, JointParams, PointParams};
+use crate::controller::params::{JointParams, LegParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
 use crate::fault::Fault;
 use crate::kinematics::{Chain, Point, ROUNDING};
 use crate::model::{Inverse, Joint, Leg, Range};
 
-/// What holds while a leg moves on.
-pub(in crate::controller) struct Going<'a, const J: usize> {
+/// What holds for every leg while they move on.
+#[derive(Clone, Copy)]
+pub(in crate::controller) struct Going {
     /// Which inverse kinematics the robot has.
     pub(in crate::controller) inverse: Inverse,
     /// How many of the robot's torque unit one N·m is.
     pub(in crate::controller) torque_unit: f64,
-    /// The leg, from 1.
-    pub(in crate::controller) number: u8,
     /// The sampling time: s.
     pub(in crate::controller) dt: f64,
     /// Whether every motion brakes and waits.
     pub(in crate::controller) held: bool,
+}
+
+/// The leg that moves on.
+#[derive(Clone, Copy)]
+pub(in crate::controller) struct Mover<'a, const J: usize> {
+    /// From 1.
+    pub(in crate::controller) number: u8,
+    pub(in crate::controller) model: &'a Leg<J>,
+    pub(in crate::controller) params: &'a LegParams<J>,
     /// The angles measured: deg.
     pub(in crate::controller) measured: &'a [f64; J],
-    pub(in crate::controller) foot: &'a FootParams,
-    pub(in crate::controller) joints: &'a [JointParams; J],
 }
 
 impl<const J: usize> LegDrive<J> {
@@ -35,8 +41,8 @@ impl<const J: usize> LegDrive<J> {
     /// What stopped it: the way to a target is out of reach, or a joint is at its limit.
     pub(in crate::controller) fn advance(
         &mut self,
-        leg: &Leg<J>,
-        going: &Going<'_, J>,
+        leg: &Mover<'_, J>,
+        going: &Going,
     ) -> Result<(), Fault> {
         self.torques = [None; J];
         match self.drive {
@@ -63,18 +69,19 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         tracks: &mut [Track<1>; J],
         first: usize,
-        leg: &Leg<J>,
-        going: &Going<'_, J>,
+        leg: &Mover<'_, J>,
+        going: &Going,
     ) -> Result<(), Fault> {
         let mut result = Ok(());
-        let data = leg.joints.iter().zip(going.joints).zip(going.measured);
+        let data = leg.model.joints.iter().zip(&leg.params.joints);
+        let data = data.zip(leg.measured);
         let each = tracks.iter_mut().zip(data).enumerate().skip(first);
         for (m, (track, ((joint, params), measured))) in each {
             let moved = if track.goal().is_soft() {
                 self.advance_soft_joint(m, track, *measured, (joint, params), going);
                 Ok(())
             } else {
-                self.advance_stiff_joint(m, track, (joint, params), going)
+                self.advance_stiff_joint((leg.number, m), track, (joint, params), going)
             };
             result = result.and(moved);
         }
@@ -83,10 +90,10 @@ impl<const J: usize> LegDrive<J> {
 
     fn advance_stiff_joint(
         &mut self,
-        m: usize,
+        (n, m): (u8, usize),
         track: &mut Track<1>,
         (joint, params): (&Joint, &JointParams),
-        going: &Going<'_, J>,
+        going: &Going,
     ) -> Result<(), Fault> {
         let Some(angle) = self.angles.get_mut(m) else {
             return Ok(());
@@ -99,7 +106,7 @@ impl<const J: usize> LegDrive<J> {
         if !free.widened(ROUNDING).contains(*angle) {
             *angle = angle.max(free.min).min(free.max);
             *track = track.stopped_at([*angle]);
-            return Err(Fault::JointLimit(going.number, number(m)));
+            return Err(Fault::JointLimit(n, number(m)));
         }
         Ok(())
     }
@@ -110,7 +117,7 @@ impl<const J: usize> LegDrive<J> {
         track: &mut Track<1>,
         measured: f64,
         (joint, params): (&Joint, &JointParams),
-        going: &Going<'_, J>,
+        going: &Going,
     ) {
         track.advance(params.limits(), going.dt, going.held);
         let goal = track.goal();
@@ -133,15 +140,15 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         point: Point,
         track: &mut Track<3>,
-        leg: &Leg<J>,
-        going: &Going<'_, J>,
+        leg: &Mover<'_, J>,
+        going: &Going,
     ) -> Result<(), Fault> {
         if track.goal().is_soft() {
             self.advance_soft_point(point, track, leg, going);
             return Ok(());
         }
         let before = *track;
-        track.advance(going.foot.limits(), going.dt, going.held);
+        track.advance(leg.params.foot.limits(), going.dt, going.held);
         match self.solve(point, track, leg, going) {
             Ok(angles) => {
                 let moving = self.angles.iter_mut().zip(angles);
@@ -153,7 +160,7 @@ impl<const J: usize> LegDrive<J> {
             Err(fault) => {
                 *track = before.stopped_at(before.position());
                 Err(match track.goal().target() {
-                    Some(_) => Fault::OutOfReach(name(point, going.number)),
+                    Some(_) => Fault::OutOfReach(name(point, leg.number)),
                     None => fault,
                 })
             }
@@ -166,8 +173,8 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         point: Point,
         track: &Track<3>,
-        leg: &Leg<J>,
-        going: &Going<'_, J>,
+        leg: &Mover<'_, J>,
+        going: &Going,
     ) -> Result<[f64; J], Fault> {
         let foot = track.position();
         let is_closed = going.inverse == Inverse::YawPitchPitch && point == Point::Tip;
@@ -175,8 +182,8 @@ impl<const J: usize> LegDrive<J> {
         if let Some(solved) = solved.filter(|_| is_closed) {
             return Ok(solved.angles);
         }
-        let name = (point, going.number);
-        let angles = follow(going.inverse, leg, name, &self.angles, track)?;
+        let name = (point, leg.number);
+        let angles = follow(going.inverse, leg.model, name, &self.angles, track)?;
         if is_closed {
             self.solved = Some(Solved { foot, angles });
         }
@@ -187,13 +194,13 @@ impl<const J: usize> LegDrive<J> {
         &mut self,
         point: Point,
         track: &mut Track<3>,
-        leg: &Leg<J>,
-        going: &Going<'_, J>,
+        leg: &Mover<'_, J>,
+        going: &Going,
     ) {
-        track.advance(going.foot.limits(), going.dt, going.held);
-        let chain = Chain::new(leg, going.measured);
+        track.advance(leg.params.foot.limits(), going.dt, going.held);
+        let chain = Chain::new(leg.model, leg.measured);
         let at = going.inverse.flat(chain.point(point).unwrap_or([0.0; 3]));
-        let PointParams { stiffness, limit } = going.foot.of_point(point);
+        let PointParams { stiffness, limit } = leg.params.foot.of_point(point);
         let force = match track.goal() {
             Goal::Effort(force) => {
                 *track = track.stopped_at(at);
@@ -207,7 +214,8 @@ impl<const J: usize> LegDrive<J> {
         let Some(torques) = chain.torques_of_force(point, force) else {
             return;
         };
-        let data = leg.joints.iter().zip(going.joints).zip(going.measured);
+        let data = leg.model.joints.iter().zip(&leg.params.joints);
+        let data = data.zip(leg.measured);
         for (m, (torque, ((joint, params), measured))) in
             torques.iter().zip(data).enumerate().take(point.moved_by(J))
         {
@@ -223,7 +231,7 @@ impl<const J: usize> LegDrive<J> {
         torque: f64,
         measured: f64,
         (joint, params): (&Joint, &JointParams),
-        going: &Going<'_, J>,
+        going: &Going,
     ) {
         let (Some(slot), Some(angle)) = (self.torques.get_mut(m), self.angles.get_mut(m)) else {
             return;

@@ -1,14 +1,15 @@
 //! Stiffness of positions, and the limits of compliance (T.I.P. 3.1 §7-8-3-5 to §7-8-3-9).
 
+use super::JointParams;
 use crate::command::{Command, Op, Target, Value};
-use crate::controller::{Controller, targets};
+use crate::controller::{ControllerView, targets};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
 /// Three operands along x, y and z.
 type Axes = [f64; 3];
 
-impl<const L: usize, const J: usize> Controller<'_, L, J> {
+impl<const J: usize> ControllerView<'_, J> {
     /// Carries out a command of springs and their limits; `None` if the command is none.
     pub(super) fn set_spring(&mut self, command: &Command<'_>) -> Option<Result<(), Fault>> {
         Some(match command.op {
@@ -23,8 +24,8 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     fn set_position_stiffness(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let stiffness = self.axes(command.values, |v| v >= 0.0)?;
-        for foot in targets::feet(&mut self.params.feet, command.target)? {
-            foot.stiffness = stiffness;
+        for leg in targets::feet(&mut self.legs, command.target)? {
+            leg.params.foot.stiffness = stiffness;
         }
         Ok(())
     }
@@ -36,16 +37,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         }
         match (command.target, command.values) {
             (Target::Joint(n, m), [limit]) => {
-                targets::joint_mut(&mut self.params.joints, n, m)?.limit = Some(limit.number());
+                self.joint_params(n, m)?.limit = Some(limit.number());
             }
             (Target::All, [limit]) => {
-                for joint in self.params.joints.iter_mut().flatten() {
+                for joint in self.legs.iter_mut().flat_map(|leg| &mut leg.params.joints) {
                     joint.limit = Some(limit.number());
                 }
             }
             (Target::Foot(n), limits) if limits.len() == J => {
-                let joints = targets::leg_mut(&mut self.params.joints, n)?;
-                for (joint, limit) in joints.iter_mut().zip(limits) {
+                let leg = targets::leg_mut(&mut self.legs, n)?;
+                for (joint, limit) in leg.params.joints.iter_mut().zip(limits) {
                     joint.limit = Some(limit.number());
                 }
             }
@@ -56,13 +57,11 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     fn unlimit_torques(&mut self, target: Target) -> Result<(), Fault> {
         if let Target::Joint(n, m) = target {
-            targets::joint_mut(&mut self.params.joints, n, m)?.limit = None;
+            self.joint_params(n, m)?.limit = None;
             return Ok(());
         }
-        for joint in targets::feet(&mut self.params.joints, target)?
-            .iter_mut()
-            .flatten()
-        {
+        let legs = targets::feet(&mut self.legs, target)?;
+        for joint in legs.iter_mut().flat_map(|leg| &mut leg.params.joints) {
             joint.limit = None;
         }
         Ok(())
@@ -75,14 +74,14 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
 
     fn put_force_limit(&mut self, target: Target, limit: Option<Axes>) -> Result<(), Fault> {
         if target == Target::All {
-            for foot in &mut self.params.feet {
-                foot.foot_limit = limit;
-                foot.third_limit = limit;
+            for leg in &mut self.legs {
+                leg.params.foot.foot_limit = limit;
+                leg.params.foot.third_limit = limit;
             }
             return Ok(());
         }
         let (n, point) = self.point_of(target)?;
-        let foot = targets::leg_mut(&mut self.params.feet, n)?;
+        let foot = &mut targets::leg_mut(&mut self.legs, n)?.params.foot;
         match point {
             Point::Tip => foot.foot_limit = limit,
             Point::Joint(_) => foot.third_limit = limit,
@@ -90,11 +89,16 @@ impl<const L: usize, const J: usize> Controller<'_, L, J> {
         Ok(())
     }
 
+    fn joint_params(&mut self, n: u8, m: u8) -> Result<&mut JointParams, Fault> {
+        let leg = targets::leg_mut(&mut self.legs, n)?;
+        targets::leg_mut(&mut leg.params.joints, m)
+    }
+
     /// Three operands in their domain; z goes unchecked where it does not count.
     fn axes(&self, values: &[Value], in_domain: fn(f64) -> bool) -> Result<Axes, Fault> {
         let [x, y, z]: [Value; 3] = values.try_into().map_err(|_| Fault::Domain)?;
         let good = |value: Value| value.number().is_finite() && in_domain(value.number());
-        let [_, _, space] = self.model.inverse.axes();
+        let [_, _, space] = self.robot.inverse.axes();
         if good(x) && good(y) && (!space || good(z)) {
             Ok([x.number(), y.number(), z.number()])
         } else {

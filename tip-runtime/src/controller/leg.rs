@@ -1,0 +1,108 @@
+//! Everything that the controller keeps of one leg.
+
+use super::drive::{Going, LegDrive, Mover};
+use super::params::LegParams;
+use super::trajectory::Track;
+use super::vibrate::{Shaken, Shaker};
+use crate::fault::Fault;
+use crate::hardware::JointCommand;
+use crate::kinematics::{Chain, Point};
+use crate::model::{Inverse, Leg, Whole};
+
+/// One leg: what it is, what it is to do, and what it measured.
+#[derive(Clone, Copy, Debug)]
+pub struct LegState<'m, const J: usize> {
+    pub(super) model: &'m Leg<J>,
+    pub(super) params: LegParams<J>,
+    pub(super) drive: LegDrive<J>,
+    pub(super) shakers: [Shaker; J],
+    /// Measured: deg.
+    pub(super) angles: [f64; J],
+    /// Measured joint rates: deg/s.
+    pub(super) rates: [f64; J],
+    /// Measured, in the robot's torque unit.
+    pub(super) torques: [f64; J],
+    /// Of the sole's pressure sensor: V.
+    pub(super) paw: f64,
+    /// For how many cycles the leg has been still in a search; `None` if it does not search.
+    pub(super) search: Option<u16>,
+}
+
+impl<'m, const J: usize> LegState<'m, J> {
+    /// A leg in its initial posture, not controlled, with standard parameters.
+    pub(super) fn new(model: &'m Leg<J>, robot: &Whole<'_>) -> Self {
+        LegState {
+            model,
+            params: LegParams::standard(robot),
+            drive: LegDrive::free(model.initial),
+            shakers: [Shaker::STILL; J],
+            angles: model.initial,
+            rates: [0.0; J],
+            torques: [0.0; J],
+            paw: 0.0,
+            search: None,
+        }
+    }
+
+    /// Leg `number` moves on by one sampling time.
+    ///
+    /// # Errors
+    /// As those of its drive.
+    pub(super) fn advance(&mut self, number: u8, going: &Going) -> Result<(), Fault> {
+        let leg = Mover {
+            number,
+            model: self.model,
+            params: &self.params,
+            measured: &self.angles,
+        };
+        self.drive.advance(&leg, going)
+    }
+
+    /// The leg where it is measured.
+    pub(super) fn chain(&self) -> Chain<J> {
+        Chain::new(self.model, &self.angles)
+    }
+
+    /// Where a point of it is measured: mm.
+    pub(super) fn place(&self, point: Point, inverse: Inverse) -> Result<[f64; 3], Fault> {
+        let place = self.chain().point(point).ok_or(Fault::Domain)?;
+        Ok(inverse.flat(place))
+    }
+
+    /// A point's target, or where the point is if it has none: mm.
+    pub(super) fn target(&self, point: Point, inverse: Inverse) -> Result<[f64; 3], Fault> {
+        let own = self.drive.own_point(point);
+        match own.and_then(|track| track.goal().target()) {
+            Some(target) => Ok(target),
+            None => self.place(point, inverse),
+        }
+    }
+
+    /// The joints' set points, in the motion that the leg is commanded now. Joints that served
+    /// a point are to stay where they are measured.
+    pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
+        self.drive.joints(self.model, &self.angles, inverse)
+    }
+
+    /// What its joints are commanded, vibrations included.
+    pub(super) fn outputs(&self, robot: &Whole<'_>) -> [JointCommand; J] {
+        let mut commands = self.drive.outputs();
+        let Some(per_volt) = robot.vibration else {
+            return commands;
+        };
+        let joints = self.model.joints.iter().zip(&self.params.joints);
+        let states = self.shakers.iter().zip(&self.angles);
+        for (command, ((joint, params), (shaker, measured))) in
+            commands.iter_mut().zip(joints.zip(states))
+        {
+            let state = Shaken {
+                per_volt,
+                torque_unit: robot.torque_unit(),
+                torque_max: params.torque_max,
+                measured: *measured,
+            };
+            *command = shaker.shaken(*command, joint, &state);
+        }
+        commands
+    }
+}

@@ -1,0 +1,219 @@
+//! One control cycle, whatever the number of legs, the program and the hardware.
+
+use super::context::StepContext;
+use super::devices::Devices;
+use super::state::{State, Status};
+use super::wires::Wires;
+use crate::console::Console;
+use crate::controller::ControllerView;
+use crate::emergency::{Emergency, Report};
+use crate::fault::Fault;
+use crate::hardware::HardwareFault;
+use crate::model::Family;
+use crate::program::{Flow, Program};
+use crate::record::{self, Dump, Sample, Sink};
+use crate::special::Special;
+
+/// The most bytes taken from the console in one cycle, so that an endless source cannot stall it.
+const KEYS_PER_CYCLE: usize = 256;
+
+/// All parts of a machine, for one cycle.
+pub(super) struct ControlCycle<'a, 'm, const J: usize> {
+    pub(super) program: &'a mut dyn Program,
+    pub(super) robot: &'a mut dyn Wires<J>,
+    pub(super) console: &'a mut dyn Console,
+    pub(super) special: &'a mut dyn Special,
+    pub(super) controller: &'a mut ControllerView<'m, J>,
+    pub(super) state: &'a mut State,
+}
+
+impl<const J: usize> ControlCycle<'_, '_, J> {
+    pub(super) fn run(&mut self, sink: Option<&mut dyn Sink>) -> Status {
+        if let Some(emergency) = &self.state.emergency {
+            self.robot.stop(&emergency.fault);
+        } else if let Err(fault) = self.sample().and_then(|()| self.act(sink)) {
+            self.stop(fault);
+        }
+        self.state.status
+    }
+
+    /// Phase 1: every sensor, the keyboard, and what the controller makes of it.
+    fn sample(&mut self) -> Result<(), Fault> {
+        if let Some(fault) = self.state.pending.take() {
+            return Err(fault);
+        }
+        self.state.sampled_at = self.state.time;
+        self.robot.read().map_err(hardware_fault)?;
+        self.take_keys();
+        if core::mem::take(&mut self.state.stop_requested) {
+            return Err(Fault::EmergencyKey);
+        }
+        self.controller.take_in(&self.robot.sensors())
+    }
+
+    fn take_keys(&mut self) {
+        for _ in 0..KEYS_PER_CYCLE {
+            match self.console.key(self.state.cycles) {
+                Some(byte) => self.state.key(byte),
+                None => break,
+            }
+        }
+    }
+
+    /// Phases 2 and 3: one step, unless there is none to run, then the robot.
+    fn act(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<(), Fault> {
+        if !self.state.status.is_running() || self.state.paused {
+            self.drive();
+            return Ok(());
+        }
+        let step = self.program.at();
+        let flow = self.step(sink.as_mut().map(|sink| &mut **sink as &mut dyn Sink))?;
+        self.serve_console(step);
+        if !matches!(flow, Flow::Finished(_)) {
+            let mut devices = Devices {
+                controller: self.controller,
+                sensors: self.robot.sensors(),
+                board: &mut self.state.board,
+            };
+            self.state.pending = self.special.cycle(&mut devices).err();
+        }
+        self.drive();
+        self.log();
+        let next = match flow {
+            Flow::Next | Flow::Wait => Some(self.program.at()),
+            Flow::Finished(_) => None,
+        };
+        if let Some(sink) = sink {
+            self.record(sink, step, next);
+        }
+        self.state.cycles += 1;
+        if let Flow::Finished(end) = flow {
+            self.state.status = Status::Finished(end);
+            self.console.ended();
+        }
+        Ok(())
+    }
+
+    /// Phase 2.
+    fn step(&mut self, mut sink: Option<&mut dyn Sink>) -> Result<Flow, Fault> {
+        if let Some(sink) = &mut sink {
+            sink.begin(self.program);
+        }
+        let flow = self.program.step(&mut StepContext {
+            devices: Devices {
+                controller: self.controller,
+                sensors: self.robot.sensors(),
+                board: &mut self.state.board,
+            },
+            special: self.special,
+            console: self.console,
+            sink: sink.map(|sink| sink as &mut dyn Sink),
+            first: !self.state.waiting,
+        })?;
+        self.state.waiting = flow == Flow::Wait;
+        if let Flow::Finished(_) = flow {
+            self.controller.finish();
+        }
+        Ok(flow)
+    }
+
+    /// What the step asked of the console and could not reach itself.
+    fn serve_console(&mut self, step: u32) {
+        let board = &mut self.state.board;
+        if let Some(on) = board.silence.take() {
+            self.console.silent(on);
+        }
+        let torques = self.robot.sensors().torques;
+        board.graphs.show(
+            self.state.sampled_at,
+            torques,
+            self.controller,
+            self.console,
+        );
+        if core::mem::take(&mut board.dump_requested) {
+            self.console.variables(&Dump {
+                program: self.program,
+                cycle: self.state.cycles,
+                step,
+            });
+        }
+    }
+
+    /// Phase 3: trajectories, servo and plant advance by one sampling time.
+    fn drive(&mut self) {
+        let period = self.controller.period();
+        self.controller.advance();
+        let outputs = self.robot.outputs();
+        self.controller.put_outputs(outputs.joints);
+        *outputs.slider = self.controller.slider();
+        *outputs.lamps = self.state.board.lamps;
+        *outputs.period = period;
+        if core::mem::take(&mut self.state.board.held_for_dump) {
+            self.controller.release();
+        }
+        if let Err(fault) = self.robot.write() {
+            self.state.pending.get_or_insert(hardware_fault(fault));
+        }
+        self.state.time += period;
+    }
+
+    /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
+    fn log(&mut self) {
+        if !self.state.board.sampling.take() {
+            return;
+        }
+        let sensors = self.robot.sensors();
+        let senses_torque = !matches!(self.controller.robot().family, Family::Titan);
+        self.console.sample(&Sample {
+            cycle: self.state.cycles,
+            time: self.state.sampled_at,
+            joints_per_leg: J,
+            angles: sensors.angles.as_flattened(),
+            commands: self.robot.commands().as_flattened(),
+            torques: if senses_torque {
+                sensors.torques.as_flattened()
+            } else {
+                &[]
+            },
+            paws: sensors.paws,
+            knobs: &sensors.knobs,
+            antenna: sensors.antenna,
+        });
+    }
+
+    fn record(&self, sink: &mut dyn Sink, step: u32, next: Option<u32>) {
+        sink.cycle(&record::Cycle {
+            number: self.state.cycles,
+            step,
+            next,
+            program: self.program,
+            commands: self.robot.commands().as_flattened(),
+            angles: self.robot.sensors().angles.as_flattened(),
+        });
+    }
+
+    /// Emergency stop: the robot freezes where it is.
+    fn stop(&mut self, fault: Fault) {
+        let emergency = Emergency {
+            fault,
+            step: self.program.at(),
+            cycle: self.state.cycles,
+        };
+        let was_running = self.state.status.is_running();
+        self.state.emergency = Some(emergency);
+        self.state.status = Status::Emergency;
+        self.controller.emergency();
+        self.robot.stop(&fault);
+        self.console.emergency(&Report {
+            emergency,
+            program: self.program,
+        });
+        if was_running {
+            self.console.ended();
+        }
+    }
+}
+
+fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
+    Fault::Hardware(what)
+}

@@ -1,0 +1,89 @@
+//! Where a machine is in its run.
+
+use super::board::Board;
+use crate::controller::ControllerView;
+use crate::emergency::Emergency;
+use crate::fault::Fault;
+use crate::program::End;
+
+/// The software emergency stop.
+const RETURN_KEY: u8 = 0x0D;
+/// The halt request.
+const ESCAPE_KEY: u8 = 0x1B;
+
+/// What became of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It runs, or is paused.
+    Running,
+    /// It ended itself; the servo loop goes on.
+    Finished(End),
+    /// The robot is in emergency stop.
+    Emergency,
+}
+
+impl Status {
+    /// The program has not ended yet.
+    pub const fn is_running(self) -> bool {
+        matches!(self, Status::Running)
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub(super) status: Status,
+    pub(super) emergency: Option<Emergency>,
+    /// What went wrong after the last step, to be found in the next cycle.
+    pub(super) pending: Option<Fault>,
+    /// The last step waits, so that the next cycle continues it.
+    pub(super) waiting: bool,
+    pub(super) paused: bool,
+    pub(super) stop_requested: bool,
+    pub(super) cycles: u64,
+    /// Since the start: ms.
+    pub(super) time: f64,
+    /// When the sensors were sampled.
+    pub(super) sampled_at: f64,
+    pub(super) board: Board,
+}
+
+impl State {
+    pub(super) fn new() -> Self {
+        State {
+            status: Status::Running,
+            emergency: None,
+            pending: None,
+            waiting: false,
+            paused: false,
+            stop_requested: false,
+            cycles: 0,
+            time: 0.0,
+            sampled_at: 0.0,
+            board: Board::new(),
+        }
+    }
+
+    pub(super) fn key(&mut self, byte: u8) {
+        match byte {
+            RETURN_KEY => self.stop_requested = true,
+            ESCAPE_KEY => self.board.halt_requested = true,
+            _ => self.board.keyboard.push(byte),
+        }
+    }
+
+    pub(super) fn pause<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
+        if !self.paused {
+            self.paused = true;
+            self.board.held_for_pause = controller.take_hold();
+        }
+    }
+
+    pub(super) fn resume<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
+        if self.paused {
+            self.paused = false;
+            if core::mem::take(&mut self.board.held_for_pause) {
+                controller.release();
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What a model says of the robot as a whole, whatever the number of its legs.
+
+use super::{Family, Forces, Inverse, Model, PerVolt, Range, Slider, Standards};
+
+/// A model without its legs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Whole<'m> {
+    pub(crate) family: Family,
+    pub(crate) inverse: Inverse,
+    pub(crate) standards: &'m Standards,
+    pub(crate) periods: Range,
+    pub(crate) contact: f64,
+    pub(crate) lamps: u8,
+    pub(crate) forces: Option<&'m Forces>,
+    pub(crate) slider: Option<&'m Slider>,
+    pub(crate) vibration: Option<PerVolt>,
+}
+
+impl<'m> Whole<'m> {
+    pub(crate) const fn of<const L: usize, const J: usize>(model: &'m Model<L, J>) -> Self {
+        Whole {
+            family: model.family,
+            inverse: model.inverse,
+            standards: &model.standards,
+            periods: model.periods,
+            contact: model.contact,
+            lamps: model.lamps,
+            forces: model.forces.as_ref(),
+            slider: model.slider.as_ref(),
+            vibration: model.vibration,
+        }
+    }
+
+    /// How many of the robot's torque unit one N·m is.
+    pub(crate) fn torque_unit(&self) -> f64 {
+        self.forces
+            .map_or(1.0, |forces| forces.unit.per_newton_metre())
+    }
+}
