@@ -1,6 +1,6 @@
 //! How a run ended.
 
-use crate::machine::Emergency;
+use crate::emergency::Emergency;
 use crate::program::End;
 
 /// How a run ended.
