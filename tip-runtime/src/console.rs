@@ -57,7 +57,7 @@ pub trait Console {
         let _ = dump;
     }
 
-    /// The emergency stop, told once.
+    /// The emergency stop, reported once.
     fn emergency(&mut self, report: &Report<'_>) {
         let _ = report;
     }

@@ -54,7 +54,7 @@ impl Range {
     }
 }
 
-/// A revolute joint and the link behind it.
+/// A revolute joint and the link after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
     /// Unit vector of the axis in the frame of the link before; right-handed.
@@ -188,16 +188,16 @@ pub struct Forces {
 /// What one volt of [vibration](crate::vibration) does to a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerVolt {
-    /// To the angle that it is told: deg.
+    /// To the angle that is commanded: deg.
     pub angle: f64,
-    /// To the torque that it is told, in the robot's [`TorqueUnit`].
+    /// To the torque that is commanded, in the robot's [`TorqueUnit`].
     pub torque: f64,
 }
 
 /// A slider that carries the floor under a hand (`FLOOR`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
-    /// Where it stands at first: mm.
+    /// Where it is at first: mm.
     pub initial: [f64; 3],
     /// How far it goes along x, y and z: mm.
     pub travel: [Range; 3],

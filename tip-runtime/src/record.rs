@@ -38,7 +38,7 @@ pub struct Cycle<'a> {
     pub number: u64,
     /// The step that ran.
     pub step: u32,
-    /// The step of the next cycle; `None` behind END and EXIT.
+    /// The step of the next cycle; `None` after END and EXIT.
     pub next: Option<u32>,
     /// The program after the step, for its variables.
     pub program: &'a dyn Program,
@@ -57,7 +57,7 @@ pub trait Sink {
         let _ = program;
     }
 
-    /// A robot command was accepted: told in the first cycle of the command only.
+    /// A robot command was accepted: reported in the first cycle of the command only.
     fn command(&mut self, command: &Command<'_>) {
         let _ = command;
     }

@@ -18,7 +18,7 @@ use std::vec::Vec;
 const TITAN_LOG: &str = "TITAN.LOG";
 /// The report of an emergency stop.
 const EMERGENCY_LOG: &str = "EMG.log";
-/// Every text of OUTPUT_VARIABLES, one behind the other.
+/// Every text of OUTPUT_VARIABLES, one after the other.
 const VARIABLES_LOG: &str = "VARIABLES.LOG";
 /// What the compiler warned of.
 const WARNING_LOG: &str = "WARNING.LOG";
@@ -45,7 +45,7 @@ impl<C> LogFiles<C> {
     /// Takes `folder`, which is made if it is missing, for the files of `program`.
     ///
     /// # Errors
-    /// A file of another program, or one that is no log at all, stands in the way. Or the folder
+    /// A file of another program, or one that is not a log at all, is in the way. Or the folder
     /// cannot be made.
     pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
         let claim = Claim::new(folder.into(), program);

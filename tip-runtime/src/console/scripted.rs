@@ -10,7 +10,7 @@ use std::vec::Vec;
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
-/// Types keys at given cycles; everything else is the inner console's affair.
+/// Types keys at given cycles; everything else is left to the inner console.
 #[derive(Clone, Debug, Default)]
 pub struct Scripted<C = Transcript> {
     keys: Vec<(u64, u8)>,
@@ -96,7 +96,7 @@ impl<C: Console> Console for Scripted<C> {
     }
 }
 
-/// Remembers everything that it was told, in order of arrival.
+/// Remembers everything that was reported to it, in order of arrival.
 #[derive(Clone, Debug, Default)]
 pub struct Transcript {
     /// The messages; an empty one cleared the line.
@@ -109,7 +109,7 @@ pub struct Transcript {
     pub variables: Vec<String>,
     /// The text of EMG.log.
     pub emergency: Option<String>,
-    /// How often the program's end was told.
+    /// How often the program's end was reported.
     pub ended: u32,
 }
 

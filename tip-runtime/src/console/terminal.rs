@@ -22,7 +22,7 @@ const RETURN: u8 = 0x0D;
 /// The terminal of standard input, showing messages on an output.
 ///
 /// While it lives, keys arrive without RETURN and unechoed; dropping it restores the terminal. If
-/// standard input is no terminal, it is left alone and no keys arrive.
+/// standard input is not a terminal, it is left alone and no keys arrive.
 ///
 /// Ctrl-C arrives as a byte as well: it stops the robot as the RETURN key does, unless
 /// [`report_interrupts`](Self::report_interrupts) says otherwise.
@@ -117,9 +117,9 @@ impl<W: Write> Console for Terminal<W> {
     }
 }
 
-/// The output: one line that each message takes over from the one before, behind the bar graphs.
+/// The output: one line, after the bar graphs, that each message takes over from the previous one.
 ///
-/// A console has no way to refuse a text, so a closed output loses it.
+/// A console cannot refuse a text, so a closed output loses it.
 #[derive(Debug)]
 struct MessageLine<W> {
     output: W,

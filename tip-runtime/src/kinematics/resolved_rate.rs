@@ -170,7 +170,7 @@ fn clamp<const J: usize>(leg: &Leg<J>, from: &[f64; J], angles: &mut [f64; J]) {
     }
 }
 
-/// How far a joint that stands at `from` may go.
+/// How far a joint at `from` may go.
 fn limits(joint: &Joint, from: f64) -> Range {
     Range::new(joint.limits.min.min(from), joint.limits.max.max(from))
 }

@@ -1,6 +1,6 @@
 //! Descriptions in Rust: constants with a default for whatever they leave out.
 //!
-//! Other values than the defaults are one struct update away; [`Model::check`] tells what is nonsense.
+//! Other values than the defaults are one struct update away; [`Model::check`] reports what is inconsistent.
 //!
 //! ```
 //! use tip_runtime::model::{Body, Joint, Leg, Model, Range};

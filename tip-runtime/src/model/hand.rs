@@ -1,7 +1,7 @@
 //! Hiroshima Hand: three fingers of three joints that move in the x–y plane, and a slider.
 //!
 //! A link hangs straight down from the palm at 0 deg; angles add up along the finger, and positive
-//! ones close it towards the centre. F1 opposes F2 and F3, which stand apart along z.
+//! ones close it towards the centre. F1 opposes F2 and F3, which are apart along z.
 //!
 //! Link lengths, limits and masses are assumptions: no public figures exist. They are data, to be
 //! replaced by those of the robot at hand.
@@ -14,7 +14,7 @@ const L1: f64 = 70.0;
 const L2: f64 = 50.0;
 const L3: f64 = 40.0;
 
-/// How far F2 and F3 stand beside F1: mm.
+/// How far F2 and F3 are beside F1: mm.
 const APART: f64 = 30.0;
 
 /// The robot.

@@ -2,7 +2,7 @@
 //!
 //! Fingers are chains of rigid links with motors, objects are rigid bodies in the x–y plane, y being
 //! the height. Where things overlap they push each other apart with springs, dampers and Coulomb
-//! friction. Motion goes on in even steps of at most 0.1 ms, velocities first (semi-implicit Euler,
+//! friction. Motion advances in even steps of at most 0.1 ms, velocities first (semi-implicit Euler,
 //! Hairer, Lubich and Wanner, *Geometric Numerical Integration*, 2006, ch. I.1).
 //!
 //! This is code of ours and not a physics engine on purpose. An engine such as rapier resolves
@@ -12,7 +12,7 @@
 //!
 //! Links are lines and fingertips points, so that forces act exactly where kinematics has the
 //! fingertip. Fingers have no weight, since they are counterbalanced, and do not touch each other:
-//! those of one side stand beside each other.
+//! those of one side are beside each other.
 
 mod body;
 mod contact;

@@ -1,4 +1,4 @@
-//! Inputs that read what somebody set.
+//! Inputs that read what was set for them.
 
 use crate::analog::{self, Wire};
 use crate::command::Port;

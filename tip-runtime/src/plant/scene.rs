@@ -1,4 +1,4 @@
-//! What stands around a simulated robot: a floor, and objects to grasp.
+//! What surrounds a simulated robot: a floor, and objects to grasp.
 
 use super::Floor;
 use core::fmt;
@@ -89,7 +89,7 @@ impl Scene {
         scene
     };
 
-    /// The scene that `--scene` knows by this name.
+    /// The scene with this name, as `--scene` takes it.
     pub fn by_name(name: &str) -> Option<Self> {
         (name == "cylinder").then_some(Scene::CYLINDER)
     }
@@ -143,13 +143,13 @@ impl Default for Scene {
 pub enum SceneError {
     /// There are [`OBJECTS`] already.
     Full,
-    /// It is too small, or its size is no number.
+    /// It is too small, or its size is not a number.
     Size,
-    /// It is too light, or its mass is no number.
+    /// It is too light, or its mass is not a number.
     Mass,
     /// Its friction is negative or no number.
     Friction,
-    /// Its place is no number.
+    /// Its position is not a number.
     Place,
 }
 

@@ -131,7 +131,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     }
 
     /// Feet that are no more than `lift` mm above the lowest one, along the body's z axis, count as
-    /// standing when falls are watched (20 mm unless told otherwise). A program that leans the body
+    /// standing when falls are watched (20 mm by default). A program that leans the body
     /// on purpose needs more.
     #[must_use]
     pub fn with_lift(mut self, lift: f64) -> Self {

@@ -46,7 +46,7 @@ impl<W: Write> JsonLines<W> {
     /// Whether everything was written so far.
     ///
     /// # Errors
-    /// The writer refused; the records behind that place are missing.
+    /// The writer refused; the records after that place are missing.
     pub const fn result(&self) -> fmt::Result {
         self.result
     }
@@ -188,7 +188,7 @@ fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// A JSON string; characters beyond ASCII stand as they are (RFC 8259 §7).
+/// A JSON string; characters beyond ASCII stay as they are (RFC 8259 §7).
 fn string(out: &mut impl Write, text: &dyn Display) -> fmt::Result {
     out.write_char('"')?;
     write!(Escaped(out), "{text}")?;

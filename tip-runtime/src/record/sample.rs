@@ -2,7 +2,7 @@
 
 use crate::hardware::JointCommand;
 
-/// What a sampled cycle measured and sent. Joints stand leg by leg.
+/// What a sampled cycle measured and sent. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
     /// The program's cycle, from 0.

@@ -1,4 +1,4 @@
-//! A fingerprint of what the robot was told and did.
+//! A fingerprint of what the robot was commanded and did.
 
 use crate::hardware::JointCommand;
 

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::io;
 
-/// Makes any [`io::Write`] a [`fmt::Write`] and keeps the error that such a one cannot tell.
+/// Makes any [`io::Write`] a [`fmt::Write`] and keeps the error that `fmt::Write` cannot report.
 #[derive(Debug)]
 pub struct Stream<W> {
     writer: W,
@@ -19,7 +19,7 @@ impl<W: io::Write> Stream<W> {
         }
     }
 
-    /// Flushes, and tells the first error of all writing so far.
+    /// Flushes, and returns the first error of all writing so far.
     ///
     /// # Errors
     /// The first error of the writer; what came after it was not written.

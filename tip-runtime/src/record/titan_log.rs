@@ -5,7 +5,7 @@ use crate::command::{Port, Target};
 use core::fmt;
 use std::vec::Vec;
 
-/// Rows that are kept unless told otherwise: 200 s at 20 ms.
+/// Rows that are kept by default: 200 s at 20 ms.
 const ROWS: usize = 10_000;
 
 /// A bounded buffer of samples; when it is full, sampling stops (T.I.P. 3.1 §7-10-5).

@@ -90,7 +90,7 @@ impl Write for WholeFile {
 impl Drop for WholeFile {
     fn drop(&mut self) {
         if let Some(part) = &self.part {
-            // Nobody needs what is left of a failed attempt, and nobody is told here.
+            // What is left of a failed attempt is useless, and there is no one to report it to.
             let _ = fs::remove_file(&part.path);
         }
     }

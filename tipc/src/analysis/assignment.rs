@@ -2,8 +2,8 @@
 //!
 //! A data flow over the steps. For each scalar it holds whether a run can come to a step with the
 //! scalar unassigned, and whether with it assigned. A read that finds nothing ends the run, so a run
-//! that goes on has a value there. A call goes on behind it only with what some way through the
-//! subroutine leaves behind: calls and returns match, at any depth. A scalar that each basic block
+//! that goes on has a value there. A call continues only with what some path through the
+//! subroutine leaves: calls and returns match, at any depth. A scalar that each basic block
 //! assigns before it reads it needs no data flow; up to 63 others are a machine word for each block.
 //! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, the memory
 //! O(steps + scalars).
@@ -28,11 +28,11 @@ use touches::{Sorted, Touches};
 /// Whether a read finds a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Assigned {
-    /// On every way to it.
+    /// On every path to it.
     Always,
-    /// On some way, but not on every one.
+    /// On some path, but not on every one.
     Sometimes,
-    /// On no way.
+    /// On no path.
     Never,
 }
 

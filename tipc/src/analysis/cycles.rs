@@ -1,7 +1,7 @@
 //! How many control cycles parts of a program take (T.I.P. 3.1 §10-3: one command a cycle).
 //!
-//! The counts are exact over the ways that the flow of control knows: the least is the shortest way,
-//! the most the longest one, and there is none where a way can go in circles. A call counts with what
+//! The counts are exact over all paths of the control flow: the minimum is the shortest path,
+//! the maximum the longest one, and there is none where a path can loop. A call counts with what
 //! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
 //! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
 //! ten open calls are one. Each part takes time O(n log n) in the number of steps that it can pass.

@@ -1,7 +1,7 @@
 //! Which steps can follow which (T.I.P. 3.1 §7-6).
 //!
 //! A node is a step; ELSEIF and ELSE are two, since what they do depends on how they are reached.
-//! Conditions and loops over constants go only the way that they really go.
+//! Conditions and loops over constants follow only the branch that they really take.
 
 use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::ops::Deref;
@@ -94,7 +94,7 @@ impl Flow {
 /// What counting cycles asks beyond.
 #[cfg(feature = "tools")]
 impl Flow {
-    /// The first node of a step; the number of nodes for one behind the last.
+    /// The first node of a step; the number of nodes for one past the last.
     pub(super) fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
     }
@@ -124,7 +124,7 @@ fn has_two_nodes(action: &Action) -> bool {
 
 /// Where steps lead.
 struct Ways {
-    /// The first node of each step, and one behind the last.
+    /// The first node of each step, and one past the last.
     first: Vec<NodeId>,
     /// The last node of each step.
     last: Vec<NodeId>,
@@ -146,7 +146,7 @@ impl Ways {
         ways
     }
 
-    /// A step reached "taken"; none behind the last.
+    /// A step reached "taken"; none past the last.
     fn to(&self, step: StepId) -> Option<NodeId> {
         self.first.get(step as usize).copied()
     }
@@ -251,7 +251,7 @@ fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Opt
     }
 }
 
-/// What a condition always is, if that can be told: two constants compared.
+/// What a condition always is, if that is known: two constants compared.
 fn always(condition: Condition) -> Option<bool> {
     match condition {
         Condition::Compare {

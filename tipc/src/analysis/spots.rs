@@ -1,4 +1,4 @@
-//! Where runs of a program can come by: its steps, and the edges, which are the ways on from steps that have several.
+//! What runs of a program can reach: its steps, and the edges that leave steps with several of them.
 
 use super::flow::{Flow, Node, NodeId};
 use crate::program::{Action, Program, StepId};
@@ -9,11 +9,11 @@ use std::collections::{BTreeSet, HashMap};
 pub struct Spot {
     /// The step, or the one that the edge leaves.
     pub step: StepId,
-    /// The way that the edge goes, such as `true` or `passed`; none for a step.
+    /// Which edge it is, such as `true` or `passed`; none for a step.
     pub way: Option<&'static str>,
 }
 
-/// Where a run stands.
+/// Where a run is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The step that runs next.
@@ -23,7 +23,7 @@ pub struct Place {
 }
 
 /// The spots that the flow of control can come to. An IF has two edges; an ELSEIF has three, since the branch above it
-/// passes it; a call has one on which it is returned from, whichever RETURN takes it. A step that always goes the same way has none.
+/// passes it; a call has one on which it is returned from, whichever RETURN takes it. A step that always leads to the same place has none.
 #[derive(Clone, Debug)]
 pub struct Spots {
     flow: Flow,
@@ -65,7 +65,7 @@ impl Spots {
     fn add_edges(&mut self, action: &Action, id: NodeId, node: &Node) {
         let called = node.call.map(|call| call.entry);
         let ways: BTreeSet<NodeId> = node.next.iter().copied().chain(called).collect();
-        // Each node of an ELSEIF or ELSE may have one way only; together they have several.
+        // Each node of an ELSEIF or ELSE may have only one edge; together they have several.
         let has_two_nodes = matches!(action, Action::ElseIf { .. } | Action::Else { .. });
         if ways.len() > 1 || has_two_nodes {
             let edges = ways.into_iter().map(|to| {
@@ -86,7 +86,7 @@ impl Spots {
         self.spots.len() - 1
     }
 
-    /// The way from a node to another, in a word.
+    /// The edge from a node to another, in a word.
     fn way(&self, action: &Action, node: &Node, to: NodeId) -> &'static str {
         let goes_on = to == self.flow.first(node.step + 1);
         match (action, goes_on) {
@@ -105,7 +105,7 @@ impl Spots {
         &self.spots
     }
 
-    /// Whether some way leads to a step.
+    /// Whether some path leads to a step.
     pub fn can_reach(&self, step: StepId) -> bool {
         self.steps.contains_key(&step)
     }
@@ -146,7 +146,7 @@ const fn truth(is_true: bool) -> &'static str {
     if is_true { "true" } else { "false" }
 }
 
-/// The nodes that some way leads to from the start.
+/// The nodes that some path leads to from the start.
 fn live(flow: &Flow) -> BTreeSet<NodeId> {
     let mut live = BTreeSet::new();
     let mut open = vec![0];
@@ -170,7 +170,7 @@ mod tests {
         Spots::of(&loaded.program.expect("it loads"))
     }
 
-    /// The edges, as step and way.
+    /// The edges, as step and name.
     fn edges(statements: &str) -> Vec<(StepId, &'static str)> {
         let spots = spots(statements);
         let edges = spots.all().iter();
@@ -225,7 +225,7 @@ mod tests {
         assert!(spots.all().contains(&returned(0)) && spots.all().contains(&returned(1)));
         assert!(spots.can_reach(4) && !spots.can_reach(5));
         assert_eq!(spots.step(5), None);
-        // A RETURN behind the second call comes back to the EXIT.
+        // A RETURN after the second call returns to the EXIT.
         let at = |step| Place {
             step,
             not_taken: false,

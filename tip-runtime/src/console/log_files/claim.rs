@@ -104,7 +104,7 @@ impl Claim {
     }
 }
 
-/// Refuses a file that somebody wants to keep as it is.
+/// Refuses a file that someone wants to keep as it is.
 fn writable(path: &Path) -> io::Result<()> {
     if fs::metadata(path)?.permissions().readonly() {
         return Err(io::ErrorKind::PermissionDenied.into());

@@ -11,7 +11,7 @@ use std::io::{IsTerminal, stdin};
 pub struct TerminalState(Option<Termios>);
 
 impl TerminalState {
-    /// As it is now. If standard input is no terminal, or refuses, there is nothing to restore.
+    /// As it is now. If standard input is not a terminal, or refuses, there is nothing to restore.
     pub fn now() -> Self {
         let input = stdin();
         let state = input.is_terminal().then(|| tcgetattr(&input).ok());
@@ -32,7 +32,7 @@ impl TerminalState {
 pub(super) struct Raw(TerminalState);
 
 impl Raw {
-    /// `None` if standard input is no terminal, or refuses.
+    /// `None` if standard input is not a terminal, or refuses.
     pub(super) fn enter() -> Option<Self> {
         let former = TerminalState::now();
         let mut raw = former.0.clone()?;

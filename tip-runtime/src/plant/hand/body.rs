@@ -45,7 +45,7 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// At rest, with its centre at y = 0 if it has no place of its own.
+    /// At rest, with its centre at y = 0 if it has no position of its own.
     pub(super) fn new(object: &Object) -> Self {
         let mass = object.mass;
         let (outline, reach, inertia) = match object.shape {
@@ -132,7 +132,7 @@ impl Body {
         matches!(self.outline, Outline::Box(_))
     }
 
-    /// The nearest way out of it for a point: a unit vector, and how far; negative from outside.
+    /// The shortest path out of it for a point: a unit vector, and how far; negative from outside.
     #[inline]
     pub(super) fn way_out(&self, point: Vector) -> (Vector, f64) {
         let from = point - self.centre;

@@ -70,7 +70,7 @@ fn poking(link: &Link, along: Vector, body: &Body) -> [Option<Overlap>; 4] {
         .map(|corner| overlap(corner, away, (corner - link.start).dot(&away)))
 }
 
-/// The places where two bodies can touch: of boxes the corners of each, else one.
+/// The places where two bodies can touch: of boxes the corners of each, otherwise one.
 pub(super) fn of_bodies(first: &Body, second: &Body) -> [Option<Overlap>; 8] {
     let apart = first.centre - second.centre;
     let reach = first.reach + second.reach;

@@ -29,7 +29,7 @@ impl SliderServo {
         }
     }
 
-    /// Is sent somewhere, to arrive in `time` s; what is no place leaves it where it is.
+    /// Is sent somewhere, to arrive in `time` s; a position that is not a number leaves it where it is.
     pub(super) fn send(&mut self, target: [f64; 3], time: f64) {
         let axes = self.velocity.iter_mut().zip(self.position);
         for ((velocity, at), (target, travel)) in axes.zip(target.iter().zip(self.travel)) {

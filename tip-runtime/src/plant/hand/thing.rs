@@ -21,14 +21,14 @@ pub(super) struct Thing<const L: usize, const J: usize> {
     floor: [Bristle; 4],
     palm: [Bristle; 4],
     fingers: [[[Bristle; 5]; J]; L],
-    /// With those that stand after it in the scene.
+    /// With those after it in the scene.
     others: [[Bristle; 8]; OBJECTS],
     pub(super) on_floor: bool,
     pub(super) at_palm: bool,
 }
 
 impl<const L: usize, const J: usize> Thing<L, J> {
-    /// At rest. One without a place of its own stands on the floor.
+    /// At rest. One without a position of its own stands on the floor.
     pub(super) fn new(object: &Object, floor: &Surface) -> Self {
         let mut body = Body::new(object);
         if object.y.is_none() {

@@ -52,7 +52,7 @@ pub(super) struct Body {
     /// The origin along the floor: mm.
     pub(super) x: f64,
     pub(super) y: f64,
-    /// Turn about the floor's normal, behind the tilt: rad.
+    /// Turn about the floor's normal, after the tilt: rad.
     pub(super) heading: f64,
 }
 

@@ -40,7 +40,7 @@ impl FallWatch {
         }
     }
 
-    /// Looks at one instant. The polygon is that of the feet that stand, judged in the robot frame:
+    /// Looks at one instant. The polygon is that of the standing feet, judged in the robot frame:
     /// a body that tips follows the feet that were lifted, so being on the floor proves nothing.
     /// The belly belongs to it as soon as it carries; a body that comes to lie although its feet could
     /// not have held it has tipped. `down` is the direction of gravity.

@@ -53,7 +53,7 @@ fn distance(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     libm::hypot(off[0] - share * way[0], off[1] - share * way[1])
 }
 
-/// Twice the area of a triangle; positive if `point` is on the left of the way.
+/// Twice the area of a triangle; positive if `point` is on the left of the path.
 fn side(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     (to[0] - from[0]) * (point[1] - from[1]) - (to[1] - from[1]) * (point[0] - from[0])
 }

@@ -3,7 +3,7 @@
 use crate::hardware::JointCommand;
 use crate::model::Joint;
 
-/// How far behind its outer limit a joint meets its mechanical stop: deg.
+/// How far beyond its outer limit a joint meets its mechanical stop: deg.
 const STOP: f64 = 2.0;
 
 /// How all joints follow their commands.
@@ -38,7 +38,7 @@ impl ServoDynamics {
 /// What any joint may do in a piece of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stride {
-    /// How much of the way to its command it goes.
+    /// What fraction of the distance to its command it moves.
     share: f64,
     /// deg.
     farthest: f64,
@@ -92,7 +92,7 @@ impl Servo {
             }
             JointCommand::Torque(torque) => {
                 // Without inertia a torque that nothing balances turns a viscous joint. The load is
-                // taken as it is behind the turn (the implicit Euler method): a foot on a stiff floor
+                // taken as it is after the turn (the implicit Euler method): a foot on a stiff floor
                 // would bounce for good under the load that it had before.
                 self.torque = within(torque, -strongest, strongest);
                 let opposed = 1.0 + farthest.to_radians() * stiffness / strongest;

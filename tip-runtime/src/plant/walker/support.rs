@@ -44,7 +44,7 @@ pub(super) struct Support {
     pub(super) normal: Point,
     /// The body's origin above it: mm.
     pub(super) height: f64,
-    /// The rest was found; a body that tips is still on its way.
+    /// The rest was found; a body that tips is still moving.
     pub(super) found: bool,
 }
 
@@ -89,7 +89,7 @@ pub(super) fn loads<const L: usize>(
     points.map(|point| STIFFNESS * (-(normal.dot(&point) + height)).max(0.0))
 }
 
-/// The weight in a frame that stands level on the floor without the body's heading: N.
+/// The weight in a frame that is level on the floor, without the body's heading: N.
 fn pull(load: &Load, heading: f64) -> Point {
     let (sin, cos) = (libm::sin(heading), libm::cos(heading));
     let gravity = load.gravity;

@@ -17,7 +17,7 @@ struct Finger {
     fingertip: [f64; 2],
 }
 
-/// The closure under way.
+/// The closure in progress.
 #[derive(Clone, Copy, Debug)]
 struct Carrying {
     fingers: [Finger; FINGERS],

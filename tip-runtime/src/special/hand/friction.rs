@@ -119,7 +119,7 @@ impl FrictionControl {
         finger.shake(n, robot)
     }
 
-    /// SPECIAL 14 to 16: the frequency of finger `n`, from 1, which goes on in its wave.
+    /// SPECIAL 14 to 16: the frequency of finger `n`, from 1, whose wave keeps its phase.
     pub(super) fn tune(
         &mut self,
         n: u8,

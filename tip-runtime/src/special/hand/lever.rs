@@ -42,7 +42,7 @@ impl Lever {
         Ok(())
     }
 
-    /// SPECIAL 2: sets the springs, with the stiffness given here, else that of SPECIAL 1.
+    /// SPECIAL 2: sets the springs, with the stiffness given here, or else that of SPECIAL 1.
     pub(super) fn carry_on(
         &mut self,
         arguments: [Option<f64>; 2],

@@ -5,7 +5,7 @@ use super::touches::{Scalars, Touch, UNTOUCHED};
 use super::worklist::{Order, Worklist};
 use crate::analysis::flow::NodeId;
 
-/// What becomes of unassigned scalars on the way through something.
+/// What becomes of unassigned scalars on the path through something.
 #[derive(Clone, Copy, PartialEq)]
 struct Effect {
     /// The scalars that it neither reads nor assigns.
@@ -27,7 +27,7 @@ impl Effect {
         }
     }
 
-    /// This, and something behind it.
+    /// This, and then something after it.
     fn then(self, behind: Effect) -> Effect {
         Effect {
             untouched: self.untouched & behind.untouched,
@@ -36,8 +36,8 @@ impl Effect {
     }
 }
 
-/// What becomes of unassigned scalars on the ways from a block to the return of the call that it is in:
-/// a scalar is in a set if some way belongs there. `None` if there is no way.
+/// What becomes of unassigned scalars on the paths from a block to the return of the call that it is in:
+/// a scalar is in a set if some path belongs there. `None` if there is no path.
 type Passage = Option<Effect>;
 
 fn either(a: Passage, b: Passage) -> Passage {
@@ -50,7 +50,7 @@ fn either(a: Passage, b: Passage) -> Passage {
     }
 }
 
-/// How runs can come to a place. A scalar that may be neither way is one that no run comes there with.
+/// How runs can reach a place. A scalar that may be neither is one with which no run gets there.
 #[derive(Clone, Copy, Default, PartialEq)]
 struct State {
     /// The scalars that may be unassigned.
@@ -172,7 +172,7 @@ impl<'a> Batch<'a> {
             .is_err()
     }
 
-    /// Whether some way through the subroutine at a node leaves the scalar at bit 0 alone.
+    /// Whether some path through the subroutine at a node leaves the scalar at bit 0 alone.
     pub(super) fn passes(&self) -> impl Fn(NodeId) -> bool {
         let passages = self.passages();
         move |entry| {
@@ -181,7 +181,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// For each block, the ways to the return of the call that it is in.
+    /// For each block, the paths to the return of the call that it is in.
     fn passages(&self) -> Vec<Passage> {
         let blocks = self.blocks.all();
         let mut passages = vec![None; blocks.len()];
@@ -203,7 +203,7 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// The ways from behind a block.
+/// The paths from the end of a block.
 fn behind(block: &Block, passages: &[Passage]) -> Passage {
     let mut ways = block.returns.then_some(Effect::NONE);
     for next in block.next.iter() {

@@ -1,4 +1,4 @@
-//! Where a variable lacks a value, and a way that comes there.
+//! Where a variable lacks a value, and a path that leads there.
 
 use super::batch::Batch;
 use super::blocks::Blocks;
@@ -8,7 +8,7 @@ use crate::analysis::flow::{Flow, NodeId};
 use crate::program::{Program, StepId, VariableId};
 use std::collections::{BTreeMap, VecDeque};
 
-/// For how many gaps a way is searched. Each search takes time linear in the length of the program.
+/// For how many gaps a path is searched. Each search takes time linear in the length of the program.
 const WAYS: usize = 100;
 
 /// A variable that is read without a value: the first step in the source that does.
@@ -23,7 +23,7 @@ pub struct Gap {
     /// The step that reads it.
     pub step: StepId,
     /// The steps of a shortest run from step 0 to `step` on which the first of `scalars` gets no value;
-    /// of a subroutine that is left again, its call alone. Empty behind the first hundred gaps.
+    /// of a subroutine that is left again, its call alone. Empty after the first hundred gaps.
     pub way: Vec<StepId>,
 }
 
@@ -89,7 +89,7 @@ fn way(flow: &Flow, batch: &Batch<'_>, step: StepId) -> Vec<StepId> {
     Vec::new()
 }
 
-/// The steps on the way that led from node 0 to `id`.
+/// The steps on the path from node 0 to `id`.
 fn walked(flow: &Flow, from: &[Option<NodeId>], id: NodeId) -> Vec<StepId> {
     let nodes = std::iter::successors(Some(id), |id| from[*id]);
     let mut steps: Vec<StepId> = nodes.map(|id| flow.nodes()[id].step).collect();

@@ -24,7 +24,7 @@ fn gaps_of(statements: &str) -> Vec<Gap> {
     gaps(&program, &Assignment::of(&program))
 }
 
-/// Step, kind and way of the only gap.
+/// Step, kind and path of the only gap.
 fn only_gap(statements: &str) -> (u32, Assigned, Vec<u32>) {
     match gaps_of(statements).as_slice() {
         [gap] => (gap.step, gap.assigned, gap.way.clone()),
@@ -38,7 +38,7 @@ fn straight_lines_have_gaps_before_the_assignment() {
     assert_eq!(gaps_of("DEF_VAR A B\nA = 1\nB = A\nA = B\nEND"), []);
     let never = only_gap("DEF_VAR A B\nB = A\nA = B\nEND");
     assert_eq!(never, (0, Assigned::Never, vec![0]));
-    // What was read has a value behind the read: one cause, one gap.
+    // What was read has a value after the read: one cause, one gap.
     let never = only_gap("DEF_VAR A B\nB = A\nB = A\nA = B\nB = A\nEND");
     assert_eq!(never, (0, Assigned::Never, vec![0]));
     // The first turn never gets past the read.

@@ -7,7 +7,7 @@ pub struct Count {
     pub min: u64,
     /// The most, outside waits; `None` if nothing bounds it.
     pub max: Option<u64>,
-    /// Some way through the part waits: there it may take longer.
+    /// Some path through the part waits: there it may take longer.
     pub waits: bool,
 }
 

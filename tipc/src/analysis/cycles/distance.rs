@@ -5,7 +5,7 @@ use crate::analysis::flow::NodeId;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
-/// Where a way leads.
+/// Where a path leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     /// To a node, and on from there.
@@ -18,17 +18,17 @@ pub(super) enum Place {
     End,
 }
 
-/// A step of a way: what it costs to be at the next place.
+/// A step of a path: what it costs to be at the next place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) to: Place,
     pub(super) cost: Count,
 }
 
-/// The nodes that a way from some node can pass, with the edges behind each.
+/// The nodes that a path from some node can pass, with the edges that leave each.
 type Graph = BTreeMap<NodeId, Vec<Edge>>;
 
-/// The cycles from `from` to every place that a way comes to.
+/// The cycles from `from` to every place that a path reaches.
 pub(super) fn distances(
     from: NodeId,
     edges: impl Fn(NodeId) -> Vec<Edge>,
@@ -90,7 +90,7 @@ fn least(from: NodeId, graph: &Graph) -> BTreeMap<Place, u64> {
     least
 }
 
-/// The most cycles to each place, in the order of all ways (Kahn). What a way can turn in circles
+/// The most cycles to each place, in the order of all paths (Kahn). What a path can circle through
 /// before is never in order: it is absent, or `None`.
 fn most(from: NodeId, graph: &Graph) -> BTreeMap<Place, Option<u64>> {
     let mut ways_in: BTreeMap<Place, usize> = BTreeMap::new();
@@ -121,7 +121,7 @@ fn most(from: NodeId, graph: &Graph) -> BTreeMap<Place, Option<u64>> {
     most
 }
 
-/// Whether some way to each place waits.
+/// Whether some path to each place waits.
 fn waiting(from: NodeId, graph: &Graph) -> BTreeMap<Place, bool> {
     let mut waiting: BTreeMap<Place, bool> = BTreeMap::new();
     let mut open = vec![(from, false)];

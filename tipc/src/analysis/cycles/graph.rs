@@ -21,11 +21,11 @@ pub(super) struct Graph<'a> {
     routines: BTreeMap<NodeId, Option<Count>>,
 }
 
-/// Where ways end, besides the end of their frame.
+/// Where paths end, besides the end of their frame.
 struct Limits<'a> {
     /// A node that is not passed.
     stops: &'a dyn Fn(NodeId) -> bool,
-    /// A counted loop that cannot count as one edge, since ways end inside.
+    /// A counted loop that cannot count as one edge, because paths end inside.
     opens: &'a dyn Fn(&Counted) -> bool,
 }
 
@@ -183,7 +183,7 @@ impl<'a> Graph<'a> {
         edges
     }
 
-    /// A counted loop from FOR to where it is left: behind NEXT after all its turns, elsewhere in any turn.
+    /// A counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
     fn past(&self, head: NodeId, counted: &Counted, limits: &Limits) -> Vec<Edge> {
         let inner = Limits {
             stops: &|id| id == counted.next || !counted.nodes.contains(&id),
@@ -227,7 +227,7 @@ fn arrival(id: NodeId, limits: &Limits) -> Place {
     }
 }
 
-/// Every subroutine behind those that it calls, as far as they do not call each other.
+/// Every subroutine after those that it calls, as far as they do not call each other.
 fn inner_first(calls: &BTreeMap<NodeId, BTreeSet<NodeId>>) -> Vec<NodeId> {
     let mut order = Vec::new();
     let mut seen = BTreeSet::new();

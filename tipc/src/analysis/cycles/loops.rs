@@ -1,4 +1,4 @@
-//! The loops of a program, whatever words they are made of.
+//! The loops of a program, whatever statements they are made of.
 
 use super::rings::rings;
 use crate::analysis::flow::NodeId;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 pub(super) struct Loops {
     next: Vec<Vec<NodeId>>,
     before: Vec<Vec<NodeId>>,
-    /// Nodes with ways to each other have the same number.
+    /// Nodes with paths to each other have the same number.
     rings: Vec<usize>,
 }
 
@@ -34,7 +34,7 @@ impl Loops {
         (0..self.next.len()).filter(is_head).collect()
     }
 
-    /// The nodes on the ways from a head back to it, over a jump backwards.
+    /// The nodes on the paths from a head back to it, over a jump backwards.
     pub(super) fn nodes(&self, head: NodeId) -> BTreeSet<NodeId> {
         let mut leads_back = BTreeSet::from([head]);
         let mut open: Vec<NodeId> = self.backwards_to(head).collect();
@@ -54,7 +54,7 @@ impl Loops {
         nodes
     }
 
-    /// The nodes that lead back to a node, from behind it or from itself.
+    /// The nodes that lead back to a node, from after it or from itself.
     fn backwards_to(&self, head: NodeId) -> impl Iterator<Item = NodeId> {
         let before = self.on_ring_of(head, &self.before[head]);
         before.filter(move |from| *from >= head)

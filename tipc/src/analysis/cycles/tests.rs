@@ -58,7 +58,7 @@ fn a_for_over_constants_counts_its_turns() {
         ]
     );
     let nested = "DEF_VAR I J\nFOR I = 1 TO 2\nFOR J = 4 TO 0 STEP -2\nREM\nNEXT\nNEXT\nEND";
-    // Inside: REM NEXT three times behind FOR: 7. Outside: twice that and NEXT, behind FOR: 17; END.
+    // Inside: REM NEXT three times after FOR: 7. Outside: twice that and NEXT, after FOR: 17; END.
     assert_eq!(
         counts(nested),
         [
