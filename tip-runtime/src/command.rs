@@ -19,6 +19,15 @@ use core::fmt;
 /// The most legs, and the most joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
 pub const MAX: usize = 9;
 
+/// `R`: the value behind it counts from where things are.
+pub const RELATIVE: &str = "R";
+
+/// `A`: the value behind it is taken as it is.
+pub const ABSOLUTE: &str = "A";
+
+/// `HS`: the motion is not limited in its acceleration.
+pub const FAST: &str = "HS";
+
 /// A text that names nothing of the kind that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownWord;
@@ -45,6 +54,15 @@ impl Value {
     pub const fn number(self) -> f64 {
         match self {
             Value::Absolute(number) | Value::Relative(number) => number,
+        }
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Absolute(number) => write!(f, "{number:?}"),
+            Value::Relative(number) => write!(f, "{RELATIVE}{number:?}"),
         }
     }
 }

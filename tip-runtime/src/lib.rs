@@ -20,6 +20,7 @@ pub mod controller;
 #[cfg(feature = "control")]
 mod emergency;
 pub mod fault;
+pub mod function;
 #[cfg(feature = "control")]
 pub mod hardware;
 #[cfg(feature = "control")]

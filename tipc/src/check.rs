@@ -28,8 +28,6 @@ use crate::symbols::Symbols;
 use crate::syntax::Module;
 pub(crate) use blocks::Blocks;
 pub(crate) use labels::Labels;
-#[cfg(feature = "tools")]
-pub(crate) use names::is_reserved;
 pub(crate) use resolve::Resolved;
 #[cfg(feature = "robot-files")]
 pub(crate) use suggest::nearest;

@@ -4,8 +4,12 @@
 
 pub mod commands;
 mod edition;
+pub mod flags;
+pub mod functions;
 mod index;
+pub mod inputs;
 pub mod keywords;
+pub mod reserved;
 
 pub use edition::Edition;
 pub use keywords::Keyword;

@@ -15,6 +15,7 @@ mod statement;
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
 use crate::lex::Token;
 use crate::message::Parsing;
 use crate::source::{Line, Source, Span, first_beyond};
@@ -39,6 +40,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         step: 0,
         tokens: Vec::new(),
         module: Module {
+            edition: Edition::of(tip_version),
             title: header::title(source),
             statements: Vec::new(),
         },

@@ -1,18 +1,19 @@
 //! A program, fully resolved: what every back end starts from. Only the lowering makes one.
 
+pub use crate::language::functions::Axis;
 pub use crate::syntax::{Arithmetic, Relation, StepId, VariableKind};
 pub use tip_runtime::command::{Flag, Op, Port, Target, Teach};
+pub use tip_runtime::function::Function;
 pub use tip_runtime::program::{End, Signature};
 
+use crate::language::reserved::{JOINT, POSITION};
 use smol_str::SmolStr;
 
 mod action;
 mod operand;
 
 pub use action::{Action, Argument, MessagePart};
-pub use operand::{
-    Axis, Condition, Function, Operand, Scalar, ScalarExpression, StructExpression, VariableId,
-};
+pub use operand::{Condition, Operand, Scalar, ScalarExpression, StructExpression, VariableId};
 
 /// A motion program.
 #[derive(Clone, Debug, PartialEq)]
@@ -111,8 +112,8 @@ impl Variable {
     pub fn scalar_names(&self) -> impl Iterator<Item = String> {
         (0..self.size()).map(|member| match self.kind {
             VariableKind::Var => self.name.clone(),
-            VariableKind::Pos => format!("{}.{}", self.name, ["X", "Y", "Z"][member]),
-            VariableKind::Joint => format!("{}.J{}", self.name, member + 1),
+            VariableKind::Pos => format!("{}.{}", self.name, POSITION[member]),
+            VariableKind::Joint => format!("{}.{JOINT}{}", self.name, member + 1),
         })
     }
 }

@@ -311,30 +311,9 @@ pub enum Expression {
     },
     /// A function word and its operands, however many stand there.
     Function {
-        /// The function's name (one of [`FUNCTIONS`]).
+        /// The function's name.
         name: Word,
         /// Its operands.
         operands: Vec<Operand>,
     },
 }
-
-/// The function words of equations.
-pub const FUNCTIONS: &[&str] = &[
-    "INT",
-    "ABS",
-    "SQRT",
-    "SIN",
-    "COS",
-    "TAN",
-    "ASIN",
-    "ACOS",
-    "ATAN",
-    "ATAN2",
-    "DEG2RAD",
-    "RAD2DEG",
-    "NORM",
-    "UNIT_VECT",
-    "ROT_X",
-    "ROT_Y",
-    "ROT_Z",
-];

@@ -4,8 +4,7 @@ use crate::duel::Run;
 use std::collections::BTreeMap;
 use std::fmt;
 use tipc::Robot;
-use tipc::language::commands::{self, FLAG_FAMILIES};
-use tipc::syntax::FUNCTIONS;
+use tipc::language::{commands, flags, functions};
 
 /// Counts by name. As text it is a line for each: the name, a tab, the count.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -114,7 +113,7 @@ fn features(formal: &str) -> Vec<String> {
 fn equation(fields: &[&str]) -> Vec<String> {
     let words = fields
         .iter()
-        .filter(|word| FUNCTIONS.contains(word) || is_operator(word));
+        .filter(|word| functions::words().any(|function| function == **word) || is_operator(word));
     words.map(|word| format!("equation {word}")).collect()
 }
 
@@ -127,9 +126,7 @@ fn is_operator(word: &str) -> bool {
 
 /// The kind of an event flag, without its target or number.
 fn flag(word: &str) -> Option<String> {
-    let family = FLAG_FAMILIES
-        .iter()
-        .find(|family| word.starts_with(**family));
-    let name = family.or_else(|| commands::FLAGS.iter().find(|name| **name == word))?;
+    let family = flags::families().find(|family| word.starts_with(*family));
+    let name = family.or_else(|| flags::words().find(|name| *name == word))?;
     Some(format!("flag {}", name.trim_end_matches('_')))
 }

@@ -2,7 +2,7 @@
 
 use crate::writer::Writer;
 use tip_runtime::model::Family;
-use tipc::language::commands::{FLAG_FAMILIES, FLAGS};
+use tipc::language::flags;
 
 impl Writer {
     pub(crate) fn condition(&mut self) -> String {
@@ -16,12 +16,12 @@ impl Writer {
     }
 
     fn flag(&mut self) -> String {
-        let family = self.dice.pick(FLAG_FAMILIES);
+        let family = self.dice.pick(&flags::families().collect::<Vec<_>>());
         let is_hand = self.robot.signature().family == Family::Hand;
         match self.dice.below(5) {
             0 => {
-                let known = if is_hand { FLAGS } else { &FLAGS[..2] };
-                self.dice.pick(known).to_owned()
+                let known = flags::words().take(if is_hand { 3 } else { 2 });
+                self.dice.pick(&known.collect::<Vec<_>>()).to_owned()
             }
             _ if family == "SPECIAL_FLAG" => format!("{family}{}", self.dice.below(10)),
             _ => {

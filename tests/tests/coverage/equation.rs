@@ -1,9 +1,8 @@
 //! The forms of equations.
 
 use super::written::Names;
-use tipc::syntax::{
-    Arithmetic, Equation, Expression, FUNCTIONS, Operand, OperandKind, VariableKind,
-};
+use tipc::language::functions;
+use tipc::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, VariableKind};
 
 const TYPES: [VariableKind; 3] = [VariableKind::Var, VariableKind::Pos, VariableKind::Joint];
 const OPERATORS: [&str; 4] = ["+", "-", "*", "/"];
@@ -27,11 +26,10 @@ fn values(kind: VariableKind) -> Vec<String> {
     let mut values = vec![name.to_owned()];
     values.extend(OPERATORS.map(|operator| format!("{name} {operator} {name}")));
     values.extend(
-        FUNCTIONS
-            .iter()
+        functions::words()
             .filter(|function| result(function) == kind)
             .flat_map(|function| {
-                let operands: &[&str] = match *function {
+                let operands: &[&str] = match function {
                     "ATAN2" => &["S S"],
                     "NORM" => &["POS", "JOINT"],
                     "UNIT_VECT" => &["POS"],
@@ -113,7 +111,7 @@ pub fn meant(text: &str, names: &Names) -> Vec<String> {
     let start = format!("{left} {update}= ");
     let mut forms = all();
     forms.retain(|form| form.starts_with(&start));
-    let function = FUNCTIONS.contains(&first);
+    let function = functions::words().any(|word| word == first);
     let operator = OPERATORS
         .iter()
         .find(|sign| right.trim().trim_start_matches('-').contains(**sign));

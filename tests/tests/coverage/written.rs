@@ -3,6 +3,7 @@
 use super::form::{Form, Slot};
 use std::collections::{BTreeSet, HashMap};
 use tipc::Robot;
+use tipc::language::reserved::motion_flags;
 use tipc::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind};
 
 /// The declared variables of a program.
@@ -93,7 +94,7 @@ impl Piece {
 
     /// `R`, `A` or `HS`
     pub fn is_flag(&self) -> bool {
-        self.is(tipc::language::commands::MOTION_FLAGS)
+        self.is(&motion_flags().collect::<Vec<_>>())
     }
 }
 

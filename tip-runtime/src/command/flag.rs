@@ -33,6 +33,14 @@ impl Flag {
             Flag::Antenna => "ANTENNA_ON",
         }
     }
+
+    /// The target that it awaits.
+    pub const fn target(self) -> Option<Target> {
+        match self {
+            Flag::Inpos(target) | Flag::Near(target) => Some(target),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for Flag {

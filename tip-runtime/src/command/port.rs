@@ -37,6 +37,14 @@ impl Port {
         }
     }
 
+    /// The joint whose potentiometer it is.
+    pub const fn joint(self) -> Option<Target> {
+        match self {
+            Port::Joint(leg, joint) => Some(Target::Joint(leg, joint)),
+            _ => None,
+        }
+    }
+
     /// The inputs that a kind has a word for, joints aside; `self` says which kind.
     pub fn named(self) -> impl Iterator<Item = Port> {
         let count = match self {

@@ -1,7 +1,7 @@
 //! The trace: one JSON object a line.
 
 use super::{Cycle, Ending, Sink, state_hash};
-use crate::command::{Command, Target, Value};
+use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
 use crate::program::{End, Program};
 use core::fmt::{self, Display, Write};
@@ -173,7 +173,7 @@ impl<W: Write> Sink for JsonLines<W> {
 fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     write!(out, r#""{}""#, command.op)?;
     if command.hs {
-        out.write_str(r#","HS""#)?;
+        write!(out, r#","{FAST}""#)?;
     }
     match command.target {
         Target::None => out.write_str(",null")?,
@@ -181,8 +181,8 @@ fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     }
     for value in command.values {
         match value {
-            Value::Absolute(number) => write!(out, ",{number:?}")?,
-            Value::Relative(number) => write!(out, r#","R{number:?}""#)?,
+            Value::Absolute(_) => write!(out, ",{value}")?,
+            Value::Relative(_) => write!(out, r#","{value}""#)?,
         }
     }
     Ok(())

@@ -12,7 +12,7 @@ use crate::program::{self, Action, Argument, Scalar};
 use crate::robot::Robot;
 use crate::symbols::Access;
 use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
-use tip_runtime::command::{Op, Target};
+use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, Target};
 
 impl Resolver<'_> {
     pub(super) fn command(
@@ -110,7 +110,7 @@ impl Resolver<'_> {
         form: Arguments,
         arguments: &[Operand],
     ) -> Option<Action> {
-        let hs = form.hs && arguments.first().and_then(word) == Some("HS");
+        let hs = form.hs && arguments.first().and_then(word) == Some(FAST);
         let arguments = &arguments[usize::from(hs)..];
         if op == Op::OutputVariables {
             self.uses.dump();
@@ -326,7 +326,7 @@ impl Resolver<'_> {
             Some(operand) => {
                 let reason = match name.node.as_str() {
                     // Version 2 had one.
-                    "WAIT_NEAR" => {
+                    name if name == Op::WaitNear.name() => {
                         "SET_NEAR_POSITION and SET_NEAR_ANGLE set the tolerance".to_owned()
                     }
                     name => format!("one argument too many for {name}"),
@@ -339,14 +339,14 @@ impl Resolver<'_> {
     /// `R` or `A` as the first of these operands.
     fn flag_of<'a>(&self, form: Arguments, operands: &'a [Operand]) -> Option<&'a str> {
         let name = operands.first().and_then(word)?;
-        (form.motion && matches!(name, "R" | "A")).then_some(name)
+        (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)
     }
 
     /// Whether the next operand is relative; refuses flags where the command takes none.
     fn relative(&mut self, form: Arguments, operands: &[Operand]) -> Option<bool> {
         match self.flag_of(form, operands) {
             None => Some(false),
-            Some(flag) if form.relative => Some(flag == "R"),
+            Some(flag) if form.relative => Some(flag == RELATIVE),
             Some(flag) => {
                 let reason = format!("this command takes no {flag}");
                 self.refuse(Code::Argument, operands[0].span, reason)
@@ -361,7 +361,7 @@ impl Resolver<'_> {
 
 /// Whether a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
-    form.motion && commands::MOTION_FLAGS.contains(&word)
+    form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
 }
 
 /// The flag that stands in the place of a number, be it behind a sign.

@@ -1,5 +1,7 @@
 //! The blocks of a program and what ties their ends.
 
+use crate::language::Keyword;
+
 /// What a block is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BlockKind {
@@ -12,23 +14,23 @@ pub(crate) enum BlockKind {
 }
 
 impl BlockKind {
-    pub(super) const fn opener(self) -> &'static str {
+    pub(super) const fn opener(self) -> Keyword {
         match self {
-            BlockKind::If => "IF",
-            BlockKind::While => "WHILE",
-            BlockKind::Repeat => "REPEAT",
-            BlockKind::For => "FOR",
-            BlockKind::Subroutine => "SUBROUTINE",
+            BlockKind::If => Keyword::If,
+            BlockKind::While => Keyword::While,
+            BlockKind::Repeat => Keyword::Repeat,
+            BlockKind::For => Keyword::For,
+            BlockKind::Subroutine => Keyword::Subroutine,
         }
     }
 
-    pub(super) const fn closer(self) -> &'static str {
+    pub(super) const fn closer(self) -> Keyword {
         match self {
-            BlockKind::If => "ENDIF",
-            BlockKind::While => "WEND",
-            BlockKind::Repeat => "UNTIL",
-            BlockKind::For => "NEXT",
-            BlockKind::Subroutine => "SUBEND",
+            BlockKind::If => Keyword::EndIf,
+            BlockKind::While => Keyword::Wend,
+            BlockKind::Repeat => Keyword::Until,
+            BlockKind::For => Keyword::Next,
+            BlockKind::Subroutine => Keyword::SubEnd,
         }
     }
 }

@@ -4,7 +4,8 @@ use super::names::Meant;
 use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::program::{Action, Axis, Function, ScalarExpression, StructExpression, VariableId};
+use crate::language::functions::{self, Operation};
+use crate::program::{Action, Axis, ScalarExpression, StructExpression, VariableId};
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, Span, VariableKind, Word};
 
@@ -130,10 +131,8 @@ impl Resolver<'_> {
     }
 
     fn function(&mut self, name: &Word, operands: &[Operand]) -> Option<Value> {
-        let wanted = match name.node.as_str() {
-            "ATAN2" | "ROT_X" | "ROT_Y" | "ROT_Z" => 2,
-            _ => 1,
-        };
+        let operation = functions::find(&name.node, self.names.edition)?;
+        let wanted = operation.operands();
         if operands.len() != wanted {
             let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
             let number = if wanted == 1 {
@@ -143,29 +142,26 @@ impl Resolver<'_> {
             };
             let reason = format!("{} takes {number}, not {}", name.node, operands.len());
             let fault = Diagnostic::new(Code::Equation, place, reason);
-            self.report(fault.help(usage(&name.node)));
+            self.report(fault.help(usage(operation)));
             return None;
         }
-        match name.node.as_str() {
-            "ATAN2" => {
+        match operation {
+            Operation::Atan2 => {
                 let y = self.number(&operands[0], Code::Equation);
                 let x = self.number(&operands[1], Code::Equation);
                 Some(Value::Scalar(ScalarExpression::Atan2 { y: y?, x: x? }))
             }
-            "NORM" => {
+            Operation::Norm => {
                 let (variable, _) = self.structure(&operands[0], None)?;
                 Some(Value::Scalar(ScalarExpression::Norm(variable)))
             }
-            "UNIT_VECT" => {
+            Operation::UnitVect => {
                 let (variable, kind) = self.structure(&operands[0], Some(VariableKind::Pos))?;
                 Some(Value::Struct(kind, StructExpression::UnitVect(variable)))
             }
-            "ROT_X" => self.rotation(Axis::X, operands),
-            "ROT_Y" => self.rotation(Axis::Y, operands),
-            "ROT_Z" => self.rotation(Axis::Z, operands),
-            name => {
+            Operation::Rotate(axis) => self.rotation(axis, operands),
+            Operation::Scalar(function) => {
                 let operand = self.number(&operands[0], Code::Equation)?;
-                let function = scalar_function(name)?;
                 Some(Value::Scalar(ScalarExpression::Function {
                     function,
                     operand,
@@ -225,13 +221,14 @@ const ONE_TYPE: &str =
     "all of an equation is numbers, or POS, or JOINT; members, as `P.X`, are numbers";
 
 /// How a function is written.
-fn usage(name: &str) -> String {
-    match name {
-        "ATAN2" => "write `A = ATAN2 y x`".to_owned(),
-        "NORM" => "write `A = NORM P`, P a POS or JOINT".to_owned(),
-        "UNIT_VECT" => "write `P = UNIT_VECT P`".to_owned(),
-        "ROT_X" | "ROT_Y" | "ROT_Z" => format!("write `P = {name} P angle`"),
-        _ => format!("write `A = {name} a`, a a number"),
+fn usage(operation: Operation) -> String {
+    let name = operation.word();
+    match operation {
+        Operation::Atan2 => format!("write `A = {name} y x`"),
+        Operation::Norm => format!("write `A = {name} P`, P a POS or JOINT"),
+        Operation::UnitVect => format!("write `P = {name} P`"),
+        Operation::Rotate(_) => format!("write `P = {name} P angle`"),
+        Operation::Scalar(_) => format!("write `A = {name} a`, a a number"),
     }
 }
 
@@ -268,21 +265,4 @@ fn expression_span(expression: &Expression) -> Span {
             .last()
             .map_or(name.span, |last| name.span.to(last.span)),
     }
-}
-
-fn scalar_function(name: &str) -> Option<Function> {
-    Some(match name {
-        "INT" => Function::Int,
-        "ABS" => Function::Abs,
-        "SQRT" => Function::Sqrt,
-        "SIN" => Function::Sin,
-        "COS" => Function::Cos,
-        "TAN" => Function::Tan,
-        "ASIN" => Function::Asin,
-        "ACOS" => Function::Acos,
-        "ATAN" => Function::Atan,
-        "DEG2RAD" => Function::Deg2Rad,
-        "RAD2DEG" => Function::Rad2Deg,
-        _ => return None,
-    })
 }

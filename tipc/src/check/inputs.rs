@@ -1,11 +1,13 @@
 //! Commands that fill variables, and SPECIAL (T.I.P. 3.1 §7-5, §7-9-1, §7-9-2, §7-10-11).
 
-use super::names::{Meant, VAR_KEY};
+use super::names::Meant;
 use super::resolve::Resolver;
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Targets;
+use crate::language::inputs;
+use crate::language::reserved::VAR_KEY;
 use crate::program::{self, Action, Argument, Scalar};
 use crate::symbols::Access;
 use crate::syntax::{Operand, Span, VariableKind, Word};
@@ -117,13 +119,12 @@ impl Resolver<'_> {
 
     fn port(&mut self, operand: &Operand, id: &str) -> Option<Port> {
         let family = self.robot.signature().family;
-        let named = id.parse().ok();
-        let port = named.filter(|port| match *port {
-            Port::Knob(_) | Port::Channel(_) => true,
-            Port::Paw(_) => family == Family::Titan,
-            Port::Antenna => family != Family::Generic,
-            Port::Joint(leg, joint) => self.robot.has(Target::Joint(leg, joint)),
+        let named = inputs::find(id, self.names.edition);
+        let found = named.filter(|(port, row)| {
+            let joint = port.joint();
+            row.robots.contains(self.robot) && joint.is_none_or(|joint| self.robot.has(joint))
         });
+        let port = found.map(|(port, _)| port);
         if port.is_none() {
             let reason = format!("{} has no input of this name", self.robot.name());
             let paws = match family {

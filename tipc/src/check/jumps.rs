@@ -1,11 +1,12 @@
 //! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
 use super::blocks::{BlockKind, Blocks};
-use super::labels::{LOOP, Labels};
+use super::labels::Labels;
 use super::structure::keyword;
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::reserved::LOOP;
 use crate::syntax::{Jump, Module, Span, StatementKind, Then};
 
 #[derive(Clone, Copy, PartialEq, Eq)]

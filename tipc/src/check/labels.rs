@@ -1,13 +1,12 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3).
 
-use super::names::{is_label_name, is_reserved};
+use super::names::is_label_name;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
+use crate::language::reserved::{LOOP, is_reserved};
 use crate::syntax::{Jump, Module, StatementKind, Word};
 use std::collections::HashMap;
-
-/// The label that may stand more than once.
-pub(crate) const LOOP: &str = "LOOP";
 
 /// Every label.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +15,8 @@ pub(crate) struct Labels<'m> {
     pub(crate) all: Vec<DeclaredLabel<'m>>,
     by_name: HashMap<&'m str, usize>,
     loops: Vec<usize>,
+    /// Whose words no label may bear.
+    edition: Edition,
 }
 
 /// A label or SUBROUTINE.
@@ -32,7 +33,10 @@ pub(crate) struct DeclaredLabel<'m> {
 impl<'m> Labels<'m> {
     /// Reads every label and SUBROUTINE.
     pub(crate) fn collect(module: &'m Module, found: &mut Vec<Diagnostic>) -> Self {
-        let mut labels = Labels::default();
+        let mut labels = Labels {
+            edition: module.edition,
+            ..Labels::default()
+        };
         for (index, statement) in module.statements.iter().enumerate() {
             match &statement.kind {
                 StatementKind::Label(name) => labels.declare(index, name, false, found),
@@ -58,7 +62,7 @@ impl<'m> Labels<'m> {
             subroutine,
         };
         let id = self.all.len();
-        if let Some(fault) = refusal(name, subroutine) {
+        if let Some(fault) = refusal(name, subroutine, self.edition) {
             found.push(fault);
         }
         if name.node == LOOP && !subroutine {
@@ -104,14 +108,14 @@ impl<'m> Labels<'m> {
     }
 }
 
-fn refusal(name: &Word, subroutine: bool) -> Option<Diagnostic> {
+fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic> {
     let word = name.node.as_str();
     let fault = |reason: String| Diagnostic::new(Code::Argument, name.span, reason);
     if !is_label_name(word) {
         let help = "a label is made of letters, digits and `_`";
         return Some(fault(format!("`{word}` is no name for a label")).help(help));
     }
-    if is_reserved(word) {
+    if is_reserved(word, edition) {
         let help = "choose another name";
         return Some(fault(format!("`{word}` is a word of the language")).help(help));
     }

@@ -3,17 +3,12 @@
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{COMMANDS, MOTION_FLAGS, PARTICLES};
+use crate::language::Edition;
+use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
-use crate::syntax::{
-    FUNCTIONS, Module, Operand, OperandKind, Span, StatementKind, VariableKind, Word,
-};
+use crate::syntax::{Module, Operand, OperandKind, Span, StatementKind, VariableKind, Word};
 use std::collections::{HashMap, HashSet};
-use tip_runtime::command::{Flag, Port, Target};
-
-/// The variable of KEY_IN without argument.
-pub(crate) const VAR_KEY: &str = "VAR_KEY";
 
 /// Every variable of a program.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +20,8 @@ pub(crate) struct Names {
     /// Names whose declaration was refused: their uses are no news.
     refused: HashSet<String>,
     joints: usize,
+    /// Whose words are reserved.
+    pub(crate) edition: Edition,
 }
 
 /// What an operand stands for.
@@ -61,6 +58,7 @@ impl Names {
     pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Vec<Diagnostic>) -> Self {
         let mut names = Names {
             joints: usize::from(robot.signature().joints),
+            edition: module.edition,
             ..Names::default()
         };
         names.insert(VAR_KEY, VariableKind::Var, None);
@@ -106,7 +104,7 @@ impl Names {
             self.refused.insert(name.to_owned());
             return;
         }
-        if MOTION_FLAGS.contains(&name) {
+        if is_motion_flag(name, self.edition) {
             let reason = "motion commands read this word as their flag";
             let warning = Diagnostic::new(Code::FlagName, word.span, reason);
             found.push(warning.about(name).help("choose another name"));
@@ -121,7 +119,7 @@ impl Names {
             let help = "a name is made of letters, digits and `_`, and does not start with a digit";
             return Some(fault(format!("`{name}` is no name for a variable")).help(help));
         }
-        if is_reserved(name) {
+        if is_reserved(name, self.edition) {
             let help = "choose another name";
             return Some(fault(format!("`{name}` is a word of the language")).help(help));
         }
@@ -152,7 +150,7 @@ impl Names {
             OperandKind::Member(words) => (&words.0, Some(words.1.as_str())),
         };
         if member.is_none()
-            && let Some(value) = constant(name)
+            && let Some(value) = reserved::constant(name, self.edition)
         {
             let value = if operand.negative { -value } else { value };
             return Ok(Some(Meant::Constant(value)));
@@ -206,9 +204,9 @@ impl Names {
         let variable = &self.variables[variable];
         match variable.kind {
             VariableKind::Var => None,
-            VariableKind::Pos => ["X", "Y", "Z"].iter().position(|name| *name == member),
+            VariableKind::Pos => POSITION.iter().position(|name| *name == member),
             VariableKind::Joint => {
-                (0..variable.size()).find(|index| member == format!("J{}", index + 1))
+                (0..variable.size()).find(|index| member == format!("{JOINT}{}", index + 1))
             }
         }
     }
@@ -232,7 +230,7 @@ impl Names {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
         let help = match nearest(name, known) {
             Some(near) => format!("did you mean `{near}`?"),
-            None if is_reserved(name) => {
+            None if is_reserved(name, self.edition) => {
                 format!("`{name}` is a word of the language and stands for no number")
             }
             None => format!("declare it: `DEF_VAR {name}`, `DEF_POS {name}` or `DEF_JOINT {name}`"),
@@ -241,32 +239,6 @@ impl Names {
             .about(name)
             .help(help)
     }
-}
-
-/// The ASCII constants CHAR_0…CHAR_9, CHAR_A…CHAR_Z, CHAR_SPC.
-pub(crate) fn constant(name: &str) -> Option<f64> {
-    match name.strip_prefix("CHAR_")?.as_bytes() {
-        b"SPC" => Some(32.0),
-        [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(f64::from(*char)),
-        _ => None,
-    }
-}
-
-/// Whether a word belongs to the language, so that nothing may bear it as a name.
-pub(crate) fn is_reserved(word: &str) -> bool {
-    let is_command = COMMANDS
-        .iter()
-        .any(|command| command.name == word || command.alias == Some(word));
-    let is_word = [FUNCTIONS, PARTICLES]
-        .iter()
-        .any(|words| words.contains(&word));
-    is_command
-        || is_word
-        || word == VAR_KEY
-        || constant(word).is_some()
-        || word.parse::<Target>().is_ok()
-        || word.parse::<Flag>().is_ok()
-        || word.parse::<Port>().is_ok()
 }
 
 fn is_variable_name(name: &str) -> bool {
@@ -282,61 +254,7 @@ pub(crate) fn is_label_name(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_label_name, is_reserved, is_variable_name};
-
-    // clauses: 3.2
-    #[test]
-    fn the_words_of_the_language_are_reserved() {
-        for word in [
-            "PTP",
-            "SIN",
-            "KB_HIT",
-            "TO",
-            "VR1",
-            "ANTENNA",
-            "VAR_KEY",
-            "CHAR_A",
-            "CHAR_9",
-            "CHAR_SPC",
-            "ALL",
-            "FLOOR",
-            "F1",
-            "F9",
-            "J11",
-            "J99",
-            "INPOS_ALL",
-            "INPOS_F9",
-            "NEAR_J11",
-            "SPECIAL_FLAG0",
-            "SPECIAL_FLAG9",
-        ] {
-            assert!(is_reserved(word), "{word}");
-        }
-        for word in [
-            "R",
-            "A",
-            "HS",
-            "X",
-            "CHAR_AB",
-            "CHAR_",
-            "F0",
-            "F10",
-            "J10",
-            "J01",
-            "J111",
-            "INPOS",
-            "INPOS_",
-            "INPOS_FLOOR",
-            "NEAR_FLOOR",
-            "INPOS_5",
-            "SPECIAL_FLAG",
-            "SPECIAL_FLAG10",
-            "SPECIAL_FLAGF1",
-            "SPECIAL_FLAGFLOOR",
-        ] {
-            assert!(!is_reserved(word), "{word}");
-        }
-    }
+    use super::{is_label_name, is_variable_name};
 
     // clauses: 3.2
     #[test]

@@ -3,8 +3,10 @@
 use super::resolve::Resolver;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
 use crate::language::commands::{Arguments, Limit, Values};
-use crate::program::{Argument, Arithmetic, Operand};
+use crate::language::functions::{self, Operation};
+use crate::program::{Argument, Arithmetic, Function, Operand};
 use crate::robot::Robot;
 use crate::syntax::{self, Equation, Expression, OperandKind, Span, Word};
 use tip_runtime::model::Range;
@@ -38,14 +40,14 @@ impl Resolver<'_> {
 impl Resolver<'_> {
     /// Warns of a constant for which an equation has no result, whatever its variables are.
     pub(super) fn warn_of_domain(&mut self, equation: &Equation) {
-        if let Some((place, reason, help)) = impossible(equation) {
+        if let Some((place, reason, help)) = impossible(equation, self.names.edition) {
             self.report(Diagnostic::new(Code::OutOfRange, place, reason).help(help));
         }
     }
 }
 
 /// Where such a constant stands, why it has no result, and what to write instead.
-fn impossible(equation: &Equation) -> Option<(Span, String, String)> {
+fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, String, String)> {
     match &equation.value {
         Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
             division(divisor)
@@ -55,7 +57,9 @@ fn impossible(equation: &Equation) -> Option<(Span, String, String)> {
             right,
             ..
         } => division(right),
-        Expression::Function { name, operands } => outside(&name.node, operands),
+        Expression::Function { name, operands } => {
+            outside(functions::find(&name.node, edition)?, operands)
+        }
         Expression::Operand(_) | Expression::Binary { .. } => None,
     }
 }
@@ -67,24 +71,27 @@ fn division(divisor: &syntax::Operand) -> Option<(Span, String, String)> {
 }
 
 /// A constant outside the domain of a function.
-fn outside(name: &str, operands: &[syntax::Operand]) -> Option<(Span, String, String)> {
+fn outside(operation: Operation, operands: &[syntax::Operand]) -> Option<(Span, String, String)> {
     let first = operands.first()?;
     let value = constant(first)?;
-    match name {
-        "SQRT" if value < 0.0 => {
+    let name = operation.word();
+    match operation {
+        Operation::Scalar(Function::Sqrt) if value < 0.0 => {
             let reason = "a negative number has no square root".to_owned();
             Some((first.span, reason, "SQRT takes 0 or more".to_owned()))
         }
-        "ASIN" | "ACOS" | "ATAN" if !(-1.0..=1.0).contains(&value) => {
+        Operation::Scalar(function @ (Function::Asin | Function::Acos | Function::Atan))
+            if !(-1.0..=1.0).contains(&value) =>
+        {
             let reason = format!("{name} has no result here");
-            let wider = if name == "ATAN" {
+            let wider = if function == Function::Atan {
                 "; `ATAN2 y x` takes any ratio"
             } else {
                 ""
             };
             Some((first.span, reason, format!("{name} takes -1 to 1{wider}")))
         }
-        "ATAN2" => {
+        Operation::Atan2 => {
             let second = operands.get(1)?;
             let reason = "the point (0, 0) has no direction".to_owned();
             let help = "one of the two has to be another number than 0".to_owned();

@@ -3,6 +3,7 @@
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
+use crate::language::Keyword;
 use crate::syntax::{Module, Operand, OperandKind, Shape, Span, Statement, StatementKind};
 
 /// Ties every control word to its partner and reports those without one.
@@ -64,19 +65,19 @@ impl Matcher<'_> {
         }
         match kind {
             StatementKind::ElseIf { .. } | StatementKind::Broken(Shape::ElseIf) => {
-                self.branch(index, "ELSEIF");
+                self.branch(index, Keyword::ElseIf);
             }
-            StatementKind::Else => self.branch(index, "ELSE"),
-            StatementKind::EndIf => self.close(index, If, "ENDIF"),
-            StatementKind::Wend => self.close(index, While, "WEND"),
+            StatementKind::Else => self.branch(index, Keyword::Else),
+            StatementKind::EndIf => self.close(index, If, Keyword::EndIf),
+            StatementKind::Wend => self.close(index, While, Keyword::Wend),
             StatementKind::Until { .. } | StatementKind::Broken(Shape::Until) => {
-                self.close(index, Repeat, "UNTIL");
+                self.close(index, Repeat, Keyword::Until);
             }
             StatementKind::Next { .. } | StatementKind::Broken(Shape::Next) => {
-                self.close(index, For, "NEXT");
+                self.close(index, For, Keyword::Next);
             }
             StatementKind::SubEnd | StatementKind::Broken(Shape::SubEnd) => {
-                self.close(index, Subroutine, "SUBEND");
+                self.close(index, Subroutine, Keyword::SubEnd);
             }
             _ => self.result.around[index] = self.current(),
         }
@@ -144,7 +145,7 @@ impl Matcher<'_> {
         }
     }
 
-    fn branch(&mut self, index: usize, name: &str) {
+    fn branch(&mut self, index: usize, name: Keyword) {
         let Some(mut open) = self.unwind(index, BlockKind::If, name) else {
             return;
         };
@@ -159,11 +160,11 @@ impl Matcher<'_> {
         self.result.blocks[open.block].end = index;
         open.block = self.new_block(BlockKind::If, index, self.current());
         open.branch = index;
-        open.has_else |= name == "ELSE";
+        open.has_else |= name == Keyword::Else;
         self.open.push(open);
     }
 
-    fn close(&mut self, index: usize, kind: BlockKind, name: &str) {
+    fn close(&mut self, index: usize, kind: BlockKind, name: Keyword) {
         let Some(open) = self.unwind(index, kind, name) else {
             return;
         };
@@ -177,7 +178,7 @@ impl Matcher<'_> {
     }
 
     /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
-    fn unwind(&mut self, index: usize, kind: BlockKind, name: &str) -> Option<Open> {
+    fn unwind(&mut self, index: usize, kind: BlockKind, name: Keyword) -> Option<Open> {
         // A block that leaves a SUBROUTINE open would take all of its rest along.
         let fits = |open: &Open| open.kind == kind || open.kind == BlockKind::Subroutine;
         let reachable = self
@@ -210,7 +211,7 @@ impl Matcher<'_> {
     }
 
     /// Whether a construct that was cut off waits for this word. It closes only that.
-    fn is_owed(&mut self, index: usize, kind: BlockKind, name: &str) -> bool {
+    fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
         let Some(at) = self.owed.iter().rposition(|owed| owed.kind == kind) else {
             return false;
         };
@@ -226,7 +227,7 @@ impl Matcher<'_> {
     }
 
     /// Reports the innermost construct, which lacks its closer. `met` is the word that comes before it.
-    fn leave_open(&mut self, met: Option<(usize, &str)>) {
+    fn leave_open(&mut self, met: Option<(usize, Keyword)>) {
         let Some(open) = self.open.pop() else {
             return;
         };

@@ -4,7 +4,8 @@ use super::resolve::Resolver;
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::commands::{FLAGS, Joints, Targets};
+use crate::language::commands::{Joints, Targets};
+use crate::language::flags;
 use crate::robot::Robot;
 use crate::syntax::{Operand, OperandKind, Word};
 use tip_runtime::command::{Flag, Target};
@@ -64,12 +65,12 @@ impl Resolver<'_> {
 
     /// The event flag of a condition.
     pub(super) fn flag(&mut self, name: &Word) -> Option<Flag> {
-        let named = name.node.parse().ok();
-        let found = named.filter(|flag| match flag {
-            Flag::Antenna => self.robot.is_hand(),
-            Flag::Inpos(target) | Flag::Near(target) => self.robot.has(*target),
-            Flag::HaltRequest | Flag::KbHit | Flag::Special(_) => true,
+        let named = flags::find(&name.node, self.names.edition);
+        let found = named.filter(|(flag, row)| {
+            let target = flag.target();
+            row.robots.contains(self.robot) && target.is_none_or(|target| self.robot.has(target))
         });
+        let found = found.map(|(flag, _)| flag);
         if found.is_none() {
             self.refuse_flag(name);
         }
@@ -93,7 +94,7 @@ impl Resolver<'_> {
     }
 
     fn flag_help(&self, word: &str) -> String {
-        match nearest(word, FLAGS.iter().copied()).filter(|near| *near != word) {
+        match nearest(word, flags::words()).filter(|near| *near != word) {
             Some(near) => format!("did you mean `{near}`?"),
             None => {
                 let palm = if self.robot.is_hand() {

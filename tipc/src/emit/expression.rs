@@ -1,12 +1,12 @@
 //! How Rust spells operands, equations and conditions. Evaluation order is that of the tokens:
 //! operands left to right, then the operation, then the left side of `op=`, then the result.
 
-use super::ident::field;
+use super::ident::{field, identifier};
 use super::word;
 use crate::analysis::assignment::Assignment;
 use crate::program::{
-    Arithmetic, Axis, Condition, Function, Operand, Program, Relation, Scalar, ScalarExpression,
-    StepId, StructExpression, VariableId, VariableKind,
+    Arithmetic, Axis, Condition, Operand, Program, Relation, Scalar, ScalarExpression, StepId,
+    StructExpression, VariableId, VariableKind,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -116,9 +116,9 @@ impl Values<'_> {
                 quote!(#operation(#left, #right))
             }
             ScalarExpression::Function { function, operand } => {
-                let function = function_of_one(function);
+                let leaf = identifier(function.leaf());
                 let operand = self.operand(operand);
-                quote!(#function(#operand))
+                quote!(ops::#leaf(#operand))
             }
             ScalarExpression::Atan2 { y, x } => {
                 let (y, x) = (self.operand(y), self.operand(x));
@@ -219,22 +219,6 @@ fn arithmetic_each(operation: Arithmetic) -> TokenStream {
         Arithmetic::Sub => quote!(ops::sub_each),
         Arithmetic::Mul => quote!(ops::mul_each),
         Arithmetic::Div => quote!(ops::div_each),
-    }
-}
-
-fn function_of_one(function: Function) -> TokenStream {
-    match function {
-        Function::Int => quote!(ops::int),
-        Function::Abs => quote!(ops::abs),
-        Function::Sqrt => quote!(ops::sqrt),
-        Function::Sin => quote!(ops::sin),
-        Function::Cos => quote!(ops::cos),
-        Function::Tan => quote!(ops::tan),
-        Function::Asin => quote!(ops::asin),
-        Function::Acos => quote!(ops::acos),
-        Function::Atan => quote!(ops::atan),
-        Function::Deg2Rad => quote!(ops::deg2rad),
-        Function::Rad2Deg => quote!(ops::rad2deg),
     }
 }
 

@@ -1,5 +1,6 @@
 //! How Rust spells the run-time's vocabulary: commands, targets, inputs, flags and numbers.
 
+use super::ident::identifier;
 use crate::program::{Flag, Op, Port, Target, Teach};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -38,17 +39,13 @@ pub(super) fn port(port: Port) -> TokenStream {
 }
 
 pub(super) fn flag(flag: Flag) -> TokenStream {
-    match flag {
-        Flag::Inpos(of) => {
-            let of = target(of);
-            quote!(Flag::Inpos(#of))
-        }
-        Flag::Near(of) => {
-            let of = target(of);
-            quote!(Flag::Near(#of))
-        }
-        flag => variant("Flag", flag),
-    }
+    let Some(of) = flag.target() else {
+        return variant("Flag", flag);
+    };
+    let spelled = format!("{flag:?}");
+    let name = identifier(spelled.split('(').next().unwrap_or_default());
+    let of = target(of);
+    quote!(Flag::#name(#of))
 }
 
 pub(super) fn small(n: u8) -> Literal {

@@ -2,8 +2,8 @@
 
 use super::Interpreter;
 use crate::program::{
-    Arithmetic, Axis, Condition, Function, Operand, Relation, Scalar, ScalarExpression,
-    StructExpression, VariableId,
+    Arithmetic, Axis, Condition, Operand, Relation, Scalar, ScalarExpression, StructExpression,
+    VariableId,
 };
 use tip_runtime::command::MAX;
 use tip_runtime::fault::Fault;
@@ -67,7 +67,7 @@ impl Interpreter {
                 combine(operation, left, right)
             }
             ScalarExpression::Function { function, operand } => {
-                call(function, self.operand(operand)?)
+                function.call(self.operand(operand)?)
             }
             ScalarExpression::Atan2 { y, x } => {
                 let y = self.operand(y)?;
@@ -167,20 +167,4 @@ fn combine_each(operation: Arithmetic, left: &[f64], right: &[f64]) -> Result<Ve
         .zip(right)
         .map(|(left, right)| combine(operation, *left, *right))
         .collect()
-}
-
-fn call(function: Function, operand: f64) -> Result<f64, Fault> {
-    match function {
-        Function::Int => ops::int(operand),
-        Function::Abs => ops::abs(operand),
-        Function::Sqrt => ops::sqrt(operand),
-        Function::Sin => ops::sin(operand),
-        Function::Cos => ops::cos(operand),
-        Function::Tan => ops::tan(operand),
-        Function::Asin => ops::asin(operand),
-        Function::Acos => ops::acos(operand),
-        Function::Atan => ops::atan(operand),
-        Function::Deg2Rad => ops::deg2rad(operand),
-        Function::Rad2Deg => ops::rad2deg(operand),
-    }
 }

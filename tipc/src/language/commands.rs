@@ -254,20 +254,3 @@ pub fn renamed(word: &str) -> Option<&'static str> {
     };
     find(&name).map(|command| command.name)
 }
-
-/// The event flags without a number in their names.
-pub const FLAGS: &[&str] = &["HALT_REQUEST", "KB_HIT", "ANTENNA_ON"];
-
-/// The event flags that a number or target follows.
-pub const FLAG_FAMILIES: &[&str] = &["INPOS_", "NEAR_", "SPECIAL_FLAG"];
-
-/// Words that belong to other statements.
-pub const PARTICLES: &[&str] = &["THEN", "TO", "STEP"];
-
-/// The inputs besides joints.
-pub const PORTS: &[&str] = &[
-    "VR1", "VR2", "VR3", "PAW1", "PAW2", "PAW3", "PAW4", "ANTENNA",
-];
-
-/// The flags of motion arguments.
-pub const MOTION_FLAGS: &[&str] = &["R", "A", "HS"];

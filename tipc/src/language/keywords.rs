@@ -2,6 +2,7 @@
 
 use super::Edition;
 use super::index::Index;
+use smol_str::SmolStr;
 use std::fmt;
 
 /// A row of the table.
@@ -80,7 +81,7 @@ keywords! {
         word: "THEN",
         since: Edition::V3_1,
         section: "§7-6-1",
-        clause: "7.20",
+        clause: "2.6",
         description: "Ends the condition of IF and ELSEIF; the block follows.",
     }
     ElseIf {
@@ -238,6 +239,11 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
+    /// Whether it stands only behind another one.
+    pub const fn is_particle(self) -> bool {
+        matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
+    }
+
     /// How it is written.
     pub const fn word(self) -> &'static str {
         self.row().word
@@ -247,6 +253,12 @@ impl Keyword {
 impl fmt::Display for Keyword {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.word())
+    }
+}
+
+impl From<Keyword> for SmolStr {
+    fn from(keyword: Keyword) -> Self {
+        SmolStr::new_static(keyword.word())
     }
 }
 

@@ -1,5 +1,6 @@
 //! A statement's line of FORMAL.TMP: its fields separated by tabs (T.I.P. 3.1 §10-4-2).
 
+use crate::language::Keyword;
 use crate::source::Source;
 use crate::syntax::{
     Arithmetic, Condition, Expression, Jump, Relation, Span, Statement, StatementKind, Then,
@@ -26,12 +27,12 @@ impl Line<'_> {
         match kind {
             StatementKind::Label(name) => self.label(&name.node),
             StatementKind::Message { text } => {
-                self.field("MESSAGE");
+                self.keyword(Keyword::Message);
                 if !text.node.is_empty() {
                     self.field(&text.node);
                 }
             }
-            StatementKind::Rem => self.field("REM"),
+            StatementKind::Rem => self.keyword(Keyword::Rem),
             StatementKind::Equation(equation) => {
                 self.source(equation.target.span);
                 self.source(equation.operator);
@@ -40,44 +41,48 @@ impl Line<'_> {
             StatementKind::If {
                 condition, then, ..
             } => {
-                self.with_condition("IF", condition);
+                self.with_condition(Keyword::If, condition);
                 match then {
-                    Then::Block => self.field("THEN"),
-                    Then::Goto(jump) => self.jump("GOTO", jump),
-                    Then::Gosub(jump) => self.jump("GOSUB", jump),
+                    Then::Block => self.keyword(Keyword::Then),
+                    Then::Goto(jump) => self.jump(Keyword::Goto, jump),
+                    Then::Gosub(jump) => self.jump(Keyword::Gosub, jump),
                 }
             }
             StatementKind::ElseIf { condition, .. } => {
-                self.with_condition("ELSEIF", condition);
-                self.field("THEN");
+                self.with_condition(Keyword::ElseIf, condition);
+                self.keyword(Keyword::Then);
             }
-            StatementKind::While { condition, .. } => self.with_condition("WHILE", condition),
-            StatementKind::Until { condition, .. } => self.with_condition("UNTIL", condition),
+            StatementKind::While { condition, .. } => {
+                self.with_condition(Keyword::While, condition)
+            }
+            StatementKind::Until { condition, .. } => {
+                self.with_condition(Keyword::Until, condition)
+            }
             StatementKind::For { counting, .. } => {
-                self.field("FOR");
+                self.keyword(Keyword::For);
                 self.source(counting.variable.span);
                 self.field("=");
                 self.source(counting.from.span);
-                self.field("TO");
+                self.keyword(Keyword::To);
                 self.source(counting.to.span);
                 if let Some(step) = &counting.step {
-                    self.field("STEP");
+                    self.keyword(Keyword::Step);
                     self.source(step.span);
                 }
             }
             StatementKind::Next { variable, .. } => {
-                self.field("NEXT");
+                self.keyword(Keyword::Next);
                 if let Some(variable) = variable {
                     self.source(variable.span);
                 }
             }
             StatementKind::Subroutine { name, .. } => {
-                self.field("SUBROUTINE");
+                self.keyword(Keyword::Subroutine);
                 self.label(&name.node);
             }
-            StatementKind::Call(jump) => self.jump("CALL", jump),
-            StatementKind::Goto(jump) => self.jump("GOTO", jump),
-            StatementKind::Gosub(jump) => self.jump("GOSUB", jump),
+            StatementKind::Call(jump) => self.jump(Keyword::Call, jump),
+            StatementKind::Goto(jump) => self.jump(Keyword::Goto, jump),
+            StatementKind::Gosub(jump) => self.jump(Keyword::Gosub, jump),
             StatementKind::Command {
                 name, arguments, ..
             } => {
@@ -106,6 +111,10 @@ impl Line<'_> {
         self.text.push_str(text);
     }
 
+    fn keyword(&mut self, keyword: Keyword) {
+        self.field(keyword.word());
+    }
+
     /// A piece of the source in capital letters.
     fn source(&mut self, span: Span) {
         self.field(self.source.slice(span));
@@ -118,15 +127,15 @@ impl Line<'_> {
         self.text.push(':');
     }
 
-    fn jump(&mut self, word: &str, jump: &Jump) {
-        self.field(word);
+    fn jump(&mut self, keyword: Keyword, jump: &Jump) {
+        self.keyword(keyword);
         if let Some(label) = &jump.label {
             self.label(&label.node);
         }
     }
 
-    fn with_condition(&mut self, word: &str, condition: &Condition) {
-        self.field(word);
+    fn with_condition(&mut self, keyword: Keyword, condition: &Condition) {
+        self.keyword(keyword);
         match condition {
             Condition::Compare {
                 left,

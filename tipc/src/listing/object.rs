@@ -4,10 +4,12 @@ mod record;
 mod slot;
 
 use super::formal::line;
+use crate::language::Keyword;
 use crate::language::commands::find;
+use crate::language::functions::Operation;
 use crate::program::{
-    Action, Argument, Arithmetic, Axis, Condition, Function, Operand, Program, Relation,
-    ScalarExpression, StepId, StructExpression,
+    Action, Argument, Arithmetic, Condition, Operand, Program, Relation, ScalarExpression, StepId,
+    StructExpression,
 };
 use crate::source::Source;
 use crate::syntax::Module;
@@ -49,13 +51,15 @@ impl Listing<'_> {
         let last = fields.next_back();
         match action {
             Action::Nothing if word.ends_with(':') => Record::new("LABEL_CMD"),
-            Action::Message { .. } if word == "MESSAGE" => self.message(),
+            Action::Message { .. } if word == Keyword::Message.word() => self.message(),
             Action::KeyIn { into } => {
                 // Without argument it names none, although VAR_KEY receives the key.
                 let into = last.map(|_| self.variables.scalar(*into, false));
                 Record::new(name).with(into.unwrap_or(Slot::NONE))
             }
-            Action::AdIn { port, into } => self.ad_in(*port, self.variables.scalar(*into, false)),
+            Action::AdIn { port, into } => {
+                self.ad_in(name, *port, self.variables.scalar(*into, false))
+            }
             Action::TeachStruct { target, into, .. } => Record::new(name)
                 .to(target_name(*target))
                 .with(self.variables.whole(*into)),
@@ -97,11 +101,11 @@ impl Listing<'_> {
     fn message(&mut self) -> Record {
         let text = Slot::new("STRING", f64::from(self.texts));
         self.texts += 1;
-        Record::new("MESSAGE").with(text)
+        Record::new(Keyword::Message.word()).with(text)
     }
 
-    fn ad_in(&self, port: Port, into: Slot) -> Record {
-        let record = Record::new("AD_IN");
+    fn ad_in(&self, name: &str, port: Port, into: Slot) -> Record {
+        let record = Record::new(name);
         match port {
             Port::Channel(channel) => record
                 .with(Slot::constant(0.0))
@@ -127,45 +131,50 @@ impl Listing<'_> {
         arguments.iter().map(slot).collect()
     }
 
-    fn scalar_value(&self, value: &ScalarExpression) -> (&'static str, Vec<Slot>) {
+    fn scalar_value(&self, value: &ScalarExpression) -> (String, Vec<Slot>) {
         let slot = |operand: &Operand| self.variables.operand(*operand);
         match value {
-            ScalarExpression::Operand(operand) => ("EQUAL", vec![slot(operand)]),
+            ScalarExpression::Operand(operand) => ("EQUAL".to_owned(), vec![slot(operand)]),
             ScalarExpression::Binary {
                 left,
                 operation,
                 right,
-            } => (binary_name(*operation), vec![slot(left), slot(right)]),
+            } => (
+                binary_name(*operation).to_owned(),
+                vec![slot(left), slot(right)],
+            ),
             ScalarExpression::Function { function, operand } => {
-                (function_name(*function), vec![slot(operand)])
+                (equal(Operation::Scalar(*function)), vec![slot(operand)])
             }
-            ScalarExpression::Atan2 { y, x } => ("EQUAL_ATAN2", vec![slot(y), slot(x)]),
-            ScalarExpression::Norm(variable) => {
-                ("EQUAL_NORM", vec![self.variables.whole(*variable)])
-            }
+            ScalarExpression::Atan2 { y, x } => (equal(Operation::Atan2), vec![slot(y), slot(x)]),
+            ScalarExpression::Norm(variable) => (
+                equal(Operation::Norm),
+                vec![self.variables.whole(*variable)],
+            ),
         }
     }
 
-    fn struct_value(&self, value: &StructExpression) -> (&'static str, Vec<Slot>) {
+    fn struct_value(&self, value: &StructExpression) -> (String, Vec<Slot>) {
         let whole = |variable: &usize| self.variables.whole(*variable);
         match value {
-            StructExpression::Copy(variable) => ("EQUAL", vec![whole(variable)]),
+            StructExpression::Copy(variable) => ("EQUAL".to_owned(), vec![whole(variable)]),
             StructExpression::Binary {
                 left,
                 operation,
                 right,
-            } => (binary_name(*operation), vec![whole(left), whole(right)]),
-            StructExpression::UnitVect(variable) => ("EQUAL_UNIT_VECT", vec![whole(variable)]),
+            } => (
+                binary_name(*operation).to_owned(),
+                vec![whole(left), whole(right)],
+            ),
+            StructExpression::UnitVect(variable) => {
+                (equal(Operation::UnitVect), vec![whole(variable)])
+            }
             StructExpression::Rotate {
                 axis,
                 operand,
                 angle,
             } => {
-                let name = match axis {
-                    Axis::X => "EQUAL_ROT_X",
-                    Axis::Y => "EQUAL_ROT_Y",
-                    Axis::Z => "EQUAL_ROT_Z",
-                };
+                let name = equal(Operation::Rotate(*axis));
                 (name, vec![whole(operand), self.variables.operand(*angle)])
             }
         }
@@ -183,13 +192,17 @@ impl Listing<'_> {
                 condition,
                 otherwise,
             } => self
-                .conditional("ELSEIF", condition, *otherwise)
+                .conditional(Keyword::ElseIf.word(), condition, *otherwise)
                 .with(Slot::constant(0.0)),
-            Action::While { condition, exit } => self.conditional("WHILE", condition, *exit),
-            Action::Until { condition, back } => self.conditional("UNTIL", condition, *back),
+            Action::While { condition, exit } => {
+                self.conditional(Keyword::While.word(), condition, *exit)
+            }
+            Action::Until { condition, back } => {
+                self.conditional(Keyword::Until.word(), condition, *back)
+            }
             Action::IfGoto { condition, to } => self.conditional("IF_GOTO", condition, *to),
             Action::IfGosub { condition, to } => self.conditional("IF_GOSUB", condition, *to),
-            Action::Else { end } => Record::new("ELSE")
+            Action::Else { end } => Record::new(Keyword::Else.word())
                 .with(label(*end))
                 .with(Slot::constant(0.0)),
             Action::Goto { to } | Action::Gosub { to } => Record::new(name).with(label(*to)),
@@ -199,13 +212,13 @@ impl Listing<'_> {
                 to,
                 step,
                 exit,
-            } => Record::new("FOR")
+            } => Record::new(Keyword::For.word())
                 .with(self.variables.scalar(*variable, false))
                 .with(self.variables.operand(*from))
                 .with(self.variables.operand(*to))
                 .with(label(*exit))
                 .with(self.variables.operand(*step)),
-            Action::Next { variable, body, .. } => Record::new("NEXT")
+            Action::Next { variable, body, .. } => Record::new(Keyword::Next.word())
                 .with(self.variables.scalar(*variable, false))
                 .with(label(body.saturating_sub(1))),
             _ => Record::new(name),
@@ -235,11 +248,7 @@ impl Listing<'_> {
     }
 }
 
-fn equation(
-    (name, right): (&'static str, Vec<Slot>),
-    update: Option<Arithmetic>,
-    left: Slot,
-) -> Record {
+fn equation((name, right): (String, Vec<Slot>), update: Option<Arithmetic>, left: Slot) -> Record {
     let record = Record::new(name).to(left_name(update)).with(left);
     right.into_iter().fold(record, Record::with)
 }
@@ -269,20 +278,9 @@ const fn binary_name(operation: Arithmetic) -> &'static str {
     }
 }
 
-const fn function_name(function: Function) -> &'static str {
-    match function {
-        Function::Int => "EQUAL_INT",
-        Function::Abs => "EQUAL_ABS",
-        Function::Sqrt => "EQUAL_SQRT",
-        Function::Sin => "EQUAL_SIN",
-        Function::Cos => "EQUAL_COS",
-        Function::Tan => "EQUAL_TAN",
-        Function::Asin => "EQUAL_ASIN",
-        Function::Acos => "EQUAL_ACOS",
-        Function::Atan => "EQUAL_ATAN",
-        Function::Deg2Rad => "EQUAL_DEG2RAD",
-        Function::Rad2Deg => "EQUAL_RAD2DEG",
-    }
+/// An equation with a function.
+fn equal(function: Operation) -> String {
+    format!("EQUAL_{}", function.word())
 }
 
 const fn relation_name(relation: Relation) -> &'static str {

@@ -4,8 +4,8 @@ use super::Migrator;
 use super::header::Title;
 use super::lines::Statement;
 use super::variables::Variables;
-use crate::check::is_reserved;
-use crate::language::commands::MOTION_FLAGS;
+use crate::language::Edition;
+use crate::language::reserved::is_reserved;
 use crate::syntax::VariableKind;
 
 /// How many names a line declares at most.
@@ -55,7 +55,7 @@ impl Migrator<'_> {
     pub(super) fn clashes(&mut self, statement: &Statement) {
         for name in statement.words().skip(1) {
             let word = self.slice(name).to_ascii_uppercase();
-            if is_reserved(&word) && !MOTION_FLAGS.contains(&word.as_str()) {
+            if is_reserved(&word, Edition::V3_1) {
                 let text = format!(
                     "{word} is a word of the language in 3.1: what shall the variable be called?"
                 );

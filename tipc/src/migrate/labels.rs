@@ -2,7 +2,8 @@
 
 use super::Migrator;
 use super::lines::Piece;
-use crate::check::is_reserved;
+use crate::language::Edition;
+use crate::language::reserved::is_reserved;
 use crate::syntax::Span;
 use std::collections::HashSet;
 
@@ -19,7 +20,8 @@ impl Migrator<'_> {
         let jumps = statements.flat_map(|statement| statement.jumps());
         for span in jumps.chain(declared).collect::<Vec<Span>>() {
             let name = self.source.slice(span).to_ascii_uppercase();
-            let clashes = names.contains(&name) && name != LOOP && is_reserved(&name);
+            let clashes =
+                names.contains(&name) && name != LOOP && is_reserved(&name, Edition::V3_1);
             if clashes {
                 let new = free_name(&name, &names);
                 self.rename(span, &new);

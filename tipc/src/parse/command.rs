@@ -4,13 +4,12 @@ use super::Parser;
 use super::reader::Reader;
 use crate::code::Code;
 use crate::lex::{Kind, Token};
-use crate::syntax::{StatementKind, Word};
-use smol_str::SmolStr;
+use crate::syntax::{Span, StatementKind, Word, upper_case};
 
 impl Parser<'_> {
     /// A command word and its arguments. Whether the command exists is not known here, and a misspelt one is
     /// reported as such, whatever stands behind it: so faults in its arguments travel with it.
-    pub(super) fn command(&self, keyword: SmolStr, tokens: &[Token]) -> StatementKind {
+    pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
         let (arguments, read) = reader.operands();
         StatementKind::Command {
@@ -21,11 +20,11 @@ impl Parser<'_> {
     }
 
     /// The command word; an operator that stands in its place is shown as one.
-    fn command_word(&self, keyword: SmolStr, tokens: &[Token]) -> Word {
+    fn command_word(&self, keyword: Span, tokens: &[Token]) -> Word {
         let span = tokens.first().map(|token| token.span).unwrap_or_default();
         let node = match tokens.first() {
             Some(token) if token.kind != Kind::Word => self.source.slice(span).into(),
-            _ => keyword,
+            _ => upper_case(self.source.slice(keyword)),
         };
         Word { node, span }
     }

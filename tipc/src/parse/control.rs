@@ -1,6 +1,7 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
 use super::reader::{Fault, Parsed, Reader};
+use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::message::phrase::End;
@@ -22,27 +23,27 @@ impl Reader<'_> {
     }
 
     fn then(&mut self) -> Parsed<(Then, Parsed<()>)> {
-        if self.take_word("THEN").is_some() {
+        if self.take_word(Keyword::Then).is_some() {
             return Ok((
                 Then::Block,
                 self.expect_end(End::Word {
-                    word: "THEN".into(),
+                    word: Keyword::Then.into(),
                 }),
             ));
         }
-        if let Some(keyword) = self.take_word("GOTO") {
+        if let Some(keyword) = self.take_word(Keyword::Goto) {
             let jump = self.goto(keyword)?;
             return Ok((Then::Goto(jump), self.expect_end(End::Label)));
         }
-        if let Some(keyword) = self.take_word("GOSUB") {
-            let jump = self.jump(keyword, "GOSUB")?;
+        if let Some(keyword) = self.take_word(Keyword::Gosub) {
+            let jump = self.jump(keyword, Keyword::Gosub)?;
             return Ok((Then::Gosub(jump), self.expect_end(End::Label)));
         }
         Err(self.missing_then())
     }
 
     fn missing_then(&self) -> Fault {
-        if self.at_word("CALL") {
+        if self.at_word(Keyword::Call) {
             let help = Parsing::GosubCalls;
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
@@ -52,9 +53,9 @@ impl Reader<'_> {
 
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
-        let end = match self.take_word("THEN") {
+        let end = match self.take_word(Keyword::Then) {
             Some(_) => self.expect_end(End::Word {
-                word: "THEN".into(),
+                word: Keyword::Then.into(),
             }),
             None => Err(self.fault(self.here(), Parsing::ThenBelongsHere)),
         };
@@ -77,7 +78,7 @@ impl Reader<'_> {
         let variable = self.loop_variable()?;
         self.expect_assignment()?;
         let from = self.operand_before_keyword()?;
-        if self.take_word("TO").is_none() {
+        if self.take_word(Keyword::To).is_none() {
             return Err(self.fault_with_help(
                 self.here(),
                 Parsing::ToBelongsHere,
@@ -85,7 +86,7 @@ impl Reader<'_> {
             ));
         }
         let to = self.operand_before_keyword()?;
-        let step = match self.take_word("STEP") {
+        let step = match self.take_word(Keyword::Step) {
             Some(_) => Some(self.operand_before_keyword()?),
             None => None,
         };
@@ -183,7 +184,7 @@ impl Reader<'_> {
     pub(super) fn call(
         &mut self,
         keyword: Span,
-        name: &str,
+        name: Keyword,
         make: fn(Jump) -> StatementKind,
     ) -> Read {
         let jump = self.jump(keyword, name)?;
@@ -196,7 +197,7 @@ impl Reader<'_> {
     }
 
     /// A word that stands alone in its statement.
-    pub(super) fn alone(&mut self, name: &str, kind: StatementKind) -> Read {
+    pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         Ok((kind, self.expect_end(End::Word { word: name.into() })))
     }
 }

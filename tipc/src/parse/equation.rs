@@ -2,9 +2,10 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
+use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
-use crate::syntax::{Equation, Expression, FUNCTIONS, Operand, OperandKind};
+use crate::syntax::{Equation, Expression, Operand, OperandKind};
 
 /// Whether the tokens are meant as an equation: an assignment stands behind the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
@@ -17,7 +18,7 @@ pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
 }
 
 /// Reads an equation.
-pub(super) fn equation(text: &str, tokens: &[Token]) -> Parsed<Equation> {
+pub(super) fn equation(text: &str, tokens: &[Token], edition: Edition) -> Parsed<Equation> {
     let mut reader = Reader::new(text, tokens, 0, Code::Equation);
     let target = target(&mut reader)?;
     let (update, operator) = match reader.take() {
@@ -28,7 +29,7 @@ pub(super) fn equation(text: &str, tokens: &[Token]) -> Parsed<Equation> {
         }) => (update, span),
         _ => return Err(reader.fault(target.span, Parsing::OneVariableLeft)),
     };
-    let value = right_side(&mut reader)?;
+    let value = right_side(&mut reader, edition)?;
     Ok(Equation {
         target,
         update,
@@ -54,13 +55,16 @@ fn target(reader: &mut Reader<'_>) -> Parsed<Operand> {
     }
 }
 
-fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
-    if let Some(function) = reader.peek().filter(|token| is_function(reader, *token)) {
+fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
+    if let Some(function) = reader
+        .peek()
+        .filter(|token| is_function(reader, *token, edition))
+    {
         reader.take();
         let (operands, read) = reader.operands();
         read.map_err(with_help)?;
         for operand in &operands {
-            refuse_function(reader, operand)?;
+            refuse_function(reader, operand, edition)?;
         }
         return Ok(Expression::Function {
             name: reader.word(function.span),
@@ -68,7 +72,7 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
         });
     }
     let left = reader.operand()?;
-    refuse_function(reader, &left)?;
+    refuse_function(reader, &left, edition)?;
     let operation = match reader.take() {
         None => return Ok(Expression::Operand(left)),
         Some(Token {
@@ -81,7 +85,7 @@ fn right_side(reader: &mut Reader<'_>) -> Parsed<Expression> {
         }
     };
     let right = reader.operand()?;
-    refuse_function(reader, &right)?;
+    refuse_function(reader, &right, edition)?;
     match reader.left() {
         0 => Ok(Expression::Binary {
             left,
@@ -102,15 +106,15 @@ fn with_help(mut fault: Fault) -> Fault {
     fault
 }
 
-fn is_function(reader: &Reader<'_>, token: Token) -> bool {
+fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {
     let word = reader.slice(token.span);
-    token.kind == Kind::Word && FUNCTIONS.iter().any(|name| word.eq_ignore_ascii_case(name))
+    token.kind == Kind::Word && functions::find(word, edition).is_some()
 }
 
 /// A function is the whole right side; it stands nowhere else.
-fn refuse_function(reader: &Reader<'_>, operand: &Operand) -> Parsed<()> {
+fn refuse_function(reader: &Reader<'_>, operand: &Operand, edition: Edition) -> Parsed<()> {
     match &operand.kind {
-        OperandKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => Err(reader
+        OperandKind::Name(name) if functions::find(name, edition).is_some() => Err(reader
             .fault_with_help(
                 operand.span,
                 Parsing::FunctionCannotStandHere {

@@ -1,6 +1,7 @@
 //! Jumps and the labels they name (T.I.P. 3.1 §7-7).
 
 use super::reader::{Parsed, Reader};
+use crate::language::Keyword;
 use crate::lex::Kind;
 use crate::message::Parsing;
 use crate::syntax::{Jump, Span, Word};
@@ -14,11 +15,11 @@ impl Reader<'_> {
                 label: None,
             });
         }
-        self.jump(keyword, "GOTO")
+        self.jump(keyword, Keyword::Goto)
     }
 
     /// `GOSUB NAME:` or `CALL NAME:`; the jump's word is already taken.
-    pub(super) fn jump(&mut self, keyword: Span, name: &str) -> Parsed<Jump> {
+    pub(super) fn jump(&mut self, keyword: Span, name: Keyword) -> Parsed<Jump> {
         let label = self.jump_label(name)?;
         Ok(Jump {
             keyword,
@@ -26,7 +27,7 @@ impl Reader<'_> {
         })
     }
 
-    fn jump_label(&mut self, jump: &str) -> Parsed<Word> {
+    fn jump_label(&mut self, jump: Keyword) -> Parsed<Word> {
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {

@@ -3,6 +3,7 @@
 use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::{Keyword, keywords};
 use crate::lex::{DELIMITERS, foreign_run, skip_delimiters, word_end};
 use crate::message::Parsing;
 use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};
@@ -48,9 +49,9 @@ impl Parser<'_> {
     fn label_end(&self, word: Span, end: usize) -> Option<usize> {
         let bytes = &self.text.as_bytes()[..end];
         let colon = skip_delimiters(bytes, word.end);
-        let has_text = |name: &str| self.source.slice(word).eq_ignore_ascii_case(name);
+        let keyword = || keywords::find(self.source.slice(word), self.module.edition);
         let is_label = bytes.get(colon) == Some(&b':')
-            && (colon == word.end || !(has_text("MESSAGE") || has_text("REM")));
+            && (colon == word.end || !matches!(keyword(), Some(Keyword::Message | Keyword::Rem)));
         is_label.then_some(colon + 1)
     }
 
@@ -131,19 +132,19 @@ impl Parser<'_> {
 }
 
 /// ELSE, ENDIF, WEND or REPEAT beside something else.
-pub(super) fn not_alone(name: &str, place: Span, other: Span) -> Diagnostic {
+pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
     let reason = Parsing::NotAlone { word: name.into() };
     Diagnostic::new(Code::Format, place, reason)
         .label(other, Parsing::WantsOwnLine)
         .help(Parsing::LabelBeforeCommentBehind)
 }
 
-fn lone_word(kind: &StatementKind) -> Option<&'static str> {
+fn lone_word(kind: &StatementKind) -> Option<Keyword> {
     match kind {
-        StatementKind::Else => Some("ELSE"),
-        StatementKind::EndIf => Some("ENDIF"),
-        StatementKind::Wend => Some("WEND"),
-        StatementKind::Repeat => Some("REPEAT"),
+        StatementKind::Else => Some(Keyword::Else),
+        StatementKind::EndIf => Some(Keyword::EndIf),
+        StatementKind::Wend => Some(Keyword::Wend),
+        StatementKind::Repeat => Some(Keyword::Repeat),
         _ => None,
     }
 }

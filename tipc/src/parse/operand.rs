@@ -1,12 +1,20 @@
 //! Operands: constants, names, members, and their signs.
 
 use super::reader::{Fault, Parsed, Reader};
+use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::syntax::{Arithmetic, Operand, OperandKind, Span, upper_case};
 
 /// Words that end an operand list in conditions and FOR; no variable bears such a name.
-const STOPS: &[&str] = &["THEN", "GOTO", "GOSUB", "CALL", "TO", "STEP"];
+const STOPS: &[Keyword] = &[
+    Keyword::Then,
+    Keyword::Goto,
+    Keyword::Gosub,
+    Keyword::Call,
+    Keyword::To,
+    Keyword::Step,
+];
 
 impl Reader<'_> {
     /// An operand with its sign.
@@ -33,7 +41,7 @@ impl Reader<'_> {
 
     /// An operand of a condition or of FOR.
     pub(super) fn operand_before_keyword(&mut self) -> Parsed<Operand> {
-        match STOPS.iter().find(|stop| self.at_word(stop)) {
+        match STOPS.iter().find(|stop| self.at_word(**stop)) {
             Some(stop) => {
                 let reason = Parsing::OperandMissingBefore {
                     word: (*stop).into(),

@@ -2,6 +2,7 @@
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::message::phrase::End;
@@ -62,14 +63,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether the next token is the keyword `word`.
-    pub(super) fn at_word(&self, word: &str) -> bool {
+    pub(super) fn at_word(&self, word: Keyword) -> bool {
         self.peek().is_some_and(|token| {
-            token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word)
+            token.kind == Kind::Word && self.slice(token.span).eq_ignore_ascii_case(word.word())
         })
     }
 
     /// Takes the keyword `word` if it is next.
-    pub(super) fn take_word(&mut self, word: &str) -> Option<Span> {
+    pub(super) fn take_word(&mut self, word: Keyword) -> Option<Span> {
         let token = self.at_word(word).then(|| self.take())?;
         token.map(|token| token.span)
     }

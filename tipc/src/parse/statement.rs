@@ -6,10 +6,10 @@ use super::reader::Reader;
 use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::code::Code;
+use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::message::Parsing;
-use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word, upper_case};
-use smol_str::SmolStr;
+use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word};
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -22,21 +22,20 @@ impl Parser<'_> {
         text_end: usize,
         comment: Option<Span>,
     ) -> Flow {
-        let keyword = upper_case(self.source.slice(word));
-        match keyword.as_str() {
-            "END" => {
+        match keywords::find(self.source.slice(word), self.module.edition) {
+            Some(Keyword::End) => {
                 self.push(StatementKind::End, word);
                 return Flow::End;
             }
-            "MESSAGE" => self.message(word, text_end, comment),
-            "REM" => self.push(StatementKind::Rem, span),
-            _ => self.words(keyword, word, span),
+            Some(Keyword::Message) => self.message(word, text_end, comment),
+            Some(Keyword::Rem) => self.push(StatementKind::Rem, span),
+            keyword => self.words(keyword, word, span),
         }
         Flow::Continue
     }
 
     /// A statement that is made of words.
-    fn words(&mut self, keyword: SmolStr, word: Span, span: Span) {
+    fn words(&mut self, keyword: Option<Keyword>, word: Span, span: Span) {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
@@ -53,22 +52,25 @@ impl Parser<'_> {
 
     fn kind(
         &mut self,
-        keyword: SmolStr,
+        keyword: Option<Keyword>,
         word: Span,
         tokens: &[Token],
         reported: bool,
     ) -> StatementKind {
-        if let Some(kind) = self.lone_statement(&keyword, tokens, reported) {
+        if let Some(kind) = self.lone_statement(keyword, tokens, reported) {
             return kind;
         }
-        if let Some(kind) = variable_kind(&keyword).filter(|_| !equation::looks_like_one(tokens)) {
+        if let Some(kind) = keyword
+            .and_then(variable_kind)
+            .filter(|_| !equation::looks_like_one(tokens))
+        {
             return self.define(kind, word, tokens, reported);
         }
         if reported {
-            return StatementKind::Broken(shape(&keyword, self.text, tokens));
+            return StatementKind::Broken(shape(keyword, self.text, tokens));
         }
         if equation::looks_like_one(tokens) {
-            return match equation::equation(self.text, tokens) {
+            return match equation::equation(self.text, tokens, self.module.edition) {
                 Ok(equation) => StatementKind::Equation(Box::new(equation)),
                 Err(fault) => {
                     self.report(*fault);
@@ -76,7 +78,7 @@ impl Parser<'_> {
                 }
             };
         }
-        match self.control(&keyword, word, tokens) {
+        match keyword.and_then(|keyword| self.control(keyword, word, tokens)) {
             Some(Ok((kind, Ok(())))) => kind,
             Some(Ok((kind, Err(fault)))) => {
                 self.report(*fault);
@@ -84,24 +86,25 @@ impl Parser<'_> {
             }
             Some(Err(fault)) => {
                 self.report(*fault);
-                StatementKind::Broken(shape(&keyword, self.text, tokens))
+                StatementKind::Broken(shape(keyword, self.text, tokens))
             }
-            None => self.command(keyword, tokens),
+            None => self.command(word, tokens),
         }
     }
 
     /// ELSE, ENDIF, WEND and REPEAT keep their meaning even if something stands behind them.
     fn lone_statement(
         &mut self,
-        keyword: &str,
+        keyword: Option<Keyword>,
         tokens: &[Token],
         reported: bool,
     ) -> Option<StatementKind> {
+        let keyword = keyword?;
         let kind = match keyword {
-            "ELSE" => StatementKind::Else,
-            "ENDIF" => StatementKind::EndIf,
-            "WEND" => StatementKind::Wend,
-            "REPEAT" => StatementKind::Repeat,
+            Keyword::Else => StatementKind::Else,
+            Keyword::EndIf => StatementKind::EndIf,
+            Keyword::Wend => StatementKind::Wend,
+            Keyword::Repeat => StatementKind::Repeat,
             _ => return None,
         };
         if let ([word, next, ..], [.., last], false) = (tokens, tokens, reported) {
@@ -110,22 +113,22 @@ impl Parser<'_> {
         Some(kind)
     }
 
-    fn control(&self, keyword: &str, word: Span, tokens: &[Token]) -> Option<Read> {
+    fn control(&self, keyword: Keyword, word: Span, tokens: &[Token]) -> Option<Read> {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
         Some(match keyword {
-            "IF" => reader.if_statement(word),
-            "ELSEIF" => reader.else_if(word),
-            "WHILE" => reader.while_statement(word),
-            "UNTIL" => reader.until(word),
-            "FOR" => reader.for_statement(word),
-            "NEXT" => reader.next_statement(word),
-            "SUBROUTINE" => reader.subroutine(word),
-            "SUBEND" => reader.alone(keyword, StatementKind::SubEnd),
-            "CALL" => reader.call(word, keyword, StatementKind::Call),
-            "GOSUB" => reader.call(word, keyword, StatementKind::Gosub),
-            "GOTO" => reader.goto_statement(word),
-            "RETURN" => reader.alone(keyword, StatementKind::Return),
-            "EXIT" => reader.alone(keyword, StatementKind::Exit),
+            Keyword::If => reader.if_statement(word),
+            Keyword::ElseIf => reader.else_if(word),
+            Keyword::While => reader.while_statement(word),
+            Keyword::Until => reader.until(word),
+            Keyword::For => reader.for_statement(word),
+            Keyword::Next => reader.next_statement(word),
+            Keyword::Subroutine => reader.subroutine(word),
+            Keyword::SubEnd => reader.alone(keyword, StatementKind::SubEnd),
+            Keyword::Call => reader.call(word, keyword, StatementKind::Call),
+            Keyword::Gosub => reader.call(word, keyword, StatementKind::Gosub),
+            Keyword::Goto => reader.goto_statement(word),
+            Keyword::Return => reader.alone(keyword, StatementKind::Return),
+            Keyword::Exit => reader.alone(keyword, StatementKind::Exit),
             _ => return None,
         })
     }
@@ -165,11 +168,11 @@ impl Parser<'_> {
     }
 }
 
-fn variable_kind(keyword: &str) -> Option<VariableKind> {
+fn variable_kind(keyword: Keyword) -> Option<VariableKind> {
     match keyword {
-        "DEF_VAR" => Some(VariableKind::Var),
-        "DEF_POS" => Some(VariableKind::Pos),
-        "DEF_JOINT" => Some(VariableKind::Joint),
+        Keyword::DefVar => Some(VariableKind::Var),
+        Keyword::DefPos => Some(VariableKind::Pos),
+        Keyword::DefJoint => Some(VariableKind::Joint),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! What steps read, compare and calculate.
 
-use super::{Arithmetic, Flag, Relation};
+use super::{Arithmetic, Axis, Flag, Function, Relation};
 
 /// A variable, by its place in [`Program::variables`](super::Program::variables).
 pub type VariableId = usize;
@@ -81,33 +81,6 @@ pub enum ScalarExpression {
     Norm(VariableId),
 }
 
-/// A function of one scalar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Function {
-    /// `INT`
-    Int,
-    /// `ABS`
-    Abs,
-    /// `SQRT`
-    Sqrt,
-    /// `SIN`
-    Sin,
-    /// `COS`
-    Cos,
-    /// `TAN`
-    Tan,
-    /// `ASIN`
-    Asin,
-    /// `ACOS`
-    Acos,
-    /// `ATAN`
-    Atan,
-    /// `DEG2RAD`
-    Deg2Rad,
-    /// `RAD2DEG`
-    Rad2Deg,
-}
-
 /// The right side of a struct equation; all structs in it are of one type.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StructExpression {
@@ -133,15 +106,4 @@ pub enum StructExpression {
         /// By how many degrees.
         angle: Operand,
     },
-}
-
-/// An axis of the robot frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Axis {
-    /// To the right.
-    X,
-    /// Forward.
-    Y,
-    /// Up.
-    Z,
 }

@@ -1,10 +1,13 @@
 //! The statements of a file, and which step each of them is.
 
 use super::{Span, StatementKind, StepId};
+use crate::language::Edition;
 
 /// A whole source file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Module {
+    /// The edition of the language, which line 1 chooses.
+    pub edition: Edition,
     /// Line 2.
     pub title: String,
     /// The statements up to and including the first END.

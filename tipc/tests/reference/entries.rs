@@ -5,10 +5,10 @@ use crate::{hold, read, workspace};
 use std::collections::BTreeSet;
 use std::fs;
 use tipc::Robot;
-use tipc::language::commands::{
-    COMMANDS, Command, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS, find,
-};
-use tipc::syntax::FUNCTIONS;
+use tipc::language::commands::{COMMANDS, Command, find};
+use tipc::language::keywords::KEYWORDS;
+use tipc::language::reserved::motion_flags;
+use tipc::language::{flags, functions, inputs};
 
 const PATH: &str = "docs/commands.md";
 const EXAMPLES: &str = "tests/cases/examples";
@@ -33,11 +33,15 @@ fn every_word_has_one_entry() {
         entries.iter().filter(of_entry).count()
     };
     let commands = COMMANDS.iter().map(|command| command.name);
-    let words = [FUNCTIONS, FLAGS, PORTS, MOTION_FLAGS].concat();
-    for word in commands.chain(words) {
+    let words = commands
+        .chain(functions::words())
+        .chain(flags::words())
+        .chain(motion_flags())
+        .map(str::to_owned);
+    for word in words.chain(inputs::named().map(|port| port.to_string())) {
         assert_eq!(named(&|name| name == word), 1, "entries of {word}");
     }
-    for family in FLAG_FAMILIES {
+    for family in flags::families() {
         assert_eq!(named(&|name| name.starts_with(family)), 1, "{family}");
     }
 }
@@ -52,8 +56,8 @@ fn every_example_uses_the_words_of_its_entry() {
         }
         used.extend(words);
     }
-    for word in PARTICLES {
-        assert!(used.contains(*word), "no example has {word}");
+    for row in KEYWORDS.iter().filter(|row| row.keyword.is_particle()) {
+        assert!(used.contains(row.word), "no example has {}", row.word);
     }
 }
 

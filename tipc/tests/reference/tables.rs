@@ -5,6 +5,11 @@ use crate::{hold, read};
 use std::fmt::Write as _;
 use tipc::code::{Code, Level};
 use tipc::language::commands::{COMMANDS, Command, Cycles};
+use tipc::language::flags::FLAGS;
+use tipc::language::functions::FUNCTIONS;
+use tipc::language::inputs::INPUTS;
+use tipc::language::keywords::KEYWORDS;
+use tipc::language::reserved::RESERVED;
 
 /// How many clauses each chapter has.
 const CLAUSES: [usize; 11] = [12, 25, 6, 9, 1, 7, 48, 1, 5, 1, 1];
@@ -37,15 +42,31 @@ fn every_clause_stands_once() {
 fn every_command_is_described_in_the_clause_that_its_row_names() {
     let text = reference();
     for Command { name, clause, .. } in COMMANDS {
-        let begin = text.find(&format!("**[{clause}]**"));
-        let clause_text = &text[begin.unwrap_or_else(|| panic!("{name}: no clause {clause}"))..];
-        // A clause ends where the next one begins.
-        let end = clause_text[1..]
-            .find("**[")
-            .map_or(clause_text.len(), |end| end + 1);
-        let described = describes(&clause_text[..end], name);
+        let described = describes(clause_of(&text, clause), name);
         assert!(described, "{name} is not in clause {clause}");
     }
+}
+
+#[test]
+fn every_other_word_is_described_in_the_clause_that_its_row_names() {
+    let text = reference();
+    let keywords = KEYWORDS.iter().map(|row| (row.word, row.clause));
+    let functions = FUNCTIONS.iter().map(|row| (row.word, row.clause));
+    let flags = FLAGS.iter().map(|row| (row.word(), row.clause));
+    let inputs = INPUTS.iter().map(|row| (row.port.stem(), row.clause));
+    let reserved = RESERVED.iter().map(|row| (row.word, row.clause));
+    let words = keywords.chain(functions).chain(flags).chain(inputs);
+    for (word, clause) in words.chain(reserved) {
+        assert!(clause_of(&text, clause).contains(word), "{word}: {clause}");
+    }
+}
+
+/// A clause of the reference; it ends where the next one begins.
+fn clause_of<'a>(text: &'a str, clause: &str) -> &'a str {
+    let begin = text.find(&format!("**[{clause}]**"));
+    let text = &text[begin.unwrap_or_else(|| panic!("no clause {clause}"))..];
+    let end = text[1..].find("**[").map_or(text.len(), |end| end + 1);
+    &text[..end]
 }
 
 /// Whether a clause names a command, be it as `…_SLOW` for a family that shares its endings.

@@ -5,7 +5,6 @@ mod text;
 
 pub use options::{Inputs, Keys, SensorAt};
 pub use text::EventError;
-pub(crate) use text::PortText;
 
 use tip_runtime::command::Port;
 

@@ -75,10 +75,7 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refused::Mismatch(mismatch) => mismatch.fmt(f),
-            Refused::NoInput(port) => {
-                let name = crate::event::PortText(*port);
-                write!(f, "the robot has no input {name}")
-            }
+            Refused::NoInput(port) => write!(f, "the robot has no input {port}"),
             Refused::Text(error) => error.fmt(f),
         }
     }

@@ -4,8 +4,10 @@ use crate::fuzzer;
 use std::collections::BTreeSet;
 use std::{env, fs};
 use tipc::description::{KEYS, Part};
-use tipc::language::commands::{COMMANDS, FLAG_FAMILIES, FLAGS, MOTION_FLAGS, PARTICLES, PORTS};
-use tipc::syntax::FUNCTIONS;
+use tipc::language::commands::COMMANDS;
+use tipc::language::keywords::KEYWORDS;
+use tipc::language::reserved::motion_flags;
+use tipc::language::{flags, functions, inputs};
 
 /// What the language has beside the words of its tables.
 const SIGNS: &[&str] = &[
@@ -137,17 +139,16 @@ fn of_programs() {
         [Some(command.name), command.alias, old]
     });
     let words = commands.flatten();
-    let lists = [
-        FLAG_FAMILIES,
-        FLAGS,
-        MOTION_FLAGS,
-        PARTICLES,
-        PORTS,
-        FUNCTIONS,
-        SIGNS,
-    ];
-    let words = words.chain(lists.into_iter().flatten().copied());
-    hold("program", words.map(str::to_owned));
+    let inputs = inputs::named().map(|port| port.to_string());
+    let particles = KEYWORDS.iter().filter(|row| row.keyword.is_particle());
+    let rest = flags::families()
+        .chain(flags::words())
+        .chain(motion_flags())
+        .chain(particles.map(|row| row.word))
+        .chain(functions::words())
+        .chain(SIGNS.iter().copied());
+    let words = words.chain(rest).map(str::to_owned).chain(inputs);
+    hold("program", words);
 }
 
 /// The keys of some tables, and their headers.

@@ -1,6 +1,7 @@
 //! Cycle counts as a table for people, and as lines for tools.
 
 use super::{Part, Sampling, Span, Stop};
+use crate::language::Keyword;
 use crate::program::{Action, Op, Program, StepId};
 use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
@@ -185,8 +186,8 @@ fn label(program: &Program, step: StepId) -> Option<&str> {
 fn end(program: &Program, stop: Stop) -> String {
     match stop {
         Stop::Label(step) => label(program, step).unwrap_or_default().to_owned(),
-        Stop::Return => "RETURN".to_owned(),
-        Stop::End => "END".to_owned(),
+        Stop::Return => Keyword::Return.to_string(),
+        Stop::End => Keyword::End.to_string(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! One argument of a step, and the names of TIP.OBJ.
 
+use crate::language::reserved::POSITION;
 use crate::program::{Argument, Operand, Program, Scalar, VariableId, VariableKind};
 use std::borrow::Cow;
 use tip_runtime::command::{Port, Target};
@@ -75,7 +76,7 @@ impl<'a> Variables<'a> {
         let sign = if negative { "MINUS_" } else { "" };
         let member = match self.program.variables()[scalar.variable].kind {
             VariableKind::Var => String::new(),
-            VariableKind::Pos => format!("_{}", ["X", "Y", "Z"][scalar.member]),
+            VariableKind::Pos => format!("_{}", POSITION[scalar.member]),
             VariableKind::Joint => format!("_{}", scalar.member + 1),
         };
         Slot::new(format!("{sign}{kind}{member}"), value)

@@ -2,7 +2,8 @@
 
 use super::events::What;
 use std::collections::BTreeSet;
-use tip_runtime::command::{Flag, Port};
+use tip_runtime::command::Port;
+use tipc::language::flags::{self, Cause};
 use tipc::program::{Action, Condition, Operand, Program};
 
 /// Key codes beyond these are none that a program can get.
@@ -24,11 +25,11 @@ pub(super) fn levers(program: &Program) -> Vec<What> {
             _ => {}
         }
         match step.action.condition() {
-            Some(Condition::Flag { flag, .. }) => match flag {
-                Flag::KbHit => takes_keys = true,
-                Flag::HaltRequest => takes_halts = true,
-                Flag::Antenna => ports.push(Port::Antenna),
-                Flag::Inpos(_) | Flag::Near(_) | Flag::Special(_) => {}
+            Some(Condition::Flag { flag, .. }) => match flags::row(*flag).map(|row| row.cause) {
+                Some(Cause::Key) => takes_keys = true,
+                Some(Cause::Halt) => takes_halts = true,
+                Some(Cause::Input(port)) => ports.push(port),
+                Some(Cause::Robot) | None => {}
             },
             Some(Condition::Compare { left, right, .. }) => {
                 numbers.extend([left, right].into_iter().filter_map(constant));

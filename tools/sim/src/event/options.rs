@@ -1,6 +1,6 @@
 //! Events as the command line spells them: `--keys`, `--sensor` and `--halt` are short forms, `--events` is the full one.
 
-use super::text::{KeyText, PortText, key_byte, port};
+use super::text::{KeyText, key_byte, port};
 use super::{Event, EventError, Events, Timed};
 use std::fmt;
 use std::str::FromStr;
@@ -24,7 +24,7 @@ impl fmt::Display for Inputs {
             match event {
                 Event::Key(byte) => keys.push(format!("{cycle}:{}", KeyText(*byte))),
                 Event::Sensor(port, volts) => {
-                    sensors.push(format!("--sensor {}={volts}@{cycle}", PortText(*port)));
+                    sensors.push(format!("--sensor {port}={volts}@{cycle}"));
                 }
                 Event::Halt => halts.push(format!("--halt {cycle}")),
                 other => others.push(format!("{cycle}:{other}")),

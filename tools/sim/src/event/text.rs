@@ -22,7 +22,7 @@ impl fmt::Display for Event {
         match self {
             Event::Key(byte) => write!(f, "key {}", KeyText(*byte)),
             Event::Halt => f.write_str("halt"),
-            Event::Sensor(port, volts) => write!(f, "{}={volts}", PortText(*port)),
+            Event::Sensor(port, volts) => write!(f, "{port}={volts}"),
             Event::Touch(true) => f.write_str("touch on"),
             Event::Touch(false) => f.write_str("touch off"),
             Event::ReadFails => f.write_str("read fails"),
@@ -134,35 +134,9 @@ pub(super) fn number(text: &str) -> Option<f64> {
     number.filter(|number| number.is_finite())
 }
 
-/// An input's name as AD_IN has it.
-pub(crate) struct PortText(pub(crate) Port);
-
-impl fmt::Display for PortText {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            Port::Channel(channel) => write!(f, "{channel}"),
-            Port::Knob(knob) => write!(f, "VR{knob}"),
-            Port::Joint(leg, joint) => write!(f, "J{leg}{joint}"),
-            Port::Paw(leg) => write!(f, "PAW{leg}"),
-            Port::Antenna => f.write_str("ANTENNA"),
-        }
-    }
-}
-
 /// The inputs by name, as AD_IN has them, in either case.
 pub(super) fn port(name: &str) -> Option<Port> {
-    let name = name.to_ascii_uppercase();
-    if name == "ANTENNA" {
-        return Some(Port::Antenna);
-    }
-    let digits = |prefix: &str| name.strip_prefix(prefix).map(str::as_bytes);
-    let number = |digit: u8, last: u8| (b'1'..=last).contains(&digit).then(|| digit - b'0');
-    match (digits("VR"), digits("PAW"), digits("J")) {
-        (Some(&[knob]), _, _) => number(knob, b'3').map(Port::Knob),
-        (_, Some(&[paw]), _) => number(paw, b'4').map(Port::Paw),
-        (_, _, Some(&[leg, joint])) => Some(Port::Joint(number(leg, b'9')?, number(joint, b'9')?)),
-        _ => None,
-    }
+    name.to_ascii_uppercase().parse().ok()
 }
 
 #[cfg(test)]

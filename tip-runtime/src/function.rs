@@ -1,0 +1,49 @@
+//! The functions of one number that equations have (T.I.P. 3.1 §5-2).
+
+#[cfg(feature = "ops")]
+use crate::{fault::Fault, ops};
+
+macro_rules! functions {
+    ($( $variant:ident $leaf:ident, )*) => {
+        /// A function of one number; the leaf arithmetic of [`ops`](crate::ops) says what it is.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Function {
+            $( #[doc = concat!("`ops::", stringify!($leaf), "`")] $variant, )*
+        }
+
+        impl Function {
+            /// Every function, in the order of the language's reference.
+            pub const ALL: &'static [Function] = &[$( Function::$variant, )*];
+
+            /// The name of its leaf in `ops`.
+            pub const fn leaf(self) -> &'static str {
+                match self { $( Function::$variant => stringify!($leaf), )* }
+            }
+
+            /// Its value.
+            ///
+            /// # Errors
+            /// `Domain` where it has none, or where the value is not finite.
+            #[cfg(feature = "ops")]
+            #[inline]
+            pub fn call(self, operand: f64) -> Result<f64, Fault> {
+                match self { $( Function::$variant => ops::$leaf(operand), )* }
+            }
+        }
+    };
+}
+
+functions! {
+    Int int,
+    Abs abs,
+    Sqrt sqrt,
+    Sin sin,
+    Cos cos,
+    Tan tan,
+    Asin asin,
+    Acos acos,
+    Atan atan,
+    Deg2Rad deg2rad,
+    Rad2Deg rad2deg,
+}

@@ -1,0 +1,192 @@
+//! The functions of equations (T.I.P. 3.1 §5-2).
+
+use super::Edition;
+use super::index::Index;
+use tip_runtime::function::Function;
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// How it is written.
+    pub word: &'static str,
+    /// What it calculates.
+    pub operation: Operation,
+    /// The first edition that has it.
+    pub since: Edition,
+    /// The section of T.I.P. that describes it.
+    pub section: &'static str,
+    /// The clause of the language reference.
+    pub clause: &'static str,
+    /// One line for the reference.
+    pub description: &'static str,
+}
+
+/// What a function calculates, which decides its operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// A number from a number.
+    Scalar(Function),
+    /// A number from two numbers: the direction of a point.
+    Atan2,
+    /// A number from a POS or JOINT.
+    Norm,
+    /// A POS from a POS.
+    UnitVect,
+    /// A POS from a POS and a number.
+    Rotate(Axis),
+}
+
+/// An axis of the robot frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Forward.
+    Y,
+    /// Up.
+    Z,
+}
+
+impl Operation {
+    /// How many operands it takes.
+    pub const fn operands(self) -> usize {
+        match self {
+            Operation::Scalar(_) | Operation::Norm | Operation::UnitVect => 1,
+            Operation::Atan2 | Operation::Rotate(_) => 2,
+        }
+    }
+
+    /// The word that it is written by.
+    pub fn word(self) -> &'static str {
+        let row = FUNCTIONS.iter().find(|row| row.operation == self);
+        row.map_or("", |row| row.word)
+    }
+}
+
+impl Row {
+    /// A function of 3.1.
+    const fn new(
+        word: &'static str,
+        operation: Operation,
+        clause: &'static str,
+        description: &'static str,
+    ) -> Self {
+        Row {
+            word,
+            operation,
+            since: Edition::V3_1,
+            section: "§5-2",
+            clause,
+            description,
+        }
+    }
+
+    /// A function of 3.1 from number to number.
+    const fn scalar(word: &'static str, function: Function, description: &'static str) -> Self {
+        Row::new(word, Operation::Scalar(function), "4.4", description)
+    }
+}
+
+/// Every function.
+pub const FUNCTIONS: &[Row] = &[
+    Row::scalar(
+        "INT",
+        Function::Int,
+        "The largest whole number not above the operand.",
+    ),
+    Row::scalar("ABS", Function::Abs, "The operand without its sign."),
+    Row::scalar("SQRT", Function::Sqrt, "The square root."),
+    Row::scalar("SIN", Function::Sin, "The sine of an angle in degrees."),
+    Row::scalar("COS", Function::Cos, "The cosine of an angle in degrees."),
+    Row::scalar("TAN", Function::Tan, "The tangent of an angle in degrees."),
+    Row::scalar("ASIN", Function::Asin, "The arc sine in degrees."),
+    Row::scalar("ACOS", Function::Acos, "The arc cosine in degrees."),
+    Row::scalar(
+        "ATAN",
+        Function::Atan,
+        "The arc tangent in degrees, of -1 to 1.",
+    ),
+    Row::new(
+        "ATAN2",
+        Operation::Atan2,
+        "4.5",
+        "The direction of the point (x, y) in degrees, from y and x.",
+    ),
+    Row::scalar("DEG2RAD", Function::Deg2Rad, "Degrees to radians."),
+    Row::scalar("RAD2DEG", Function::Rad2Deg, "Radians to degrees."),
+    Row::new(
+        "NORM",
+        Operation::Norm,
+        "4.6",
+        "The root of the sum of squares of the members.",
+    ),
+    Row::new(
+        "UNIT_VECT",
+        Operation::UnitVect,
+        "4.7",
+        "The same direction with length 1.",
+    ),
+    Row::new(
+        "ROT_X",
+        Operation::Rotate(Axis::X),
+        "4.8",
+        "A position turned by degrees about the x axis of the robot frame.",
+    ),
+    Row::new(
+        "ROT_Y",
+        Operation::Rotate(Axis::Y),
+        "4.8",
+        "A position turned by degrees about the y axis of the robot frame.",
+    ),
+    Row::new(
+        "ROT_Z",
+        Operation::Rotate(Axis::Z),
+        "4.8",
+        "A position turned by degrees about the z axis of the robot frame.",
+    ),
+];
+
+static INDEX: Index<{ FUNCTIONS.len() }> = {
+    let mut words = [("", 0); FUNCTIONS.len()];
+    let mut row = 0;
+    while row < FUNCTIONS.len() {
+        words[row] = (FUNCTIONS[row].word, row as u8);
+        row += 1;
+    }
+    Index::of(words)
+};
+
+/// The function that an edition writes so, whatever the case.
+pub fn find(word: &str, edition: Edition) -> Option<Operation> {
+    let row = &FUNCTIONS[INDEX.find(word)?];
+    (row.since <= edition).then_some(row.operation)
+}
+
+/// How the functions are written.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    FUNCTIONS.iter().map(|row| row.word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FUNCTIONS, Operation, find};
+    use crate::language::Edition;
+    use tip_runtime::function::Function;
+
+    #[test]
+    fn every_function_is_found_by_its_word() {
+        for row in FUNCTIONS {
+            assert_eq!(find(row.word, Edition::V3_1), Some(row.operation));
+            assert_eq!(row.operation.word(), row.word);
+        }
+        assert_eq!(find("sqrt", Edition::V3_1), find("SQRT", Edition::V3_1));
+        assert_eq!(find("PTP", Edition::V3_1), None);
+    }
+
+    #[test]
+    fn every_function_of_one_number_has_a_row() {
+        for function in Function::ALL {
+            assert_ne!(Operation::Scalar(*function).word(), "", "{function:?}");
+        }
+    }
+}

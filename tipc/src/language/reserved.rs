@@ -1,0 +1,288 @@
+//! Words that are no commands, functions, flags or inputs, and which words nothing may bear as a name (T.I.P. 3.1 §4).
+
+use super::{Edition, commands, flags, functions, inputs, keywords};
+use tip_runtime::command::{self, Target};
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// The word; of a family, what its words begin with.
+    pub word: &'static str,
+    /// What it is.
+    pub kind: Kind,
+    /// The first edition that has it.
+    pub since: Edition,
+    /// The section of T.I.P. that describes it.
+    pub section: &'static str,
+    /// The clause of the language reference.
+    pub clause: &'static str,
+    /// One line for the reference.
+    pub description: &'static str,
+}
+
+/// What such a word is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// What a command acts on; of feet and joints, one of them.
+    Target(Target),
+    /// A variable that every program has.
+    Variable,
+    /// A constant.
+    Constant(f64),
+    /// A constant for each digit and letter: its ASCII code. The character follows.
+    Characters,
+    /// A flag among the arguments of motions; elsewhere a name like any other.
+    MotionFlag,
+    /// A label that may stand many times.
+    Label,
+    /// A member of a POS; of a JOINT, what its names begin with.
+    Member,
+}
+
+/// The variable of KEY_IN without argument.
+pub const VAR_KEY: &str = "VAR_KEY";
+
+/// The label that may stand many times.
+pub const LOOP: &str = "LOOP";
+
+/// The members of a POS.
+pub const POSITION: [&str; 3] = ["X", "Y", "Z"];
+
+/// What the members of a JOINT begin with; a number follows.
+pub const JOINT: &str = "J";
+
+/// Every such word.
+pub const RESERVED: &[Row] = &[
+    Row::target(Target::All, "Everything that the command can act on."),
+    Row::target(Target::Floor, "The slider of the Hiroshima Hand."),
+    Row::target(Target::Foot(1), "A foot or finger."),
+    Row::target(Target::Joint(1, 1), "A joint: its leg and its number."),
+    Row::new(
+        VAR_KEY,
+        Kind::Variable,
+        "§7-9-2",
+        "3.3",
+        "Receives the key of KEY_IN without argument.",
+    ),
+    Row::new(
+        "CHAR_SPC",
+        Kind::Constant(32.0),
+        "§4-5",
+        "3.3",
+        "The ASCII code of the space bar.",
+    ),
+    Row::new(
+        "CHAR_",
+        Kind::Characters,
+        "§4-5",
+        "3.3",
+        "The ASCII code of a digit or letter.",
+    ),
+    Row::new(
+        command::RELATIVE,
+        Kind::MotionFlag,
+        "§7-1",
+        "3.2",
+        "The value behind it counts from where the foot or joint is.",
+    ),
+    Row::new(
+        command::ABSOLUTE,
+        Kind::MotionFlag,
+        "§7-1",
+        "3.2",
+        "The value behind it is taken as it is.",
+    ),
+    Row::new(
+        command::FAST,
+        Kind::MotionFlag,
+        "§7-1",
+        "3.2",
+        "Lifts the limit of acceleration of a motion.",
+    ),
+    Row::new(
+        LOOP,
+        Kind::Label,
+        "§7-7-1",
+        "6.2",
+        "Where GOTO without a label leads: the nearest one above.",
+    ),
+    Row::new(
+        POSITION[0],
+        Kind::Member,
+        "§4-4",
+        "3.1",
+        "To the right, in mm.",
+    ),
+    Row::new(POSITION[1], Kind::Member, "§4-4", "3.1", "Forward, in mm."),
+    Row::new(POSITION[2], Kind::Member, "§4-4", "3.1", "Up, in mm."),
+    Row::new(
+        JOINT,
+        Kind::Member,
+        "§4-4",
+        "3.1",
+        "A joint of the leg, by its number.",
+    ),
+];
+
+impl Row {
+    /// A word of 3.1.
+    const fn new(
+        word: &'static str,
+        kind: Kind,
+        section: &'static str,
+        clause: &'static str,
+        description: &'static str,
+    ) -> Self {
+        Row {
+            word,
+            kind,
+            since: Edition::V3_1,
+            section,
+            clause,
+            description,
+        }
+    }
+
+    /// A target of 3.1.
+    const fn target(target: Target, description: &'static str) -> Self {
+        let kind = Kind::Target(target);
+        Row::new(target.stem(), kind, "§4-4", "3.2", description)
+    }
+
+    /// Whether it says what this word is, and nothing may bear the word as a name.
+    fn reserves(&self, word: &str) -> bool {
+        match self.kind {
+            Kind::Target(_) => word
+                .parse()
+                .is_ok_and(|target: Target| target.stem() == self.word),
+            Kind::Variable | Kind::Constant(_) => word == self.word,
+            Kind::Characters => character(word, self.word).is_some(),
+            Kind::MotionFlag | Kind::Label | Kind::Member => false,
+        }
+    }
+}
+
+/// The digit or letter behind what the names of such constants begin with.
+fn character(word: &str, stem: &str) -> Option<u8> {
+    match word.strip_prefix(stem)?.as_bytes() {
+        [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(*char),
+        _ => None,
+    }
+}
+
+/// The rows that an edition has.
+fn rows(edition: Edition) -> impl Iterator<Item = &'static Row> {
+    RESERVED.iter().filter(move |row| row.since <= edition)
+}
+
+/// The value of a constant's name.
+pub fn constant(word: &str, edition: Edition) -> Option<f64> {
+    rows(edition).find_map(|row| match row.kind {
+        Kind::Constant(value) => (word == row.word).then_some(value),
+        Kind::Characters => character(word, row.word).map(f64::from),
+        _ => None,
+    })
+}
+
+/// The flags of motions.
+pub fn motion_flags() -> impl Iterator<Item = &'static str> {
+    let flags = RESERVED.iter().filter(|row| row.kind == Kind::MotionFlag);
+    flags.map(|row| row.word)
+}
+
+/// Whether motions read this word as their flag.
+pub fn is_motion_flag(word: &str, edition: Edition) -> bool {
+    rows(edition).any(|row| row.kind == Kind::MotionFlag && row.word == word)
+}
+
+/// Whether an edition's word, in capital letters, belongs to the language, so that nothing may bear it as a name.
+pub fn is_reserved(word: &str, edition: Edition) -> bool {
+    commands::find(word).is_some_and(|command| command.since <= edition)
+        || keywords::find(word, edition).is_some()
+        || functions::find(word, edition).is_some()
+        || flags::find(word, edition).is_some()
+        || inputs::find(word, edition).is_some()
+        || rows(edition).any(|row| row.reserves(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{constant, is_motion_flag, is_reserved};
+    use crate::language::Edition;
+
+    // clauses: 3.3
+    #[test]
+    fn constants_are_the_codes_of_their_keys() {
+        let of = |word| constant(word, Edition::V3_1);
+        assert_eq!(of("CHAR_SPC"), Some(32.0));
+        assert_eq!(of("CHAR_0"), Some(48.0));
+        assert_eq!(of("CHAR_Z"), Some(90.0));
+        for word in ["CHAR_", "CHAR_AB", "CHAR_a", "CHAR", "SPC", ""] {
+            assert_eq!(of(word), None, "{word}");
+        }
+    }
+
+    // clauses: 3.2
+    #[test]
+    fn the_words_of_the_language_are_reserved() {
+        for word in [
+            "PTP",
+            "SIN",
+            "KB_HIT",
+            "TO",
+            "VR1",
+            "ANTENNA",
+            "VAR_KEY",
+            "CHAR_A",
+            "CHAR_9",
+            "CHAR_SPC",
+            "ALL",
+            "FLOOR",
+            "F1",
+            "F9",
+            "J11",
+            "J99",
+            "INPOS_ALL",
+            "INPOS_F9",
+            "NEAR_J11",
+            "SPECIAL_FLAG0",
+            "SPECIAL_FLAG9",
+        ] {
+            assert!(is_reserved(word, Edition::V3_1), "{word}");
+        }
+        for word in [
+            "R",
+            "A",
+            "HS",
+            "X",
+            "CHAR_AB",
+            "CHAR_",
+            "F0",
+            "F10",
+            "J10",
+            "J01",
+            "J111",
+            "INPOS",
+            "INPOS_",
+            "INPOS_FLOOR",
+            "NEAR_FLOOR",
+            "INPOS_5",
+            "SPECIAL_FLAG",
+            "SPECIAL_FLAG10",
+            "SPECIAL_FLAGF1",
+            "SPECIAL_FLAGFLOOR",
+        ] {
+            assert!(!is_reserved(word, Edition::V3_1), "{word}");
+        }
+    }
+
+    // clauses: 3.2
+    #[test]
+    fn flags_of_motions_are_names_like_any_other() {
+        for word in ["R", "A", "HS"] {
+            assert!(is_motion_flag(word, Edition::V3_1), "{word}");
+            assert!(!is_reserved(word, Edition::V3_1), "{word}");
+        }
+        assert!(!is_motion_flag("ALL", Edition::V3_1));
+    }
+}
