@@ -1,5 +1,5 @@
 //! Crates outside the workspace, as users have them: without an operating system, with a renamed
-//! run-time, and with nothing but the two crates that every user needs.
+//! runtime, and with nothing but the two crates that every user needs.
 #![allow(
     clippy::disallowed_methods,
     reason = "the test prepares folders for cargo"

@@ -152,7 +152,7 @@ fn under_emg_off_a_leg_goes_as_far_as_it_can() {
     rig.idle(300);
     assert_eq!(rig.commanded()[0][0], 60.0);
     assert!(!rig.controller.inpos(J11));
-    // EMG_ON is no emergency for a joint that stands at its limit.
+    // EMG_ON is not an emergency for a joint that stands at its limit.
     rig.done(Op::RelPtpAngle, J11, &[0.0]);
     rig.done(Op::RelPtp, F2, &[0.0; 3]);
     rig.done(Op::EmgOn, Target::None, &[]);

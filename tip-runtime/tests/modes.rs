@@ -147,7 +147,7 @@ fn relative_positions_count_from_the_measured_one() {
     ];
     assert_eq!(rig.run(Op::Ptp, F1, &values), Ok(Poll::Done));
     rig.idle(200);
-    // One cycle after the start the foot stands where it was, but for ½ a t² = 0.12 mm along z.
+    // One cycle after the start the foot stands where it was, except for ½ a t² = 0.12 mm along z.
     assert!(distance(rig.foot(1), [-391.0, 211.0, -190.0]) < 1e-9);
 }
 

@@ -12,7 +12,7 @@ const J11: Target = Target::Joint(1, 1);
 const J21: Target = Target::Joint(2, 1);
 const GOAL: [f64; 3] = [-391.0, 281.0, -160.0];
 
-/// Foot 1 on its way for 11 cycles, J21 for 10.
+/// Foot 1 moving for 11 cycles, J21 for 10.
 fn under_way() -> Rig {
     let mut rig = Rig::titan();
     rig.done(Op::Ptp, F1, &GOAL);

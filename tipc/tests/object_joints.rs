@@ -10,7 +10,7 @@ fn robot<const J: usize>() -> Robot {
     Robot::Described(Facts::of(&model))
 }
 
-/// What stands behind `=` in the first record that is no equation.
+/// What follows `=` in the first record that is not an equation.
 fn fields(robot: Robot, statement: &str) -> Vec<String> {
     let options = Options {
         robot,

@@ -56,7 +56,7 @@ fn write(steps: usize) -> Result<PathBuf, Box<dyn Error>> {
     Ok(file)
 }
 
-/// The run-time as a library to link with.
+/// The runtime as a library to link with.
 struct Runtime {
     release: bool,
     library: PathBuf,

@@ -10,7 +10,7 @@ use tip_runtime::model::generic;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::record::Sample;
 
-/// Cycles behind the end of a program, in which the robot is held or stopped.
+/// Cycles after the end of a program, in which the robot is held or stopped.
 const BEYOND: usize = 100;
 
 #[track_caller]

@@ -16,7 +16,7 @@ pub trait Entrant {
     /// The fault that the step found.
     fn cycle(&mut self, robot: &mut dyn Context) -> Result<Flow, Fault>;
 
-    /// How much memory its run takes, in bytes; 0 where nobody counted.
+    /// How much memory its run takes, in bytes; 0 where no one counted.
     fn state_bytes(&self) -> usize {
         0
     }

@@ -37,7 +37,7 @@ impl Entrant for Script {
     }
 }
 
-/// An empty tuple is no command; nothing at all is a wrong one.
+/// An empty tuple is not a command; nothing at all is a wrong one.
 fn asked(value: &Value) -> Option<Option<Asked>> {
     let tuple = value.borrow_tuple_ref().ok()?;
     if tuple.is_empty() {

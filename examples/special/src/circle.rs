@@ -81,7 +81,7 @@ impl Circle {
         let share = (self.angle.min(self.end - self.angle) / SPIRAL).min(1.0);
         // Grows without a jerk: its slope is 0 at either end.
         let radius = self.radius * share * share * (3.0 - 2.0 * share);
-        // The run-time's own functions give the same bits on every machine.
+        // The runtime's own functions give the same bits on every machine.
         Ok([
             radius * ops::cos(self.angle)?,
             radius * ops::sin(self.angle)?,

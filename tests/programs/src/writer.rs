@@ -79,7 +79,7 @@ impl Writer {
         self.line("DEF_JOINT S T");
     }
 
-    /// Every variable gets a value, save that wild programs leave one now and then for later.
+    /// Every variable gets a value, except that wild programs leave one now and then for later.
     fn first_values(&mut self) {
         let mut lines = vec![
             "TEACH_POSITION F1 P".to_owned(),
@@ -112,7 +112,7 @@ impl Writer {
         }
     }
 
-    /// The loop that most programs stay in until somebody requests a halt.
+    /// The loop that most programs stay in until someone requests a halt.
     fn stays(&mut self) {
         match self.dice.below(4) {
             0 => {

@@ -12,7 +12,7 @@ use tip_tests::{Events, Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
-/// How many random programs are watched: enough to come by reads that find a value on some ways only.
+/// How many random programs are watched: enough to reach reads that find a value on some paths only.
 const SEEDS: u64 = 1_000;
 
 /// What the runs of all programs did.

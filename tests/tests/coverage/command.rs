@@ -1,4 +1,4 @@
-//! Which forms of a command a statement shows, and what came of them.
+//! Which forms of a command a statement shows, and what happened.
 
 use super::form::Form;
 use super::outcome::Outcome;
@@ -30,7 +30,7 @@ impl Statement<'_> {
             && written.misfits(form, self.robot).is_empty()
     }
 
-    /// What a diagnostic says about this form, if the statement is the form but for one mistake.
+    /// What a diagnostic says about this form, if the statement is the form except for one mistake.
     pub fn refusal(&self, form: &Form, code: Code) -> Option<Outcome> {
         match code {
             Code::Argument => self.mistake(form),

@@ -1,24 +1,24 @@
-//! Every way to write a command that has arguments, derived from the table of commands.
+//! Every form of a command that has arguments, derived from the table of commands.
 
 use tip_runtime::command::{Op, Teach};
 use tip_runtime::model::Family;
 use tipc::Robot;
 use tipc::language::commands::{self, Arguments, Command, Joints, Limit, Meaning, Targets, Values};
 
-/// One way to write a command.
+/// One form of a command.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form {
     /// The command.
     pub command: &'static Command,
     /// Its name as written here: its own, or that of older programs.
     pub name: &'static str,
-    /// `HS` stands first.
+    /// `HS` comes first.
     pub hs: bool,
     /// The target or input.
     pub head: Option<Head>,
     /// `R` or `A` before a value.
     pub flag: Option<&'static str>,
-    /// What stands behind the head.
+    /// What follows the head.
     pub values: Vec<Slot>,
 }
 
@@ -67,7 +67,7 @@ pub enum Slot {
 }
 
 impl Form {
-    /// Every way to write a command, under each of its names.
+    /// Every form of a command, under each of its names.
     pub fn all(command: &'static Command) -> Vec<Form> {
         let names = [Some(command.name), command.alias];
         let plain = |name| Form {
@@ -153,7 +153,7 @@ impl Form {
             .collect()
     }
 
-    /// Everything that stands behind the name, as the table writes it.
+    /// Everything that follows the name, as the table writes it.
     pub fn text(&self) -> String {
         let hs = self.hs.then_some("HS");
         let values = self.values.iter().map(|slot| slot.text());

@@ -1,4 +1,4 @@
-//! Every command in every form on every robot, each with all that can come of it, and the case that shows it:
+//! Every command in every form on every robot, each with all that can happen to it, and the case that shows it:
 //! `docs/coverage.md` is generated here.
 #![expect(
     clippy::disallowed_methods,

@@ -154,7 +154,7 @@ impl Case {
         self.module.statements.iter().rev().find(holds)
     }
 
-    /// What came of the steps of a run.
+    /// What happened to the steps of a run.
     fn ran(&self, rows: &[Row], settings: &Settings) -> Vec<(usize, Outcome)> {
         let Some(program) = self.loaded.program.clone() else {
             return Vec::new();
@@ -181,7 +181,7 @@ impl Case {
             let (Some(step), Some(outcome)) = (step, outcome) else {
                 continue;
             };
-            // What befalls a leg on its way is of the last motion that it was sent on.
+            // What befalls a leg moving is of the last motion that it was sent on.
             let leg = error.and_then(leg_of);
             let motion = leg.and_then(|leg| motions.get(&leg)).copied();
             for statement in [Some(*step), motion].into_iter().flatten() {
@@ -261,7 +261,7 @@ fn runs(kind: &str, text: &str, settings: &Settings) -> Vec<Settings> {
     }
 }
 
-/// Name, arguments, and whether more that is malformed stands behind them.
+/// Name, arguments, and whether more that is malformed follows them.
 fn as_command(statement: &syntax::Statement) -> Option<(&str, &[Operand], bool)> {
     match &statement.kind {
         StatementKind::Command {

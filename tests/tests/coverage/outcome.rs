@@ -1,4 +1,4 @@
-//! What can come of a statement: it runs, it is refused, or it stops the program.
+//! What can happen to a statement: it runs, it is refused, or it stops the program.
 
 use tipc::code::Code;
 

@@ -55,7 +55,7 @@ impl Row {
         }
     }
 
-    /// What stands behind the name.
+    /// What follows the name.
     pub fn text(&self) -> String {
         match self {
             Row::Command(form) => form.text(),

@@ -1,4 +1,4 @@
-//! What can come of a statement: rules over the table of commands, never over what a case shows.
+//! What can happen to a statement: rules over the table of commands, never over what a case shows.
 
 use super::form::{Form, Head};
 use super::outcome::Outcome;

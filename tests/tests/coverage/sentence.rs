@@ -1,4 +1,4 @@
-//! The statements that are no commands with arguments: control, equations, conditions, labels, texts.
+//! The statements that are not commands with arguments: control, equations, conditions, labels, texts.
 
 use super::equation;
 use super::written::Names;
@@ -10,7 +10,7 @@ use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, The
 pub struct Sentence {
     /// The command, or what the statement is called.
     pub name: &'static str,
-    /// What stands behind the name; of the others the whole.
+    /// What follows the name; of the others the whole.
     pub text: String,
 }
 
@@ -51,7 +51,7 @@ pub fn all() -> Vec<Sentence> {
     all
 }
 
-/// The ways to write what the table says in one line: `a [b]` is two, and so is `a B | C`.
+/// The forms of what the table says in one line: `a [b]` is two, and so is `a B | C`.
 fn expanded(text: &str) -> impl Iterator<Item = String> {
     let mut alternatives = text.split(" | ");
     let first = alternatives.next().unwrap_or_default();

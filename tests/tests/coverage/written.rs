@@ -109,13 +109,13 @@ fn has(kind: VariableKind, member: &str) -> bool {
 /// A command as written; flags that stand where they may are taken out.
 #[derive(Clone, Debug)]
 pub struct Written {
-    /// `HS` stands first.
+    /// `HS` comes first.
     pub hs: bool,
     /// The other arguments.
     pub pieces: Vec<Piece>,
     /// `R` and `A` before values.
     pub flags: BTreeSet<String>,
-    /// Whether something behind the pieces is no argument at all.
+    /// Whether something behind the pieces is not an argument at all.
     pub malformed: bool,
 }
 

@@ -167,7 +167,7 @@ fn a_foot_keeps_its_velocity_where_its_joints_allow_it() {
             let mut velocity = [0.0; 3];
             velocity[axis] = 20.0;
             let way = at_speed(model, velocity).expect("it goes on");
-            // 20 mm/s for 0.5 s, but for the servos' lag of 15 ms.
+            // 20 mm/s for 0.5 s, except for the servos' lag of 15 ms.
             let wanted = velocity.map(|along| along * 0.485);
             assert!(distance(way, wanted) < 0.6, "{} {way:?}", model.name);
         }

@@ -21,7 +21,7 @@ pub(crate) fn bench<const L: usize, const J: usize>(
     Machine::new(program, model, plant, (), ()).expect("made for this robot")
 }
 
-/// Runs to the end, or to the emergency that is told.
+/// Runs to the end, or to the emergency that is reported.
 pub(crate) fn run<const L: usize, const J: usize>(
     model: &Model<L, J>,
     steps: Vec<Step>,

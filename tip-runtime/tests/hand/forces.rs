@@ -70,7 +70,7 @@ fn forces_are_told_from_torques() {
         1e-9,
     );
     assert_eq!(rig.teach(Teach::Force, Target::Foot(2)), [0.0; 3]);
-    // What a finger is told to push with is what is read.
+    // What a finger is commanded to push with is what is read.
     let mut rig = Hand::new();
     rig.done(Op::Force, F1, &[0.3, -0.2, 0.0]);
     rig.controller.sense(&rig.sensors).expect("good sensors");

@@ -258,7 +258,7 @@ fn a_finger_gets_to_a_place_from_the_posture_that_it_has() {
     assert!(turned > 5.0, "{turned}");
 }
 
-/// The slider on its way, at its full speed of 0.2 mm in a cycle.
+/// The slider moving, at its full speed of 0.2 mm in a cycle.
 fn slider_at_high_speed() -> Hand {
     let mut rig = Hand::new();
     done_hs(&mut rig, FLOOR, [0.0, -60.0, 0.0]);

@@ -1,5 +1,5 @@
 //! A controller on ideal fingers: joints hold their angles exactly, and turn with inertia and
-//! viscous friction where they are told torques.
+//! viscous friction where they are commanded torques.
 
 use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::controller::Controller;
@@ -21,7 +21,7 @@ const FRICTION: f64 = 0.01;
 const HARDNESS: f64 = 5.0;
 const PIECES: usize = 5;
 
-/// What stands in a fingertip's way.
+/// What is in a fingertip's way.
 #[derive(Clone, Copy)]
 pub(crate) struct Wall {
     /// Points from the wall to where the fingertip may be.
@@ -126,7 +126,7 @@ impl Hand {
         self.chain(n).foot()
     }
 
-    /// The torques told to finger `n`; `None` for a joint held by angle.
+    /// The torques commanded of finger `n`; `None` for a joint held by angle.
     pub(crate) fn told(&self, n: usize) -> [Option<f64>; 3] {
         self.controller.outputs()[n - 1].map(|command| match command {
             JointCommand::Angle(_) => None,

@@ -56,7 +56,7 @@ fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(strength(&rig), Some(4.0));
 }
 
-/// What F1 is told by the cycle in which a spring is set, with HS and without.
+/// What F1 is commanded by the cycle in which a spring is set, with HS and without.
 fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
     [true, false].map(|hs| {
         let mut rig = Hand::new();
@@ -160,7 +160,7 @@ fn a_fingertip_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(fault, Fault::Domain);
 }
 
-/// What F1's first two joints are told as soon as a spring draws a point 20 mm along x, 30 along y.
+/// What F1's first two joints are commanded as soon as a spring draws a point 20 mm along x, 30 along y.
 fn pulled(rig: &Hand, target: Target, [x, y, _]: [f64; 3]) -> [f64; 2] {
     let mut controller = rig.controller.clone();
     controller.sense(&rig.sensors).expect("good sensors");

@@ -26,7 +26,7 @@ impl Hand {
         told.expect("the joint vibrates");
     }
 
-    /// What joint `m` of finger 1 is told in each of the next cycles.
+    /// What joint `m` of finger 1 is commanded in each of the next cycles.
     fn told_next(&mut self, m: usize, cycles: usize) -> Vec<f64> {
         let mut told = || {
             self.idle(1);

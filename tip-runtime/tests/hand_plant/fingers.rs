@@ -56,7 +56,7 @@ fn accelerations(angles: &[f64]) -> Vec<f64> {
     angles.windows(3).map(second).collect()
 }
 
-/// A joint of finger 1 that is told a torque, cycle by cycle, against the closed form.
+/// A joint of finger 1 that is commanded a torque, cycle by cycle, against the closed form.
 fn accelerates(mut rig: Rig, joint: Target, m: usize, torque: f64, inertia: f64) {
     let start = rig.plant.angles()[0];
     rig.run(Op::Torque, joint, &[torque]);
@@ -71,7 +71,7 @@ fn accelerates(mut rig: Rig, joint: Target, m: usize, torque: f64, inertia: f64)
     for (measured, exact) in accelerations(&measured).iter().zip(&exact) {
         close(measured / exact, 1.0, 0.01);
     }
-    // From rest it is the torque over the inertia, but for the friction of the first 4 ms.
+    // From rest it is the torque over the inertia, except for the friction of the first 4 ms.
     close(exact[0] / (torque / 1000.0 / inertia), 1.0, 0.2);
     for (n, (now, start)) in rig.plant.angles()[0].iter().zip(start).enumerate() {
         assert!(n == m || (now - start).abs() < 1e-3);

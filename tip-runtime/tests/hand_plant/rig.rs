@@ -13,7 +13,7 @@ pub(crate) const F1: Target = Target::Foot(1);
 pub(crate) const J11: Target = Target::Joint(1, 1);
 pub(crate) const J13: Target = Target::Joint(1, 3);
 
-/// The hand alone, told joint by joint.
+/// The hand alone, commanded joint by joint.
 pub(crate) fn plant() -> Plant {
     SimulatedHand::new(&hand::MODEL)
 }

@@ -70,7 +70,7 @@ fn teach_force_reads_the_force_that_is_applied() {
 // clauses: 7.19
 #[test]
 fn teach_force_weighs_a_box_that_rests_on_the_fingertips() {
-    // Fingertips 20.6 mm beside the middle: F1 bears one half, F2 and F3 the other.
+    // Fingertips 20.6 mm beside the middle: F1 carries one half, F2 and F3 the other.
     let tip = -120.0 - 40.0 * 100.0_f64.to_radians().cos();
     let scene = Scene::EMPTY.with_object(Object {
         shape: Shape::Box {

@@ -176,7 +176,7 @@ fn on_a_slope_to_the_side_the_lower_feet_carry_more_wherever_the_body_heads() {
     };
     turn(&mut rig, 0.5);
     // The feet stay where they are in the world, by symmetry the centre of mass too: so do the
-    // loads, but for the little that the legs' own height shifts.
+    // loads, except for the little that the legs' own height shifts.
     for (turned, level) in rig.loads().iter().zip(level) {
         assert!(close(*turned, level, 0.2), "{turned} {level}");
     }

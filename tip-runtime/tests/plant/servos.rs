@@ -1,4 +1,4 @@
-//! Limits of the motors, whatever they are told.
+//! Limits of the motors, whatever they are commanded.
 
 use crate::rig::{Rig, close, stance};
 use tip_runtime::hardware::JointCommand;

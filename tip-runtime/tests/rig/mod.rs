@@ -1,4 +1,4 @@
-//! A controller on ideal servos: every joint is measured where it was told to be.
+//! A controller on ideal servos: every joint is measured where it was commanded to be.
 
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::controller::Controller;
@@ -10,9 +10,9 @@ use tip_runtime::model::{Model, generic, titan8};
 pub(crate) struct Rig {
     pub(crate) model: &'static Model<4, 3>,
     pub(crate) controller: Controller<'static, 4, 3>,
-    /// What the sensors read next, but for the angles of joints that follow their commands.
+    /// What the sensors read next, except for the angles of joints that follow their commands.
     pub(crate) sensors: Sensors<4, 3>,
-    /// Joints that stand still whatever they are told, where the sensors say.
+    /// Joints that stand still whatever they are commanded, where the sensors say.
     pub(crate) stuck: [[bool; 3]; 4],
 }
 

@@ -43,7 +43,7 @@ struct Listing<'a> {
 }
 
 impl Listing<'_> {
-    /// The record of a step, whose line of FORMAL.TMP tells how it was written.
+    /// The record of a step, whose line of FORMAL.TMP says how it was written.
     fn record(&mut self, formal: &str, action: &Action) -> Record {
         let mut fields = formal.split('\t');
         let word = fields.next().unwrap_or_default();

@@ -5,7 +5,7 @@ use super::{
     StructExpression, Target, Teach, VariableId,
 };
 
-/// What a step does. Next steps are resolved; where none is named it is the one behind.
+/// What a step does. Next steps are resolved; where none is named it is the following one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Nothing: a label, REM, ENDIF, REPEAT or SUBROUTINE.
@@ -51,7 +51,7 @@ pub enum Action {
     While {
         /// The condition.
         condition: Condition,
-        /// The step behind WEND.
+        /// The step after WEND.
         exit: StepId,
     },
     /// WEND and GOTO: on to `to`.
@@ -76,7 +76,7 @@ pub enum Action {
         to: Operand,
         /// The increment; 1 if omitted.
         step: Operand,
-        /// The step behind NEXT.
+        /// The step after NEXT.
         exit: StepId,
     },
     /// NEXT; limit and increment are FOR's, read anew.
@@ -87,7 +87,7 @@ pub enum Action {
         to: Operand,
         /// The increment.
         step: Operand,
-        /// The step behind FOR.
+        /// The step after FOR.
         body: StepId,
     },
     /// IF … GOTO.
@@ -117,7 +117,7 @@ pub enum Action {
     Command {
         /// Which one.
         op: Op,
-        /// `HS` stands behind its name.
+        /// `HS` follows its name.
         hs: bool,
         /// Its target.
         target: Target,
@@ -194,7 +194,7 @@ pub enum MessagePart {
     Value {
         /// Which one.
         scalar: Scalar,
-        /// Digits behind the point, 0…7; 0 truncates.
+        /// Digits after the point, 0…7; 0 truncates.
         decimals: u8,
     },
 }

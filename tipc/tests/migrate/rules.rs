@@ -81,7 +81,7 @@ fn a_number_is_one_variable_however_it_is_spelt() {
 // clauses: 10.1
 #[test]
 fn what_is_no_variable_is_not_declared() {
-    // Comments, texts, labels and jumps to them, inputs, and names with more than a number behind the type.
+    // Comments, texts, labels and jumps to them, inputs, and names with more than a number after the type.
     let text = "2.0\nt\n// VAR1\nVAR2: // POS1\nGOTO VAR2:\nMESSAGE VAR3\nAD_IN VR1 VAR4\nREM VAR5\nEND\nVAR6 = 1\n";
     let new = result(text);
     assert_eq!(new.lines().nth(2), Some("DEF_VAR VAR4"));
@@ -121,7 +121,7 @@ fn parameter_commands_get_set() {
         ("SET_TORQUE_MAX_SOFT ALL", "SET_TORQUE_MAX_SOFT ALL"),
         ("SET_JUST_POSITION ALL 5", "SET_JUST_POSITION ALL 5"),
     ]);
-    // A variable may bear the name where variables are declared.
+    // A variable may have the name where variables are declared.
     let text = "3.0\nt\nDEF_VAR A_MAX\nA_MAX = 1\nEND\n";
     assert_eq!(result(text), text.replace("3.0", "3.1"));
 }
@@ -274,7 +274,7 @@ fn version_1_0_had_no_title() {
         result("1.0\nL1:\nGOTO L1:\nEND\n"),
         "3.1\n\nL1:\nGOTO L1:\nEND\n"
     );
-    // What is no statement can only be a title.
+    // What is not a statement can only be a title.
     assert_eq!(result("1.0\nslow gait\nEND\n"), "3.1\nslow gait\nEND\n");
     assert_eq!(result("1.0\n\nALL_STOP\nEND\n"), "3.1\n\nALL_STOP\nEND\n");
     // Since 1.1 line 2 is the title whatever it holds.

@@ -41,7 +41,7 @@ fn every_word_that_is_a_step_has_a_record_of_its_own() {
         .iter()
         .filter(|it| matches!(it.meaning, Meaning::Keyword(_)))
     {
-        // END stands behind every program of these tests.
+        // END follows every program of these tests.
         let is_shown = tables.iter().any(|(line, record)| {
             line.split(' ').next() == Some(command.name) && record.starts_with(command.name)
         });

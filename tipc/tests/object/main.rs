@@ -388,7 +388,7 @@ fn warnings_are_listed_one_a_line() {
     assert!(lines[0].starts_with("p.prg:3:9: warning: "), "{log}");
     assert!(lines[0].contains("\"N\""), "{log}");
     assert!(lines[1].starts_with("p.prg:3:12: warning: "), "{log}");
-    // Errors are no warnings.
+    // Errors are not warnings.
     let loaded = load("p.prg", b"3.1\nt\nFOO\nEND\n", &Options::default());
     assert_eq!(listing::warnings(&loaded.source, &loaded.diagnostics), "");
 }

@@ -149,7 +149,7 @@ fn program(example: &str) -> String {
     read(&format!("{EXAMPLES}/{example}"))
 }
 
-/// The options that the case runs with, each behind a blank.
+/// The options that the case runs with, each after a blank.
 fn options(example: &str) -> String {
     let case = workspace().join(EXAMPLES).join(example);
     let expectation = fs::read_to_string(case.with_extension("trace"));

@@ -14,7 +14,7 @@ const ROBOTS: [(&str, Robot); 3] = [
     ("H", Robot::Hand),
 ];
 
-/// The list below an entry's words; empty for words that are no commands.
+/// The list below an entry's words; empty for words that are not commands.
 pub(crate) fn facts(commands: &[&Command]) -> String {
     let Some(first) = commands.first() else {
         return String::new();

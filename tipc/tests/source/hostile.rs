@@ -1,4 +1,4 @@
-//! Texts that nobody would write, made of characters whose bytes are known.
+//! Texts that no one would write, made of characters whose bytes are known.
 
 use crate::random::Random;
 use tipc::source::{Encoding, Source};

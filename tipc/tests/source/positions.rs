@@ -75,7 +75,7 @@ fn examine(source: &Source, place: &Place) {
     }
 }
 
-/// The way back, also from inside a character and from behind the line.
+/// The way back, also from inside a character and from after the line.
 fn examine_back(source: &Source, places: &[Place], index: usize) {
     let place = &places[index];
     let (line, columns) = place.position;
@@ -213,7 +213,7 @@ fn what_is_no_position_is_moved_to_one() {
     assert_eq!(offset(3, 1), 9);
     assert_eq!(offset(u32::MAX, u32::MAX), 9);
     let column = |offset| source.position(offset, Unit::Utf16);
-    // Inside a character, between CR and LF, behind the text.
+    // Inside a character, between CR and LF, after the text.
     assert_eq!(column(4), Position { line: 1, column: 2 });
     assert_eq!(column(7), Position { line: 1, column: 4 });
     assert_eq!(column(usize::MAX), Position { line: 2, column: 2 });

@@ -37,7 +37,7 @@ fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
 struct Token<'a> {
     text: &'a str,
     place: Span,
-    /// A colon stands behind it, or a jump before it.
+    /// A colon follows it, or a jump before it.
     label: bool,
 }
 
@@ -116,7 +116,7 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
     }
 }
 
-/// Whether a definition bears the name of a token.
+/// Whether a definition has the name of a token.
 fn is_declared(symbols: &Symbols, token: &Token<'_>) -> bool {
     symbols.definitions().iter().any(|definition| {
         let fits = match definition.kind {

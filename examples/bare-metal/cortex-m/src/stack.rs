@@ -22,7 +22,7 @@ pub(crate) fn paint() -> usize {
     let mut word = &raw mut _stack_end;
     let here: *mut u32 = ptr::with_exposed_provenance_mut(cortex_m::register::msp::read() as usize);
     while word < here.wrapping_byte_sub(ROOM) {
-        // SAFETY: so far below the stack pointer memory belongs to nobody.
+        // SAFETY: so far below the stack pointer memory belongs to no one.
         unsafe { word.write_volatile(PAINT) };
         word = word.wrapping_add(1);
     }

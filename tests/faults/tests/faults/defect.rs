@@ -44,7 +44,7 @@ pub(crate) enum Defect {
     Jitter,
     /// Keys arrive faster than they can be taken, from then on.
     KeyFlood,
-    /// RETURN behind a thousand other keys.
+    /// RETURN after a thousand other keys.
     ReturnBehindKeys,
     /// TITAN.LOG takes no more rows.
     LogFull,

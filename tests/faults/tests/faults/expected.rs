@@ -1,4 +1,4 @@
-//! What has to come of a fault, by the language reference (2.22, 2.23, 2.24, 7.40, 8.1).
+//! What has to happen on a fault, by the language reference (2.22, 2.23, 2.24, 7.40, 8.1).
 
 use crate::defect::{Defect, Reading};
 use crate::place::Place;
@@ -11,7 +11,7 @@ use tip_runtime::model::{Family, Model};
 pub(crate) enum Expected {
     /// An emergency stop in the cycle of the fault, before the step runs.
     StopsAtOnce(Fault),
-    /// One in the cycle behind: phase 3 failed.
+    /// One in the cycle after: phase 3 failed.
     StopsInNextCycle(Fault),
     /// One as soon as the 256 keys of each cycle let the byte through.
     StopsBehindKeys(Fault),

@@ -7,7 +7,7 @@ use tip_runtime::program::{Context, End, Flow, Program, Signature};
 
 pub(crate) type Step = fn(&mut dyn Context) -> Result<Flow, Fault>;
 
-/// Runs its steps one after the other, and ends behind the last or when a halt is requested.
+/// Runs its steps one after the other, and ends after the last or when a halt is requested.
 #[derive(Clone, Copy)]
 pub(crate) struct Script {
     signature: Signature,

@@ -80,7 +80,7 @@ fn the_flag_rises_when_the_fingertips_have_really_gone_so_far() {
     // At 20 mm/s it takes 75 calls at the least.
     assert!(calls.is_some_and(|calls| calls > 75));
     assert!((3.0..3.2).contains(&before), "{before}");
-    // It stays there, not much farther than what it was told by then.
+    // It stays there, not much farther than what it was commanded by then.
     for _ in 0..2000 {
         bench.done(6, &[0.0, 20.0]);
     }

@@ -27,7 +27,7 @@ impl Record {
         Record { target, ..self }
     }
 
-    /// The same with another argument behind the others.
+    /// The same with another argument after the others.
     pub(super) fn with(mut self, argument: Slot) -> Self {
         self.arguments.push(argument);
         self
