@@ -43,7 +43,29 @@ pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) slider: [f64; 3],
 }
 
+/// The same, to be filled in.
+#[derive(Debug)]
+pub(crate) struct SensorsMut<'a, const J: usize> {
+    pub(crate) angles: &'a mut [[f64; J]],
+    pub(crate) torques: &'a mut [[f64; J]],
+    pub(crate) knobs: &'a mut [f64; 3],
+    pub(crate) paws: &'a mut [f64],
+    pub(crate) antenna: &'a mut f64,
+    pub(crate) slider: &'a mut [f64; 3],
+}
+
 impl<const L: usize, const J: usize> Sensors<L, J> {
+    pub(crate) const fn view_mut(&mut self) -> SensorsMut<'_, J> {
+        SensorsMut {
+            angles: &mut self.angles,
+            torques: &mut self.torques,
+            knobs: &mut self.knobs,
+            paws: &mut self.paws,
+            antenna: &mut self.antenna,
+            slider: &mut self.slider,
+        }
+    }
+
     pub(crate) const fn view(&self) -> SensorsView<'_, J> {
         SensorsView {
             angles: &self.angles,

@@ -2,65 +2,81 @@
 
 use crate::analog::{self, Wire};
 use crate::command::Port;
-use crate::hardware::Sensors;
-use crate::model::Model;
+use crate::hardware::SensorsMut;
+use crate::model::{Leg, Range};
 
+/// Inputs of the robot as a whole, and of its legs: an array of them, or a slice.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Overrides<const L: usize, const J: usize> {
-    angles: [[Option<f64>; J]; L],
+pub(super) struct Overrides<S: ?Sized> {
     knobs: [f64; 3],
-    paws: [Option<f64>; L],
     antenna: Option<f64>,
+    legs: S,
 }
 
-impl<const L: usize, const J: usize> Overrides<L, J> {
+/// Inputs of one leg.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegInputs<const J: usize> {
+    /// What the potentiometers cover: deg.
+    ranges: [Range; J],
+    angles: [Option<f64>; J],
+    paw: Option<f64>,
+}
+
+impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
     /// Knobs read 0, everything else is measured.
-    pub(super) const fn new() -> Self {
+    pub(super) fn new(legs: &[Leg<J>; L]) -> Self {
         Overrides {
-            angles: [[None; J]; L],
             knobs: [0.0; 3],
-            paws: [None; L],
             antenna: None,
+            legs: legs.each_ref().map(|leg| LegInputs {
+                ranges: leg.joints.map(|joint| joint.outer),
+                angles: [None; J],
+                paw: None,
+            }),
         }
     }
+}
 
+impl<const J: usize> Overrides<[LegInputs<J>]> {
     /// `false` if the robot lacks the input.
-    pub(super) fn set(&mut self, model: &Model<L, J>, port: Port, volts: f64) -> bool {
+    pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
         let index = |number: u8| usize::from(number).wrapping_sub(1);
         match port {
-            Port::Channel(channel) => match analog::wire(channel, L, J) {
-                Some(Wire::Joint(leg, joint)) => self.set_joint(model, leg, joint, volts),
+            Port::Channel(channel) => match analog::wire(channel, self.legs.len(), J) {
+                Some(Wire::Joint(leg, joint)) => self.set_joint(leg, joint, volts),
                 Some(Wire::Knob(knob)) => put(self.knobs.get_mut(knob), volts),
                 Some(Wire::Open) | None => false,
             },
             Port::Knob(knob) => put(self.knobs.get_mut(index(knob)), volts),
-            Port::Joint(leg, joint) => self.set_joint(model, index(leg), index(joint), volts),
-            Port::Paw(leg) => put(self.paws.get_mut(index(leg)), Some(volts)),
+            Port::Joint(leg, joint) => self.set_joint(index(leg), index(joint), volts),
+            Port::Paw(leg) => {
+                let leg = self.legs.get_mut(index(leg));
+                put(leg.map(|leg| &mut leg.paw), Some(volts))
+            }
             Port::Antenna => put(Some(&mut self.antenna), Some(volts)),
         }
     }
 
-    fn set_joint(&mut self, model: &Model<L, J>, leg: usize, joint: usize, volts: f64) -> bool {
-        let range = model.legs.get(leg).and_then(|leg| leg.joints.get(joint));
-        let angle = self.angles.get_mut(leg).and_then(|leg| leg.get_mut(joint));
-        range.is_some_and(|joint| put(angle, Some(analog::angle_of_volts(joint.outer, volts))))
+    fn set_joint(&mut self, leg: usize, joint: usize, volts: f64) -> bool {
+        let Some(leg) = self.legs.get_mut(leg) else {
+            return false;
+        };
+        let range = leg.ranges.get(joint);
+        let angle = leg.angles.get_mut(joint);
+        range.is_some_and(|range| put(angle, Some(analog::angle_of_volts(*range, volts))))
     }
 
     /// Puts what was set in place of what was measured.
-    pub(super) fn apply(&self, sensors: &mut Sensors<L, J>) {
-        for (measured, set) in sensors.angles.iter_mut().zip(&self.angles) {
-            put_all(measured, set);
+    pub(super) fn apply(&self, sensors: &mut SensorsMut<'_, J>) {
+        let measured = sensors.angles.iter_mut().zip(sensors.paws.iter_mut());
+        for ((angles, paw), leg) in measured.zip(&self.legs) {
+            for (angle, set) in angles.iter_mut().zip(&leg.angles) {
+                *angle = set.unwrap_or(*angle);
+            }
+            *paw = leg.paw.unwrap_or(*paw);
         }
-        put_all(&mut sensors.paws, &self.paws);
-        sensors.knobs = self.knobs;
-        sensors.antenna = self.antenna.unwrap_or(sensors.antenna);
-    }
-}
-
-/// Puts the values that are set in place of those that are there.
-fn put_all<const N: usize>(values: &mut [f64; N], set: &[Option<f64>; N]) {
-    for (value, set) in values.iter_mut().zip(set) {
-        *value = set.unwrap_or(*value);
+        *sensors.knobs = self.knobs;
+        *sensors.antenna = self.antenna.unwrap_or(*sensors.antenna);
     }
 }
 

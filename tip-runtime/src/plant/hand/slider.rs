@@ -2,7 +2,7 @@
 
 use super::Vector;
 use super::overlap::Surface;
-use crate::model::{Model, Range};
+use crate::model::{Range, Slider};
 use crate::plant::Floor;
 
 /// How fast it goes at most: mm/s.
@@ -20,8 +20,7 @@ pub(super) struct SliderServo {
 
 impl SliderServo {
     /// At rest where the model has it at first.
-    pub(super) fn new<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
-        let slider = model.slider;
+    pub(super) fn new(slider: Option<&Slider>) -> Self {
         SliderServo {
             travel: slider.map_or([Range::new(0.0, 0.0); 3], |slider| slider.travel),
             position: slider.map_or([0.0; 3], |slider| slider.initial),

@@ -16,18 +16,17 @@ const THICKNESS: f64 = 0.02;
 
 /// A body with the friction of its contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Thing<const L: usize, const J: usize> {
+pub(super) struct Thing {
     pub(super) body: Body,
     floor: [Bristle; 4],
     palm: [Bristle; 4],
-    fingers: [[[Bristle; 5]; J]; L],
     /// With those after it in the scene.
     others: [[Bristle; 8]; OBJECTS],
     pub(super) on_floor: bool,
     pub(super) at_palm: bool,
 }
 
-impl<const L: usize, const J: usize> Thing<L, J> {
+impl Thing {
     /// At rest. One without a position of its own stands on the floor.
     pub(super) fn new(object: &Object, floor: &Surface) -> Self {
         let mut body = Body::new(object);
@@ -41,7 +40,6 @@ impl<const L: usize, const J: usize> Thing<L, J> {
             body,
             floor: [Bristle::default(); 4],
             palm: [Bristle::default(); 4],
-            fingers: [[[Bristle::default(); 5]; J]; L],
             others: [[Bristle::default(); 8]; OBJECTS],
             on_floor: false,
             at_palm: false,
@@ -66,12 +64,17 @@ impl<const L: usize, const J: usize> Thing<L, J> {
         self.at_palm = press(&mut self.body, &mut self.palm, &palm.surface, is_there, dt);
     }
 
-    /// Touches finger `n`, counted from 0. What it does to the finger's last link: N.
-    pub(super) fn meet_finger(&mut self, n: usize, finger: &mut Finger<J>, dt: f64) -> Vector {
+    /// Touches a finger, with whose links it has these contacts. What it does to the finger's last
+    /// link: N.
+    pub(super) fn meet_finger<const J: usize>(
+        &mut self,
+        bristles: &mut [[Bristle; 5]; J],
+        finger: &mut Finger<J>,
+        dt: f64,
+    ) -> Vector {
         let friction = self.body.friction;
         let mut on_last = Vector::zeros();
-        let bristles = self.fingers.get_mut(n).into_iter().flatten();
-        for (m, bristles) in bristles.enumerate() {
+        for (m, bristles) in bristles.iter_mut().enumerate() {
             let Some(link) = finger.links().get(m) else {
                 continue;
             };

@@ -1,7 +1,6 @@
 //! What can touch the floor.
 
 use super::Point;
-use super::links::LegLinks;
 use crate::model::Body;
 
 /// Something for each foot and for each corner of the belly.
@@ -43,10 +42,10 @@ impl<T: Copy, const L: usize> Contacts<T, L> {
 
 impl<const L: usize> Contacts<Point, L> {
     /// The points that can touch the floor, in the robot frame.
-    pub(super) fn of<const J: usize>(body: &Body, legs: &[LegLinks<J>; L]) -> Self {
+    pub(super) fn of(body: &Body, feet: [Point; L]) -> Self {
         let (x, y, z) = (body.x, body.y, body.z.min);
         Contacts {
-            feet: legs.each_ref().map(|leg| leg.foot),
+            feet,
             belly: [
                 Point::new(x.min, y.min, z),
                 Point::new(x.max, y.min, z),

@@ -1,8 +1,7 @@
 //! Where the links are, what they weigh, and which torque a load asks of their joints.
 
 use super::Point;
-use super::servo::Servo;
-use crate::model::{Joint, Leg, Model};
+use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
 
 /// Standard gravity: m/s² (3rd CGPM, 1901).
@@ -16,7 +15,7 @@ pub(super) struct LegLinks<const J: usize> {
     joints: [Point; J],
     axes: [Point; J],
     /// The middle of each link, where its mass is taken to be.
-    centres: [Point; J],
+    pub(super) centres: [Point; J],
     pub(super) foot: Point,
 }
 
@@ -29,37 +28,12 @@ pub(super) struct Mass {
     pub(super) weight: f64,
 }
 
-/// Places every leg whose joints have turned.
-pub(super) fn place<const L: usize, const J: usize>(
-    legs: &mut [LegLinks<J>; L],
-    model: &Model<L, J>,
-    servos: &[[Servo; J]; L],
-) {
-    for ((links, leg), servos) in legs.iter_mut().zip(&model.legs).zip(servos) {
-        let angles = servos.each_ref().map(|servo| servo.angle);
-        if links.angles.map(f64::to_bits) != angles.map(f64::to_bits) {
-            links.turn(leg, angles);
-        }
-    }
-}
-
-/// Adds up body and links.
-pub(super) fn mass<const L: usize, const J: usize>(
-    model: &Model<L, J>,
-    legs: &[LegLinks<J>; L],
-) -> Mass {
-    let mut mass = model.body.map_or(0.0, |body| body.mass);
-    let mut moment = Point::zeros();
-    for (leg, links) in model.legs.iter().zip(legs) {
-        for (joint, centre) in leg.joints.iter().zip(&links.centres) {
-            mass += joint.mass;
-            moment += centre * joint.mass;
-        }
-    }
-    Mass {
-        centre: if mass > 0.0 { moment / mass } else { moment },
-        weight: mass * GRAVITY,
-    }
+impl Mass {
+    /// Not added up yet.
+    pub(super) const NONE: Self = Mass {
+        centre: Point::new(0.0, 0.0, 0.0),
+        weight: 0.0,
+    };
 }
 
 impl<const J: usize> LegLinks<J> {
@@ -71,6 +45,13 @@ impl<const J: usize> LegLinks<J> {
         centres: [Point::new(0.0, 0.0, 0.0); J],
         foot: Point::new(0.0, 0.0, 0.0),
     };
+
+    /// Goes where the joints put it, if they have turned.
+    pub(super) fn place(&mut self, leg: &Leg<J>, angles: [f64; J]) {
+        if self.angles.map(f64::to_bits) != angles.map(f64::to_bits) {
+            self.turn(leg, angles);
+        }
+    }
 
     /// Follows the chain from base to foot.
     fn turn(&mut self, leg: &Leg<J>, angles: [f64; J]) {

@@ -1,0 +1,260 @@
+//! Fingers, the floor on its slider, the palm and the objects between them, and what they do to each
+//! other.
+
+use super::Vector;
+use super::contact::{Bristle, Push};
+use super::finger::Finger;
+use super::overlap::Surface;
+use super::slider::SliderServo;
+use super::thing::{Palm, Thing};
+use super::{Fingertip, ObjectState};
+use crate::hardware::{JointCommand, SensorsMut};
+use crate::model::{Leg, Model, Whole};
+use crate::plant::scene::{OBJECTS, Scene};
+
+/// The longest step: ms.
+const STEP: f64 = 0.1;
+
+/// A cycle that is longer is cut short: ms.
+const LONGEST: f64 = 1000.0;
+
+/// One finger and its contacts.
+#[derive(Clone, Debug)]
+pub(super) struct FingerPlant<const J: usize> {
+    finger: Finger<J>,
+    /// Where it stands along z: mm.
+    z: f64,
+    /// Friction of its joints and tip on the floor.
+    treads: [Bristle; J],
+    /// Friction of its links on each object.
+    grasps: [[[Bristle; 5]; J]; OBJECTS],
+    /// What pulls the fingertip from outside: N.
+    pub(super) pull: Vector,
+    /// What the floor, and what the objects do to the last link: N.
+    on_last: [Vector; 2],
+}
+
+/// A hand: with an array of fingers, or a slice, over which all logic is.
+#[derive(Clone, Debug)]
+pub(super) struct Grip<S: ?Sized> {
+    scene: Scene,
+    /// How many of the robot's torque unit one N·m is.
+    pub(super) torque_unit: f64,
+    slider: SliderServo,
+    /// `None` of a hand without fingers.
+    palm: Option<Palm>,
+    things: [Option<Thing>; OBJECTS],
+    /// Of the last cycle: ms.
+    period: f64,
+    stopped: bool,
+    pub(super) fingers: S,
+}
+
+impl<const J: usize> FingerPlant<J> {
+    fn new(leg: &Leg<J>) -> Self {
+        FingerPlant {
+            finger: Finger::new(leg),
+            z: leg.base[2],
+            treads: [Bristle::default(); J],
+            grasps: [[[Bristle::default(); 5]; J]; OBJECTS],
+            pull: Vector::zeros(),
+            on_last: [Vector::zeros(); 2],
+        }
+    }
+
+    pub(super) fn tip(&self) -> Fingertip {
+        let at = self.finger.tip() * 1000.0;
+        let [floor, objects] = self.on_last;
+        Fingertip {
+            position: [at.x, at.y, self.z],
+            on_floor: [-floor.x, -floor.y, 0.0],
+            on_objects: [-objects.x, -objects.y, 0.0],
+        }
+    }
+
+    /// deg.
+    pub(super) const fn angles(&self) -> [f64; J] {
+        self.finger.angles
+    }
+
+    /// What the motors give, in a unit of which one N·m is `unit`.
+    pub(super) fn torques(&self, unit: f64) -> [f64; J] {
+        self.finger.motors.map(|motor| motor.torque * unit)
+    }
+
+    /// Its joints and tip press on the floor.
+    fn meet_floor(&mut self, floor: &Surface, dt: f64) {
+        for (m, tread) in self.treads.iter_mut().enumerate() {
+            let Some(&link) = self.finger.links().get(m) else {
+                continue;
+            };
+            let velocity = |at| link.velocity_at(at) - floor.velocity;
+            let place = floor.overlap(link.end);
+            let push = tread.press(place, velocity, floor.friction, dt);
+            if let Some(Push { at, force }) = push {
+                self.finger.push(m, at, force);
+                if m + 1 == J {
+                    let [on_last, _] = &mut self.on_last;
+                    *on_last += force;
+                }
+            }
+        }
+    }
+
+    /// It presses on the object with that place in the scene.
+    fn meet(&mut self, place: usize, thing: &mut Thing, dt: f64) {
+        if let Some(bristles) = self.grasps.get_mut(place) {
+            let [_, on_last] = &mut self.on_last;
+            *on_last += thing.meet_finger(bristles, &mut self.finger, dt);
+        }
+    }
+}
+
+impl<const L: usize, const J: usize> Grip<[FingerPlant<J>; L]> {
+    /// In its initial posture over a level floor with nothing on it.
+    pub(super) fn new(model: &Model<L, J>) -> Self {
+        Grip {
+            scene: Scene::EMPTY,
+            torque_unit: Whole::of(model).torque_unit(),
+            slider: SliderServo::new(model.slider.as_ref()),
+            palm: Palm::between(model.legs.iter().map(|leg| leg.base)),
+            things: [None; OBJECTS],
+            period: model.standards.period,
+            stopped: false,
+            fingers: model.legs.each_ref().map(FingerPlant::new),
+        }
+    }
+}
+
+impl<S: ?Sized> Grip<S> {
+    fn floor(&self) -> Surface {
+        self.slider.floor(&self.scene.floor, self.scene.friction)
+    }
+
+    /// The objects, in the order of the scene.
+    pub(super) fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
+        let floor = self.floor();
+        self.things.map(|thing| {
+            let thing = thing?;
+            let body = &thing.body;
+            Some(ObjectState {
+                position: (body.centre * 1000.0).into(),
+                angle: body.angle.to_degrees(),
+                velocity: (body.velocity * 1000.0).into(),
+                spin: body.spin.to_degrees(),
+                clearance: thing.clearance(&floor) * 1000.0,
+                on_floor: thing.on_floor,
+                at_palm: thing.at_palm,
+            })
+        })
+    }
+}
+
+impl<const J: usize> Grip<[FingerPlant<J>]> {
+    /// Another floor with other objects, which nothing touches yet.
+    pub(super) fn replace(&mut self, scene: &Scene) {
+        self.scene = *scene;
+        let floor = self.floor();
+        let objects = scene.objects.each_ref();
+        self.things = objects.map(|object| Some(Thing::new(object.as_ref()?, &floor)));
+        for finger in &mut self.fingers {
+            finger.grasps = [[[Bristle::default(); 5]; J]; OBJECTS];
+        }
+    }
+
+    /// What the sensors read.
+    pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>) {
+        let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
+        for ((angles, torques), finger) in joints.zip(&self.fingers) {
+            *angles = finger.angles();
+            *torques = finger.torques(self.torque_unit);
+        }
+        let touched = self.things.iter().flatten().any(|thing| thing.at_palm);
+        *sensors.antenna = f64::from(u8::from(touched));
+        *sensors.slider = self.slider.position;
+    }
+
+    /// One control cycle of `period` ms. Without a period nothing moves.
+    pub(super) fn obey(&mut self, commands: &[[JointCommand; J]], slider: [f64; 3], period: f64) {
+        self.stopped = false;
+        if !(period > 0.0 && period.is_finite()) {
+            return;
+        }
+        self.period = period;
+        let seconds = period / 1000.0;
+        for (FingerPlant { finger, .. }, commands) in self.fingers.iter_mut().zip(commands) {
+            let joints = finger.motors.iter_mut().zip(finger.angles);
+            for ((motor, angle), command) in joints.zip(commands) {
+                motor.command(*command, self.torque_unit, angle, seconds);
+            }
+        }
+        self.slider.send(slider, seconds);
+        self.advance();
+    }
+
+    /// One control cycle of an emergency.
+    pub(super) fn stop(&mut self) {
+        if !self.stopped {
+            self.stopped = true;
+            for FingerPlant { finger, .. } in &mut self.fingers {
+                for (motor, angle) in finger.motors.iter_mut().zip(finger.angles) {
+                    motor.hold(angle);
+                }
+            }
+            self.slider.halt();
+        }
+        self.advance();
+    }
+
+    /// One control cycle.
+    fn advance(&mut self) {
+        let steps = libm::ceil(self.period.min(LONGEST) / STEP);
+        let dt = self.period.min(LONGEST) / steps / 1000.0;
+        for _ in 0..steps as u32 {
+            self.step(dt);
+        }
+    }
+
+    /// Moves everything on by `dt` s.
+    fn step(&mut self, dt: f64) {
+        let floor = self.floor();
+        for finger in &mut self.fingers {
+            finger.on_last = [Vector::zeros(); 2];
+            finger.meet_floor(&floor, dt);
+        }
+        self.meet_objects(&floor, dt);
+        for FingerPlant { finger, pull, .. } in &mut self.fingers {
+            finger.push(J.wrapping_sub(1), finger.tip(), *pull);
+            finger.advance(dt);
+        }
+        for thing in self.things.iter_mut().flatten() {
+            thing.body.advance(dt);
+        }
+        self.slider.advance(dt);
+    }
+
+    /// Objects press on the floor, the palm, the fingers and each other.
+    fn meet_objects(&mut self, floor: &Surface, dt: f64) {
+        for (place, thing) in self.things.iter_mut().enumerate() {
+            let Some(thing) = thing else {
+                continue;
+            };
+            thing.meet_floor(floor, dt);
+            if let Some(palm) = &self.palm {
+                thing.meet_palm(palm, dt);
+            }
+            for finger in &mut self.fingers {
+                finger.meet(place, thing, dt);
+            }
+        }
+        let mut rest = self.things.as_mut_slice();
+        while let Some((first, others)) = rest.split_first_mut() {
+            for (n, other) in others.iter_mut().enumerate() {
+                if let (Some(thing), Some(other)) = (first.as_mut(), other) {
+                    thing.meet(n, other, dt);
+                }
+            }
+            rest = others;
+        }
+    }
+}

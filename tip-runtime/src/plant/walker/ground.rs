@@ -1,0 +1,125 @@
+//! The body on its contacts with the floor.
+
+use super::Point;
+use super::body::Body;
+use super::contacts::Contacts;
+use super::fall::FallWatch;
+use super::floor::Floor;
+use super::links::Mass;
+use super::stance::Stance;
+use super::support::{self, Load, Support};
+use crate::model;
+
+/// What carries the legs, whatever their number.
+pub(super) trait Carrier {
+    /// What every foot carries: N.
+    fn loads(&self) -> &[f64];
+    /// The direction of gravity in the robot's frame.
+    fn down(&self) -> Point;
+    /// Whether nothing moves while the legs do not.
+    fn is_at_rest(&self) -> bool;
+    /// The body without legs: kg.
+    fn body_mass(&self) -> f64;
+    /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
+    fn feet(&mut self) -> &mut [Point];
+    /// Lets the body come to rest on its contacts, and takes stance feet along.
+    fn settle(&mut self, mass: Mass);
+}
+
+/// The body of a robot of `L` legs, and the floor under it.
+#[derive(Clone, Debug)]
+pub(super) struct Ground<const L: usize> {
+    pub(super) floor: Floor,
+    /// The direction of gravity in the floor's frame.
+    gravity: Point,
+    /// The same in the robot's frame, as the body lies now.
+    down: Point,
+    /// The body as its model has it, if there is one.
+    model: Option<model::Body>,
+    pub(super) mass: Mass,
+    pub(super) body: Body,
+    at_rest: bool,
+    feet: [Point; L],
+    pub(super) loads: Contacts<f64, L>,
+    pub(super) stance: Stance<L>,
+    pub(super) falls: FallWatch,
+    /// Writings so far.
+    pub(super) cycle: u64,
+}
+
+impl<const L: usize> Ground<L> {
+    /// A level floor under a body that has not settled yet.
+    pub(super) fn new(model: Option<model::Body>) -> Self {
+        Ground {
+            floor: Floor::LEVEL,
+            gravity: Floor::LEVEL.gravity(),
+            down: Point::zeros(),
+            model,
+            mass: Mass::NONE,
+            body: Body::standing(model.as_ref()),
+            at_rest: false,
+            feet: [Point::zeros(); L],
+            loads: Contacts::new([0.0; L], [0.0; 4]),
+            stance: Stance::new(),
+            falls: FallWatch::new(),
+            cycle: 0,
+        }
+    }
+
+    /// Another floor, on which the body stands anew.
+    pub(super) fn replace(&mut self, floor: Floor) {
+        self.floor = floor;
+        self.gravity = floor.gravity();
+        self.body = Body::standing(self.model.as_ref());
+        self.stance = Stance::new();
+    }
+}
+
+impl<const L: usize> Carrier for Ground<L> {
+    fn loads(&self) -> &[f64] {
+        &self.loads.feet
+    }
+
+    fn down(&self) -> Point {
+        self.down
+    }
+
+    fn is_at_rest(&self) -> bool {
+        self.at_rest
+    }
+
+    fn body_mass(&self) -> f64 {
+        self.model.map_or(0.0, |body| body.mass)
+    }
+
+    fn feet(&mut self) -> &mut [Point] {
+        &mut self.feet
+    }
+
+    fn settle(&mut self, mass: Mass) {
+        self.mass = mass;
+        let Some(body) = &self.model else {
+            self.at_rest = true;
+            self.down = self.body.rotation().inverse() * self.gravity;
+            return;
+        };
+        let points = Contacts::of(body, self.feet);
+        let load = Load {
+            centre: mass.centre,
+            weight: mass.weight,
+            gravity: self.gravity,
+        };
+        let Support {
+            normal,
+            height,
+            found,
+        } = support::rest(&points, &load, &self.body);
+        self.at_rest = found;
+        self.body.rest(normal, height);
+        self.loads = support::loads(&points, normal, height);
+        let rotation = self.stance.follow(&points, &self.loads, &mut self.body);
+        self.down = rotation.inverse() * self.gravity;
+        self.falls
+            .watch(&points, &self.loads, mass.centre, self.down, self.cycle);
+    }
+}

@@ -1,0 +1,138 @@
+//! The legs of a walking robot: joints that follow their commands under load, and the links that they
+//! turn.
+
+use super::Point;
+use super::ground::Carrier;
+use super::links::{GRAVITY, LegLinks, Mass};
+use super::servo::{JointLoad, Servo, ServoDynamics, Stride};
+use super::support;
+use crate::analog;
+use crate::hardware::{JointCommand, SensorsMut};
+use crate::model::Leg;
+
+/// The longest time that is simulated in one piece: ms.
+const LONGEST_STEP: f64 = 20.0;
+
+/// One leg.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegPlant<const J: usize> {
+    model: Leg<J>,
+    pub(super) servos: [Servo; J],
+    pub(super) links: LegLinks<J>,
+}
+
+/// All legs: an array of them, or a slice, over which all logic is.
+#[derive(Clone, Debug)]
+pub(super) struct Legs<S: ?Sized> {
+    pub(super) dynamics: ServoDynamics,
+    pub(super) each: S,
+}
+
+impl<const J: usize> LegPlant<J> {
+    /// In its initial posture.
+    pub(super) fn new(model: Leg<J>) -> Self {
+        LegPlant {
+            model,
+            servos: model.initial.map(Servo::at),
+            links: LegLinks::NOWHERE,
+        }
+    }
+
+    /// Moves every joint under the load of its foot (N) and gravity; whether any turned.
+    fn drive(
+        &mut self,
+        commands: &[JointCommand; J],
+        load: f64,
+        gravity: Point,
+        stride: Stride,
+    ) -> bool {
+        let push = -gravity * load;
+        let torques = self.links.load_torques(&self.model, push, gravity);
+        let is_torque = |command: &JointCommand| matches!(command, JointCommand::Torque(_));
+        let stiffness = if load > 0.0 && commands.iter().any(is_torque) {
+            self.links.stiffness(-gravity, support::STIFFNESS)
+        } else {
+            [0.0; J]
+        };
+        let mut turned = false;
+        let loads = torques.into_iter().zip(stiffness);
+        let joints = self.servos.iter_mut().zip(&self.model.joints);
+        for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads) {
+            let before = servo.angle;
+            let load = JointLoad { torque, stiffness };
+            servo.advance(joint, *command, load, stride);
+            turned |= servo.angle != before;
+        }
+        turned
+    }
+}
+
+impl<const J: usize> Legs<[LegPlant<J>]> {
+    /// One control cycle of `period` ms.
+    pub(super) fn advance(
+        &mut self,
+        commands: &[[JointCommand; J]],
+        period: f64,
+        ground: &mut dyn Carrier,
+    ) {
+        let steps = libm::ceil(period / LONGEST_STEP).clamp(1.0, 1000.0);
+        for _ in 0..steps as u32 {
+            let turned = self.drive(commands, period / steps / 1000.0, ground);
+            // What lies still on unmoved legs stays as it is, to the bit.
+            if turned || !ground.is_at_rest() {
+                self.settle(ground);
+            }
+        }
+    }
+
+    /// Moves every joint for `dt` s under the load that it had; whether any turned.
+    fn drive(&mut self, commands: &[[JointCommand; J]], dt: f64, ground: &mut dyn Carrier) -> bool {
+        let gravity = ground.down();
+        let stride = self.dynamics.within(dt);
+        let legs = self.each.iter_mut().zip(ground.loads()).zip(commands);
+        legs.fold(false, |turned, ((leg, load), commands)| {
+            leg.drive(commands, *load, gravity, stride) | turned
+        })
+    }
+
+    /// Places every leg whose joints have turned, and lets the body come to rest on them.
+    pub(super) fn settle(&mut self, ground: &mut dyn Carrier) {
+        for leg in &mut self.each {
+            leg.links
+                .place(&leg.model, leg.servos.map(|servo| servo.angle));
+        }
+        let mass = self.mass(ground.body_mass());
+        for (foot, leg) in ground.feet().iter_mut().zip(&self.each) {
+            *foot = leg.links.foot;
+        }
+        ground.settle(mass);
+    }
+
+    /// What the sensors read.
+    pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>, ground: &dyn Carrier) {
+        let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
+        for ((angles, torques), leg) in joints.zip(&self.each) {
+            *angles = leg.servos.map(|servo| servo.angle);
+            *torques = leg.servos.map(|servo| servo.torque);
+        }
+        for (paw, load) in sensors.paws.iter_mut().zip(ground.loads()) {
+            *paw = analog::volts_of_load(*load);
+        }
+    }
+
+    /// Adds up body (kg) and links.
+    fn mass(&self, body: f64) -> Mass {
+        let mut mass = body;
+        let mut moment = Point::zeros();
+        for leg in &self.each {
+            for (joint, centre) in leg.model.joints.iter().zip(&leg.links.centres) {
+                mass += joint.mass;
+                moment += centre * joint.mass;
+            }
+        }
+        Mass {
+            centre: if mass > 0.0 { moment / mass } else { moment },
+            weight: mass * GRAVITY,
+        }
+    }
+}
