@@ -102,7 +102,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// What every joint is commanded.
     #[must_use]
     pub fn outputs(&self) -> [[JointCommand; J]; L] {
-        let mut outputs = [[JointCommand::Angle(0.0); J]; L];
+        let mut outputs = [[JointCommand::at(0.0); J]; L];
         self.put_outputs(&mut outputs);
         outputs
     }
@@ -246,6 +246,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
             inverse: self.robot.inverse,
             torque_unit: self.robot.torque_unit(),
             dt,
+            per_second: if dt > 0.0 { 1.0 / dt } else { 0.0 },
             held: self.hold.is_on(),
         };
         for (n, leg) in self.legs.iter_mut().enumerate() {

@@ -78,20 +78,33 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     }
 }
 
-/// What one joint is told in one cycle.
+/// What one joint is commanded in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointCommand {
-    /// Hold this angle: deg.
-    Angle(f64),
+    /// Be at an angle.
+    Angle {
+        /// deg.
+        angle: f64,
+        /// At what rate the trajectory turned from the angle commanded before to this one, over one
+        /// sampling time: deg/s; 0 where it rests. A drive that can use it goes there evenly, in place
+        /// of jumping and waiting. Vibrations are in the angle, not in the rate.
+        rate: f64,
+    },
     /// Give this torque, in the robot's torque unit.
     Torque(f64),
 }
 
 impl JointCommand {
-    /// The number that is sent.
+    /// To stay at an angle: deg.
+    pub const fn at(angle: f64) -> Self {
+        JointCommand::Angle { angle, rate: 0.0 }
+    }
+
+    /// The angle (deg) or torque that is sent.
     pub const fn value(self) -> f64 {
         match self {
-            JointCommand::Angle(value) | JointCommand::Torque(value) => value,
+            JointCommand::Angle { angle, .. } => angle,
+            JointCommand::Torque(torque) => torque,
         }
     }
 }

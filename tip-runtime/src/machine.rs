@@ -74,7 +74,7 @@ where
             controller: Controller::new(model),
             sensors: Sensors::ZERO,
             outputs: Outputs {
-                joints: [[JointCommand::Angle(0.0); J]; L],
+                joints: [[JointCommand::at(0.0); J]; L],
                 slider: [0.0; 3],
                 lamps: [0; 8],
                 period: model.standards.period,

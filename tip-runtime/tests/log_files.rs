@@ -20,7 +20,7 @@ const SAMPLE: Sample<'static> = Sample {
     time: 60.0,
     joints_per_leg: 1,
     angles: &[1.5],
-    commands: &[JointCommand::Angle(2.0)],
+    commands: &[JointCommand::at(2.0)],
     torques: &[],
     paws: &[0.0],
     knobs: &[],

@@ -72,7 +72,7 @@ impl<L: Link> ServoBus<L> {
         joint: usize,
         command: JointCommand,
     ) -> Result<(), HardwareFault> {
-        let JointCommand::Angle(angle) = command else {
+        let JointCommand::Angle { angle, .. } = command else {
             return Err(HardwareFault("servo bus: position servos give no torque"));
         };
         let own: &JointDescription = &self.description.joints[leg][joint];

@@ -35,6 +35,8 @@ pub(super) enum Drive<const J: usize> {
 pub(super) struct LegDrive<const J: usize> {
     /// The angles commanded, or where torques led: deg.
     pub(super) angles: [f64; J],
+    /// At what rates the angles changed in the last sampling time: deg/s.
+    turns: [f64; J],
     /// The torques commanded in place of angles.
     torques: [Option<f64>; J],
     pub(super) drive: Drive<J>,
@@ -56,6 +58,7 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn free(angles: [f64; J]) -> Self {
         LegDrive {
             angles,
+            turns: [0.0; J],
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
             own_stiffness: None,
@@ -63,13 +66,18 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// What each joint is told.
+    /// What each joint is commanded.
     pub(super) fn outputs(&self) -> [JointCommand; J] {
-        let mut outputs = self.angles.map(JointCommand::Angle);
-        for (output, torque) in outputs.iter_mut().zip(self.torques) {
-            if let Some(torque) = torque {
-                *output = JointCommand::Torque(torque);
-            }
+        let mut outputs = self.angles.map(JointCommand::at);
+        let joints = self.angles.iter().zip(&self.turns).zip(&self.torques);
+        for (output, ((angle, rate), torque)) in outputs.iter_mut().zip(joints) {
+            *output = match *torque {
+                Some(torque) => JointCommand::Torque(torque),
+                None => JointCommand::Angle {
+                    angle: *angle,
+                    rate: *rate,
+                },
+            };
         }
         outputs
     }

@@ -44,7 +44,7 @@ impl<const J: usize> ControllerView<'_, J> {
         {
             *torque = match command {
                 JointCommand::Torque(torque) => *torque,
-                JointCommand::Angle(_) => *sensed,
+                JointCommand::Angle { .. } => *sensed,
             };
         }
         Ok(torques)

@@ -64,9 +64,10 @@ impl Shaker {
         }
         let (volts, per_volt) = (self.volts(), state.per_volt);
         match command {
-            JointCommand::Angle(angle) => {
-                JointCommand::Angle(shaken_angle(angle, per_volt.angle * volts, joint))
-            }
+            JointCommand::Angle { angle, rate } => JointCommand::Angle {
+                angle: shaken_angle(angle, per_volt.angle * volts, joint),
+                rate,
+            },
             JointCommand::Torque(torque) => {
                 let motor = joint.torque * state.torque_unit;
                 let most = state.torque_max.min(motor).max(libm::fabs(torque));

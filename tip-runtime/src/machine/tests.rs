@@ -96,7 +96,7 @@ impl Hardware<4, 3> for Follower {
         for (angle, command) in
             (self.sensors.angles.iter_mut().flatten()).zip(outputs.joints.iter().flatten())
         {
-            if let JointCommand::Angle(target) = command {
+            if let JointCommand::Angle { angle: target, .. } = command {
                 *angle = *target;
             }
         }
@@ -176,7 +176,7 @@ fn the_servo_holds_the_initial_posture_at_program_start() {
     let mut machine = bench(&[nop, end], &[]);
     machine.cycle();
     let sent = machine.hardware().outputs[0].joints;
-    let initial = MODEL.legs.map(|leg| leg.initial.map(JointCommand::Angle));
+    let initial = MODEL.legs.map(|leg| leg.initial.map(JointCommand::at));
     assert_eq!(sent, initial);
 }
 

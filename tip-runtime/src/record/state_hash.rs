@@ -31,15 +31,15 @@ mod tests {
     fn zeros_only_multiply() {
         // XOR with a zero byte changes nothing: sixteen multiplications remain.
         let expected = (0..16).fold(OFFSET, |hash, _| hash.wrapping_mul(PRIME));
-        assert_eq!(state_hash(&[JointCommand::Angle(0.0)], &[0.0]), expected);
+        assert_eq!(state_hash(&[JointCommand::at(0.0)], &[0.0]), expected);
     }
 
     #[test]
     fn a_last_bit_a_sign_of_zero_and_the_order_count() {
-        let one = [JointCommand::Angle(1.0)];
+        let one = [JointCommand::at(1.0)];
         let hash = state_hash(&one, &[2.0]);
         assert_ne!(hash, state_hash(&one, &[2.0_f64.next_up()]));
-        assert_ne!(hash, state_hash(&[JointCommand::Angle(2.0)], &[1.0]));
+        assert_ne!(hash, state_hash(&[JointCommand::at(2.0)], &[1.0]));
         assert_ne!(state_hash(&one, &[0.0]), state_hash(&one, &[-0.0]));
     }
 }

@@ -175,7 +175,7 @@ mod tests {
             time: 20.0 * cycle as f64,
             joints_per_leg: 1,
             angles: &[1.5, -2.0],
-            commands: &[JointCommand::Angle(1.0), JointCommand::Torque(0.25)],
+            commands: const { &[JointCommand::at(1.0), JointCommand::Torque(0.25)] },
             torques: &[],
             paws: &[3.0, 0.0],
             knobs: &[0.5],

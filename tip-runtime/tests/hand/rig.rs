@@ -129,7 +129,7 @@ impl Hand {
     /// The torques commanded of finger `n`; `None` for a joint held by angle.
     pub(crate) fn told(&self, n: usize) -> [Option<f64>; 3] {
         self.controller.outputs()[n - 1].map(|command| match command {
-            JointCommand::Angle(_) => None,
+            JointCommand::Angle { .. } => None,
             JointCommand::Torque(torque) => Some(torque),
         })
     }
@@ -164,7 +164,7 @@ impl Hand {
         let load = transposed(&chain, force);
         for m in 0..3 {
             match outputs[m] {
-                JointCommand::Angle(angle) => {
+                JointCommand::Angle { angle, .. } => {
                     self.sensors.angles[n][m] = angle;
                     self.rates[n][m] = 0.0;
                     self.sensors.torques[n][m] = -load[m];

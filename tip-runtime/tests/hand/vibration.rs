@@ -207,5 +207,5 @@ fn only_joints_that_can_vibrate_do() {
     assert_eq!(walker.vibrate(J11, Some(sound)), Err(Fault::Domain));
     walker.advance();
     assert_eq!(walker.outputs(), before);
-    assert!(matches!(before[0][0], JointCommand::Angle(_)));
+    assert!(matches!(before[0][0], JointCommand::Angle { .. }));
 }

@@ -168,7 +168,7 @@ fn what_vibrates_in_the_commands_vibrates_in_the_joints() {
     for cycle in 0..500 {
         let mut commands = held();
         let phase = core::f64::consts::TAU * 60.0 * 0.002 * f64::from(cycle);
-        commands[0][2] = JointCommand::Angle(80.0 + 2.0 * phase.sin());
+        commands[0][2] = JointCommand::at(80.0 + 2.0 * phase.sin());
         write(&mut plant, &outputs(commands), 1);
         let angle = plant.angles()[0][2];
         swing = (swing.0.min(angle), swing.1.max(angle));

@@ -42,7 +42,7 @@ pub(crate) fn outputs(joints: [[JointCommand; 3]; 3]) -> Outputs<3, 3> {
 pub(crate) fn held() -> [[JointCommand; 3]; 3] {
     hand::MODEL
         .legs
-        .map(|leg| leg.initial.map(JointCommand::Angle))
+        .map(|leg| leg.initial.map(JointCommand::at))
 }
 
 /// Every motor gives nothing.

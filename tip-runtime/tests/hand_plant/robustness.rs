@@ -61,7 +61,7 @@ fn nonsense_commands_do_not_make_nonsense() {
         let joint = commands.as_flattened_mut().get_mut(n % 9);
         *joint.expect("nine joints") = match n % 2 {
             0 => JointCommand::Torque(*value),
-            _ => JointCommand::Angle(*value),
+            _ => JointCommand::at(*value),
         };
         let period = if n % 7 == 3 { *value } else { 2.0 };
         let outputs = Outputs {

@@ -73,7 +73,7 @@ impl Rig {
     }
 
     pub(crate) fn tell(&mut self, feet: &Feet) {
-        self.command(angles(feet).map(|leg| leg.map(JointCommand::Angle)), 20.0);
+        self.command(angles(feet).map(|leg| leg.map(JointCommand::at)), 20.0);
     }
 
     pub(crate) fn command(&mut self, joints: [[JointCommand; 3]; 4], period: f64) {

@@ -66,8 +66,8 @@ fn lamps_are_what_was_written() {
     let mut rig = Rig::new();
     let mut lamps = [0; 8];
     lamps[1] = 0b10;
-    let joints = crate::rig::angles(&rig.feet)
-        .map(|leg| leg.map(tip_runtime::hardware::JointCommand::Angle));
+    let joints =
+        crate::rig::angles(&rig.feet).map(|leg| leg.map(tip_runtime::hardware::JointCommand::at));
     let outputs = Outputs {
         joints,
         lamps,

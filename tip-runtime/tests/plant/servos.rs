@@ -21,7 +21,7 @@ fn speed_and_torque_limits_are_never_exceeded() {
         let joints = [[(); 3]; 4].map(|leg| {
             leg.map(|()| match noise(&mut seed) {
                 n if n > 0.7 => JointCommand::Torque(500.0 * noise(&mut seed)),
-                _ => JointCommand::Angle(200.0 * noise(&mut seed)),
+                _ => JointCommand::at(200.0 * noise(&mut seed)),
             })
         });
         let period = if round % 7 == 0 { 100.0 } else { 20.0 };

@@ -52,7 +52,9 @@ impl Rig {
         for (leg, commands) in self.controller.outputs().iter().enumerate() {
             for (joint, command) in commands.iter().enumerate() {
                 // A torque moves nothing here.
-                if let (JointCommand::Angle(angle), false) = (command, self.stuck[leg][joint]) {
+                if let (JointCommand::Angle { angle, .. }, false) =
+                    (command, self.stuck[leg][joint])
+                {
                     self.sensors.angles[leg][joint] = *angle;
                 }
             }

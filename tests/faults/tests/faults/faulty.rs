@@ -66,7 +66,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Faulty<H, L, J> {
         let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
         for (joint, command) in joints.zip(outputs.joints.iter().flatten()) {
             let within = match *command {
-                JointCommand::Angle(angle) => joint.limits.widened(ROUNDING).contains(angle),
+                JointCommand::Angle { angle, .. } => joint.limits.widened(ROUNDING).contains(angle),
                 JointCommand::Torque(torque) => {
                     let forces = self.model.forces.expect("torques on such a robot only");
                     torque.abs() <= forces.torque_max

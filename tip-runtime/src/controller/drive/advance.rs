@@ -19,6 +19,8 @@ pub(in crate::controller) struct Going {
     pub(in crate::controller) torque_unit: f64,
     /// The sampling time: s.
     pub(in crate::controller) dt: f64,
+    /// Its reciprocal: 1/s; 0 of none.
+    pub(in crate::controller) per_second: f64,
     /// Whether every motion brakes and waits.
     pub(in crate::controller) held: bool,
 }
@@ -44,6 +46,16 @@ impl<const J: usize> LegDrive<J> {
         leg: &Mover<'_, J>,
         going: &Going,
     ) -> Result<(), Fault> {
+        let before = self.angles;
+        let result = self.follow_tracks(leg, going);
+        let turns = self.turns.iter_mut().zip(self.angles.iter().zip(before));
+        for (turn, (angle, before)) in turns {
+            *turn = (angle - before) * going.per_second;
+        }
+        result
+    }
+
+    fn follow_tracks(&mut self, leg: &Mover<'_, J>, going: &Going) -> Result<(), Fault> {
         self.torques = [None; J];
         match self.drive {
             Drive::Joints(mut tracks) => {

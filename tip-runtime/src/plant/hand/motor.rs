@@ -115,12 +115,12 @@ impl Motor {
                 let torque = torque / unit;
                 self.mode = Mode::Torque(torque.max(-self.strongest).min(self.strongest));
             }
-            JointCommand::Angle(target) if target.is_finite() => {
+            JointCommand::Angle { angle: target, .. } if target.is_finite() => {
                 self.mode = Mode::Servo;
                 let target = target.max(self.stops.min).min(self.stops.max);
                 self.set_rate = (target - self.set_point).to_radians() / time;
             }
-            JointCommand::Torque(_) | JointCommand::Angle(_) => self.mode = Mode::Servo,
+            JointCommand::Torque(_) | JointCommand::Angle { .. } => self.mode = Mode::Servo,
         }
     }
 

@@ -81,12 +81,12 @@ impl Servo {
     ) {
         let strongest = joint.torque;
         let turn = match command {
-            JointCommand::Angle(_) if libm::fabs(load) > strongest => {
+            JointCommand::Angle { .. } if libm::fabs(load) > strongest => {
                 // The load wins: the joint gives way.
                 self.torque = within(-load, -strongest, strongest);
                 farthest * (load + self.torque) / strongest
             }
-            JointCommand::Angle(target) => {
+            JointCommand::Angle { angle: target, .. } => {
                 self.torque = -load;
                 (target - self.angle) * share
             }
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn a_servo_arrives_without_error_and_carries_its_load() {
-        let servo = advanced(JointCommand::Angle(60.0), 12.5, 100);
+        let servo = advanced(JointCommand::at(60.0), 12.5, 100);
         assert!((servo.angle - 60.0).abs() < 1e-9);
         assert_eq!(servo.torque, -12.5);
     }
@@ -161,14 +161,14 @@ mod tests {
         };
         let mut servo = Servo::at(90.0);
         let stride = dynamics.within(0.02);
-        servo.advance(&KNEE, JointCommand::Angle(80.0), free(0.0), stride);
+        servo.advance(&KNEE, JointCommand::at(80.0), free(0.0), stride);
         assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
     }
 
     #[test]
     fn no_joint_turns_faster_than_its_motor() {
         // 360 deg/s: 7.2 degrees in 20 ms.
-        let servo = advanced(JointCommand::Angle(20.0), 0.0, 1);
+        let servo = advanced(JointCommand::at(20.0), 0.0, 1);
         assert!((servo.angle - 82.8).abs() < 1e-12);
         let servo = advanced(JointCommand::Torque(1000.0), 1000.0, 1);
         assert!((servo.angle - 97.2).abs() < 1e-12);
@@ -176,10 +176,10 @@ mod tests {
 
     #[test]
     fn no_motor_gives_more_than_its_torque_and_a_load_above_turns_it() {
-        let servo = advanced(JointCommand::Angle(90.0), 60.0, 1);
+        let servo = advanced(JointCommand::at(90.0), 60.0, 1);
         assert_eq!(servo.torque, -40.0);
         assert!((servo.angle - 93.6).abs() < 1e-12);
-        let servo = advanced(JointCommand::Angle(90.0), 40.0, 1);
+        let servo = advanced(JointCommand::at(90.0), 40.0, 1);
         assert_eq!((servo.angle, servo.torque), (90.0, -40.0));
     }
 
@@ -187,7 +187,7 @@ mod tests {
     fn the_stops_hold_and_nonsense_moves_nothing() {
         assert_eq!(advanced(JointCommand::Torque(40.0), 0.0, 1000).angle, 157.0);
         assert_eq!(advanced(JointCommand::Torque(-40.0), 0.0, 1000).angle, -2.0);
-        assert_eq!(advanced(JointCommand::Angle(f64::NAN), 0.0, 5).angle, 90.0);
+        assert_eq!(advanced(JointCommand::at(f64::NAN), 0.0, 5).angle, 90.0);
     }
 
     #[test]

@@ -40,7 +40,7 @@ fn cycle(number: u64, step: u32, next: Option<u32>, program: &Variables) -> Cycl
         step,
         next,
         program,
-        commands: &[JointCommand::Angle(0.0)],
+        commands: const { &[JointCommand::at(0.0)] },
         angles: &[0.0],
     }
 }
