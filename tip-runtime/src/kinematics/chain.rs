@@ -58,17 +58,10 @@ impl<const J: usize> Chain<J> {
         self.places.iter().map(|place| (*place).into())
     }
 
-    /// Velocity of the foot for each joint's angular velocity: mm/rad.
+    /// Velocity of the foot for each joint's angular velocity, joint by joint: mm/rad.
     #[must_use]
-    pub fn foot_jacobian(&self) -> SMatrix<f64, 3, J> {
-        self.jacobian(self.foot, J)
-    }
-
-    /// Velocity of joint `m`, counted from 0, for each joint's angular velocity: mm/rad. A joint
-    /// is moved by those before it only; the other columns are zero.
-    #[must_use]
-    pub fn joint_jacobian(&self, m: usize) -> Option<SMatrix<f64, 3, J>> {
-        self.places.get(m).map(|place| self.jacobian(*place, m))
+    pub fn foot_jacobian(&self) -> [[f64; 3]; J] {
+        self.jacobian(self.foot, J).into()
     }
 
     /// The position of a point: mm.
@@ -80,12 +73,18 @@ impl<const J: usize> Chain<J> {
         }
     }
 
-    /// Velocity of a point for each joint's angular velocity: mm/rad.
+    /// Velocity of a point for each joint's angular velocity, joint by joint: mm/rad. The place of a
+    /// joint is moved by those before it only; for the others it is zero.
     #[must_use]
-    pub fn point_jacobian(&self, point: Point) -> Option<SMatrix<f64, 3, J>> {
+    pub fn point_jacobian(&self, point: Point) -> Option<[[f64; 3]; J]> {
+        Some(self.jacobian_of(point)?.into())
+    }
+
+    /// The same as a matrix.
+    pub(super) fn jacobian_of(&self, point: Point) -> Option<SMatrix<f64, 3, J>> {
         match point {
-            Point::Tip => Some(self.foot_jacobian()),
-            Point::Joint(m) => self.joint_jacobian(m),
+            Point::Tip => Some(self.jacobian(self.foot, J)),
+            Point::Joint(m) => self.places.get(m).map(|place| self.jacobian(*place, m)),
         }
     }
 
@@ -93,7 +92,7 @@ impl<const J: usize> Chain<J> {
     #[must_use]
     pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
-        (self.foot_jacobian() * rates).into()
+        (self.jacobian(self.foot, J) * rates).into()
     }
 
     fn jacobian(&self, point: Vector3<f64>, moved_by: usize) -> SMatrix<f64, 3, J> {
@@ -113,7 +112,7 @@ impl<const J: usize> Chain<J> {
     #[must_use]
     pub fn point_velocity(&self, point: Point, rates: &[f64; J]) -> Option<[f64; 3]> {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
-        Some((self.point_jacobian(point)? * rates).into())
+        Some((self.jacobian_of(point)? * rates).into())
     }
 
     /// The least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None` where
@@ -127,7 +126,7 @@ impl<const J: usize> Chain<J> {
     /// `None` where it cannot move that way.
     #[must_use]
     pub fn point_rates(&self, point: Point, velocity: [f64; 3], axes: Axes) -> Option<[f64; J]> {
-        let jacobian = rows_that_count(self.point_jacobian(point)?, axes);
+        let jacobian = rows_that_count(self.jacobian_of(point)?, axes);
         let velocity =
             Vector3::from(velocity).zip_map(
                 &Vector3::from(axes),

@@ -85,7 +85,7 @@ fn approach<const J: usize>(
         if gap.norm() <= CLOSED {
             return Some((angles, gap.norm()));
         }
-        let jacobian = rows_that_count(chain.point_jacobian(point)?, axes);
+        let jacobian = rows_that_count(chain.jacobian_of(point)?, axes);
         let turns = turns_within_limits(leg, from, &angles, |free| turns(&jacobian, free, &gap))?;
         turn(&mut angles, &turns);
         clamp(leg, from, &mut angles);

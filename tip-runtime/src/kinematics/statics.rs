@@ -17,7 +17,7 @@ impl<const J: usize> Chain<J> {
     /// point.
     #[must_use]
     pub fn torques_of_force(&self, point: Point, force: [f64; 3]) -> Option<[f64; J]> {
-        let torques = self.point_jacobian(point)?.transpose() * Vector3::from(force);
+        let torques = self.jacobian_of(point)?.transpose() * Vector3::from(force);
         Some((torques / MILLIMETRES_PER_METRE).into())
     }
 
@@ -30,7 +30,7 @@ impl<const J: usize> Chain<J> {
         torques: &[f64; J],
         axes: Axes,
     ) -> Option<[f64; 3]> {
-        let jacobian = rows_that_count(self.point_jacobian(point)?, axes);
+        let jacobian = rows_that_count(self.jacobian_of(point)?, axes);
         let torques = SVector::<f64, J>::from(*torques) * MILLIMETRES_PER_METRE;
         let moved_by = point.moved_by(J);
         if moved_by < axes.iter().filter(|counts| **counts).count() {

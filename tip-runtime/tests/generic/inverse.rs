@@ -143,7 +143,7 @@ fn jacobians_are_what_small_turns_do() {
             let points = (0..J).map(Point::Joint).chain([Point::Tip]);
             for point in points {
                 let jacobian = chain.point_jacobian(point).expect("it is there");
-                for (m, column) in jacobian.column_iter().enumerate() {
+                for (m, column) in jacobian.iter().enumerate() {
                     let at = |turn: f64| {
                         let mut posture = posture;
                         posture[m] += turn;
@@ -176,7 +176,7 @@ fn redundant_legs_turn_by_the_least_amount() {
             let target = [x + 1e-3, y - 2e-3, z + 1.5e-3];
             let to = resolve(leg, &leg.initial, Point::Tip, target, SPACE).expect("near");
             let turn = SVector::<f64, J>::from(to) - SVector::from(leg.initial);
-            let jacobian = Chain::new(leg, &leg.initial).foot_jacobian();
+            let jacobian = SMatrix::from(Chain::new(leg, &leg.initial).foot_jacobian());
             let spent = idle(&jacobian, turn).norm();
             assert!(turn.norm() > 0.0 && spent < 1e-4 * turn.norm(), "{spent}");
         }

@@ -3,7 +3,7 @@
 use crate::program::{Step, bench, run};
 use crate::shapes::{ARM, BIPED, HEXAPOD, NINE, PENDULUM, SLED, SPIDER, TRIPOD};
 use tip_runtime::command::{Op, Target};
-use tip_runtime::kinematics::Chain;
+use tip_runtime::kinematics::{Chain, Point};
 use tip_runtime::model::{Inverse, Model, generic};
 use tip_runtime::plant::SimulatedPlant;
 
@@ -191,9 +191,9 @@ fn a_foot_on_a_spring_comes_to_rest_on_the_floor() {
     // The thigh's joint balances spring (1 N/mm), floor, and thigh and shank with their weight in the
     // middle.
     let chain = Chain::new(&model.legs[0], &angles);
-    let jacobian = chain.foot_jacobian();
-    let of_foot = jacobian.column(1);
-    let to_knee = chain.joint_jacobian(2).expect("a knee")[(2, 1)];
+    let of_foot = chain.foot_jacobian()[1];
+    let knee = chain.point_jacobian(Point::Joint(2)).expect("a knee");
+    let to_knee = knee[1][2];
     let pull: f64 = (0..3)
         .map(|axis| of_foot[axis] * (target[axis] - chain.foot()[axis]))
         .sum();

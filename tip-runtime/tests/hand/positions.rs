@@ -1,6 +1,7 @@
 //! Fingertips, third joints and the slider under position control.
 
 use crate::rig::{F1, Hand, J11, J12, J13, all_close, close};
+use nalgebra::Matrix3;
 use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::kinematics::{Chain, Point, resolve};
@@ -48,7 +49,7 @@ fn a_small_step_is_the_least_turn() {
             resolve(finger, &from, Point::Tip, [x + 1e-3, y - 2e-3, z], PLANE).expect("near");
         all_close(tip_of(angles), [x + 1e-3, y - 2e-3, 0.0], 1e-8);
         // What keeps the tip in place is across both rows of the Jacobian: no share of it is spent.
-        let jacobian = Chain::new(finger, &from).foot_jacobian();
+        let jacobian = Matrix3::from(Chain::new(finger, &from).foot_jacobian());
         let idle = jacobian.row(0).cross(&jacobian.row(1));
         let turn: Vec<f64> = angles.iter().zip(from).map(|(a, b)| a - b).collect();
         let size = turn.iter().map(|turn| turn * turn).sum::<f64>().sqrt();
