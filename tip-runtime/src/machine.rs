@@ -83,6 +83,16 @@ where
         })
     }
 
+    /// Starts the program anew on the robot as it stands: after its end, after an emergency, or in
+    /// the middle. All that steps have set is as at first; nothing is controlled, and every joint stays
+    /// where it was measured, as in an emergency stop. Cycles and time count from 0. Native
+    /// code behind SPECIAL keeps what it remembers.
+    pub fn restart(&mut self) {
+        self.program.reset();
+        self.controller.restart();
+        self.state = State::new();
+    }
+
     /// Runs one control cycle.
     pub fn cycle(&mut self) -> Status {
         self.control(None)

@@ -9,6 +9,10 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// Keeps cycles on a grid of time and counts those that ran over.
+///
+/// Deadlines are absolute: a cycle is due one period after the deadline of the one before, whenever that
+/// woke up. One that runs over gives up the deadlines that it missed, so that cycles are late, never
+/// hurried, and stay on the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct Pacer {
     due: Instant,
@@ -20,28 +24,42 @@ pub struct Pacer {
 impl Pacer {
     /// The first cycle starts now.
     pub fn start() -> Self {
+        Self::from(Instant::now())
+    }
+
+    const fn from(due: Instant) -> Self {
         Pacer {
-            due: Instant::now(),
+            due,
             cycles: 0,
             overruns: 0,
             worst: Duration::ZERO,
         }
     }
 
-    /// Waits until a cycle of `period` ms is over. One that is over already is an overrun, and the
-    /// grid starts anew: cycles are late, never hurried.
+    /// Waits until a cycle of `period` ms is over.
     pub fn wait(&mut self, period: f64) {
-        self.cycles += 1;
-        self.due += Duration::try_from_secs_f64(period / 1000.0).unwrap_or(Duration::ZERO);
         let now = Instant::now();
-        match self.due.checked_duration_since(now) {
-            Some(rest) => sleep(rest),
-            None => {
-                self.overruns += 1;
-                self.worst = self.worst.max(now.duration_since(self.due));
-                self.due = now;
-            }
+        let due = self.next(period, now);
+        sleep(due.saturating_duration_since(now));
+    }
+
+    /// When the cycle that ended `now` is over.
+    fn next(&mut self, period: f64, now: Instant) -> Instant {
+        let period = Duration::try_from_secs_f64(period / 1000.0).unwrap_or(Duration::ZERO);
+        self.cycles += 1;
+        self.due += period;
+        if let Some(late) = now
+            .checked_duration_since(self.due)
+            .filter(|late| !late.is_zero())
+        {
+            self.overruns += 1;
+            self.worst = self.worst.max(late);
+            self.due = match late.as_nanos().checked_rem(period.as_nanos()) {
+                Some(since) => now + period - Duration::from_nanos(since as u64),
+                None => now,
+            };
         }
+        self.due
     }
 
     /// Cycles so far.
@@ -60,9 +78,13 @@ impl Pacer {
     }
 }
 
-/// Runs a machine in real time until its program is over.
+/// Runs a machine in real time until `stop` says so: asked after each cycle what became of the program.
+///
+/// A robot has to be held after END as well, and to be stopped again and again in an emergency: the servo
+/// loop outlives the program. On a simulated robot `|status| !status.is_running()` will do.
 pub fn run_realtime<P, H, C, S, const L: usize, const J: usize>(
     machine: &mut Machine<'_, P, H, C, S, L, J>,
+    mut stop: impl FnMut(Status) -> bool,
 ) -> (Status, Pacer)
 where
     P: Program,
@@ -74,7 +96,7 @@ where
     loop {
         let status = machine.cycle();
         pacer.wait(machine.period());
-        if !status.is_running() {
+        if stop(status) {
             return (status, pacer);
         }
     }
@@ -84,18 +106,48 @@ where
 mod tests {
     use super::*;
 
+    const MS: Duration = Duration::from_millis(1);
+
     #[test]
-    fn cycles_last_their_period_and_late_ones_are_counted() {
+    fn a_cycle_lasts_its_period() {
         let begin = Instant::now();
         let mut pacer = Pacer::start();
         for _ in 0..5 {
             pacer.wait(4.0);
         }
-        assert!(begin.elapsed() >= Duration::from_millis(20));
-        let before = pacer.overruns();
-        sleep(Duration::from_millis(5));
-        pacer.wait(1.0);
-        assert_eq!((pacer.cycles(), pacer.overruns()), (6, before + 1));
-        assert!(pacer.worst() >= Duration::from_millis(4));
+        assert!(begin.elapsed() >= 20 * MS);
+        assert_eq!(pacer.cycles(), 5);
+    }
+
+    #[test]
+    fn deadlines_are_on_the_grid_whenever_a_cycle_ended() {
+        let begin = Instant::now();
+        let mut pacer = Pacer::from(begin);
+        assert_eq!(pacer.next(4.0, begin + 3 * MS), begin + 4 * MS);
+        // It woke up late, at 5 ms, and was ready at 8 ms.
+        assert_eq!(pacer.next(4.0, begin + 8 * MS), begin + 8 * MS);
+        assert_eq!((pacer.cycles(), pacer.overruns()), (2, 0));
+        // Another sampling time from now on.
+        assert_eq!(pacer.next(2.0, begin + 9 * MS), begin + 10 * MS);
+    }
+
+    #[test]
+    fn an_overrun_gives_up_the_deadlines_that_it_missed() {
+        let begin = Instant::now();
+        let mut pacer = Pacer::from(begin);
+        // Due at 4 ms, ready at 13 ms: those at 4, 8 and 12 ms are gone.
+        assert_eq!(pacer.next(4.0, begin + 13 * MS), begin + 16 * MS);
+        assert_eq!((pacer.overruns(), pacer.worst()), (1, 9 * MS));
+        assert_eq!(pacer.next(4.0, begin + 17 * MS), begin + 20 * MS);
+        assert_eq!(pacer.next(4.0, begin + 25 * MS), begin + 28 * MS);
+        assert_eq!((pacer.overruns(), pacer.worst()), (2, 9 * MS));
+    }
+
+    #[test]
+    fn without_a_period_no_cycle_waits() {
+        let begin = Instant::now();
+        let mut pacer = Pacer::from(begin);
+        assert_eq!(pacer.next(0.0, begin + MS), begin + MS);
+        assert_eq!(pacer.next(f64::NAN, begin + 2 * MS), begin + 2 * MS);
     }
 }

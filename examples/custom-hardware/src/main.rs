@@ -60,7 +60,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if options.fast {
         while machine.cycle().is_running() {}
     } else {
-        let (_, pace) = run_realtime(&mut machine);
+        let (_, pace) = run_realtime(&mut machine, |status| !status.is_running());
         let worst = pace.worst().as_secs_f64() * 1000.0;
         let overruns = pace.overruns();
         writeln!(out, "{overruns} overruns, the worst {worst:.3} ms late")?;

@@ -129,7 +129,7 @@ fn place(robot: &SimulatedPlant<4, 3>) -> String {
 /// The compiled program alone, with the keyboard.
 fn walk_in_real_time() -> Result<bool, Box<dyn Error>> {
     let mut robot = on_simulated_robot(Walk::new(), &titan8::MODEL, Terminal::new())?;
-    let (status, pace) = run_realtime(&mut robot);
+    let (status, pace) = run_realtime(&mut robot, |status| !status.is_running());
     let mut out = io::stdout();
     writeln!(out, "{status:?}; {}", place(robot.hardware()))?;
     writeln!(

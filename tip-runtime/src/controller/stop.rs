@@ -87,6 +87,12 @@ impl<const J: usize> ControllerView<'_, J> {
         self.pending = None;
     }
 
+    /// As a new controller, on a robot that stands where it was measured.
+    pub(crate) fn restart(&mut self) {
+        self.emergency();
+        self.standardise();
+    }
+
     /// Whether no joint command moves.
     pub(super) fn is_at_rest(&self) -> bool {
         self.legs.iter().all(|leg| leg.drive.is_at_rest()) && self.slider.is_at_rest()

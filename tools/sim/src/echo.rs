@@ -54,7 +54,9 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Echo<L, J> {
         let commands = outputs.joints.as_flattened();
         for (((angle, torque), joint), command) in angles.zip(torques).zip(joints).zip(commands) {
             match *command {
-                JointCommand::Angle { angle: commanded, .. } => {
+                JointCommand::Angle {
+                    angle: commanded, ..
+                } => {
                     *torque = self.resistance + (commanded - *angle);
                     *angle = commanded;
                 }

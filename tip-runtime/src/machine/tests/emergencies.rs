@@ -101,3 +101,24 @@ fn a_host_stops_the_robot_as_the_return_key_does() {
     let text = machine.console().inner().emergency.clone().expect("told");
     assert!(text.starts_with("TIP_ERR:Emergency stop key (RobotError)\n"));
 }
+
+#[test]
+fn a_restart_runs_the_program_again() {
+    let mut machine = bench(&[nop, divide, end], &[]);
+    machine.cycle();
+    machine.cycle();
+    assert_eq!(machine.cycle(), Status::Emergency);
+    machine.restart();
+    assert_eq!(machine.status(), Status::Running);
+    assert_eq!(machine.emergency(), None);
+    assert_eq!((machine.program().at(), machine.cycles()), (0, 0));
+    assert_eq!(machine.cycle(), Status::Running);
+    assert_eq!(machine.cycle(), Status::Emergency);
+    assert_eq!(machine.console().inner().ended, 2);
+
+    let mut machine = bench(&[end], &[]);
+    assert_eq!(machine.cycle(), Status::Finished(End::End));
+    machine.restart();
+    assert_eq!(machine.cycle(), Status::Finished(End::End));
+    assert_eq!(machine.console().inner().ended, 2);
+}
