@@ -10,7 +10,7 @@ use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::embed;
 use tipc::emit;
-use tipc::syntax::Span;
+use tipc::source::Span;
 
 /// `invoking` is the file that the invocation stands in, if the compiler knows one.
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {

@@ -45,8 +45,7 @@ pub use scene::parse_scene;
 
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
-use crate::source::{Encoding, Source};
-use crate::syntax::Span;
+use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Range, Slider, Standards};
 use toml::de::DeTable;

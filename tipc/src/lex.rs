@@ -1,6 +1,11 @@
 //! A statement's characters to words and operators. It knows no command.
 
-use crate::syntax::{Arithmetic, Relation, Span};
+mod pieces;
+
+pub(crate) use pieces::{Piece, Pieces, split_comment};
+
+use crate::source::Span;
+use crate::syntax::{Arithmetic, Relation};
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

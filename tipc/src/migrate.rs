@@ -12,6 +12,7 @@ mod labels;
 mod lines;
 mod message;
 mod near;
+mod placeholders;
 mod report;
 mod variables;
 mod verify;
@@ -20,8 +21,7 @@ pub use report::{render_human, render_json, render_short};
 
 use crate::load::{Loaded, Options, load};
 use crate::robot::Robot;
-use crate::source::{Encoding, Source};
-use crate::syntax::Span;
+use crate::source::{Encoding, Source, Span};
 use edits::Edits;
 use header::Header;
 use lines::{Piece, Statement};
@@ -133,7 +133,7 @@ pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration
     let Migrator {
         edits, mut notes, ..
     } = migrator;
-    let result = edits.apply(source.text(), bytes);
+    let result = edits.apply(&source);
     if older {
         notes.extend(verify::questions(&source, &result, encoding, &notes));
     }

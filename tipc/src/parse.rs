@@ -4,7 +4,7 @@ mod command;
 mod condition;
 mod control;
 mod equation;
-mod header;
+pub(crate) mod header;
 mod jump;
 mod line;
 mod message;

@@ -1,8 +1,8 @@
 //! The names of a program: what defines them, and every place that names them.
 
 use crate::program::VariableId;
-use crate::source::Source;
-use crate::syntax::{Span, VariableKind};
+use crate::source::{Source, Span};
+use crate::syntax::VariableKind;
 use smol_str::SmolStr;
 
 /// All names of a program that it defines itself, and `VAR_KEY`.

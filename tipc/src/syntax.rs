@@ -7,7 +7,7 @@ mod module;
 pub use module::{Module, Statement};
 
 use crate::diagnostic::Diagnostic;
-pub use crate::source::Span;
+use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
 
 /// Something with its place.

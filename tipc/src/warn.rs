@@ -4,9 +4,9 @@ use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId, VariableKind};
-use crate::source::Source;
+use crate::source::{Source, Span};
 use crate::symbols::{Access, Symbols};
-use crate::syntax::{Module, Span};
+use crate::syntax::Module;
 
 /// How many pieces of a way are shown, one for each jump on it.
 const PIECES: usize = 8;

@@ -10,8 +10,9 @@ use crate::diagnostic::Diagnostic;
 use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning, Values};
 use crate::program::{self, Action, Argument, Scalar};
 use crate::robot::Robot;
+use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Operand, OperandKind, Span, VariableKind, Word};
+use crate::syntax::{Operand, OperandKind, VariableKind, Word};
 use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, Target};
 
 impl Resolver<'_> {

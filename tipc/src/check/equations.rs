@@ -6,8 +6,9 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::program::{Action, Axis, ScalarExpression, StructExpression, VariableId};
+use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Equation, Expression, Operand, Span, VariableKind, Word};
+use crate::syntax::{Equation, Expression, Operand, VariableKind, Word};
 
 /// The right side of an equation with its type.
 enum Value {

@@ -9,8 +9,9 @@ use crate::language::commands::Targets;
 use crate::language::inputs;
 use crate::language::reserved::VAR_KEY;
 use crate::program::{self, Action, Argument, Scalar};
+use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Operand, Span, VariableKind, Word};
+use crate::syntax::{Operand, VariableKind, Word};
 use tip_runtime::command::{Op, Port, Target, Teach};
 use tip_runtime::model::Family;
 

@@ -7,7 +7,8 @@ use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::LOOP;
-use crate::syntax::{Jump, Module, Span, StatementKind, Then};
+use crate::source::Span;
+use crate::syntax::{Jump, Module, StatementKind, Then};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {

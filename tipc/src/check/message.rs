@@ -2,8 +2,9 @@
 
 use super::resolve::Resolver;
 use crate::program::{Action, MessagePart, Scalar};
+use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Span, VariableKind};
+use crate::syntax::VariableKind;
 
 impl Resolver<'_> {
     /// Splits a text as it stands in the source at `place` into what is shown as it is and the values between.

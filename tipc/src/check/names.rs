@@ -7,7 +7,8 @@ use crate::language::Edition;
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
-use crate::syntax::{Module, Operand, OperandKind, Span, StatementKind, VariableKind, Word};
+use crate::source::Span;
+use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
 use std::collections::{HashMap, HashSet};
 
 /// Every variable of a program.

@@ -8,7 +8,8 @@ use crate::language::commands::{Arguments, Limit, Values};
 use crate::language::functions::{self, Operation};
 use crate::program::{Argument, Arithmetic, Function, Operand};
 use crate::robot::Robot;
-use crate::syntax::{self, Equation, Expression, OperandKind, Span, Word};
+use crate::source::Span;
+use crate::syntax::{self, Equation, Expression, OperandKind, Word};
 use tip_runtime::model::Range;
 
 impl Resolver<'_> {

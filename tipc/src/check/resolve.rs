@@ -9,9 +9,9 @@ use crate::diagnostic::Diagnostic;
 use crate::message::Message;
 use crate::program::{self, Action, Condition, Scalar};
 use crate::robot::Robot;
-use crate::source::Source;
+use crate::source::{Source, Span};
 use crate::symbols::Access;
-use crate::syntax::{Counting, Module, Operand, OperandKind, Span, Statement, StatementKind, Then};
+use crate::syntax::{Counting, Module, Operand, OperandKind, Statement, StatementKind, Then};
 
 /// A statement with its operands resolved.
 #[derive(Clone, Debug, PartialEq)]

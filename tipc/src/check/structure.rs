@@ -4,7 +4,8 @@ use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
-use crate::syntax::{Module, Operand, OperandKind, Shape, Span, Statement, StatementKind};
+use crate::source::Span;
+use crate::syntax::{Module, Operand, OperandKind, Shape, Statement, StatementKind};
 
 /// Ties every control word to its partner and reports those without one.
 pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {

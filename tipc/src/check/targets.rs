@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Joints, Targets};
 use crate::language::flags;
 use crate::robot::Robot;
+use crate::source::Span;
 use crate::syntax::{Operand, OperandKind, Word};
 use tip_runtime::command::{Flag, Target};
 
@@ -57,7 +58,7 @@ impl Resolver<'_> {
         targets.examples(self.robot).replace('|', ", ")
     }
 
-    fn refuse_target<T>(&mut self, place: crate::syntax::Span, reason: String) -> Option<T> {
+    fn refuse_target<T>(&mut self, place: Span, reason: String) -> Option<T> {
         let fault = Diagnostic::new(Code::Argument, place, reason);
         self.report(fault.help(self.robot.inventory()));
         None

@@ -4,9 +4,9 @@ use super::names::Names;
 use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::source::Source;
+use crate::source::{Source, Span};
 use crate::symbols::{Access, Use};
-use crate::syntax::{Span, VariableKind};
+use crate::syntax::VariableKind;
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
 pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Vec<Diagnostic>) {

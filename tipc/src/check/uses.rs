@@ -3,9 +3,9 @@
 use super::labels::Labels;
 use super::names::{Meant, Names};
 use crate::program::VariableId;
-use crate::source::Source;
+use crate::source::{Source, Span};
 use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
-use crate::syntax::{Jump, Operand, OperandKind, Span, Word};
+use crate::syntax::{Jump, Operand, OperandKind, Word};
 
 /// What the statements name, so far.
 pub(super) struct Uses<'a> {

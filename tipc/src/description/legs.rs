@@ -3,7 +3,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
-use crate::syntax::Span;
+use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{Joint, Range};
 

@@ -4,7 +4,7 @@ use super::keys::Part;
 use crate::check::nearest;
 use crate::diagnostic::Diagnostic;
 use crate::message::Message;
-use crate::syntax::Span;
+use crate::source::Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

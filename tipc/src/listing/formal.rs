@@ -1,9 +1,9 @@
 //! A statement's line of FORMAL.TMP: its fields separated by tabs (T.I.P. 3.1 §10-4-2).
 
 use crate::language::Keyword;
-use crate::source::Source;
+use crate::source::{Source, Span};
 use crate::syntax::{
-    Arithmetic, Condition, Expression, Jump, Relation, Span, Statement, StatementKind, Then,
+    Arithmetic, Condition, Expression, Jump, Relation, Statement, StatementKind, Then,
 };
 
 /// The line of one statement of a source.

@@ -4,7 +4,8 @@ use super::Migrator;
 use super::lines::Statement;
 use crate::language::commands::{COMMANDS, find};
 use crate::lex::Kind;
-use crate::syntax::{Arithmetic, Span};
+use crate::source::Span;
+use crate::syntax::Arithmetic;
 
 /// What stands behind the name of a parameter.
 const SUFFIXES: &[&str] = &["_RATE", "_SLOW", "_FAST", "_NORMAL", "_FIRMLY", "_SOFT"];

@@ -3,8 +3,7 @@
 use super::Migrator;
 use super::commands::is_statement_word;
 use super::lines;
-use crate::lex::BLANKS;
-use crate::syntax::Span;
+use crate::parse::header::{version_number, version_word};
 
 /// The version that a migration leads to.
 const CURRENT: f64 = 3.1;
@@ -65,9 +64,9 @@ pub(super) struct Header {
 impl Migrator<'_> {
     /// Brings line 1 to version 3.1; `None` if nothing else is to be done.
     pub(super) fn header(&mut self) -> Option<Header> {
-        let place = self.version_word();
+        let place = version_word(self.source);
         let word = self.slice(place).to_owned();
-        let Some(version) = number(&word) else {
+        let Some(version) = version_number(&word) else {
             self.question(
                 place,
                 "line 1 names no version: which version of the language is this program written for?",
@@ -93,16 +92,6 @@ impl Migrator<'_> {
             style,
             title: self.title(version),
         })
-    }
-
-    /// The version number's place in line 1.
-    fn version_word(&self) -> Span {
-        let line = self.source.line(1).span;
-        let text = self.slice(line);
-        let code = text.split_once("//").map_or(text, |(code, _)| code);
-        let word = code.trim_end_matches(BLANKS);
-        let start = line.start + word.len() - word.trim_start_matches(BLANKS).len();
-        Span::new(start, line.start + word.len())
     }
 
     /// A program that says 4.0 shows by its declarations what it is.
@@ -143,9 +132,4 @@ impl Migrator<'_> {
             Title::Present
         }
     }
-}
-
-fn number(word: &str) -> Option<f64> {
-    let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
-    starts_like_one.then(|| word.parse().ok())?
 }

@@ -4,7 +4,7 @@ use super::Migrator;
 use super::lines::Piece;
 use crate::language::Edition;
 use crate::language::reserved::is_reserved;
-use crate::syntax::Span;
+use crate::source::Span;
 use std::collections::HashSet;
 
 /// The one word that may be a label all the same.

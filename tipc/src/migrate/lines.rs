@@ -1,8 +1,7 @@
 //! Lines to labels and statements, as old programs write them.
 
-use crate::lex::{self, DELIMITERS, Kind, Token, skip_delimiters, word_end};
-use crate::source::Source;
-use crate::syntax::Span;
+use crate::lex::{self, Kind, Pieces, Token, split_comment};
+use crate::source::{Source, Span};
 
 /// A label or a statement.
 #[derive(Debug)]
@@ -89,98 +88,40 @@ fn is_colon(token: Option<&Token>) -> bool {
 
 /// Everything from line `first` up to END. `single`: `;` does not part a text.
 pub(super) fn read(source: &Source, first: u32, single: bool) -> Vec<Piece> {
-    let mut reader = Reader {
-        source,
-        single,
-        line: first,
-        pieces: Vec::new(),
-    };
-    for line in first..=source.line_count() {
-        reader.line = line;
-        if reader.line_holds_end() {
-            break;
-        }
-    }
-    reader.pieces
-}
-
-struct Reader<'a> {
-    source: &'a Source,
-    single: bool,
-    line: u32,
-    pieces: Vec<Piece>,
-}
-
-impl Reader<'_> {
-    fn line_holds_end(&mut self) -> bool {
-        let line = self.source.line(self.line).span;
-        let text = self.source.slice(line);
-        let code = line.start + text.find("//").unwrap_or(text.len());
-        let mut start = line.start;
-        while start <= code {
-            let rest = &self.source.text().as_bytes()[start..code];
-            let length = rest.iter().position(|byte| *byte == b';');
-            let end = length.map_or(code, |length| start + length);
-            match self.piece(start, end, code) {
-                After::Piece => start = end + 1,
-                After::Line => return false,
-                After::End => return true,
+    let mut pieces = Vec::new();
+    for line in source.lines().skip(first.saturating_sub(1) as usize) {
+        let (code, _) = split_comment(source.text(), line.span);
+        for piece in Pieces::new(source.text(), code, single) {
+            let piece = match piece {
+                lex::Piece::Label { name, .. } => Piece::Label {
+                    name,
+                    line: line.number,
+                },
+                lex::Piece::Statement { word, span, .. } => {
+                    Piece::Statement(statement(source, line.number, word, span))
+                }
+            };
+            let ends = piece.statement().is_some_and(|it| it.keyword == "END");
+            pieces.push(piece);
+            if ends {
+                return pieces;
             }
         }
-        false
     }
-
-    /// Reads what stands before `end`, or, if it is a text, before `code`.
-    fn piece(&mut self, start: usize, end: usize, code: usize) -> After {
-        let trimmed = self.source.text()[start..end].trim_end_matches(DELIMITERS);
-        let bytes = &self.source.text().as_bytes()[..start + trimmed.len()];
-        let mut at = skip_delimiters(bytes, start);
-        while at < bytes.len() {
-            let word = Span::new(at, word_end(bytes, at));
-            let keyword = self.source.slice(word).to_ascii_uppercase();
-            let is_text = keyword == "MESSAGE" || keyword == "REM";
-            let colon = skip_delimiters(bytes, word.end);
-            if bytes.get(colon) == Some(&b':') && !(is_text && colon > word.end) {
-                let line = self.line;
-                self.pieces.push(Piece::Label { name: word, line });
-                at = skip_delimiters(bytes, colon + 1);
-                continue;
-            }
-            return self.statement(keyword, word, bytes.len(), if is_text { code } else { end });
-        }
-        After::Piece
-    }
-
-    fn statement(&mut self, keyword: String, word: Span, end: usize, code: usize) -> After {
-        let is_text = keyword == "MESSAGE" || keyword == "REM";
-        let after = match keyword.as_str() {
-            "END" => After::End,
-            _ if is_text && self.single => After::Line,
-            _ => After::Piece,
-        };
-        let end = if after == After::Line { code } else { end };
-        let mut tokens = Vec::new();
-        if !is_text {
-            lex::lex(self.source.text(), Span::new(word.start, end), &mut tokens);
-        }
-        self.pieces.push(Piece::Statement(Statement {
-            line: self.line,
-            keyword,
-            word,
-            tokens,
-            text: Span::new(word.end, end),
-        }));
-        after
-    }
+    pieces
 }
 
-/// What follows a piece.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum After {
-    /// The next piece.
-    Piece,
-    /// The next line.
-    Line,
-    /// Nothing: the program ends.
-    End,
+fn statement(source: &Source, line: u32, word: Span, span: Span) -> Statement {
+    let keyword = source.slice(word).to_ascii_uppercase();
+    let mut tokens = Vec::new();
+    if !matches!(keyword.as_str(), "MESSAGE" | "REM") {
+        lex::lex(source.text(), span, &mut tokens);
+    }
+    Statement {
+        line,
+        keyword,
+        word,
+        tokens,
+        text: Span::new(word.end, span.end),
+    }
 }

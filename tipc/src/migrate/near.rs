@@ -4,7 +4,7 @@ use super::Migrator;
 use super::lines::{Piece, Statement};
 use super::variables::Variables;
 use crate::lex::{Kind, Token};
-use crate::syntax::Span;
+use crate::source::Span;
 
 /// Commands that put their target under position control.
 const POSITIONS: &[&str] = &[

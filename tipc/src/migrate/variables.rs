@@ -5,10 +5,10 @@
 use super::Migrator;
 use super::header::Style;
 use super::lines::Piece;
-use super::message::old_placeholders;
+use super::placeholders::old_placeholders;
 use crate::parse::NAME_LIMIT;
-use crate::source::Source;
-use crate::syntax::{Span, VariableKind};
+use crate::source::{Source, Span};
+use crate::syntax::VariableKind;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashSet};
 

@@ -4,7 +4,8 @@ use super::Parser;
 use super::reader::Reader;
 use crate::code::Code;
 use crate::lex::{Kind, Token};
-use crate::syntax::{Span, StatementKind, Word, upper_case};
+use crate::source::Span;
+use crate::syntax::{StatementKind, Word, upper_case};
 
 impl Parser<'_> {
     /// A command word and its arguments. Whether the command exists is not known here, and a misspelt one is

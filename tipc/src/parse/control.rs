@@ -5,7 +5,8 @@ use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::message::phrase::End;
-use crate::syntax::{Counting, Jump, Operand, OperandKind, Span, StatementKind, Then};
+use crate::source::Span;
+use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then};
 
 /// A statement and, if something behind it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;

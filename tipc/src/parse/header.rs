@@ -3,21 +3,15 @@
 use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::lex::BLANKS;
+use crate::lex::{BLANKS, split_comment};
 use crate::message::Parsing;
-use crate::source::Source;
-use crate::syntax::Span;
+use crate::source::{Source, Span};
 
-/// Whether line 1 names `wanted`, compared as numbers; blanks and a comment may stand beside it.
+/// Whether line 1 names `wanted`, compared as numbers.
 pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
-    let line = source.line(1).span;
-    let text = source.slice(line);
-    let code = text.split_once("//").map_or(text, |(code, _)| code);
-    let word = code.trim_end_matches(BLANKS);
-    let start = line.start + word.len() - word.trim_start_matches(BLANKS).len();
-    let span = Span::new(start, line.start + word.len());
+    let span = version_word(source);
     let word = source.slice(span);
-    let reason = match number(word) {
+    let reason = match version_number(word) {
         Some(found) if found == wanted => return Ok(()),
         Some(_) => Parsing::OtherVersion { wanted },
         None if word.is_empty() => Parsing::NoVersion,
@@ -29,13 +23,22 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     ))
 }
 
+/// The place of the version number in line 1; blanks and a comment may stand beside it.
+pub(crate) fn version_word(source: &Source) -> Span {
+    let (code, _) = split_comment(source.text(), source.line(1).span);
+    let word = source.slice(code).trim_end_matches(BLANKS);
+    let end = code.start + word.len();
+    Span::new(end - word.trim_start_matches(BLANKS).len(), end)
+}
+
+/// The number that a version word is, if it is one.
+pub(crate) fn version_number(word: &str) -> Option<f64> {
+    let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+    starts_like_one.then(|| word.parse().ok())?
+}
+
 /// Line 2, its full-width spaces as two half-width ones.
 pub(super) fn title(source: &Source) -> String {
     let line = source.line_text(2).trim_matches(BLANKS);
     line.replace('\u{3000}', "  ")
-}
-
-fn number(word: &str) -> Option<f64> {
-    let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
-    starts_like_one.then(|| word.parse().ok())?
 }

@@ -4,7 +4,8 @@ use super::reader::{Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::Kind;
 use crate::message::Parsing;
-use crate::syntax::{Jump, Span, Word};
+use crate::source::Span;
+use crate::syntax::{Jump, Word};
 
 impl Reader<'_> {
     /// `GOTO [NAME:]`; the jump's word is already taken.

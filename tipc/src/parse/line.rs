@@ -3,10 +3,11 @@
 use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::{Keyword, keywords};
-use crate::lex::{DELIMITERS, foreign_run, skip_delimiters, word_end};
+use crate::language::Keyword;
+use crate::lex::{Piece, Pieces, foreign_run, split_comment};
 use crate::message::Parsing;
-use crate::syntax::{Shape, Span, StatementKind, Word, upper_case};
+use crate::source::Span;
+use crate::syntax::{Shape, StatementKind, Word, upper_case};
 
 impl Parser<'_> {
     /// Reads the statements of the current line.
@@ -14,49 +15,28 @@ impl Parser<'_> {
         let (code, comment) = split_comment(self.text, self.line.span);
         let first = self.module.statements.len();
         let reported = self.diagnostics.len();
-        let mut start = code.start;
         let mut flow = Flow::Continue;
-        while flow == Flow::Continue && start <= code.end {
-            let length = self.text.as_bytes()[start..code.end]
-                .iter()
-                .position(|byte| *byte == b';');
-            let end = length.map_or(code.end, |length| start + length);
-            let cut_by = comment.filter(|_| end == code.end);
-            flow = self.piece(Span::new(start, end), cut_by);
-            start = end + 1;
+        for piece in Pieces::new(self.text, code, false) {
+            match piece {
+                Piece::Label { name, span } => self.label(name, span),
+                Piece::Statement {
+                    word,
+                    span,
+                    text_end,
+                } => {
+                    let cut_by = comment.filter(|_| text_end == code.end);
+                    flow = self.statement(word, span, text_end, cut_by);
+                }
+            }
+            if flow == Flow::End {
+                break;
+            }
         }
         self.check_lone_words(first, reported);
         flow
     }
 
-    /// Reads what stands between two `;`: labels, and at most one statement.
-    fn piece(&mut self, piece: Span, comment: Option<Span>) -> Flow {
-        let end = piece.start + self.source.slice(piece).trim_end_matches(DELIMITERS).len();
-        let bytes = &self.text.as_bytes()[..end];
-        let mut start = skip_delimiters(bytes, piece.start);
-        while start < end {
-            let word = Span::new(start, word_end(bytes, start));
-            let Some(behind) = self.label_end(word, end) else {
-                return self.statement(word, Span::new(start, end), piece.end, comment);
-            };
-            self.label(word, behind);
-            start = skip_delimiters(bytes, behind);
-        }
-        Flow::Continue
-    }
-
-    /// The place behind the colon if `word` is a label. MESSAGE and REM may go on with a text that starts with one.
-    fn label_end(&self, word: Span, end: usize) -> Option<usize> {
-        let bytes = &self.text.as_bytes()[..end];
-        let colon = skip_delimiters(bytes, word.end);
-        let keyword = || keywords::find(self.source.slice(word), self.module.edition);
-        let is_label = bytes.get(colon) == Some(&b':')
-            && (colon == word.end || !matches!(keyword(), Some(Keyword::Message | Keyword::Rem)));
-        is_label.then_some(colon + 1)
-    }
-
-    fn label(&mut self, word: Span, end: usize) {
-        let span = Span::new(word.start, end);
+    fn label(&mut self, word: Span, span: Span) {
         if let Some(foreign) = foreign_run(self.text, word) {
             self.report_foreign(foreign);
             return self.push(StatementKind::Broken(Shape::Plain), span);
@@ -146,17 +126,6 @@ fn lone_word(kind: &StatementKind) -> Option<Keyword> {
         StatementKind::Wend => Some(Keyword::Wend),
         StatementKind::Repeat => Some(Keyword::Repeat),
         _ => None,
-    }
-}
-
-fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
-    let bytes = &text.as_bytes()[line.start..line.end];
-    match bytes.windows(2).position(|pair| pair == b"//") {
-        Some(at) => {
-            let at = line.start + at;
-            (Span::new(line.start, at), Some(Span::new(at, line.end)))
-        }
-        None => (line, None),
     }
 }
 

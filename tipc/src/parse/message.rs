@@ -5,8 +5,8 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, delimiter};
 use crate::message::Parsing;
-use crate::source::first_beyond;
-use crate::syntax::{Shape, Span, Spanned, StatementKind};
+use crate::source::{Span, first_beyond};
+use crate::syntax::{Shape, Spanned, StatementKind};
 
 /// The most bytes that a MESSAGE text may have.
 const TEXT_LIMIT: usize = 70;

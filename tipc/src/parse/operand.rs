@@ -4,7 +4,8 @@ use super::reader::{Fault, Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
-use crate::syntax::{Arithmetic, Operand, OperandKind, Span, upper_case};
+use crate::source::Span;
+use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 
 /// Words that end an operand list in conditions and FOR; no variable bears such a name.
 const STOPS: &[Keyword] = &[

@@ -6,7 +6,8 @@ use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::message::phrase::End;
-use crate::syntax::{Span, Word, upper_case};
+use crate::source::Span;
+use crate::syntax::{Word, upper_case};
 
 /// What is wrong with a statement.
 pub(super) type Fault = Box<Diagnostic>;

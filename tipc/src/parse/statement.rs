@@ -9,7 +9,8 @@ use crate::code::Code;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::message::Parsing;
-use crate::syntax::{Shape, Span, StatementKind, VariableKind, Word};
+use crate::source::Span;
+use crate::syntax::{Shape, StatementKind, VariableKind, Word};
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).

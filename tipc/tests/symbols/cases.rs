@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tipc::source::Span;
 use tipc::symbols::{DefinitionKind, Symbols, Use};
-use tipc::syntax::{Module, Span, StatementKind, VariableKind};
+use tipc::syntax::{Module, StatementKind, VariableKind};
 use tipc::{Loaded, Options, Robot, load};
 
 /// The bytes of every program among the tests; none if the package stands alone.

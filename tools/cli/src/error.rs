@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
-use tipc::syntax::Span;
+use tipc::source::Span;
 
 /// Why a command stopped.
 #[derive(Debug)]

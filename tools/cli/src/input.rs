@@ -7,8 +7,7 @@ use tipc::code::Code;
 use tipc::description::Description;
 use tipc::diagnostic::Diagnostic;
 use tipc::migrate::Migration;
-use tipc::source::{Encoding, Source};
-use tipc::syntax::Span;
+use tipc::source::{Encoding, Source, Span};
 use tipc::{Loaded, Options};
 
 /// Loads the program at `path`; a file that cannot be read is a diagnostic like any other.

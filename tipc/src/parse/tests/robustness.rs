@@ -3,8 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;
 use crate::render;
-use crate::source::{Encoding, Source};
-use crate::syntax::Span;
+use crate::source::{Encoding, Source, Span};
 use std::time::{Duration, Instant};
 
 /// SplitMix64: enough randomness for inputs, the same in every run.
