@@ -1,5 +1,6 @@
 //! The table of diagnostic codes: the only place where a message of the compiler stands.
 
+use crate::language::Edition;
 use tip_runtime::fault::{Kind, UNASSIGNED};
 
 /// How grave a diagnostic is.
@@ -109,11 +110,11 @@ codes! {
 }
 
 impl Code {
-    /// How grave a diagnostic with this code is.
-    pub const fn level(self) -> Level {
-        match self.kind() {
-            Some(_) => Level::Error,
-            None => Level::Warning,
+    /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.
+    pub const fn level(self, edition: Edition) -> Level {
+        match (self.kind(), edition) {
+            (Some(_), _) => Level::Error,
+            (None, _) => Level::Warning,
         }
     }
 }

@@ -3,6 +3,7 @@
 mod undecodable;
 
 use crate::code::{Code, Level};
+use crate::language::Edition;
 use crate::message::Message;
 use crate::source::Span;
 
@@ -30,6 +31,8 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// The way out.
     pub help: Option<Message>,
+    /// Whose rules it is judged by.
+    pub edition: Edition,
 }
 
 impl Diagnostic {
@@ -42,6 +45,7 @@ impl Diagnostic {
             reason: reason.into(),
             labels: Vec::new(),
             help: None,
+            edition: Edition::default(),
         }
     }
 
@@ -71,7 +75,7 @@ impl Diagnostic {
 
     /// How grave it is.
     pub fn level(&self) -> Level {
-        self.code.level()
+        self.code.level(self.edition)
     }
 
     /// The classical message, its subject filled in.

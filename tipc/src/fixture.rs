@@ -1,5 +1,6 @@
 //! Programs built by hand, for unit tests.
 
+use crate::language::reserved::VAR_KEY;
 use crate::program::{
     Action, Argument, Condition, Label, Operand, Program, Relation, Scalar, Step, StepId, Variable,
     VariableKind,
@@ -12,7 +13,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
     let signature = titan8::MODEL.signature();
     let mut declared = Vec::new();
     let mut first = 0;
-    for (name, kind) in [("VAR_KEY", VariableKind::Var)].iter().chain(variables) {
+    for (name, kind) in [(VAR_KEY, VariableKind::Var)].iter().chain(variables) {
         let variable = Variable {
             name: (*name).to_owned(),
             kind: *kind,
@@ -31,6 +32,7 @@ pub(crate) fn program(variables: &[(&str, VariableKind)], actions: Vec<Action>) 
     Program {
         source_name: "by_hand.prg".to_owned(),
         source_hash: 0x0123_4567_89ab_cdef,
+        edition: crate::language::Edition::default(),
         title: "built by hand".to_owned(),
         signature,
         variables: declared,

@@ -3,6 +3,7 @@
 use crate::check::check;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
 use crate::lower::lower;
 use crate::parse::parse;
 use crate::program::Program;
@@ -27,7 +28,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             robot: Robot::default(),
-            tip_version: 3.1,
+            tip_version: Edition::default().number(),
             encoding: Encoding::Auto,
         }
     }
@@ -77,6 +78,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     } else {
         let (mut checked, found) = check(&source, &module, options.robot);
         diagnostics.extend(found);
+        judge(&mut diagnostics, module.edition);
         let loads = diagnostics
             .iter()
             .all(|diagnostic| diagnostic.level() == Level::Warning);
@@ -88,6 +90,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         });
         (symbols, program)
     };
+    judge(&mut diagnostics, module.edition);
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
     // One mistake is told once, however many passes stumble over it.
     diagnostics.dedup_by(|later, first| {
@@ -100,5 +103,12 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         symbols,
         program,
         diagnostics,
+    }
+}
+
+/// Lets findings be judged by the rules of an edition.
+fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
+    for diagnostic in diagnostics {
+        diagnostic.edition = edition;
     }
 }

@@ -46,6 +46,7 @@ pub(crate) fn lower(
     Program {
         source_name: base_name(source.name()).to_owned(),
         source_hash: source.hash(),
+        edition: module.edition,
         title: module.title.clone(),
         signature: robot.signature(),
         variables: checked.variables,

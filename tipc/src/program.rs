@@ -6,6 +6,7 @@ pub use tip_runtime::command::{Flag, Op, Port, Target, Teach};
 pub use tip_runtime::function::Function;
 pub use tip_runtime::program::{End, Signature};
 
+use crate::language::Edition;
 use crate::language::reserved::{JOINT, POSITION};
 use smol_str::SmolStr;
 
@@ -20,6 +21,7 @@ pub use operand::{Condition, Operand, Scalar, ScalarExpression, StructExpression
 pub struct Program {
     pub(crate) source_name: String,
     pub(crate) source_hash: u64,
+    pub(crate) edition: Edition,
     pub(crate) title: String,
     pub(crate) signature: Signature,
     pub(crate) variables: Vec<Variable>,
@@ -36,6 +38,11 @@ impl Program {
     /// FNV-1a 64 of the source's bytes.
     pub fn source_hash(&self) -> u64 {
         self.source_hash
+    }
+
+    /// The edition of the language, which line 1 chose.
+    pub fn edition(&self) -> Edition {
+        self.edition
     }
 
     /// Line 2 of the source.

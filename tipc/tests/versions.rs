@@ -1,6 +1,7 @@
 //! What version 3.1 refuses of its predecessors and of its announced successor, and what it fixes for both.
 
 use tipc::code::Code;
+use tipc::language::Edition;
 use tipc::program::VariableKind;
 use tipc::{Loaded, Options, Robot};
 
@@ -28,6 +29,23 @@ fn a_program_of_an_older_version_is_refused_by_its_first_line() {
         let loaded = load(Robot::Titan8, version, "VAR01 = 1");
         let codes: Vec<_> = loaded.diagnostics.iter().map(|found| found.code).collect();
         assert_eq!(codes, [Code::Version], "{version}");
+    }
+}
+
+// clauses: 1.3
+#[test]
+fn line_1_chooses_the_edition_and_a_number_of_none_is_read_by_the_rules_of_3_1() {
+    for (version, tip_version) in [("3.1", 3.1), ("3.10", 3.1), ("2.0", 2.0), ("9", 9.0)] {
+        let text = format!("{version}\ntitle\nDEF_VAR N\nN = SQRT 4\nSLEEP N\nEND\n");
+        let options = Options {
+            tip_version,
+            ..Options::default()
+        };
+        let loaded = tipc::load("test.prg", text.as_bytes(), &options);
+        assert_eq!(loaded.diagnostics, [], "{version}");
+        let program = loaded.program.expect("a sound program");
+        assert_eq!(program.edition(), Edition::V3_1, "{version}");
+        assert_eq!(loaded.module.edition, Edition::V3_1, "{version}");
     }
 }
 

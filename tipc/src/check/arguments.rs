@@ -35,8 +35,10 @@ impl Resolver<'_> {
 
     /// Gives the faults of a command that say no way out its usage.
     fn say_usage(&mut self, told: usize, command: &Command) {
-        let silent =
-            |fault: &&mut Diagnostic| fault.help.is_none() && fault.level() == Level::Error;
+        let edition = self.names.edition;
+        let silent = |fault: &&mut Diagnostic| {
+            fault.help.is_none() && fault.code.level(edition) == Level::Error
+        };
         for fault in self.found[told..].iter_mut().filter(silent) {
             let usage = command.usage(self.robot).join("`, or `");
             fault.help = Some(format!("write `{usage}`").into());
@@ -61,8 +63,9 @@ impl Resolver<'_> {
     }
 
     fn known(&mut self, name: &Word) -> Option<&'static Command> {
-        let command = commands::find(&name.node)
-            .filter(|command| !matches!(command.meaning, Meaning::Keyword(_)));
+        let command = commands::find(&name.node).filter(|command| {
+            command.since <= self.names.edition && !matches!(command.meaning, Meaning::Keyword(_))
+        });
         let Some(command) = command else {
             return self.unknown_command(name);
         };

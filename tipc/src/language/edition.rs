@@ -2,26 +2,34 @@
 
 use std::fmt;
 
-/// An edition of the language, in the order in which they came. Line 1 of a program chooses it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Edition {
+macro_rules! editions {
+    ($( $(#[$doc:meta])* $variant:ident $number:literal; )*) => {
+        /// An edition of the language, in the order in which they came. Line 1 of a program chooses it.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum Edition {
+            $( $(#[$doc])* $variant, )*
+        }
+
+        impl Edition {
+            /// Every edition, the oldest first.
+            pub const ALL: &'static [Edition] = &[$( Edition::$variant, )*];
+
+            /// The number that line 1 names it by.
+            pub const fn number(self) -> f64 {
+                match self { $( Edition::$variant => $number, )* }
+            }
+        }
+    };
+}
+
+editions! {
     /// T.I.P. 3.1: what a program is read by if its number names no edition.
     #[default]
-    V3_1,
+    V3_1 3.1;
 }
 
 impl Edition {
-    /// Every edition, the oldest first.
-    pub const ALL: &'static [Edition] = &[Edition::V3_1];
-
-    /// The number that line 1 names it by.
-    pub const fn number(self) -> f64 {
-        match self {
-            Edition::V3_1 => 3.1,
-        }
-    }
-
     /// The edition of that number; 3.1 if it names none.
     pub fn of(number: f64) -> Edition {
         let mut all = Edition::ALL.iter().copied();
