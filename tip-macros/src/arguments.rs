@@ -1,4 +1,4 @@
-//! What stands between the parentheses of the macros.
+//! What is between the parentheses of the macros.
 
 use crate::literal::{self, Text};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
@@ -241,7 +241,7 @@ impl Input {
         Ok(arguments)
     }
 
-    /// Everything behind path or program: `, option = value` as often as one likes, and a last comma.
+    /// Everything after path or program: any number of `, option = value`, and a last comma.
     fn options(&mut self) -> Result<Vec<(Ident, Vec<TokenTree>)>, Misuse> {
         let mut options = Vec::new();
         while self.tokens.peek().is_some() {

@@ -12,7 +12,7 @@ use tipc::embed::embed;
 use tipc::emit;
 use tipc::source::Span;
 
-/// `invoking` is the file that the invocation stands in, if the compiler knows one.
+/// `invoking` is the file that holds the invocation, if the compiler knows one.
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     match arguments::include_tip(input) {
         Ok(arguments) => {
@@ -69,7 +69,7 @@ impl Failure {
         }
     }
 
-    /// The errors, and what stands in for the item that could not be made.
+    /// The errors, and what replaces the item that could not be made.
     fn beside(&self, skeleton: TokenStream) -> TokenStream {
         let errors = self.errors.iter();
         let errors = errors.map(|rendered| error(self.span, &without_level(rendered)));

@@ -15,7 +15,7 @@ pub(crate) struct Found {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// Reads the file that `path` names: next to the invoking file, else below the crate's folder.
+/// Reads the file that `path` names: next to the invoking file, or else below the crate's folder.
 pub(crate) fn find(path: &str, invoking: Option<&Path>) -> Result<Found, String> {
     let beside = invoking.and_then(Path::parent).map(Path::to_owned);
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);

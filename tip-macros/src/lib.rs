@@ -8,7 +8,7 @@ mod literal;
 
 use proc_macro::{Span, TokenStream};
 
-/// Compiles a motion program that stands in a file:
+/// Compiles a motion program from a file:
 /// `include_tip!([visibility] "path" [as Name] [, option = value]…)`.
 ///
 /// The path is looked up next to the invoking file, then from the folder of `Cargo.toml`. The type is
@@ -20,10 +20,10 @@ pub fn include_tip(input: TokenStream) -> TokenStream {
     expand::include_tip(input.into(), invoking.as_deref()).into()
 }
 
-/// Compiles a motion program that stands in a string:
+/// Compiles a motion program from a string:
 /// `tip!([visibility] Name, r#"…"# [, option = value]…)`.
 ///
-/// Line 1 of the program begins right behind the opening quote.
+/// Line 1 of the program begins right after the opening quote.
 #[proc_macro]
 pub fn tip(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();

@@ -19,10 +19,10 @@ use core::fmt;
 /// The most legs, and the most joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
 pub const MAX: usize = 9;
 
-/// `R`: the value behind it counts from where things are.
+/// `R`: the value after it counts from where things are.
 pub const RELATIVE: &str = "R";
 
-/// `A`: the value behind it is taken as it is.
+/// `A`: the value after it is taken as it is.
 pub const ABSOLUTE: &str = "A";
 
 /// `HS`: the motion is not limited in its acceleration.
@@ -43,9 +43,9 @@ impl core::error::Error for UnknownWord {}
 /// One evaluated operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number as it stands.
+    /// A number as it is.
     Absolute(f64),
-    /// A number behind `R`.
+    /// A number after `R`.
     Relative(f64),
 }
 
@@ -67,7 +67,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// A command with its operands evaluated. A struct operand stands as its members.
+/// A command with its operands evaluated. A struct operand is given as its members.
 #[derive(Clone, Copy, Debug)]
 pub struct Command<'a> {
     /// Which command.

@@ -13,12 +13,12 @@
 //! initial posture.
 //!
 //! A robot whose model has [`Forces`](crate::model::Forces) takes commands of torque, force and
-//! compliance as well: joints are then told torques in place of angles. A spring's set point moves
+//! compliance as well: joints are then commanded torques in place of angles. A spring's set point moves
 //! as that of a move does; what it pulls goes where the forces lead it. ALL_STOP holds such joints by
 //! angle where they are. No joint is pushed beyond its working limit.
 //!
-//! Native code may let joints vibrate. That is added to what they are told in the end: set points,
-//! and thus INPOS and NEAR, know nothing of it.
+//! Native code may let joints vibrate. The vibration is added to the final joint command: set points,
+//! and thus INPOS and NEAR, ignore it.
 
 mod arrival;
 mod detect;
@@ -70,7 +70,7 @@ pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
 pub struct Core<'m, S: ?Sized> {
     robot: Whole<'m>,
     params: Params,
-    /// Where the slider is to stand: mm.
+    /// Where the slider is to be: mm.
     slider: Track<3>,
     /// Where the slider was measured: mm.
     slider_at: [f64; 3],
@@ -172,7 +172,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         }
     }
 
-    /// Where the slider is commanded to stand: mm; zeros where there is none.
+    /// Where the slider is commanded to be: mm; zeros where there is none.
     #[must_use]
     pub const fn slider(&self) -> [f64; 3] {
         self.slider.position()

@@ -1,4 +1,4 @@
-//! What ended a program by emergency stop, and how people are told.
+//! What ended a program by emergency stop, and how that is reported.
 
 use crate::fault::Fault;
 use crate::program::Program;
@@ -23,7 +23,7 @@ impl fmt::Display for Emergency {
 
 /// An emergency stop with its place in the program. Shown, it is the text of EMG.log: the classical
 /// one-liner, then `program`, `title`, `step`, `line`, `cycle` and, if one is to blame, `variable`,
-/// one a line with a tab behind the word.
+/// one per line with a tab after the word.
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
     /// What happened.

@@ -1,4 +1,4 @@
-//! Every run-time error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
+//! Every runtime error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
 
 use crate::command::{Port, Target};
 use core::fmt;
@@ -51,7 +51,7 @@ pub enum Fault {
     WrongStep,
     /// A joint reached its limit (leg and joint, from 1).
     JointLimit(u8, u8),
-    /// The target, or the way to it, leaves the reachable space.
+    /// The target, or the path to it, leaves the reachable space.
     OutOfReach(Target),
     /// An input reads nonsense.
     Sensor(Port),

@@ -16,7 +16,7 @@ pub struct Sensors<const L: usize, const J: usize> {
     pub paws: [f64; L],
     /// `ANTENNA`: V of the feeler, or 1 while the palm touches.
     pub antenna: f64,
-    /// Where the slider (`FLOOR`) stands: mm; zeros where there is none.
+    /// Where the slider (`FLOOR`) is: mm; zeros where there is none.
     pub slider: [f64; 3],
 }
 
@@ -109,12 +109,12 @@ impl JointCommand {
     }
 }
 
-/// What a robot is told in one cycle.
+/// What a robot is commanded in one cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<const L: usize, const J: usize> {
     /// One command for each joint.
     pub joints: [[JointCommand; J]; L],
-    /// Where the slider (`FLOOR`) is to stand: mm; zeros where there is none.
+    /// Where the slider (`FLOOR`) is to be: mm; zeros where there is none.
     pub slider: [f64; 3],
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub lamps: [u32; 8],
@@ -122,7 +122,7 @@ pub struct Outputs<const L: usize, const J: usize> {
     pub period: f64,
 }
 
-/// What a robot of any number of legs is told, leg by leg.
+/// What a robot of any number of legs is commanded, leg by leg.
 #[derive(Debug)]
 pub(crate) struct OutputsView<'a, const J: usize> {
     pub(crate) joints: &'a mut [[JointCommand; J]],

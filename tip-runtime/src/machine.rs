@@ -83,10 +83,10 @@ where
         })
     }
 
-    /// Starts the program anew on the robot as it stands: after its end, after an emergency, or in
+    /// Starts the program again on the robot as it is: after its end, after an emergency, or in
     /// the middle. All that steps have set is as at first; nothing is controlled, and every joint stays
     /// where it was measured, as in an emergency stop. Cycles and time count from 0. Native
-    /// code behind SPECIAL keeps what it remembers.
+    /// code of SPECIAL keeps what it remembers.
     pub fn restart(&mut self) {
         self.program.reset();
         self.controller.restart();
@@ -98,7 +98,7 @@ where
         self.control(None)
     }
 
-    /// Runs one control cycle and tells `sink` about it.
+    /// Runs one control cycle and reports it to `sink`.
     pub fn cycle_traced(&mut self, sink: &mut dyn Sink) -> Status {
         self.control(Some(sink))
     }

@@ -128,7 +128,7 @@ pub trait Robot {
     /// on from where in its wave it is. Vibration ends with the program, and rests under ALL_STOP.
     ///
     /// # Errors
-    /// `Domain` for a target that is no joint, a robot that does not vibrate
+    /// `Domain` for a target that is not a joint, a robot that does not vibrate
     /// ([`Model::vibration`](crate::model::Model::vibration)), an amplitude that is not finite, or a
     /// frequency that is not finite or negative.
     fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault>;
@@ -139,7 +139,7 @@ pub trait Robot {
     /// # Errors
     /// `Domain` for another target, a robot without torques, or numbers without sense.
     fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault>;
-    /// The torque of each joint of a leg: what it is told, vibration aside, else what it senses.
+    /// The torque of each joint of a leg: what it is commanded, vibration aside, or else what it senses.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.

@@ -1,4 +1,4 @@
-//! Native code behind the command SPECIAL (T.I.P. 3.1 §7-10-11).
+//! Native code for the command SPECIAL (T.I.P. 3.1 §7-10-11).
 //!
 //! A program says `SPECIAL 14 TIMES`; what that means is up to whoever builds the machine. This
 //! handler blinks a lamp: it takes an argument and several cycles, and sets a flag that the
@@ -68,7 +68,7 @@ pub struct Call {
 
 /// The SPECIAL commands of a robot.
 ///
-/// Any `FnMut(Call, &mut dyn Robot) -> Result<Poll, Fault>` is one; `()` knows none.
+/// Any `FnMut(Call, &mut dyn Robot) -> Result<Poll, Fault>` is one; `()` has none.
 pub trait Special {
     /// Carries out `call`: [`Poll::Pending`] to be called again in the next cycle with `first`
     /// false, [`Poll::Done`] when the step is over.
@@ -79,7 +79,7 @@ pub trait Special {
     fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault>;
 
     /// Goes on with what a command began and other steps do not wait for. Called in every cycle of a
-    /// running program, behind its step.
+    /// running program, after its step.
     ///
     /// # Errors
     /// What went wrong: an emergency stop, found at the start of the next cycle.

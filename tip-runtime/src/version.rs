@@ -1,9 +1,9 @@
 //! The lock between generated code and this crate.
 
-/// The shape of generated code that this run-time understands.
+/// The shape of generated code that this runtime understands.
 pub const FORMAT: u32 = 4;
 
-/// Fails the build when code was generated for another run-time; generated code calls it in a constant.
+/// Fails the build when code was generated for another runtime; generated code calls it in a constant.
 pub const fn require(format: u32) {
     assert!(
         format == FORMAT,

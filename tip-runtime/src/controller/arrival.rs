@@ -82,7 +82,7 @@ impl<const J: usize> ControllerView<'_, J> {
 }
 
 impl<const J: usize> LegState<'_, J> {
-    /// Joints under angle control, and a third joint under position control, decide; else the foot.
+    /// Joints under angle control, and a third joint under position control, decide; otherwise the foot.
     fn arrived(&self, inverse: Inverse, tolerance: Tolerance) -> Option<bool> {
         // A point that decides about any joint decides about the first.
         let point = self.drive.point_of_joint(0);

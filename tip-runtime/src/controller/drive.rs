@@ -25,7 +25,7 @@ pub(super) enum Drive<const J: usize> {
     Joints([Track<1>; J]),
     /// The foot, for all joints: at a position, at a velocity, or by force.
     Foot(Track<3>),
-    /// The third joint's position, for the joints before it; it and those behind it go for
+    /// The third joint's position, for the joints before it; it and those after it go for
     /// themselves.
     Third(Track<3>, [Track<1>; J]),
 }
@@ -82,7 +82,7 @@ impl<const J: usize> LegDrive<J> {
         outputs
     }
 
-    /// Joints that were told a torque are where it led them.
+    /// Joints that were commanded a torque are where it led them.
     pub(super) fn follow(&mut self, measured: &[f64; J]) {
         let states = self.torques.iter().zip(measured);
         for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
@@ -175,7 +175,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Puts a point under control. Joints behind it keep their modes; those that served another
+    /// Puts a point under control. Joints after it keep their modes; those that served another
     /// point hold the angles `measured`.
     pub(super) fn take_point(
         &mut self,

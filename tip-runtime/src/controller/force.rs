@@ -11,7 +11,7 @@ use crate::kinematics::Point;
 use core::ops::RangeInclusive;
 
 impl<const J: usize> ControllerView<'_, J> {
-    /// TORQUE: relative operands count from the torque commanded, else from that sensed.
+    /// TORQUE: relative operands count from the torque commanded, or else from that sensed.
     pub(super) fn torque(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, first, count) = self.joints_of(command)?;
         let inverse = self.robot.inverse;
@@ -31,7 +31,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// FORCE: relative operands count from the force commanded, else from that sensed, else from 0.
+    /// FORCE: relative operands count from the force commanded, or else from that sensed, or else from 0.
     pub(super) fn force(&mut self, command: &Command<'_>) -> Result<(), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;

@@ -36,7 +36,7 @@ impl<const J: usize> ControllerView<'_, J> {
             self.require_reach(n, point, target)?;
             target
         };
-        // Coming to rest here keeps the braking that the motion under way allows.
+        // Coming to rest here keeps the braking that the present motion allows.
         let hs = command.hs || (stop && track.goal().is_hs());
         self.take_point(n, point, track.towards(Goal::Point { target, hs }))
     }

@@ -29,7 +29,7 @@ impl<const J: usize> ControllerView<'_, J> {
         Ok(())
     }
 
-    /// The torque of each joint of a leg: what it is told, else what it senses.
+    /// The torque of each joint of a leg: what it is commanded, or else what it senses.
     ///
     /// # Errors
     /// `Domain` for a leg that the robot lacks, or a robot without torques.

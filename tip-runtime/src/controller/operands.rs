@@ -8,7 +8,7 @@ use crate::fault::Fault;
 pub(super) enum Base {
     /// Each operand says for itself; relative ones count from the measured value.
     Operand,
-    /// All count from the current target, else from the measured value; all zero stops a move.
+    /// All count from the current target, or else from the measured value; all zero stops a move.
     Target,
 }
 

@@ -40,7 +40,7 @@ pub(super) struct JointParams {
     pub(super) omega_dot_max: f64,
     pub(super) just: f64,
     pub(super) near: f64,
-    /// The most torque that it is told.
+    /// The most torque that it is commanded.
     pub(super) torque_max: f64,
     /// Torque per degree.
     pub(super) stiffness: f64,

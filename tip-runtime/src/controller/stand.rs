@@ -6,7 +6,7 @@ use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
-/// V_MAX on the way, as a share of its standard value (SLOW).
+/// V_MAX during the move, as a share of its standard value (SLOW).
 const SLOW: f64 = 0.5;
 
 impl<const J: usize> ControllerView<'_, J> {

@@ -63,7 +63,7 @@ impl<const J: usize> ControllerView<'_, J> {
 
     /// Emergency stop: every joint, and the slider, is to stay where it is measured; nothing is
     /// controlled. What is measured outside of the outer limits, or the travel, is to stay at their
-    /// border; a slider that reads nonsense where it was told to be.
+    /// border; a slider that reads nonsense where it was commanded to be.
     pub fn emergency(&mut self) {
         for leg in &mut self.legs {
             let mut angles = leg.angles;
@@ -87,7 +87,7 @@ impl<const J: usize> ControllerView<'_, J> {
         self.pending = None;
     }
 
-    /// As a new controller, on a robot that stands where it was measured.
+    /// As a new controller, on a robot that is where it was measured.
     pub(crate) fn restart(&mut self) {
         self.emergency();
         self.standardise();

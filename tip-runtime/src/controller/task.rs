@@ -1,6 +1,6 @@
 //! What a command that takes several cycles remembers between them.
 
-/// The command under way.
+/// The command in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Task {
     /// None.

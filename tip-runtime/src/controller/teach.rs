@@ -6,7 +6,7 @@ use crate::command::{MAX, Target, Teach};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 
-/// What TEACH_FORCE tells where the posture is singular.
+/// What TEACH_FORCE gives where the posture is singular.
 const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
 
 impl<const J: usize> ControllerView<'_, J> {

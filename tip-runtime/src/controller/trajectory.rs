@@ -35,14 +35,14 @@ pub(crate) enum Goal<const N: usize> {
     Point {
         /// The point.
         target: [f64; N],
-        /// Whether no acceleration limit holds on the way.
+        /// Whether no acceleration limit holds during the move.
         hs: bool,
     },
     /// To come to rest at a point, to which a spring pulls what is guided.
     Spring {
         /// The point.
         target: [f64; N],
-        /// Whether no acceleration limit holds on the way.
+        /// Whether no acceleration limit holds during the move.
         hs: bool,
     },
     /// To keep a velocity.

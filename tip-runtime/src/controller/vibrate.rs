@@ -105,7 +105,7 @@ impl<const J: usize> ControllerView<'_, J> {
     /// on from where in its wave it is.
     ///
     /// # Errors
-    /// `Domain` for a target that is no joint, a robot that does not vibrate, an amplitude that is
+    /// `Domain` for a target that is not a joint, a robot that does not vibrate, an amplitude that is
     /// not finite, or a frequency that is not finite or negative.
     pub fn vibrate(&mut self, joint: Target, vibration: Option<Vibration>) -> Result<(), Fault> {
         let Target::Joint(n, m) = joint else {

@@ -68,7 +68,7 @@ pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     }
 }
 
-/// Where a leg, joint or knob that counts from 1 stands in an array; past every array if it is 0.
+/// The place in an array of a leg, joint or knob that counts from 1; past every array if it is 0.
 fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }

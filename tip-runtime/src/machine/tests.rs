@@ -64,7 +64,7 @@ impl Program for Script {
     }
 }
 
-/// Joints that are where they were told to be, and a count of what happened.
+/// Joints that are where they were commanded to be, and a count of what happened.
 #[derive(Clone, Debug)]
 pub(super) struct Follower {
     pub(super) sensors: Sensors<4, 3>,

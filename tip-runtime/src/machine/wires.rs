@@ -1,4 +1,4 @@
-//! The seam between the control loop and hardware, behind which the number of legs is forgotten.
+//! The seam between the control loop and hardware, which hides the number of legs.
 
 use crate::fault::Fault;
 use crate::hardware::{

@@ -1,9 +1,9 @@
-//! Numbers as text. The floats of `core::fmt` could do it, but for bounds checks: a MESSAGE would
+//! Numbers as text. The floats of `core::fmt` could do it, except for bounds checks: a MESSAGE would
 //! bring panics into a control cycle.
 
 use core::fmt::{self, Write};
 
-/// The most digits behind the point.
+/// The most digits after the point.
 const DECIMALS: u8 = 7;
 /// How many times nine decimal digits a number can have: the largest has 309.
 const GROUPS: usize = 35;
@@ -14,12 +14,12 @@ const BASE: u64 = 1_000_000_000;
 /// Bits that nine digits can be shifted by at once within 64.
 const SHIFT: u32 = 32;
 
-/// A value as MESSAGE shows it: truncated without decimals, else rounded (T.I.P. 3.1 §7-9-4).
+/// A value as MESSAGE shows it: truncated without decimals, otherwise rounded (T.I.P. 3.1 §7-9-4).
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// The value.
     pub value: f64,
-    /// Digits behind the point, 0…7.
+    /// Digits after the point, 0…7.
     pub decimals: u8,
 }
 
@@ -125,7 +125,7 @@ fn shift(digits: &mut Digits, bits: u32) {
     }
 }
 
-/// The point and what stands behind it; nothing without decimals.
+/// The point and what follows it; nothing without decimals.
 fn write_fraction(f: &mut fmt::Formatter<'_>, fraction: u64, decimals: u8) -> fmt::Result {
     if decimals == 0 {
         return Ok(());

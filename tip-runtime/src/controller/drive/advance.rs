@@ -40,7 +40,7 @@ impl<const J: usize> LegDrive<J> {
     /// Moves on by one sampling time. At the border of what the leg can do it stops there.
     ///
     /// # Errors
-    /// What stopped it: the way to a target is out of reach, or a joint is at its limit.
+    /// What stopped it: the path to a target is out of reach, or a joint is at its limit.
     pub(in crate::controller) fn advance(
         &mut self,
         leg: &Mover<'_, J>,

@@ -1,10 +1,10 @@
-//! The time-optimal way to a point on a line, at rest there (the "trapezoidal" profile; Biagiotti
+//! The time-optimal move to a point on a line, at rest there (the "trapezoidal" profile; Biagiotti
 //! and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, ch. 3), planned anew
-//! from the present state in each cycle, so that limits may change on the way.
+//! from the present state in each cycle, so that limits may change during the move.
 
 use super::{INSTANT, Limits};
 
-/// How far the point still is, and how fast the way there shrinks.
+/// How far the point still is, and how fast that distance shrinks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Approach {
     pub(super) gap: f64,

@@ -1,4 +1,4 @@
-//! The way of a set point to a target: a straight line, joined without a jump in velocity.
+//! The path of a set point to a target: a straight line, joined without a jump in velocity.
 //!
 //! The velocity at the start is split into a part along the line and one across it. Each is
 //! brought to rest by its own [`Approach`]; being at right angles they share speed and

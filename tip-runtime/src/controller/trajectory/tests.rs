@@ -19,7 +19,7 @@ fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     vector::norm(vector::add_scaled(a, b, -1.0))
 }
 
-/// Cycles until the set point stands at its target.
+/// Cycles until the set point is at its target.
 fn cycles<const N: usize>(track: &mut Track<N>, limits: Limits, dt: f64) -> u32 {
     let Goal::Point { target, .. } = track.goal() else {
         panic!("it heads for no point");
@@ -59,8 +59,8 @@ impl Dice {
 
 #[test]
 fn rest_to_rest_takes_the_time_of_the_trapezium() {
-    // Way, speed, acceleration, seconds: way / speed + speed / acceleration if the speed is
-    // reached, else 2 √(way / acceleration).
+    // Distance, speed, acceleration, seconds: distance / speed + speed / acceleration if the speed is
+    // reached, otherwise 2 √(distance / acceleration).
     let moves = [
         (200.0, 500.0, 1000.0, 0.894_427_191),
         (50.0, 500.0, 1000.0, 0.447_213_595),
@@ -119,7 +119,7 @@ fn positions_along_the_way_are_those_of_the_closed_form() {
 
 #[test]
 fn a_target_nearer_than_the_way_of_braking_is_passed_and_come_back_to() {
-    // 100 mm/s under 100 mm/s² end 2 mm beyond the target, after 1 s; the way back takes 0.283 s.
+    // 100 mm/s under 100 mm/s² end 2 mm beyond the target, after 1 s; the return takes 0.283 s.
     let mut track = Track::moving([0.0], [100.0]).towards(to([48.0]));
     for cycle in 1..=50 {
         track.advance(limits(200.0, 100.0), 0.02, false);
@@ -258,7 +258,7 @@ fn high_speed_starts_and_stops_at_once_but_keeps_v_max() {
     }
     track.advance(limits(300.0, 600.0), 0.02, false);
     assert_eq!((track.position(), track.velocity()), ([50.0], [0.0]));
-    // Held on the way, it stops at once.
+    // Held in motion, it stops at once.
     let mut track = Track::resting([0.0]).towards(goal);
     track.advance(limits(300.0, 600.0), 0.02, false);
     track.advance(limits(300.0, 600.0), 0.02, true);
