@@ -10,6 +10,7 @@ use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::embed;
 use tipc::emit;
+use tipc::message::Reading;
 use tipc::source::Span;
 
 /// `invoking` is the file that holds the invocation, if the compiler knows one.
@@ -95,10 +96,11 @@ fn included(
 
 fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
     file::find(&path.value, invoking).map_err(|reason| {
-        let missing = Diagnostic::new(Code::FileNotFound, Span::default(), "");
-        let title = missing.about(&path.value).title();
-        let code = Code::FileNotFound.id();
-        Failure::at(path, vec![format!("{code}: {title}: {reason}")])
+        let reason = Reading::System { error: reason };
+        let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
+        let missing = missing.about(&path.value);
+        let (code, title) = (missing.code.id(), missing.title());
+        Failure::at(path, vec![format!("{code}: {title}: {}", missing.reason)])
     })
 }
 

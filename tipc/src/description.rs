@@ -45,6 +45,7 @@ pub use scene::parse_scene;
 
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
+use crate::message::Describing;
 use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Range, Slider, Standards};
@@ -128,13 +129,11 @@ fn read<T>(
 /// A place where the text is not even TOML.
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
-    let help = "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`";
-    fault(
-        part,
-        Span::new(place.start, place.end),
-        error.message(),
-        help,
-    )
+    let reason = Describing::NotToml {
+        error: error.message().to_owned(),
+    };
+    let help = Describing::DescriptionsAreToml;
+    fault(part, Span::new(place.start, place.end), reason, help)
 }
 
 /// Everything is read before anything is given up, so that every fault is found.

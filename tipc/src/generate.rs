@@ -42,6 +42,7 @@ use crate::code::{Code, Level};
 use crate::description::{self, Description};
 use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
+use crate::message::{Building, Reading};
 use crate::render;
 use crate::source::{Encoding, Source, Span};
 use crate::{emit, program::Program};
@@ -193,7 +194,7 @@ impl Config {
                 continue;
             };
             let tokens = emit::emit(&program, &spelling);
-            let text = emit::pretty(&program, tokens).map_err(BuildError::setting)?;
+            let text = emit::pretty(&program, tokens).map_err(|error| no_rust(&error))?;
             files::write_if_changed(&output, &text)?;
         }
         report.outcome()
@@ -206,7 +207,9 @@ impl Config {
         if let Some(description) = describe(path, report) {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
-                let text = description.pretty(&spelling).map_err(BuildError::setting)?;
+                let text = description
+                    .pretty(&spelling)
+                    .map_err(|error| no_rust(&error))?;
                 files::write_if_changed(output, &text)?;
             }
         }
@@ -233,14 +236,12 @@ impl Config {
 
     fn spelling(&self, programs: usize) -> Result<emit::Options, BuildError> {
         if self.type_name.is_some() && programs > 1 {
-            return Err(BuildError::setting(
-                "type_name names the type of one program, and there are several",
-            ));
+            return Err(BuildError::setting(Building::OneType));
         }
-        let name = self.type_name.as_deref().map(|name| {
-            syn::parse_str(name)
-                .map_err(|error| BuildError::setting(format!("\"{name}\": {error}")))
-        });
+        let name = self
+            .type_name
+            .as_deref()
+            .map(|name| syn::parse_str(name).map_err(|error| no_such_rust(name, &error)));
         Ok(emit::Options {
             name: name.transpose()?,
             visibility: tokens::<syn::Visibility>(&self.visibility)?,
@@ -324,15 +325,13 @@ fn outputs<'a>(
 ) -> Result<BTreeMap<PathBuf, &'a Path>, BuildError> {
     let mut outputs = BTreeMap::new();
     for path in paths {
-        let stem = path
-            .file_stem()
-            .ok_or_else(|| BuildError::setting(format!("{} names no file", path.display())))?;
+        let stem = path.file_stem().ok_or_else(|| no_file(path))?;
         let output = folder.join(stem).with_extension("rs");
         if let Some(other) = outputs.insert(output, *path) {
-            let (other, path) = (other.display(), path.display());
-            return Err(BuildError::setting(format!(
-                "{other} and {path} would compile to the same file: give them different names or folders"
-            )));
+            return Err(BuildError::setting(Building::SameOutput {
+                one: other.display().to_string(),
+                other: path.display().to_string(),
+            }));
         }
     }
     Ok(outputs)
@@ -340,13 +339,34 @@ fn outputs<'a>(
 
 /// The tokens of a setting that must be a `T`.
 fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
-    let wrong = |error: &dyn Display| BuildError::setting(format!("\"{text}\": {error}"));
-    syn::parse_str::<T>(text).map_err(|error| wrong(&error))?;
-    text.parse().map_err(|error| wrong(&error))
+    syn::parse_str::<T>(text).map_err(|error| no_such_rust(text, &error))?;
+    text.parse().map_err(|error| no_such_rust(text, &error))
+}
+
+/// A setting that is no Rust.
+fn no_such_rust(text: &str, error: &dyn Display) -> BuildError {
+    BuildError::setting(Building::NoRust {
+        text: text.to_owned(),
+        error: error.to_string(),
+    })
+}
+
+/// Settings that make no Rust file.
+fn no_rust(error: &dyn Display) -> BuildError {
+    let error = error.to_string();
+    BuildError::setting(Building::Rust { error })
+}
+
+fn no_file(path: &Path) -> BuildError {
+    let path = path.display().to_string();
+    BuildError::setting(Building::NoFile { path })
 }
 
 fn not_found(name: &str, error: &std::io::Error) -> Loaded {
     let (source, _) = Source::decode(name, b"", Encoding::Utf8);
-    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string());
+    let reason = Reading::System {
+        error: error.to_string(),
+    };
+    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])
 }

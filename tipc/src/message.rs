@@ -6,11 +6,45 @@
 #[macro_use]
 mod table;
 
+#[cfg(feature = "build")]
+mod building;
+#[cfg(feature = "robot-files")]
+mod describing;
+#[cfg(feature = "urdf")]
+mod importing;
+pub mod list;
+#[cfg(feature = "tools")]
+mod migrating;
 mod parsing;
 pub mod phrase;
+mod reading;
+mod suggesting;
+mod warning;
 
+#[cfg(feature = "build")]
+pub use building::Building;
+#[cfg(feature = "robot-files")]
+pub use describing::Describing;
+#[cfg(feature = "urdf")]
+pub use importing::Importing;
+#[cfg(feature = "tools")]
+pub use migrating::Migrating;
 pub use parsing::Parsing;
+pub use reading::Reading;
+pub use suggesting::Suggesting;
+pub use warning::Warning;
 
 tables! {
+    Reading,
     Parsing,
+    Suggesting,
+    Warning,
+    #[cfg(feature = "robot-files")]
+    Describing,
+    #[cfg(feature = "urdf")]
+    Importing,
+    #[cfg(feature = "tools")]
+    Migrating,
+    #[cfg(feature = "build")]
+    Building,
 }

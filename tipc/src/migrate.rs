@@ -20,6 +20,7 @@ mod verify;
 pub use report::{render_human, render_json, render_short};
 
 use crate::load::{Loaded, Options, load};
+use crate::message::Migrating;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span};
 use edits::Edits;
@@ -46,7 +47,7 @@ impl NoteKind {
 }
 
 /// One line of the report.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// A change or a question.
     pub kind: NoteKind,
@@ -55,7 +56,7 @@ pub struct Note {
     /// The column on that line in characters, from 1.
     pub column: u32,
     /// What was changed and why, or what is asked.
-    pub text: String,
+    pub text: Migrating,
 }
 
 /// What came of an older program.
@@ -197,16 +198,16 @@ impl Migrator<'_> {
     }
 
     /// Notes a change at `span`.
-    fn change(&mut self, span: Span, text: impl Into<String>) {
-        self.note(NoteKind::Change, span, text.into());
+    fn change(&mut self, span: Span, text: Migrating) {
+        self.note(NoteKind::Change, span, text);
     }
 
     /// Asks about `span`.
-    fn question(&mut self, span: Span, text: impl Into<String>) {
-        self.note(NoteKind::Question, span, text.into());
+    fn question(&mut self, span: Span, text: Migrating) {
+        self.note(NoteKind::Question, span, text);
     }
 
-    fn note(&mut self, kind: NoteKind, span: Span, text: String) {
+    fn note(&mut self, kind: NoteKind, span: Span, text: Migrating) {
         let (line, column) = self.source.line_column(span.start);
         self.notes.push(Note {
             kind,

@@ -10,6 +10,8 @@ mod tree;
 mod write;
 
 use crate::description;
+use crate::message::Importing;
+use crate::message::list::Faults;
 use chain::Chain;
 use pose::Pose;
 use std::fmt;
@@ -17,29 +19,29 @@ use tip_runtime::command::MAX;
 use tree::Tree;
 
 /// A description that was made of a URDF file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Import {
     /// The text of the description; [`description::parse`] takes it.
     pub toml: String,
     /// What was assumed and what was dropped, a line each.
-    pub report: Vec<String>,
+    pub report: Vec<Importing>,
 }
 
 /// Why a URDF file is no robot of legs; it names the link or joint, and says a way out.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ImportError(String);
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImportError(Importing);
 
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        self.0.fmt(f)
     }
 }
 
 impl std::error::Error for ImportError {}
 
 impl ImportError {
-    fn new(text: impl Into<String>) -> Self {
-        ImportError(text.into())
+    fn new(message: Importing) -> Self {
+        ImportError(message)
     }
 }
 
@@ -50,16 +52,18 @@ impl ImportError {
 /// that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
     depth::check(text)?;
-    let robot = urdf_rs::read_from_string(text)
-        .map_err(|error| ImportError::new(format!("this is no URDF: {error}")))?;
+    let robot = urdf_rs::read_from_string(text).map_err(|error| {
+        ImportError::new(Importing::NoUrdf {
+            error: error.to_string(),
+        })
+    })?;
     let tree = Tree::new(&robot)?;
     let body = tree.rigid(tree.root(), Pose::ROBOT_FRAME);
     let first_joints = tree.movable(&body);
     if first_joints.is_empty() {
-        return Err(ImportError::new(format!(
-            "no joint turns on link `{}`: a robot needs one chain of revolute joints at least",
-            tree.root()
-        )));
+        return Err(ImportError::new(Importing::NoTurningJoint {
+            link: tree.root().to_owned(),
+        }));
     }
     let legs = first_joints
         .into_iter()
@@ -71,12 +75,9 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
     match description::parse(source_name, toml.as_bytes()) {
         Ok(_) => Ok(Import { toml, report }),
         Err(loaded) => {
-            let faults = loaded.diagnostics.iter();
-            let faults: Vec<String> = faults.map(|fault| fault.reason.to_string()).collect();
-            let faults = faults.join("; ");
-            Err(ImportError::new(format!(
-                "its numbers describe no robot: {faults}"
-            )))
+            let faults = loaded.diagnostics.into_iter().map(|fault| fault.reason);
+            let faults = Faults(faults.collect());
+            Err(ImportError::new(Importing::NoRobot { faults }))
         }
     }
 }
@@ -84,10 +85,10 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
 /// Every leg needs the same number of joints, and the language can name nine of each.
 fn check_sizes(legs: &[Chain<'_>]) -> Result<(), ImportError> {
     if legs.len() > MAX {
-        return Err(ImportError::new(format!(
-            "{} chains begin on the body, and a robot has {MAX} legs at most: make joints that are no leg fixed",
-            legs.len()
-        )));
+        return Err(ImportError::new(Importing::TooManyChains {
+            chains: legs.len(),
+            most: MAX,
+        }));
     }
     let Some(first) = legs.first() else {
         return Ok(());
@@ -95,18 +96,19 @@ fn check_sizes(legs: &[Chain<'_>]) -> Result<(), ImportError> {
     for leg in legs {
         let count = leg.joints.len();
         if count > MAX {
-            return Err(ImportError::new(format!(
-                "the leg of joint `{}` has {count} joints, and {MAX} are the most: make some of them fixed",
-                leg.name()
-            )));
+            return Err(ImportError::new(Importing::TooManyJoints {
+                leg: leg.name().to_owned(),
+                joints: count,
+                most: MAX,
+            }));
         }
         if count != first.joints.len() {
-            return Err(ImportError::new(format!(
-                "the leg of joint `{}` has {count} joints, that of joint `{}` has {}: every leg needs the same number, so make the others fixed",
-                leg.name(),
-                first.name(),
-                first.joints.len()
-            )));
+            return Err(ImportError::new(Importing::OtherNumberOfJoints {
+                leg: leg.name().to_owned(),
+                joints: count,
+                first: first.name().to_owned(),
+                wanted: first.joints.len(),
+            }));
         }
     }
     Ok(())

@@ -3,13 +3,13 @@
 use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::message::Warning;
+use crate::message::list::{Pieces, Quoted};
+use crate::message::phrase::{Assign, Lack, Stretch};
 use crate::program::{Program, StepId, VariableKind};
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Symbols};
 use crate::syntax::Module;
-
-/// How many pieces of a way are shown, one for each jump on it.
-const PIECES: usize = 8;
 
 /// Warns of every variable that is, or may be, read without a value.
 pub(crate) fn warnings(
@@ -80,24 +80,35 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         .collect();
     let is_whole = gap.scalars.len() == variable.size();
     let subject = if is_whole { &variable.name } else { &names[0] };
-    let (code, lacks) = match gap.assigned {
-        Assigned::Never => (Code::Unassigned, "no value here"),
-        _ => (Code::PerhapsUnassigned, "a value here on some ways only"),
+    let (code, lack) = match gap.assigned {
+        Assigned::Never => (Code::Unassigned, Lack::Value),
+        _ => (Code::PerhapsUnassigned, Lack::ValueOnSomeWays),
     };
     let reason = match names.as_slice() {
-        [name] => format!("`{name}` has {lacks}"),
-        _ if is_whole => format!("`{subject}` has {lacks}"),
-        names => format!("`{}` have {lacks}", names.join("`, `")),
+        [_] => Warning::Has {
+            name: names[0].clone(),
+            lack,
+        },
+        _ if is_whole => Warning::Has {
+            name: subject.clone(),
+            lack,
+        },
+        names => Warning::Have {
+            names: Quoted(names.to_vec()),
+            lack,
+        },
     };
     let assign = match variable.kind {
-        VariableKind::Var => format!("assign it before, as `{} = 0`", variable.name),
-        VariableKind::Pos | VariableKind::Joint => {
-            format!("assign every member before, as `{} = 0`", names[0])
-        }
+        VariableKind::Var => Assign::Var {
+            name: variable.name.clone(),
+        },
+        VariableKind::Pos | VariableKind::Joint => Assign::EveryMember {
+            member: names[0].clone(),
+        },
     };
     let help = match way(program, &gap.way) {
-        Some(way) => format!("no value on the way through {way}; {assign}"),
-        None => assign,
+        Some(way) => Warning::NoValueOnWay { way, assign },
+        None => Warning::Assign { assign },
     };
     Diagnostic::new(code, place, reason)
         .about(subject)
@@ -105,27 +116,17 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
 }
 
 /// The lines of a way: runs of steps without a jump, the last one up to the step that reads.
-fn way(program: &Program, steps: &[StepId]) -> Option<String> {
+fn way(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     let line = |step: StepId| program.steps()[step as usize].line;
-    let pieces: Vec<String> = steps
+    let pieces: Vec<(u32, u32)> = steps
         .chunk_by(|a, b| a + 1 == *b)
         .filter_map(|piece| Some((line(*piece.first()?), line(*piece.last()?))))
-        .map(|(first, last)| match first == last {
-            true => format!("{first}"),
-            false => format!("{first}-{last}"),
-        })
         .collect();
-    let what = match (pieces.as_slice(), steps) {
-        ([], _) => return None,
-        ([piece], _) if !piece.contains('-') => "line",
-        _ => "lines",
-    };
-    let shown = match pieces.len() > PIECES {
-        true => {
-            let (start, end) = (&pieces[..PIECES / 2], &pieces[pieces.len() - PIECES / 2..]);
-            format!("{}, …, {}", start.join(", "), end.join(", "))
-        }
-        false => pieces.join(", "),
-    };
-    Some(format!("{what} {shown}"))
+    match pieces.as_slice() {
+        [] => None,
+        [(first, last)] if first == last => Some(Stretch::Line { line: *first }),
+        _ => Some(Stretch::Lines {
+            lines: Pieces(pieces),
+        }),
+    }
 }

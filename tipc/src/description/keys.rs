@@ -1,6 +1,7 @@
 //! The one table of every key of a description or scene. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
 
 use crate::code::Code;
+use crate::message::phrase::Table;
 
 /// A table of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,17 +61,25 @@ impl Part {
         }
     }
 
-    /// How the file spells it.
+    /// What messages call it.
+    pub(super) fn table(self) -> Table {
+        match self {
+            Part::Robot => Table::Robot,
+            Part::Scene => Table::Scene,
+            part => Table::Named { name: part.name() },
+        }
+    }
+
+    /// How the file spells it; nothing for what is above the first table.
     pub const fn name(self) -> &'static str {
         match self {
-            Part::Robot => "the robot",
+            Part::Robot | Part::Scene => "",
             Part::Joint => "[[joint]]",
             Part::Leg => "[[leg]]",
             Part::Body => "[body]",
             Part::Standards => "[standards]",
             Part::Forces => "[forces]",
             Part::Slider => "[slider]",
-            Part::Scene => "the scene",
             Part::Floor => "[floor]",
             Part::Object => "[[object]]",
         }

@@ -3,6 +3,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
+use crate::message::Describing;
 use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{Joint, Range};
@@ -15,10 +16,10 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     let common = joints(robot, found);
     let sections = robot.tables("leg", Part::Leg, found)?;
     if !(1..=MAX).contains(&sections.len()) {
-        let reason = format!(
-            "a robot has 1 to {MAX} legs, and here are {}",
-            sections.len()
-        );
+        let reason = Describing::NumberOfLegs {
+            most: MAX,
+            found: sections.len(),
+        };
         return robot.refuse("leg", robot.place_of("leg"), reason, found);
     }
     let initial = robot
@@ -30,14 +31,14 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
         let drawn = own.as_deref().or(common.as_deref());
         // Joints that were refused have been told.
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
-            let reason = format!("leg F{number} has no joints");
-            let help = "describe them under [[joint]], for every leg, or under [[leg.joint]], for this one";
+            let reason = Describing::NoJoints { leg: number };
+            let help = Describing::DescribeJoints;
             found.push(fault(section.part, section.place, reason, help));
         }
         let leg = leg(*section, drawn, initial.as_deref(), found);
         if leg.as_ref().is_some_and(Leg::is_point) {
-            let reason = format!("leg F{number} has no length");
-            let help = "the link of one joint at least is not [0, 0, 0]";
+            let reason = Describing::NoLength { leg: number };
+            let help = Describing::OneLinkNotZero;
             found.push(fault(section.part, section.place, reason, help));
         }
         legs.extend(leg);
@@ -53,8 +54,12 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
     for (number, (section, leg)) in (1..).zip(sections.iter().zip(legs)) {
         let count = leg.joints.len();
         if count != first {
-            let reason = format!("leg F{number} has {}, F1 has {first}", plural(count));
-            let help = "every leg needs the same number of joints: the language names them J1…Jn";
+            let reason = Describing::OtherNumberOfJoints {
+                leg: number,
+                joints: count.into(),
+                first,
+            };
+            let help = Describing::SameNumberOfJoints;
             found.push(fault(section.part, section.place, reason, help));
             same = false;
         }
@@ -62,19 +67,14 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
     same
 }
 
-fn plural(joints: usize) -> String {
-    let end = if joints == 1 { "" } else { "s" };
-    format!("{joints} joint{end}")
-}
-
 /// The `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
 fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Joint>> {
     let sections = section.tables("joint", Part::Joint, found)?;
     if !(1..=MAX).contains(&sections.len()) {
-        let reason = format!(
-            "a leg has 1 to {MAX} joints, and here are {}",
-            sections.len()
-        );
+        let reason = Describing::NumberOfJoints {
+            most: MAX,
+            found: sections.len(),
+        };
         return section.refuse("joint", section.place_of("joint"), reason, found);
     }
     let joints: Vec<Option<Joint>> = sections.iter().map(|own| joint(*own, found)).collect();
@@ -89,10 +89,10 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
     let outer = section.range("outer", Sign::Any, found);
     let outer = outer.unwrap_or(limits.widened(OUTER));
     if !(outer.min <= limits.min && limits.max <= outer.max) {
-        let reason = format!(
-            "the outer limits must contain the working limits {} to {}",
-            limits.min, limits.max
-        );
+        let reason = Describing::OuterContainsLimits {
+            min: limits.min,
+            max: limits.max,
+        };
         section.refuse::<()>("outer", section.place_of("outer"), reason, found);
     }
     let mass = section.number("mass", Sign::NotNegative, found);
@@ -123,7 +123,7 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
     let axis: [f64; 3] = section.numbers("axis", Sign::Any, found)?;
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
     if length < 1e-6 {
-        let reason = "an axis of length 0 has no direction";
+        let reason = Describing::NoDirection;
         return section.refuse("axis", section.place_of("axis"), reason, found);
     }
     Some(axis.map(|part| part / length))
@@ -182,7 +182,7 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
         match sign {
             Some(sign) if *sign > 0.0 => *sign = -1.0,
             _ => {
-                let reason = format!("{letter:?} is no coordinate, or stands here twice");
+                let reason = Describing::NoCoordinate { letter };
                 return section.refuse("mirror", place, reason, found);
             }
         }
@@ -206,19 +206,21 @@ fn initial(
         (None, None) => joints.iter().map(middle).collect(),
     };
     if angles.len() != joints.len() {
-        let reason = format!(
-            "the initial posture has {} angles, the leg has {}",
-            angles.len(),
-            plural(joints.len())
-        );
+        let reason = Describing::OtherNumberOfAngles {
+            angles: angles.len(),
+            joints: joints.len().into(),
+        };
         return section.refuse("initial", place, reason, found);
     }
     for (number, (angle, joint)) in (1..).zip(angles.iter().zip(joints)) {
         let Range { min, max } = joint.limits;
         if !joint.limits.contains(*angle) {
-            let reason = format!(
-                "the initial angle {angle} of joint {number} is outside its limits {min} to {max}"
-            );
+            let reason = Describing::InitialOutside {
+                angle: *angle,
+                joint: number,
+                min,
+                max,
+            };
             return section.refuse("initial", place, reason, found);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::section::{Found, Section};
 use super::{Description, Leg};
+use crate::message::Describing;
 use crate::robot::{Facts, Robot};
 use tip_runtime::model::{self, Family, Inverse, Model};
 use tip_runtime::program::Signature;
@@ -116,6 +117,9 @@ pub(super) fn inverse(
     let Some(leg) = misfit(inverse) else {
         return Some(inverse);
     };
-    let reason = format!("the joints of leg F{} {}", leg + 1, inverse.wanted());
+    let reason = Describing::JointsOfLeg {
+        leg: leg + 1,
+        wanted: inverse.wanted(),
+    };
     robot.refuse("inverse", robot.place_of("inverse"), reason, found)
 }

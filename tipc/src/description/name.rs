@@ -1,6 +1,7 @@
 //! What the robot is called.
 
 use super::section::{Found, Section};
+use crate::message::Describing;
 use crate::robot::Robot;
 
 /// The longest name, in characters.
@@ -11,15 +12,15 @@ pub(super) fn read<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str>
     let (place, name) = robot.text("name", found)?;
     let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);
     let reason = if name.trim().is_empty() {
-        "a robot needs a name".to_owned()
+        Describing::NeedsName
     } else if name.trim() != name {
-        "a name neither begins nor ends with a blank".to_owned()
+        Describing::BlankAtEnd
     } else if name.chars().count() > LONGEST {
-        format!("a name has {LONGEST} characters at most")
-    } else if let Some(other) = name.chars().find(|c| !allowed(*c)) {
-        format!("{other:?} cannot stand in a name")
+        Describing::NameTooLong { most: LONGEST }
+    } else if let Some(character) = name.chars().find(|c| !allowed(*c)) {
+        Describing::NotInName { character }
     } else if Robot::from_name(name).is_some() {
-        "this is the name of a robot that the compiler knows itself".to_owned()
+        Describing::KnownRobot
     } else {
         return Some(name);
     };

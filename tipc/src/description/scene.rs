@@ -4,6 +4,7 @@ use super::keys::Part;
 use super::open;
 use super::section::{Found, Section, Sign, fault};
 use crate::load::Loaded;
+use crate::message::Describing;
 use tip_runtime::plant::{Object, Scene, SceneError, Shape};
 
 /// Reads a scene. `name` is how diagnostics call the file.
@@ -71,11 +72,11 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
         }
         (both, _) => {
             let reason = if both {
-                "an object cannot have both `size` and `radius`"
+                Describing::BothShapes
             } else {
-                "an object needs `size` or `radius`"
+                Describing::NoShape
             };
-            let help = "a box has `size = [width, height]`, a disc `radius`, in mm";
+            let help = Describing::Shapes;
             found.push(fault(section.part, section.place, reason, help));
             None
         }
@@ -85,13 +86,16 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
 /// What the plant cannot simulate.
 fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagnostic {
     let (key, help) = match error {
-        SceneError::Full => ("", "take one of them away"),
-        SceneError::Size if section.has("radius") => ("radius", "`radius` is in mm"),
-        SceneError::Size => ("size", "`size` is in mm"),
-        SceneError::Mass => ("mass", "`mass` is in kg"),
-        SceneError::Friction | SceneError::Place => ("", "only numbers belong here"),
+        SceneError::Full => ("", Describing::TakeOneAway),
+        SceneError::Size if section.has("radius") => ("radius", Describing::RadiusUnit),
+        SceneError::Size => ("size", Describing::SizeUnit),
+        SceneError::Mass => ("mass", Describing::MassUnit),
+        SceneError::Friction | SceneError::Place => ("", Describing::OnlyNumbers),
     };
-    fault(section.part, section.place_of(key), error.to_string(), help)
+    let reason = Describing::Simulated {
+        error: error.to_string(),
+    };
+    fault(section.part, section.place_of(key), reason, help)
 }
 
 #[cfg(test)]

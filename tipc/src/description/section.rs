@@ -3,7 +3,9 @@
 use super::keys::Part;
 use crate::check::nearest;
 use crate::diagnostic::Diagnostic;
-use crate::message::Message;
+use crate::message::list::List;
+use crate::message::phrase::Kind;
+use crate::message::{Describing, Message, Suggesting};
 use crate::source::Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -52,8 +54,15 @@ impl<'a> Section<'a> {
         }
         for key in part.keys().filter(|key| key.default.is_none()) {
             if !table.contains_key(key.name) {
-                let reason = format!("{} lacks `{}`", part.name(), key.name);
-                let help = format!("`{}` is {}: {}", key.name, key.form, key.meaning);
+                let reason = Describing::Lacks {
+                    table: part.table(),
+                    key: key.name,
+                };
+                let help = Describing::KeyMeans {
+                    key: key.name,
+                    form: key.form,
+                    meaning: key.meaning,
+                };
                 found.push(fault(part, place, reason, help));
             }
         }
@@ -61,19 +70,24 @@ impl<'a> Section<'a> {
     }
 
     fn unknown(self, name: &str, place: Span) -> Diagnostic {
-        let part = self.part.name();
+        let (table, key) = (self.part.table(), name.to_owned());
         let names = || self.part.keys().map(|key| key.name);
         let mut beside = self.part.beside().iter();
         let elsewhere = beside.find(|part| part.key(name).is_some());
-        let help = match (nearest(name, names()), elsewhere) {
-            (Some(near), _) => format!("did you mean `{near}`?"),
-            (None, Some(part)) => format!("`{name}` belongs to {}", part.name()),
-            (None, None) => {
-                let names: Vec<&str> = names().collect();
-                format!("the keys of {part} are {}", names.join(", "))
+        let help: Message = match (nearest(name, names()), elsewhere) {
+            (Some(near), _) => Suggesting::DidYouMean { near: near.into() }.into(),
+            (None, Some(part)) => Describing::BelongsTo {
+                key: key.clone(),
+                table: part.table(),
             }
+            .into(),
+            (None, None) => Describing::KeysOf {
+                table: table.clone(),
+                keys: List(names().map(str::to_owned).collect()),
+            }
+            .into(),
         };
-        let reason = format!("{part} has no key `{name}`");
+        let reason = Describing::NoKey { table, key };
         fault(self.part, place, reason, help)
     }
 
@@ -95,12 +109,13 @@ impl<'a> Section<'a> {
         reason: impl Into<Message>,
         found: &mut Found,
     ) -> Option<T> {
-        let help = self.part.key(key).map(|key| key.form).unwrap_or_default();
+        let form = self.part.key(key).map(|key| key.form).unwrap_or_default();
+        let key = key.to_owned();
         found.push(fault(
             self.part,
             place,
             reason,
-            format!("`{key}` is {help}"),
+            Describing::KeyIs { key, form },
         ));
         None
     }
@@ -123,7 +138,10 @@ impl<'a> Section<'a> {
         match numbers.try_into() {
             Ok(numbers) => Some(numbers),
             Err(_) => {
-                let reason = format!("{N} numbers belong here, and there are {count}");
+                let reason = Describing::NumbersBelongHere {
+                    wanted: N,
+                    found: count,
+                };
                 self.refuse(key, place, reason, found)
             }
         }
@@ -154,7 +172,7 @@ impl<'a> Section<'a> {
         if min <= max {
             return Some(tip_runtime::model::Range::new(min, max));
         }
-        let reason = format!("{min} is above {max}");
+        let reason = Describing::Above { min, max };
         self.refuse(key, self.place_of(key), reason, found)
     }
 
@@ -178,7 +196,9 @@ impl<'a> Section<'a> {
         match words.iter().find(|(word, _)| *word == text) {
             Some((_, meant)) => Some(*meant),
             None => {
-                let reason = format!("`{key}` cannot be this");
+                let reason = Describing::CannotBeThis {
+                    key: key.to_owned(),
+                };
                 self.refuse(key, place, reason, found)
             }
         }
@@ -244,13 +264,13 @@ impl<'a> Section<'a> {
         };
         // A comparison with NaN is false.
         if !(-LARGEST..=LARGEST).contains(&number) {
-            let reason = format!("a number from -{LARGEST} to {LARGEST} belongs here");
+            let reason = Describing::OutOfReach { most: LARGEST };
             return self.refuse(key, place, reason, found);
         }
         let wrong = match sign {
             Sign::Any => None,
-            Sign::NotNegative => (number < 0.0).then_some("it cannot be below 0"),
-            Sign::Positive => (number <= 0.0).then_some("it must be above 0"),
+            Sign::NotNegative => (number < 0.0).then_some(Describing::NotBelowZero),
+            Sign::Positive => (number <= 0.0).then_some(Describing::AboveZero),
         };
         match wrong {
             None => Some(number),
@@ -265,15 +285,15 @@ impl<'a> Section<'a> {
         value: &DeValue<'_>,
         found: &mut Found,
     ) -> Option<T> {
-        let stands = match value {
-            DeValue::String(_) => "text",
-            DeValue::Integer(_) | DeValue::Float(_) => "a number",
-            DeValue::Boolean(_) => "true or false",
-            DeValue::Datetime(_) => "a date",
-            DeValue::Array(_) => "a list",
-            DeValue::Table(_) => "a table",
+        let kind = match value {
+            DeValue::String(_) => Kind::Text,
+            DeValue::Integer(_) | DeValue::Float(_) => Kind::Number,
+            DeValue::Boolean(_) => Kind::Truth,
+            DeValue::Datetime(_) => Kind::Date,
+            DeValue::Array(_) => Kind::List,
+            DeValue::Table(_) => Kind::Table,
         };
-        self.refuse(key, place, format!("{stands} cannot stand here"), found)
+        self.refuse(key, place, Describing::WrongKind { kind }, found)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign};
+use crate::message::Describing;
 use tip_runtime::model::{Body, Forces, Inverse, Range, Slider, Standards, TorqueUnit, generic};
 
 /// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
@@ -34,7 +35,7 @@ pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -
     };
     if !periods.contains(standards.period) {
         let Range { min, max } = periods;
-        let reason = format!("the robot accepts sampling times of {min} to {max} ms only");
+        let reason = Describing::SamplingTimes { min, max };
         section.refuse::<()>("period", section.place_of("period"), reason, found);
     }
     standards
@@ -59,7 +60,7 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
         return standard;
     };
     if number > f64::from(u8::MAX) || number.fract() != 0.0 {
-        let reason = "this is no number of lamps";
+        let reason = Describing::NoNumberOfLamps;
         robot.refuse::<()>("lamps", robot.place_of("lamps"), reason, found);
         return standard;
     }
@@ -120,7 +121,7 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
         };
         *travel = given;
         if !given.contains(at) {
-            let reason = format!("the slider stands at {at} first, which is outside");
+            let reason = Describing::SliderOutside { at };
             section.refuse::<()>(key, section.place_of(key), reason, found);
         }
     }

@@ -2,21 +2,21 @@
 
 use super::Diagnostic;
 use crate::code::Code;
+use crate::message::Reading;
 use crate::source::Undecodable;
 
 impl From<Undecodable> for Diagnostic {
     fn from(bad: Undecodable) -> Diagnostic {
-        let reason = format!(
-            "byte {} of the file is not valid {}",
-            bad.byte,
-            bad.charset.name()
-        );
+        let reason = Reading::NotValid {
+            byte: bad.byte,
+            encoding: bad.charset.name(),
+        };
         let help = match bad.other {
-            Some((charset, byte)) => format!(
-                "the file is no {} either (byte {byte}); save it in one of the two encodings",
-                charset.name()
-            ),
-            None => "save the file in that encoding, or name the right one".to_owned(),
+            Some((charset, byte)) => Reading::NotTheOtherEither {
+                encoding: charset.name(),
+                byte,
+            },
+            None => Reading::SaveInThatEncoding,
         };
         Diagnostic::new(Code::Format, bad.span, reason).help(help)
     }

@@ -1,5 +1,6 @@
 //! Why a build script's compilation failed.
 
+use crate::message::Building;
 use std::error::Error;
 use std::fmt;
 
@@ -10,7 +11,7 @@ pub struct BuildError {
 
 impl BuildError {
     /// A setting of [`Config`](super::Config) that makes no sense.
-    pub(super) fn setting(message: impl fmt::Display) -> Self {
+    pub(super) fn setting(message: Building) -> Self {
         BuildError {
             message: message.to_string(),
         }

@@ -5,6 +5,7 @@
 )]
 
 use super::BuildError;
+use crate::message::Building;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
@@ -13,9 +14,7 @@ pub(super) fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
     match (chosen, env::var_os("OUT_DIR")) {
         (Some(folder), _) => Ok(folder.to_owned()),
         (None, Some(folder)) => Ok(folder.into()),
-        (None, None) => Err(BuildError::setting(
-            "OUT_DIR is not set: call this from a build script, or choose an out_dir",
-        )),
+        (None, None) => Err(BuildError::setting(Building::NoOutDir)),
     }
 }
 
@@ -32,6 +31,9 @@ pub(super) fn write_if_changed(path: &Path, text: &str) -> Result<(), BuildError
     folder
         .and_then(|()| fs::write(path, text))
         .map_err(|error| {
-            BuildError::setting(format!("File can not write({}): {error}", path.display()))
+            BuildError::setting(Building::CannotWrite {
+                path: path.display().to_string(),
+                error: error.to_string(),
+            })
         })
 }

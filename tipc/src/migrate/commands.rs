@@ -4,6 +4,7 @@ use super::Migrator;
 use super::lines::Statement;
 use crate::language::commands::{COMMANDS, find};
 use crate::lex::Kind;
+use crate::message::Migrating;
 use crate::source::Span;
 use crate::syntax::Arithmetic;
 
@@ -51,7 +52,8 @@ impl Migrator<'_> {
             keyword => {
                 if let Some(name) = parameter_command(keyword) {
                     self.rename(statement.word, &name);
-                    self.change(statement.word, format!("{keyword} is {name} since 2.0"));
+                    let old = keyword.to_owned();
+                    self.change(statement.word, Migrating::IsSince2_0 { old, new: name });
                 }
             }
         }
@@ -62,14 +64,17 @@ impl Migrator<'_> {
         let target_name = self.slice(target).to_ascii_uppercase();
         let keyword = &statement.keyword;
         if target_name.starts_with('J') {
-            let text = format!(
-                "{keyword} {target_name} has two successors: {name} takes feet (mm), {} joints (deg); which one is meant?",
-                name.replace("POSITION", "ANGLE")
-            );
+            let text = Migrating::TwoSuccessors {
+                old: keyword.clone(),
+                target: target_name,
+                feet: name.to_owned(),
+                joints: name.replace("POSITION", "ANGLE"),
+            };
             return self.question(target, text);
         }
         self.rename(statement.word, name);
-        self.change(statement.word, format!("{keyword} is {name} since 3.1"));
+        let (old, new) = (keyword.clone(), name.to_owned());
+        self.change(statement.word, Migrating::IsSince3_1 { old, new });
     }
 
     fn compliance(&mut self, statement: &Statement) {
@@ -87,12 +92,10 @@ impl Migrator<'_> {
             _ => false,
         };
         if !fits {
-            let text = "these are not the angles that COMPLIANCE_ANGLE takes, one for each joint: \
-                        which of them are angles, and which is the stiffness for SET_ANGLE_STIFFNESS?";
-            return self.question(statement.word, text);
+            return self.question(statement.word, Migrating::NotTheAngles);
         }
         self.rename(statement.word, "COMPLIANCE_ANGLE");
-        self.change(statement.word, "COMPLIANCE is COMPLIANCE_ANGLE since 2.1");
+        self.change(statement.word, Migrating::Compliance);
     }
 
     /// `FOR A B TO C` → `FOR A = B TO C`
@@ -112,8 +115,8 @@ impl Migrator<'_> {
             return;
         }
         self.edits.insert(from.span.start, "= ");
-        let name = self.slice(variable.span).to_ascii_uppercase();
-        self.change(from.span, format!("`=` behind FOR {name} since 3.1"));
+        let variable = self.slice(variable.span).to_ascii_uppercase();
+        self.change(from.span, Migrating::AssignmentBehindFor { variable });
     }
 
     /// `A = - B` → `A = -B`
@@ -127,17 +130,14 @@ impl Migrator<'_> {
         if is_split {
             let blanks = Span::new(sign.span.end, operand.span.start);
             self.edits.replace(blanks, "");
-            let name = self.slice(operand.span).to_ascii_uppercase();
-            self.change(sign.span, format!("`- {name}` is `-{name}` since 2.0"));
+            let operand = self.slice(operand.span).to_ascii_uppercase();
+            self.change(sign.span, Migrating::Sign { operand });
         }
     }
 
     /// REM was no step before 3.0; a comment is none now.
     pub(super) fn remark(&mut self, statement: &Statement) {
         self.edits.replace(statement.word, "//");
-        self.change(
-            statement.word,
-            "REM becomes //: since 3.0 REM is a step of its own",
-        );
+        self.change(statement.word, Migrating::Remark);
     }
 }

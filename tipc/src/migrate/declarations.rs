@@ -6,6 +6,8 @@ use super::lines::Statement;
 use super::variables::Variables;
 use crate::language::Edition;
 use crate::language::reserved::is_reserved;
+use crate::message::Migrating;
+use crate::message::phrase::Declared;
 use crate::syntax::VariableKind;
 
 /// How many names a line declares at most.
@@ -18,10 +20,7 @@ impl Migrator<'_> {
         let mut lines = Vec::new();
         if title == Title::Missing {
             lines.push(String::new());
-            self.change(
-                above,
-                "put in an empty line 2: since 1.1 it holds the title",
-            );
+            self.change(above, Migrating::EmptyTitle);
         }
         for (kind, keyword) in [
             (VariableKind::Var, "DEF_VAR"),
@@ -31,8 +30,9 @@ impl Migrator<'_> {
             let names = variables.to_declare(kind);
             for names in names.chunks(NAMES_PER_LINE) {
                 let line = format!("{keyword} {}", names.join(", "));
-                self.change(above, format!("put in `{line}`{}", reason(kind)));
-                lines.push(line);
+                lines.push(line.clone());
+                let declared = declared(kind);
+                self.change(above, Migrating::Declares { line, declared });
             }
         }
         let end = self.line_end();
@@ -56,18 +56,15 @@ impl Migrator<'_> {
         for name in statement.words().skip(1) {
             let word = self.slice(name).to_ascii_uppercase();
             if is_reserved(&word, Edition::V3_1) {
-                let text = format!(
-                    "{word} is a word of the language in 3.1: what shall the variable be called?"
-                );
-                self.question(name, text);
+                self.question(name, Migrating::WordOfLanguage { word });
             }
         }
     }
 }
 
-fn reason(kind: VariableKind) -> &'static str {
+fn declared(kind: VariableKind) -> Declared {
     match kind {
-        VariableKind::Joint => ": variables are declared since 3.0, AGL and TRQ as one type",
-        _ => ": variables are declared since 3.0",
+        VariableKind::Joint => Declared::OneType,
+        _ => Declared::Plainly,
     }
 }

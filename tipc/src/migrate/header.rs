@@ -3,6 +3,7 @@
 use super::Migrator;
 use super::commands::is_statement_word;
 use super::lines;
+use crate::message::Migrating;
 use crate::parse::header::{version_number, version_word};
 
 /// The version that a migration leads to.
@@ -67,10 +68,7 @@ impl Migrator<'_> {
         let place = version_word(self.source);
         let word = self.slice(place).to_owned();
         let Some(version) = version_number(&word) else {
-            self.question(
-                place,
-                "line 1 names no version: which version of the language is this program written for?",
-            );
+            self.question(place, Migrating::WhichVersion);
             return None;
         };
         if version == CURRENT {
@@ -78,15 +76,11 @@ impl Migrator<'_> {
         }
         let known = (1.0..CURRENT).contains(&version) || version == ODD;
         if !known {
-            let text = format!(
-                "no version {word} of the language is known (1.0 to 3.1, and 4.0 in some programs of the time of 2.1): \
-                 which one is this program written for?"
-            );
-            self.question(place, text);
+            self.question(place, Migrating::UnknownVersion { version: word });
             return None;
         }
         self.edits.replace(place, "3.1");
-        self.change(place, format!("version {word} becomes 3.1"));
+        self.change(place, Migrating::Version { version: word });
         let style = self.style(version);
         Some(Header {
             style,

@@ -4,6 +4,7 @@ use super::Migrator;
 use super::lines::Piece;
 use crate::language::Edition;
 use crate::language::reserved::is_reserved;
+use crate::message::Migrating;
 use crate::source::Span;
 use std::collections::HashSet;
 
@@ -25,10 +26,7 @@ impl Migrator<'_> {
             if clashes {
                 let new = free_name(&name, &names);
                 self.rename(span, &new);
-                let text = format!(
-                    "the label {name} becomes {new}: {name} is a word of the language in 3.1"
-                );
-                self.change(span, text);
+                self.change(span, Migrating::Label { name, new });
             }
         }
     }

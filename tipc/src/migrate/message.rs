@@ -4,6 +4,7 @@ use super::Migrator;
 use super::lines::Statement;
 use super::placeholders::old_placeholders;
 use super::variables::Variables;
+use crate::message::Migrating;
 use crate::source::Span;
 
 /// How many decimals `%fnn%` shows: as C's `%f`, whose letter it is.
@@ -16,8 +17,7 @@ impl Migrator<'_> {
         let place =
             |start, end| Span::new(statement.text.start + start, statement.text.start + end);
         if let Some(at) = text.find(';') {
-            let asked = "`;` ends a MESSAGE since 3.0: which character shall stand here instead?";
-            self.question(place(at, at + 1), asked);
+            self.question(place(at, at + 1), Migrating::Semicolon);
         }
         let old = old_placeholders(&text);
         let behind = old
@@ -29,10 +29,7 @@ impl Migrator<'_> {
             .chain(old.iter().map(|placeholder| placeholder.end));
         for (start, end) in before.zip(behind) {
             if let Some(name) = names_a_variable(&text[start..end], variables) {
-                let asked = format!(
-                    "`%{name}%` was plain text and shows a value since 3.0: which one is meant?"
-                );
-                self.question(place(start, end), asked);
+                self.question(place(start, end), Migrating::PlainText { name });
             }
         }
         for placeholder in &old {
@@ -43,9 +40,9 @@ impl Migrator<'_> {
             } else {
                 format!("%{name}%")
             };
-            let old = &text[placeholder.start..placeholder.end];
-            self.change(span, format!("{old} is {new} since 3.0"));
-            self.edits.replace(span, new);
+            self.edits.replace(span, new.as_str());
+            let old = text[placeholder.start..placeholder.end].to_owned();
+            self.change(span, Migrating::Placeholder { old, new });
         }
     }
 }

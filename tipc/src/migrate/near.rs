@@ -4,6 +4,7 @@ use super::Migrator;
 use super::lines::{Piece, Statement};
 use super::variables::Variables;
 use crate::lex::{Kind, Token};
+use crate::message::Migrating;
 use crate::source::Span;
 
 /// Commands that put their target under position control.
@@ -54,10 +55,7 @@ impl Migrator<'_> {
         else {
             if !values.is_empty() {
                 let place = values[0].span;
-                self.question(
-                    place,
-                    "WAIT_NEAR takes one tolerance, not negative: which one is meant?",
-                );
+                self.question(place, Migrating::OneTolerance);
             }
             return;
         };
@@ -73,10 +71,10 @@ impl Migrator<'_> {
         if measure == Measure::Position
             && let Some(leg) = leg_of_joint(&name)
         {
-            let text = format!(
-                "{name} is moved to positions, and a tolerance in mm is set for a whole leg: \
-                 may it be SET_NEAR_POSITION F{leg}?"
-            );
+            let text = Migrating::WholeLeg {
+                leg: leg.to_owned(),
+                target: name,
+            };
             return self.question(value.span, text);
         }
         let setting = match measure {
@@ -93,18 +91,12 @@ impl Migrator<'_> {
         self.edits
             .insert(statement.end(), format!("{behind} ; {waiting}"));
         self.rename(word.span, setting);
-        let text = format!(
-            "two steps, {setting} and WAIT_NEAR: since 3.1 the tolerance is set beforehand, and stays set"
-        );
-        self.change(word.span, text);
+        self.change(word.span, Migrating::TwoSteps { setting });
     }
 
     fn ask_measure(&mut self, place: Span, target: &str) {
-        let text = format!(
-            "the program moves {target} to positions and to angles: is this tolerance in mm (SET_NEAR_POSITION) \
-             or in deg (SET_NEAR_ANGLE)?"
-        );
-        self.question(place, text);
+        let target = target.to_owned();
+        self.question(place, Migrating::WhichMeasure { target });
     }
 
     /// How the program moves what WAIT_NEAR waits for; where it does not, by the kind of the target.

@@ -1,6 +1,9 @@
 //! The report for people and for tools.
 
 use super::{Migration, Note, NoteKind};
+use crate::message::Migrating;
+use crate::message::list::List;
+use crate::message::phrase::Loads;
 use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
 
@@ -15,41 +18,36 @@ pub fn render_human(migration: &Migration) -> String {
             let _ = writeln!(out, "    {}", source.line_text(note.line).trim());
         }
     }
-    out + &summary(migration)
+    let _ = writeln!(out, "{}", summary(migration));
+    out
 }
 
-fn summary(migration: &Migration) -> String {
-    let name = migration.source.name();
+fn summary(migration: &Migration) -> Migrating {
+    let file = migration.source.name().to_owned();
     let (changes, questions) = (migration.changes().count(), migration.questions().count());
     match (changes, questions) {
-        (0, 0) => format!("{name}: is a program of version 3.1 already, nothing is changed\n"),
-        (_, 0) => format!(
-            "{name}: {}, {}\n",
-            plural(changes, "change"),
-            loads(migration)
-        ),
-        _ => format!(
-            "{name}: {} to answer first, nothing is written\n",
-            plural(questions, "question")
-        ),
+        (0, 0) => Migrating::AlreadyCurrent { file },
+        (_, 0) => Migrating::Migrated {
+            file,
+            changes: changes.into(),
+            loads: loads(migration),
+        },
+        _ => Migrating::ToAnswer {
+            file,
+            questions: questions.into(),
+        },
     }
 }
 
-fn loads(migration: &Migration) -> String {
-    let robots: Vec<&str> = migration
-        .robots()
-        .iter()
-        .map(|robot| robot.name())
-        .collect();
-    if robots.is_empty() {
-        return "loads for no robot yet; `tipc check` on the new program says why".to_owned();
+fn loads(migration: &Migration) -> Loads {
+    let robots = migration.robots();
+    let robots: Vec<String> = robots.iter().map(|robot| robot.name().to_owned()).collect();
+    match robots.is_empty() {
+        true => Loads::ForNone,
+        false => Loads::For {
+            robots: List(robots),
+        },
     }
-    format!("loads for {}", robots.join(", "))
-}
-
-fn plural(count: usize, what: &str) -> String {
-    let end = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{end}")
 }
 
 /// `FILE:LINE:COLUMN: change: <text>` or `…: question: <text>`, one line each.
@@ -78,7 +76,7 @@ pub fn render_json(migration: &Migration) -> String {
 fn object(migration: &Migration, note: &Note) -> String {
     let mut out = String::from("{\"level\":");
     push_string(&mut out, note.kind.name());
-    push_member(&mut out, "message", &note.text);
+    push_member(&mut out, "message", &note.text.to_string());
     push_member(&mut out, "file", migration.source.name());
     push_number(&mut out, "line", note.line);
     push_number(&mut out, "column", note.column);

@@ -6,6 +6,7 @@ use super::Migrator;
 use super::header::Style;
 use super::lines::Piece;
 use super::placeholders::old_placeholders;
+use crate::message::Migrating;
 use crate::parse::NAME_LIMIT;
 use crate::source::{Source, Span};
 use crate::syntax::VariableKind;
@@ -170,19 +171,19 @@ impl Migrator<'_> {
         for (span, name) in &variables.respelt {
             let old = self.slice(*span).to_ascii_uppercase();
             self.edits.replace(*span, name.as_str());
-            let text = format!("{old} and {name} are one variable by their number: written {name}");
-            self.change(*span, text);
+            let name = name.clone();
+            self.change(*span, Migrating::OneVariable { old, name });
         }
         for span in &variables.numberless {
             let name = self.slice(*span).to_ascii_uppercase();
-            let text = format!("{name} has no number: which variable is meant?");
-            self.question(*span, text);
+            self.question(*span, Migrating::NoNumber { name });
         }
         for (span, name) in &variables.too_long {
-            let text = format!(
-                "a name has at most {NAME_LIMIT} bytes, {name} has {}: what shall the variable be called?",
-                name.len()
-            );
+            let text = Migrating::NameTooLong {
+                most: NAME_LIMIT,
+                name: name.clone(),
+                length: name.len(),
+            };
             self.question(*span, text);
         }
     }

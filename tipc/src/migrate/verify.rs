@@ -4,6 +4,7 @@ use super::{Note, NoteKind};
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::find;
+use crate::message::Migrating;
 use crate::parse::parse;
 use crate::source::{Encoding, Source};
 use crate::syntax::StatementKind;
@@ -34,9 +35,9 @@ pub(super) fn questions(
             return None;
         };
         let text = match malformed {
-            _ if find(&name.node).is_none() => {
-                format!("{} is no command of version 3.1: what is meant?", name.node)
-            }
+            _ if find(&name.node).is_none() => Migrating::NoCommand {
+                word: name.node.to_string(),
+            },
             Some(fault) => explained(fault),
             None => return None,
         };
@@ -56,13 +57,12 @@ pub(super) fn questions(
         .collect()
 }
 
-fn explained(finding: &Diagnostic) -> String {
+fn explained(finding: &Diagnostic) -> Migrating {
     if finding.code == Code::NoEnd {
-        return "the program has no END: where does it end?".to_owned();
+        return Migrating::NoEnd;
     }
-    format!(
-        "this is no statement of version 3.1 ({}: {}): what is meant?",
-        finding.message(),
-        finding.reason
-    )
+    Migrating::NoStatement {
+        title: finding.message(),
+        reason: Box::new(finding.reason.clone()),
+    }
 }

@@ -3,6 +3,8 @@
 use super::ImportError;
 use super::pose::Pose;
 use super::tree::Tree;
+use crate::message::Importing;
+use crate::message::phrase::JointKind;
 use urdf_rs::{Joint, JointType, Link};
 
 /// A leg. All of it is seen from the robot frame while every joint stands at 0: there the axes of all joints
@@ -58,10 +60,12 @@ impl<'a> Chain<'a> {
                 }
                 [one] => next = *one,
                 [(one, _), (other, _), ..] => {
-                    return Err(ImportError::new(format!(
-                        "the leg of joint `{}` branches at link `{}` into the joints `{}` and `{}`: a leg is one chain, so make one of them fixed",
-                        first.name, joint.child.link, one.name, other.name
-                    )));
+                    return Err(ImportError::new(Importing::Branches {
+                        leg: first.name.clone(),
+                        link: joint.child.link.clone(),
+                        one: one.name.clone(),
+                        other: other.name.clone(),
+                    }));
                 }
             }
         }
@@ -80,30 +84,29 @@ fn merged<'a>(links: &[(&'a Link, Pose)]) -> impl Iterator<Item = &'a str> {
 fn check_kind(joint: &Joint) -> Result<(), ImportError> {
     let kind = match joint.joint_type {
         JointType::Revolute | JointType::Continuous => None,
-        JointType::Fixed => Some("fixed"),
-        JointType::Prismatic => Some("prismatic"),
-        JointType::Floating => Some("floating"),
-        JointType::Planar => Some("planar"),
-        JointType::Spherical => Some("spherical"),
+        JointType::Fixed => Some(JointKind::Fixed),
+        JointType::Prismatic => Some(JointKind::Prismatic),
+        JointType::Floating => Some(JointKind::Floating),
+        JointType::Planar => Some(JointKind::Planar),
+        JointType::Spherical => Some(JointKind::Spherical),
     };
-    let name = &joint.name;
+    let (name, link) = (joint.name.clone(), joint.parent.link.clone());
     if let Some(kind) = kind {
-        return Err(ImportError::new(format!(
-            "joint `{name}` on link `{}` is {kind}: legs have joints that turn about one axis, so make it fixed, revolute or continuous",
-            joint.parent.link
-        )));
+        return Err(ImportError::new(Importing::DoesNotTurn {
+            joint: name,
+            link,
+            kind,
+        }));
     }
     if let Some(mimic) = &joint.mimic {
-        return Err(ImportError::new(format!(
-            "joint `{name}` on link `{}` mimics joint `{}`: every joint of a leg moves by itself, so make it fixed",
-            joint.parent.link, mimic.joint
-        )));
+        return Err(ImportError::new(Importing::Mimics {
+            joint: name,
+            link,
+            other: mimic.joint.clone(),
+        }));
     }
     if joint.axis.xyz.iter().all(|part| *part == 0.0) {
-        return Err(ImportError::new(format!(
-            "joint `{name}` on link `{}` turns about an axis of length 0",
-            joint.parent.link
-        )));
+        return Err(ImportError::new(Importing::NoAxis { joint: name, link }));
     }
     Ok(())
 }
@@ -116,16 +119,15 @@ fn foot<'a>(
 ) -> Result<(&'a str, [f64; 3]), ImportError> {
     let behind = links.iter().skip(1);
     let ends: Vec<&(&Link, Pose)> = behind.filter(|(link, _)| tree.is_leaf(link)).collect();
-    let link = &last.child.link;
+    let (link, joint) = (last.child.link.clone(), last.name.clone());
     match ends.as_slice() {
         [(end, pose)] => Ok((&end.name, pose.origin())),
-        [] => Err(ImportError::new(format!(
-            "link `{link}` behind joint `{}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint",
-            last.name
-        ))),
-        [(one, _), (other, _), ..] => Err(ImportError::new(format!(
-            "link `{link}` behind joint `{}` ends in the links `{}` and `{}`: leave the one that is the foot",
-            last.name, one.name, other.name
-        ))),
+        [] => Err(ImportError::new(Importing::NoFoot { link, joint })),
+        [(one, _), (other, _), ..] => Err(ImportError::new(Importing::TwoFeet {
+            link,
+            joint,
+            one: one.name.clone(),
+            other: other.name.clone(),
+        })),
     }
 }

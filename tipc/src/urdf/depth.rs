@@ -1,6 +1,7 @@
 //! How deep elements are nested: what reads URDF calls itself once a level.
 
 use super::ImportError;
+use crate::message::Importing;
 use xml::reader::{EventReader, XmlEvent};
 
 /// URDF needs six levels; what simulators add to it, a few more.
@@ -12,15 +13,19 @@ pub(super) fn check(text: &str) -> Result<(), ImportError> {
     for event in EventReader::from_str(text) {
         match event {
             Ok(XmlEvent::StartElement { name, .. }) if depth == DEEPEST => {
-                return Err(ImportError::new(format!(
-                    "element `{}` is nested deeper than {DEEPEST} levels: no robot needs that",
-                    name.local_name
-                )));
+                return Err(ImportError::new(Importing::TooDeep {
+                    element: name.local_name,
+                    most: DEEPEST,
+                }));
             }
             Ok(XmlEvent::StartElement { .. }) => depth += 1,
             Ok(XmlEvent::EndElement { .. }) => depth = depth.saturating_sub(1),
             Ok(_) => {}
-            Err(error) => return Err(ImportError::new(format!("this is no URDF: {error}"))),
+            Err(error) => {
+                return Err(ImportError::new(Importing::NoUrdf {
+                    error: error.to_string(),
+                }));
+            }
         }
     }
     Ok(())

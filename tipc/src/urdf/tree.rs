@@ -2,6 +2,7 @@
 
 use super::ImportError;
 use super::pose::Pose;
+use crate::message::Importing;
 use std::collections::{BTreeMap, BTreeSet};
 use urdf_rs::{Joint, JointType, Link, Robot};
 
@@ -18,8 +19,8 @@ impl<'a> Tree<'a> {
         let mut links = BTreeMap::new();
         for link in &robot.links {
             if links.insert(link.name.as_str(), link).is_some() {
-                let text = format!("link `{}` stands there twice", link.name);
-                return Err(ImportError::new(text));
+                let link = link.name.clone();
+                return Err(ImportError::new(Importing::LinkTwice { link }));
             }
         }
         let mut joints: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
@@ -27,19 +28,13 @@ impl<'a> Tree<'a> {
         for joint in &robot.joints {
             for link in [&joint.parent.link, &joint.child.link] {
                 if !links.contains_key(link.as_str()) {
-                    let text = format!(
-                        "joint `{}` names link `{link}`, which is not there",
-                        joint.name
-                    );
-                    return Err(ImportError::new(text));
+                    let (joint, link) = (joint.name.clone(), link.clone());
+                    return Err(ImportError::new(Importing::NoSuchLink { joint, link }));
                 }
             }
             if !held.insert(joint.child.link.as_str()) {
-                let text = format!(
-                    "link `{}` hangs on two joints: a loop cannot be imported",
-                    joint.child.link
-                );
-                return Err(ImportError::new(text));
+                let link = joint.child.link.clone();
+                return Err(ImportError::new(Importing::OnTwoJoints { link }));
             }
             joints.entry(&joint.parent.link).or_default().push(joint);
         }
@@ -51,15 +46,11 @@ impl<'a> Tree<'a> {
         let root = match roots.as_slice() {
             [root] => root,
             [] => {
-                return Err(ImportError::new(
-                    "no link is the base: every one hangs on a joint",
-                ));
+                return Err(ImportError::new(Importing::NoBase));
             }
             [one, other, ..] => {
-                let text = format!(
-                    "links `{one}` and `{other}` hang on no joint: one link must be the base of all others"
-                );
-                return Err(ImportError::new(text));
+                let (one, other) = ((*one).to_owned(), (*other).to_owned());
+                return Err(ImportError::new(Importing::TwoBases { one, other }));
             }
         };
         let tree = Tree {
@@ -87,10 +78,10 @@ impl<'a> Tree<'a> {
         }
         match self.links.keys().find(|link| !reached.contains(*link)) {
             None => Ok(()),
-            Some(link) => Err(ImportError::new(format!(
-                "link `{link}` does not hang on the base `{}`: its joints make a circle",
-                self.root
-            ))),
+            Some(link) => Err(ImportError::new(Importing::Circle {
+                link: (*link).to_owned(),
+                base: self.root.to_owned(),
+            })),
         }
     }
 

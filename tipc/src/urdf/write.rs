@@ -1,6 +1,8 @@
 //! The description as text, and the report.
 
 use super::chain::{Chain, Turning};
+use crate::message::Importing;
+use crate::message::list::List;
 use crate::robot::Robot;
 use std::fmt::Write as _;
 use urdf_rs::JointType;
@@ -18,13 +20,12 @@ pub(super) fn description(
     name: &str,
     body_mass: f64,
     legs: &[Chain<'_>],
-) -> (String, Vec<String>) {
+) -> (String, Vec<Importing>) {
     let mut report = vec![
-        "frames: x forward and y left (REP 103) became x right and y forward".to_owned(),
-        "dropped: inertia tensors, centres of mass, geometry, damping, friction, safety limits"
-            .to_owned(),
-        "assumed: no torque sensors; add [forces] if there are some".to_owned(),
-        "assumed: the initial posture is the middle of the limits; set `initial`".to_owned(),
+        Importing::Frames,
+        Importing::Dropped,
+        Importing::NoSensors,
+        Importing::InitialPosture,
     ];
     let mut text = format!(
         "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
@@ -32,11 +33,11 @@ pub(super) fn description(
         robot_name(name)
     );
     for (number, leg) in (1..).zip(legs) {
-        let what = format!(
-            "F{number}: joint {} to link {}",
-            comment(leg.name()),
-            comment(leg.end)
-        );
+        let what = Importing::Leg {
+            number,
+            joint: comment(leg.name()),
+            link: comment(leg.end),
+        };
         report.push(what.clone());
         let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));
     }
@@ -49,7 +50,7 @@ pub(super) fn description(
         .filter(|v| *v > 0.0)
         .fold(f64::INFINITY, f64::min);
     if slowest.is_finite() {
-        report.push("OMEGA_MAX is the velocity of the slowest joint".to_owned());
+        report.push(Importing::OmegaMax);
         let _ = write!(
             text,
             "\n[standards]\nomega_max = {}\n",
@@ -59,7 +60,7 @@ pub(super) fn description(
     (text, report)
 }
 
-fn leg_table(leg: &Chain<'_>, report: &mut Vec<String>) -> String {
+fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
     let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
     let mut text = format!("base = {}\njoint = [\n", vector(base.map(measure)));
     let behind = leg.joints.iter().skip(1).map(|next| next.at);
@@ -78,7 +79,7 @@ fn leg_table(leg: &Chain<'_>, report: &mut Vec<String>) -> String {
 }
 
 /// Limits, mass and torque of a joint, as far as the file knows them.
-fn settings(turning: &Turning<'_>, report: &mut Vec<String>) -> String {
+fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
     let joint = turning.joint;
     let (name, limit) = (comment(&joint.name), &joint.limit);
     let mut text = String::new();
@@ -88,32 +89,33 @@ fn settings(turning: &Turning<'_>, report: &mut Vec<String>) -> String {
         let ends = ends.map(|end| measure(end.to_degrees()));
         let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
     } else {
-        report.push(format!("assumed: joint {name} turns from -180 to 180 deg"));
+        report.push(Importing::TurnsAllRound {
+            joint: name.clone(),
+        });
     }
     let _ = write!(text, ", mass = {}", measure(turning.mass));
     if limit.effort > 0.0 && limit.effort <= STRONGEST {
         let _ = write!(text, ", torque = {}", measure(limit.effort));
     } else {
-        report.push(format!("assumed: joint {name} has a motor of 10 N·m"));
+        report.push(Importing::Motor { joint: name });
     }
     if !turning.merged.is_empty() {
         let merged: Vec<String> = turning.merged.iter().map(|link| comment(link)).collect();
-        report.push(format!(
-            "link {} took in the links fixed to it: {}",
-            comment(&joint.child.link),
-            merged.join(", ")
-        ));
+        report.push(Importing::TookIn {
+            link: comment(&joint.child.link),
+            merged: List(merged),
+        });
     }
     text
 }
 
 /// A box around the first joints, for a robot that can stand on its legs.
-fn body(text: &mut String, mass: f64, legs: &[Chain<'_>], report: &mut Vec<String>) {
+fn body(text: &mut String, mass: f64, legs: &[Chain<'_>], report: &mut Vec<Importing>) {
     if legs.len() < 3 {
-        report.push("assumed: the robot is bolted down; add [body] if it walks".to_owned());
+        report.push(Importing::BoltedDown);
         return;
     }
-    report.push("assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it".to_owned());
+    report.push(Importing::Walks);
     let bases = || {
         legs.iter()
             .filter_map(|leg| leg.joints.first())
@@ -135,7 +137,7 @@ fn body(text: &mut String, mass: f64, legs: &[Chain<'_>], report: &mut Vec<Strin
     if mass > 0.0 {
         let _ = writeln!(text, "mass = {}", measure(mass));
     } else {
-        report.push("assumed: the body weighs 1 kg".to_owned());
+        report.push(Importing::BodyMass);
     }
 }
 

@@ -49,5 +49,5 @@ fn question(text: &str) -> (u32, String) {
     let [question] = questions[..] else {
         panic!("{questions:#?}");
     };
-    (question.line, question.text.clone())
+    (question.line, question.text.to_string())
 }

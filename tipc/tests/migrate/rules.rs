@@ -290,7 +290,10 @@ fn every_change_is_reported_with_its_line() {
         .map(|note| (note.line, note.column))
         .collect();
     assert_eq!(changes, [(1, 1), (2, 1), (4, 3), (5, 8), (6, 1)]);
-    let text: Vec<&str> = migration.changes().map(|note| note.text.as_str()).collect();
+    let text: Vec<String> = migration
+        .changes()
+        .map(|note| note.text.to_string())
+        .collect();
     assert_eq!(text[0], "version 1.1 becomes 3.1");
     assert!(text[1].contains("DEF_VAR VAR1"), "{text:#?}");
     assert!(text[2].contains("SET_A_MAX"), "{text:#?}");

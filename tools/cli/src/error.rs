@@ -6,6 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Reading;
 use tipc::source::Span;
 
 /// Why a command stopped.
@@ -47,10 +48,11 @@ impl fmt::Display for Error {
         match self {
             Error::Usage(text) | Error::Failed(text) => f.write_str(text),
             Error::CannotWrite { path, reason } => {
-                let diagnostic =
-                    Diagnostic::new(Code::CannotWrite, Span::default(), reason.as_str())
-                        .about(path.display().to_string());
-                write!(f, "{}: {reason}", diagnostic.title())
+                let error = reason.clone();
+                let reason = Reading::System { error };
+                let diagnostic = Diagnostic::new(Code::CannotWrite, Span::default(), reason)
+                    .about(path.display().to_string());
+                write!(f, "{}: {}", diagnostic.title(), diagnostic.reason)
             }
         }
     }

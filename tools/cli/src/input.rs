@@ -6,6 +6,7 @@ use tip_runtime::plant::Scene;
 use tipc::code::Code;
 use tipc::description::Description;
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Reading;
 use tipc::migrate::Migration;
 use tipc::source::{Encoding, Source, Span};
 use tipc::{Loaded, Options};
@@ -48,7 +49,10 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 
 fn unreadable(name: String, error: &io::Error) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
-    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), error.to_string());
+    let reason = Reading::System {
+        error: error.to_string(),
+    };
+    let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])
 }
 

@@ -12,6 +12,12 @@ use tip_runtime::model::{Leg, Model};
 use tipc::description::{Description, parse};
 use tipc::urdf::{Import, import};
 
+/// The report, a line each.
+fn told(import: &Import) -> String {
+    let lines: Vec<String> = import.report.iter().map(ToString::to_string).collect();
+    lines.join("\n")
+}
+
 fn imported(text: &str) -> (Import, Description) {
     let import = import("test.urdf", text).unwrap_or_else(|error| panic!("{error}"));
     let description = parse("test.toml", import.toml.as_bytes());
@@ -76,7 +82,7 @@ fn an_arm_of_turned_frames_moves_as_its_urdf_does() {
     assert!((shoulder.limits.max - 2.0_f64.to_degrees()).abs() < 1e-6);
     assert_eq!((shoulder.torque, model.body), (7.0, None));
     assert!((model.standards.omega_max - 3.0_f64.to_degrees()).abs() < 1e-6);
-    let said = import.report.join("\n");
+    let said = told(&import);
     assert!(said.contains("F1: joint shoulder to link tool"), "{said}");
     assert!(
         said.contains("link upper took in the links fixed to it: flange"),
@@ -120,7 +126,7 @@ fn a_quadruped_stands_on_four_legs_in_the_order_of_the_file() {
             agree(leg, &joints, [&h, &t, &k], [&c, &f, &s], &e, angles);
         }
     }
-    let said = import.report.join("\n");
+    let said = told(&import);
     assert!(said.contains("F4: joint h4 to link e4"), "{said}");
     assert!(
         said.contains("body is a box around the first joints"),
@@ -148,7 +154,7 @@ fn what_urdf_does_not_say_is_assumed_and_told() {
         ),
         (180.0, 10.0)
     );
-    let said = import.report.join("\n");
+    let said = told(&import);
     assert!(
         said.contains("joint a turns from -180 to 180 deg"),
         "{said}"

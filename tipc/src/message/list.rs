@@ -1,0 +1,63 @@
+//! Arguments that are several things.
+
+use std::fmt::{self, Display, Formatter};
+
+/// The most pieces of a path that are shown.
+const PIECES: usize = 8;
+
+/// Things with a comma between them: `a, b, c`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct List(pub Vec<String>);
+
+impl Display for List {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join(", "))
+    }
+}
+
+/// Things to be told apart by their quotes: `` `a`, `b` ``.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Quoted(pub Vec<String>);
+
+impl Display for Quoted {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}`", self.0.join("`, `"))
+    }
+}
+
+/// The lines of a path through a program: runs of steps without a jump, the first and the last line of each.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pieces(pub Vec<(u32, u32)>);
+
+impl Display for Pieces {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let pieces: Vec<String> = self.0.iter().map(piece).collect();
+        if pieces.len() <= PIECES {
+            return f.write_str(&pieces.join(", "));
+        }
+        let start = &pieces[..PIECES / 2];
+        let end = &pieces[pieces.len() - PIECES / 2..];
+        write!(f, "{}, …, {}", start.join(", "), end.join(", "))
+    }
+}
+
+fn piece((first, last): &(u32, u32)) -> String {
+    match first == last {
+        true => format!("{first}"),
+        false => format!("{first}-{last}"),
+    }
+}
+
+/// What is wrong with something, one after the other: `this; that`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Faults(pub Vec<super::Message>);
+
+impl Display for Faults {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (index, fault) in self.0.iter().enumerate() {
+            let gap = if index == 0 { "" } else { "; " };
+            write!(f, "{gap}{fault}")?;
+        }
+        Ok(())
+    }
+}
