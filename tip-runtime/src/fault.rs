@@ -36,6 +36,7 @@ impl fmt::Display for Kind {
 
 /// What ended a program by emergency stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Fault {
     /// An operand outside the domain of its operation, or a result that is not finite.
     Domain,

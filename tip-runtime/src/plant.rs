@@ -14,6 +14,7 @@ use crate::hardware::Hardware;
 
 /// How the body of a simulated robot moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Motion {
     /// Where the body is in the world.
     pub pose: Pose,

@@ -33,6 +33,7 @@ use core::fmt::Display;
 
 /// One control cycle whose step ran to its end without a fault.
 #[derive(Clone, Copy)]
+#[non_exhaustive]
 pub struct Cycle<'a> {
     /// Its number, from 0.
     pub number: u64,

@@ -2,6 +2,7 @@
 
 /// How a vibration goes to and fro. Every wave is 0 at its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Waveform {
     /// A sine: as far to one side as to the other.
     Sine,

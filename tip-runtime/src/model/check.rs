@@ -6,6 +6,7 @@ use core::fmt;
 
 /// Where in a model; legs and joints count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Place {
     /// The robot as a whole.
     Robot,

@@ -37,6 +37,7 @@ type Vector = nalgebra::Vector2<f64>;
 
 /// The end of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fingertip {
     /// Where it is: mm.
     pub position: [f64; 3],
@@ -48,6 +49,7 @@ pub struct Fingertip {
 
 /// An object of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ObjectState {
     /// Its centre: mm.
     pub position: [f64; 2],

@@ -34,6 +34,7 @@ use nalgebra::Vector3;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Foot {
     /// Where it is in the world: mm.
     pub position: [f64; 3],

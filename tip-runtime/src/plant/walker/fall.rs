@@ -9,6 +9,7 @@ const TIPPING: f64 = 1.0;
 
 /// The centre of mass left the support polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fall {
     /// The control cycle, from 0.
     pub cycle: u64,
