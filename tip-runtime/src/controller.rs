@@ -1,7 +1,7 @@
 //! From commands to joint angles: control modes, trajectories, parameters, limits.
 //!
 //! A control cycle calls [`sense`](Controller::sense), then at most one
-//! [`command`](Controller::command), then [`advance`](Controller::advance), and sends the
+//! [`command`](Core::command), then [`advance`](Core::advance), and sends the
 //! [`outputs`](Controller::outputs). Everything else answers questions.
 //!
 //! Moves head straight for their targets under V_MAX and A_MAX, or OMEGA_MAX and OMEGA_DOT_MAX,
@@ -239,7 +239,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     }
 
     /// Moves every joint command on by one sampling time. What goes wrong is reported by the next
-    /// [`sense`](Self::sense).
+    /// [`sense`](Controller::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;
         let going = Going {
