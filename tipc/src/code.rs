@@ -1,4 +1,4 @@
-//! The table of diagnostic codes: the only place where a message of the compiler stands.
+//! The table of diagnostic codes: the classical message and level of each.
 
 use crate::language::Edition;
 use tip_runtime::fault::{Kind, UNASSIGNED};
@@ -75,7 +75,7 @@ codes! {
     UnknownLabel "E202" Some(Kind::Syntax), "Label \"{}\" does not exist";
     /// No END.
     NoEnd "E203" Some(Kind::Syntax), "Not exist END";
-    /// A word that is no command, or one that the robot lacks.
+    /// A word that is not a command, or one that the robot lacks.
     UnknownCommand "E204" Some(Kind::Syntax), "Unknown command \"{}\"";
     /// Arguments that do not fit the command.
     Argument "E205" Some(Kind::Syntax), "Wrong argument";
@@ -103,9 +103,9 @@ codes! {
     RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above";
     /// A constant that its command refuses at run time.
     OutOfRange "W107" None, "this constant is out of range and stops the program when it runs";
-    /// A read that no way to it assigns a value for.
+    /// A read for which no path assigns a value.
     Unassigned "W108" None, "variable \"{}\" is read before it is assigned";
-    /// A read that some way to it assigns no value for.
+    /// A read for which some path assigns no value.
     PerhapsUnassigned "W109" None, "variable \"{}\" may be read before it is assigned";
 }
 

@@ -51,7 +51,7 @@ use section::{Found, Section, fault};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Range, Slider, Standards};
 use toml::de::DeTable;
 
-/// A robot as its description tells it: 1 to 9 legs with 1 to 9 joints each, as many on every leg.
+/// A robot as its description defines it: 1 to 9 legs with 1 to 9 joints each, as many on every leg.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
     source_name: String,
@@ -113,7 +113,7 @@ fn read<T>(
     if !errors.is_empty() {
         let not_toml = |error| not_toml(part, error);
         let mut found: Found = errors.iter().map(not_toml).collect();
-        // What follows in a line is told by its first fault.
+        // What follows in a line is reported with its first fault.
         found.sort_by_key(|fault| fault.span);
         found.dedup_by_key(|fault| source.line_column(fault.span.start).0);
         return Err(found);

@@ -12,7 +12,7 @@ use crate::source::Span;
 pub struct Label {
     /// Where.
     pub span: Span,
-    /// What stands there.
+    /// What is there.
     pub text: Message,
 }
 

@@ -1,6 +1,6 @@
 //! Compiling motion programs in a build script.
 //!
-//! Three steps, as for any code generator. `Cargo.toml` names the run-time and, for the build
+//! Three steps, as for any code generator. `Cargo.toml` names the runtime and, for the build
 //! script, the compiler:
 //!
 //! ```toml
@@ -150,7 +150,7 @@ impl Config {
         self
     }
 
-    /// Compiles each program to a file of its own and tells Cargo about inputs, warnings and errors.
+    /// Compiles each program to a file of its own and reports to Cargo inputs, warnings and errors.
     ///
     /// # Errors
     /// The errors of every program that has some; a setting or file that cannot be used.
@@ -271,7 +271,7 @@ fn describe(path: &Path, report: &mut Report) -> Option<Description> {
     described.map_err(|loaded| report.add_all(&loaded)).ok()
 }
 
-/// What Cargo is told.
+/// What is reported to Cargo.
 #[derive(Default)]
 struct Report {
     lines: Vec<String>,
@@ -343,7 +343,7 @@ fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
     text.parse().map_err(|error| no_such_rust(text, &error))
 }
 
-/// A setting that is no Rust.
+/// A setting that is not Rust.
 fn no_such_rust(text: &str, error: &dyn Display) -> BuildError {
     BuildError::setting(Building::NoRust {
         text: text.to_owned(),

@@ -29,7 +29,7 @@ pub(crate) enum Kind {
 pub(crate) struct Token {
     /// What it is.
     pub(crate) kind: Kind,
-    /// Where it stands.
+    /// Where it is.
     pub(crate) span: Span,
     /// A delimiter stands before it.
     pub(crate) spaced: bool,

@@ -59,7 +59,7 @@ pub struct Note {
     pub text: Migrating,
 }
 
-/// What came of an older program.
+/// The result for an older program.
 #[derive(Clone, Debug)]
 pub struct Migration {
     source: Source,
@@ -119,7 +119,7 @@ impl Migration {
 ///
 /// # Errors
 ///
-/// The findings about bytes that are no text, as [`load`] reports them.
+/// The findings about bytes that are not text, as [`load`] reports them.
 pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let (source, undecodable) = Source::decode(name, bytes, encoding);
     if let Some(fault) = undecodable {

@@ -50,7 +50,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
     (parser.module, parser.diagnostics)
 }
 
-/// What stands at the end of a piece of text.
+/// What is at the end of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
     /// The program goes on.

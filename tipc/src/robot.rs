@@ -4,7 +4,7 @@ use tip_runtime::command::Target;
 use tip_runtime::model::{Family, Model, Range, generic, hand, titan8};
 use tip_runtime::program::Signature;
 
-/// A robot: one that the compiler knows by name, or one that somebody described.
+/// A robot: one that the compiler knows by name, or one that someone described.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Robot {
     /// TITAN VIII: four legs of three joints.

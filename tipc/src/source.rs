@@ -128,7 +128,7 @@ impl Source {
         self.original.get(&self.text, at(span.start), at(span.end))
     }
 
-    /// The DOS end of file that stands behind the text in the file, if one does.
+    /// The DOS end of file that follows the text in the file, if one does.
     pub fn tail(&self) -> &[u8] {
         self.tail
     }

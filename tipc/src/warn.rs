@@ -115,7 +115,7 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         .help(help)
 }
 
-/// The lines of a way: runs of steps without a jump, the last one up to the step that reads.
+/// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
 fn way(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     let line = |step: StepId| program.steps()[step as usize].line;
     let pieces: Vec<(u32, u32)> = steps

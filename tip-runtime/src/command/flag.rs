@@ -7,7 +7,7 @@ use core::str::FromStr;
 /// An event flag of a condition (T.I.P. 3.1 §6-2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Flag {
-    /// Somebody asked the program to stop at the next good moment.
+    /// Someone asked the program to stop at the next good moment.
     HaltRequest,
     /// The keyboard buffer is not empty.
     KbHit,

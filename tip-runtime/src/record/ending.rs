@@ -8,7 +8,7 @@ use crate::program::End;
 pub enum Ending {
     /// The program ended itself.
     Program(End),
-    /// Somebody pressed Ctrl-C.
+    /// Someone pressed Ctrl-C.
     Interrupted,
     /// The asked number of cycles is used up.
     Limit,

@@ -99,13 +99,13 @@ impl Part {
 /// A key of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// Where it may stand.
+    /// Where it may appear.
     pub part: Part,
     /// Its name.
     pub name: &'static str,
     /// How its value is written.
     pub form: &'static str,
-    /// What it is without the key; `None` if it must stand there.
+    /// What it is without the key; `None` if it is required.
     pub default: Option<&'static str>,
     /// What it says.
     pub meaning: &'static str,

@@ -1,4 +1,4 @@
-//! Legs: where they stand, and their joints, drawn once and turned or mirrored for each leg.
+//! Legs: where they are, and their joints, drawn once and turned or mirrored for each leg.
 
 use super::Leg;
 use super::keys::Part;
@@ -29,7 +29,7 @@ pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
     for (number, section) in (1..).zip(&sections) {
         let own = joints(*section, found);
         let drawn = own.as_deref().or(common.as_deref());
-        // Joints that were refused have been told.
+        // Joints that were refused have been reported.
         if drawn.is_none() && !robot.has("joint") && !section.has("joint") {
             let reason = Describing::NoJoints { leg: number };
             let help = Describing::DescribeJoints;

@@ -1,4 +1,4 @@
-//! What becomes of a description: what programs are checked for, and a model of the run-time.
+//! What becomes of a description: what programs are checked for, and a model of the runtime.
 
 use super::section::{Found, Section};
 use super::{Description, Leg};
@@ -9,7 +9,7 @@ use tip_runtime::program::Signature;
 
 /// What is to be done with the model of a robot, whatever the number of its legs and joints.
 pub trait WithModel {
-    /// What comes of it.
+    /// The result.
     type Output;
 
     /// Does it with a robot of `L` legs with `J` joints each.
@@ -63,7 +63,7 @@ impl Description {
         })
     }
 
-    /// The robot as the run-time knows it; `None` unless it has `L` legs with `J` joints each.
+    /// The robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
     pub fn model<const L: usize, const J: usize>(&self) -> Option<Model<L, J>> {
         let legs: Option<Vec<model::Leg<J>>> = self.legs.iter().map(Leg::sized).collect();
         Some(Model {

@@ -11,7 +11,7 @@ use tip_runtime::model::{
 };
 
 impl Description {
-    /// The robot as a `const` of the run-time's `Model`. Its name is `options.name`, else [`const_name`] of the file.
+    /// The robot as a `const` of the runtime's `Model`. Its name is `options.name`, else [`const_name`] of the file.
     /// The same description and options give the same tokens, always.
     pub fn to_rust(&self, options: &Options) -> TokenStream {
         let Options {
@@ -65,7 +65,7 @@ impl Description {
     /// The tokens of [`to_rust`](Self::to_rust) as formatted source text under a header comment.
     ///
     /// # Errors
-    /// The tokens are no Rust file; a visibility or run-time path that is none can cause it.
+    /// The tokens are not a Rust file; a visibility or runtime path that is none can cause it.
     pub fn pretty(&self, options: &Options) -> Result<String, syn::Error> {
         let header = header_of(&self.source_name, self.source_hash);
         under(&header, self.to_rust(options))

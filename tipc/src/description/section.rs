@@ -297,7 +297,7 @@ impl<'a> Section<'a> {
     }
 }
 
-/// Where a key or value stands.
+/// Where a key or value is.
 fn span<T>(spanned: &Spanned<T>) -> Span {
     let range = spanned.span();
     Span::new(range.start, range.end)

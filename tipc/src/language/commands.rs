@@ -214,7 +214,7 @@ impl Command {
         Command { robots, ..self }
     }
 
-    /// It is no step.
+    /// It is not a step.
     const fn no_step(self) -> Self {
         Command {
             cycles: Cycles::Zero,

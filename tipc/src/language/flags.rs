@@ -27,9 +27,9 @@ pub struct Row {
 /// What makes a flag true.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// Somebody asks the program to stop.
+    /// Someone asks the program to stop.
     Halt,
-    /// Somebody presses a key.
+    /// Someone presses a key.
     Key,
     /// An input.
     Input(Port),
@@ -105,7 +105,7 @@ pub fn find(word: &str, edition: Edition) -> Option<(Flag, &'static Row)> {
     Some((flag, row))
 }
 
-/// The words that are no families.
+/// The words that are not families.
 pub fn words() -> impl Iterator<Item = &'static str> {
     FLAGS.iter().filter(|row| !row.is_family()).map(Row::word)
 }

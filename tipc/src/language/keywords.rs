@@ -239,7 +239,7 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Whether it stands only behind another one.
+    /// Whether it stands only after another one.
     pub const fn is_particle(self) -> bool {
         matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
     }

@@ -1,4 +1,4 @@
-//! Words that are no commands, functions, flags or inputs, and which words nothing may bear as a name (T.I.P. 3.1 §4).
+//! Words that are not commands, functions, flags or inputs, and which words nothing may have as a name (T.I.P. 3.1 §4).
 
 use super::{Edition, commands, flags, functions, inputs, keywords};
 use tip_runtime::command::{self, Target};
@@ -33,7 +33,7 @@ pub enum Kind {
     Characters,
     /// A flag among the arguments of motions; elsewhere a name like any other.
     MotionFlag,
-    /// A label that may stand many times.
+    /// A label that may appear many times.
     Label,
     /// A member of a POS; of a JOINT, what its names begin with.
     Member,
@@ -42,7 +42,7 @@ pub enum Kind {
 /// The variable of KEY_IN without argument.
 pub const VAR_KEY: &str = "VAR_KEY";
 
-/// The label that may stand many times.
+/// The label that may appear many times.
 pub const LOOP: &str = "LOOP";
 
 /// The members of a POS.
@@ -149,7 +149,7 @@ impl Row {
         Row::new(target.stem(), kind, "§4-4", "3.2", description)
     }
 
-    /// Whether it says what this word is, and nothing may bear the word as a name.
+    /// Whether it says what this word is, and nothing may have the word as a name.
     fn reserves(&self, word: &str) -> bool {
         match self.kind {
             Kind::Target(_) => word
@@ -162,7 +162,7 @@ impl Row {
     }
 }
 
-/// The digit or letter behind what the names of such constants begin with.
+/// The digit or letter after what the names of such constants begin with.
 fn character(word: &str, stem: &str) -> Option<u8> {
     match word.strip_prefix(stem)?.as_bytes() {
         [char @ (b'0'..=b'9' | b'A'..=b'Z')] => Some(*char),
@@ -195,7 +195,7 @@ pub fn is_motion_flag(word: &str, edition: Edition) -> bool {
     rows(edition).any(|row| row.kind == Kind::MotionFlag && row.word == word)
 }
 
-/// Whether an edition's word, in capital letters, belongs to the language, so that nothing may bear it as a name.
+/// Whether an edition's word, in capital letters, belongs to the language, so that nothing may have it as a name.
 pub fn is_reserved(word: &str, edition: Edition) -> bool {
     commands::find(word).is_some_and(|command| command.since <= edition)
         || keywords::find(word, edition).is_some()

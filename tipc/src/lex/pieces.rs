@@ -4,7 +4,7 @@ use super::{DELIMITERS, skip_delimiters, word_end};
 use crate::language::Keyword;
 use crate::source::Span;
 
-/// What stands on a line before its comment.
+/// What is on a line before its comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Piece {
     /// `NAME:`, a label.

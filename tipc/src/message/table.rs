@@ -1,7 +1,7 @@
 //! How tables of messages are written.
 
 /// An enum of messages, a row for each: its name, its arguments and its text, in which `{argument}` stands for
-/// the argument. A row without text, an argument that no text names and a hole that is no argument do not compile.
+/// the argument. A row without text, an argument that no text names and a hole that is not an argument do not compile.
 macro_rules! messages {
     (
         $( #[$meta:meta] )* $table:ident;

@@ -8,7 +8,7 @@ use crate::message::Migrating;
 use crate::source::Span;
 use crate::syntax::Arithmetic;
 
-/// What stands behind the name of a parameter.
+/// What follows the name of a parameter.
 const SUFFIXES: &[&str] = &["_RATE", "_SLOW", "_FAST", "_NORMAL", "_FIRMLY", "_SOFT"];
 
 /// The parameters, as old programs call them and as they are called now.

@@ -14,7 +14,7 @@ use crate::syntax::VariableKind;
 const NAMES_PER_LINE: usize = 8;
 
 impl Migrator<'_> {
-    /// Declares every variable behind the title, which is put in if it is missing.
+    /// Declares every variable after the title, which is put in if it is missing.
     pub(super) fn declare(&mut self, variables: &Variables, title: Title) {
         let above = self.source.line(title.first_line() - 1).span;
         let mut lines = Vec::new();

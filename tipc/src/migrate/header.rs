@@ -36,7 +36,7 @@ impl Style {
     }
 }
 
-/// What stands in line 2.
+/// What is in line 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Title {
     /// The title.

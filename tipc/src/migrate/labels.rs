@@ -12,7 +12,7 @@ use std::collections::HashSet;
 const LOOP: &str = "LOOP";
 
 impl Migrator<'_> {
-    /// Gives such labels another name, wherever they stand.
+    /// Gives such labels another name, wherever they are.
     pub(super) fn labels(&mut self, pieces: &[Piece]) {
         let upper = |span: Span| self.source.slice(span).to_ascii_uppercase();
         let declared: Vec<Span> = pieces.iter().filter_map(Piece::label).collect();
@@ -32,7 +32,7 @@ impl Migrator<'_> {
     }
 }
 
-/// A name that no label bears.
+/// A name that no label has.
 fn free_name(name: &str, names: &HashSet<String>) -> String {
     let candidates = (1..).map(|number| format!("{name}_{number}"));
     let mut free = candidates.filter(|candidate| !names.contains(candidate));

@@ -46,17 +46,17 @@ pub(super) struct Statement {
     pub(super) word: Span,
     /// Everything, the first word included.
     pub(super) tokens: Vec<Token>,
-    /// What stands behind the first word.
+    /// What follows the first word.
     pub(super) text: Span,
 }
 
 impl Statement {
-    /// Whether an assignment operator stands behind the first word.
+    /// Whether an assignment operator follows the first word.
     pub(super) fn is_equation(&self) -> bool {
         matches!(self.tokens.get(1), Some(token) if matches!(token.kind, Kind::Assign(_)))
     }
 
-    /// The words that are no labels: a colon right behind a word makes it one.
+    /// The words that are not labels: a colon right after a word makes it one.
     pub(super) fn words(&self) -> impl Iterator<Item = Span> {
         let next = self.tokens.iter().skip(1).map(Some).chain([None]);
         self.tokens

@@ -121,7 +121,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// Whether one of these commands stands in the program with such a word behind it.
+    /// Whether one of these commands stands in the program followed by such a word.
     fn moved(&self, commands: &[&str], pieces: &[Piece], word: impl Fn(&str) -> bool) -> bool {
         let mut statements = pieces.iter().filter_map(Piece::statement);
         statements.any(|statement| {

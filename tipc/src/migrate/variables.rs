@@ -46,13 +46,13 @@ type Key = (Prefix, usize, String);
 /// Every old variable of a program.
 #[derive(Debug, Default)]
 pub(super) struct Variables {
-    /// How each is spelt where it stands first.
+    /// How each is spelt where it first appears.
     spelling: BTreeMap<Key, String>,
     /// Names that stand for a variable spelt otherwise.
     respelt: Vec<(Span, String)>,
     /// Type names without a number.
     numberless: Vec<Span>,
-    /// Where names stand first that are too long for a declaration.
+    /// Where names first appear that are too long for a declaration.
     too_long: Vec<(Span, String)>,
     /// Names that the program declares itself.
     declared: HashSet<String>,

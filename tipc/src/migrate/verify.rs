@@ -20,7 +20,7 @@ pub(super) fn questions(
     let asked = notes.iter().filter(|note| note.kind == NoteKind::Question);
     let asked: HashSet<u32> = asked.map(|note| note.line).collect();
     let (source, _) = Source::decode(old.name(), result, encoding);
-    // Lines are put in behind the title alone, and nothing is wrong with them: only names that fit are declared.
+    // Lines are put in after the title alone, and nothing is wrong with them: only names that fit are declared.
     let added = source.line_count() - old.line_count();
     let (module, found) = parse(&source, 3.1);
     let broken = found

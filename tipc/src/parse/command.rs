@@ -9,7 +9,7 @@ use crate::syntax::{StatementKind, Word, upper_case};
 
 impl Parser<'_> {
     /// A command word and its arguments. Whether the command exists is not known here, and a misspelt one is
-    /// reported as such, whatever stands behind it: so faults in its arguments travel with it.
+    /// reported as such, whatever follows it: so faults in its arguments travel with it.
     pub(super) fn command(&self, keyword: Span, tokens: &[Token]) -> StatementKind {
         let mut reader = Reader::new(self.text, tokens, 1, Code::Argument);
         let (arguments, read) = reader.operands();

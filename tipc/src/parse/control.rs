@@ -8,7 +8,7 @@ use crate::message::phrase::End;
 use crate::source::Span;
 use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then};
 
-/// A statement and, if something behind it is wrong, what; or only what is wrong.
+/// A statement and, if something after it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
 
 impl Reader<'_> {

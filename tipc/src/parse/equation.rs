@@ -7,7 +7,7 @@ use crate::lex::{Kind, Token};
 use crate::message::Parsing;
 use crate::syntax::{Equation, Expression, Operand, OperandKind};
 
-/// Whether the tokens are meant as an equation: an assignment stands behind the first word, or a non-word starts it.
+/// Whether the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     match tokens {
@@ -111,7 +111,7 @@ fn is_function(reader: &Reader<'_>, token: Token, edition: Edition) -> bool {
     token.kind == Kind::Word && functions::find(word, edition).is_some()
 }
 
-/// A function is the whole right side; it stands nowhere else.
+/// A function is the whole right side; it appears nowhere else.
 fn refuse_function(reader: &Reader<'_>, operand: &Operand, edition: Edition) -> Parsed<()> {
     match &operand.kind {
         OperandKind::Name(name) if functions::find(name, edition).is_some() => Err(reader

@@ -1,4 +1,4 @@
-//! The texts of MESSAGE and REM, which are no tokens (T.I.P. 3.1 §7-9-4).
+//! The texts of MESSAGE and REM, which are not tokens (T.I.P. 3.1 §7-9-4).
 
 use super::Parser;
 use crate::code::Code;
@@ -70,7 +70,7 @@ impl Parser<'_> {
     }
 }
 
-/// Where `\n` stands; a backslash (or yen sign) and the character behind it are read as one.
+/// Where `\n` stands; a backslash (or yen sign) and the character after it are read as one.
 fn line_break(text: &str) -> Option<usize> {
     let mut chars = text.char_indices();
     while let Some((at, char)) = chars.next() {

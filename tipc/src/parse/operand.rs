@@ -7,7 +7,7 @@ use crate::message::Parsing;
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 
-/// Words that end an operand list in conditions and FOR; no variable bears such a name.
+/// Words that end an operand list in conditions and FOR; no variable has such a name.
 const STOPS: &[Keyword] = &[
     Keyword::Then,
     Keyword::Goto,

@@ -23,7 +23,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Starts behind the `skip` first tokens.
+    /// Starts after the `skip` first tokens.
     pub(super) fn new(text: &'a str, tokens: &'a [Token], skip: usize, code: Code) -> Self {
         Reader {
             text,
@@ -38,7 +38,7 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at).copied()
     }
 
-    /// The token behind the next one.
+    /// The token after the next one.
     pub(super) fn peek_second(&self) -> Option<Token> {
         self.tokens.get(self.at + 1).copied()
     }
@@ -81,7 +81,7 @@ impl<'a> Reader<'a> {
         self.tokens.len() - self.at
     }
 
-    /// The next token's place, or the one right behind the last token.
+    /// The next token's place, or the one right after the last token.
     pub(super) fn here(&self) -> Span {
         match (self.peek(), self.tokens.last()) {
             (Some(token), _) => token.span,

@@ -19,7 +19,7 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
     }
 }
 
-/// An IF opens a block if THEN stands in it, or if nothing in it looks like a jump.
+/// An IF opens a block if it contains THEN, or if nothing in it looks like a jump.
 fn opens_block(text: &str, tokens: &[Token]) -> bool {
     let is = |token: &Token, keyword: Keyword| {
         let span = token.span;

@@ -93,7 +93,7 @@ impl Parser<'_> {
         }
     }
 
-    /// ELSE, ENDIF, WEND and REPEAT keep their meaning even if something stands behind them.
+    /// ELSE, ENDIF, WEND and REPEAT keep their meaning even if something follows them.
     fn lone_statement(
         &mut self,
         keyword: Option<Keyword>,
@@ -134,7 +134,7 @@ impl Parser<'_> {
         })
     }
 
-    /// `DEF_… NAME NAME …`: the names as written; what is no word is reported.
+    /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
     fn define(
         &mut self,
         kind: VariableKind,

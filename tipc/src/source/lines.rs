@@ -7,7 +7,7 @@ use super::{STRETCH, Source, Span, boundary};
 pub struct Line {
     /// Its number, from 1.
     pub number: u32,
-    /// What stands on it, without its end.
+    /// Its text, without its end.
     pub span: Span,
     /// Its end (LF, CRLF or CR); empty if the text ends without one.
     pub end: Span,
@@ -47,10 +47,10 @@ impl Iterator for Lines<'_> {
     }
 }
 
-/// Where lines stand in a text.
+/// Where the lines of a text are.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct LineIndex {
-    /// How many line ends stand before each multiple of [`STRETCH`] bytes.
+    /// How many line ends precede each multiple of [`STRETCH`] bytes.
     ends: Vec<u32>,
     /// How many lines there are.
     count: u32,
@@ -110,7 +110,7 @@ impl Source {
         self.slice(self.line(number).span)
     }
 
-    /// The number of the line that holds a byte of the text, its end included; behind the text it is the last line.
+    /// The number of the line that holds a byte of the text, its end included; after the text it is the last line.
     pub(super) fn line_number(&self, offset: usize) -> u32 {
         let bytes = self.text.as_bytes();
         let offset = offset.min(bytes.len());
@@ -184,7 +184,7 @@ fn count_ends(bytes: &[u8], start: usize, end: usize) -> u32 {
     (feeds + returns - pairs) as u32
 }
 
-/// How often a byte stands there. Most stretches hold no carriage return, and those of an endless line no end at all.
+/// How often a byte occurs there. Most stretches hold no carriage return, and those of an endless line no end at all.
 fn count(bytes: &[u8], wanted: u8) -> usize {
     if !bytes.contains(&wanted) {
         return 0;

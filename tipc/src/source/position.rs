@@ -25,11 +25,11 @@ pub struct Position {
     pub column: u32,
 }
 
-/// How many units stand before each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
+/// How many units precede each multiple of [`STRETCH`] bytes; empty if the text is ASCII, where all units are one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ColumnIndex(Vec<Counts>);
 
-/// How many units stand before some byte of the text, other than bytes of UTF-8.
+/// How many units precede some byte of the text, other than bytes of UTF-8.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Counts {
     bytes: usize,
@@ -69,7 +69,7 @@ impl ColumnIndex {
 
 impl Source {
     /// The position of a byte of the text. Inside a character it is the character's, inside a line end the end of the
-    /// line; after the last line end it is the first column of one more line, behind the text it is the text's end.
+    /// line; after the last line end it is the first column of one more line, after the text it is the text's end.
     pub fn position(&self, offset: usize, unit: Unit) -> Position {
         let offset = boundary(&self.text, offset);
         let number = self.line_number(offset);
@@ -86,8 +86,8 @@ impl Source {
         }
     }
 
-    /// The byte of the text at a position. Inside a character it is where that starts; a position behind its line is
-    /// the line's end, a line behind the last one the text's end; lines and columns before the first are the first.
+    /// The byte of the text at a position. Inside a character it is where that starts; a position after its line is
+    /// the line's end, a line after the last one the text's end; lines and columns before the first are the first.
     pub fn offset(&self, position: Position, unit: Unit) -> usize {
         let unit = self.unit(unit);
         let line = self.line(position.line.max(1)).span;
@@ -119,7 +119,7 @@ impl Source {
         (self.line_number(offset), self.column(offset))
     }
 
-    /// Column in characters, from 1, of a byte in or behind its line.
+    /// Column in characters, from 1, of a byte in or after its line.
     pub(crate) fn column(&self, offset: usize) -> u32 {
         self.column_from(self.start_of_line_at(offset), offset, Unit::Character)
     }
@@ -137,7 +137,7 @@ impl Source {
         }
     }
 
-    /// How many units stand before a byte of the text.
+    /// How many units precede a byte of the text.
     pub(super) fn units_before(&self, offset: usize, unit: Unit) -> usize {
         let offset = offset.min(self.text.len());
         let unit = self.unit(unit);

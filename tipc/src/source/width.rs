@@ -21,7 +21,7 @@ static DOUBLE_BYTE: LazyLock<DoubleByte> = LazyLock::new(|| {
     set
 });
 
-/// Where in `text` the first character stands that does not fit into `limit` bytes of code page 932: half-width 1,
+/// Where in `text` the first character is that does not fit into `limit` bytes of code page 932: half-width 1,
 /// full-width 2; a character outside it counts its UTF-8 bytes.
 pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     // No character is longer in code page 932 than in UTF-8.

@@ -22,7 +22,7 @@ const LONGEST: f64 = 1000.0;
 #[derive(Clone, Debug)]
 pub(super) struct FingerPlant<const J: usize> {
     finger: Finger<J>,
-    /// Where it stands along z: mm.
+    /// Where it is along z: mm.
     z: f64,
     /// Friction of its joints and tip on the floor.
     treads: [Bristle; J],

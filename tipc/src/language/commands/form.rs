@@ -79,7 +79,7 @@ impl Robots {
     }
 }
 
-/// What may stand as a command's target.
+/// What may be used as a command's target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Targets {
     /// `F`: a foot or finger.
@@ -92,7 +92,7 @@ pub struct Targets {
     pub floor: bool,
 }
 
-/// Which joints may stand as a target.
+/// Which joints may be used as a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joints {
     /// None.
@@ -169,7 +169,7 @@ impl Targets {
     };
 }
 
-/// The operands behind a target.
+/// The operands after a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Values {
     /// None.
@@ -214,15 +214,15 @@ pub enum Limit {
 /// The arguments of a command that the robot carries out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Arguments {
-    /// `HS` may stand first.
+    /// `HS` may come first.
     pub hs: bool,
     /// The target.
     pub targets: Targets,
-    /// The operands behind it.
+    /// The operands after it.
     pub values: Values,
     /// Whether `R` and `A` are flags here: motion commands only.
     pub motion: bool,
-    /// Whether `R` and `A` may stand before operands.
+    /// Whether `R` and `A` may precede operands.
     pub relative: bool,
     /// What the operands must be.
     pub limit: Limit,

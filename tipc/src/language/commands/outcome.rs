@@ -7,7 +7,7 @@ use tip_runtime::fault::Fault;
 /// How many control cycles a command takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cycles {
-    /// None: it is no step.
+    /// None: it is not a step.
     Zero,
     /// One; the program does not wait for what it sets off.
     One,
@@ -15,7 +15,7 @@ pub enum Cycles {
     Until(&'static str),
 }
 
-/// A run-time error, and when it happens.
+/// A runtime error, and when it happens.
 pub type Failure = (Fault, &'static str);
 
 /// Nothing of its own.
@@ -117,7 +117,7 @@ pub(super) const NATIVE: &[Failure] = &[(
 )];
 
 impl Command {
-    /// Every run-time error of its own step.
+    /// Every runtime error of its own step.
     pub fn failures(&self) -> Vec<Failure> {
         let operands = if self.reads() { READS } else { NONE };
         let limit = self.limit().map(|when| (Fault::Domain, when));

@@ -5,7 +5,7 @@ use crate::robot::Robot;
 use tip_runtime::command::{Target, Teach};
 
 impl Command {
-    /// Every way to write it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    /// Every form of it for a robot, as `PTP [HS] F1 [R] x [R] y [R] z`.
     pub fn usage(&self, robot: Robot) -> Vec<String> {
         let behind = match self.form {
             Form::Robot(arguments) => arguments.usage(robot),
