@@ -44,7 +44,7 @@ mod watch;
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
-use crate::model::{Family, Joint, Model, Whole};
+use crate::model::{Family, Joint, Leg, Model, Whole};
 use core::ops::{Deref, DerefMut};
 use drive::Going;
 use leg::LegState;
@@ -88,9 +88,10 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
         let robot = Whole::of(model);
-        let legs = model.legs.each_ref();
-        let core = Core::new(robot, legs.map(|leg| LegState::new(leg, &robot)));
-        Controller { model, core }
+        let core = Core::new(robot, [LegState::new(Leg::BLANK, &robot); L]);
+        let mut controller = Controller { model, core };
+        controller.put_legs(&model.legs);
+        controller
     }
 
     /// The robot that is controlled.
@@ -149,6 +150,13 @@ impl<'m, S> Core<'m, S> {
 }
 
 impl<'m, const J: usize> ControllerView<'m, J> {
+    /// Puts every leg in its initial posture.
+    fn put_legs(&mut self, models: &'m [Leg<J>]) {
+        for (leg, model) in self.legs.iter_mut().zip(models) {
+            *leg = LegState::new(model, &self.robot);
+        }
+    }
+
     /// The sampling time: ms.
     #[must_use]
     pub const fn period(&self) -> f64 {

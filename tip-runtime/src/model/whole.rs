@@ -1,6 +1,6 @@
 //! What a model says of the robot as a whole, whatever the number of its legs.
 
-use super::{Family, Forces, Inverse, Model, PerVolt, Range, Slider, Standards};
+use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
 
 /// A model without its legs.
 #[derive(Clone, Copy, Debug)]
@@ -36,4 +36,11 @@ impl<'m> Whole<'m> {
         self.forces
             .map_or(1.0, |forces| forces.unit.per_newton_metre())
     }
+}
+
+impl<const J: usize> Leg<J> {
+    /// What stands in an array until it is filled in over a slice, which compiles once for all of
+    /// its lengths; `map` of an array does not.
+    pub(crate) const BLANK: &'static Self =
+        &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);
 }

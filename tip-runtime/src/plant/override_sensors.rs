@@ -22,22 +22,38 @@ pub(super) struct LegInputs<const J: usize> {
     paw: Option<f64>,
 }
 
-impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
-    /// Knobs read 0, everything else is measured.
-    pub(super) fn new(legs: &[Leg<J>; L]) -> Self {
-        Overrides {
-            knobs: [0.0; 3],
-            antenna: None,
-            legs: legs.each_ref().map(|leg| LegInputs {
-                ranges: leg.joints.map(|joint| joint.outer),
-                angles: [None; J],
-                paw: None,
-            }),
+impl<const J: usize> LegInputs<J> {
+    fn new(leg: &Leg<J>) -> Self {
+        LegInputs {
+            ranges: leg.joints.map(|joint| joint.outer),
+            angles: [None; J],
+            paw: None,
         }
     }
 }
 
+impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
+    /// Knobs read 0, everything else is measured.
+    pub(super) fn new(legs: &[Leg<J>; L]) -> Self {
+        let mut overrides = Overrides {
+            knobs: [0.0; 3],
+            antenna: None,
+            legs: [LegInputs::new(Leg::BLANK); L],
+        };
+        let view: &mut Overrides<[LegInputs<J>]> = &mut overrides;
+        view.put(legs);
+        overrides
+    }
+}
+
 impl<const J: usize> Overrides<[LegInputs<J>]> {
+    /// Takes what the potentiometers cover from the legs.
+    fn put(&mut self, legs: &[Leg<J>]) {
+        for (inputs, leg) in self.legs.iter_mut().zip(legs) {
+            *inputs = LegInputs::new(leg);
+        }
+    }
+
     /// `false` if the robot lacks the input.
     pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
         let index = |number: u8| usize::from(number).wrapping_sub(1);

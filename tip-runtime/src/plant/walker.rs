@@ -27,7 +27,7 @@ use super::{Motion, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use crate::model::Model;
+use crate::model::{Leg, Model};
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
@@ -69,12 +69,14 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         let mut plant = SimulatedPlant {
             legs: Legs {
                 dynamics: ServoDynamics::default(),
-                each: model.legs.map(LegPlant::new),
+                each: [LegPlant::new(Leg::BLANK); L],
             },
             ground: Ground::new(model.body),
             overrides: Overrides::new(&model.legs),
             lamps: [0; 8],
         };
+        let legs: &mut Legs<[LegPlant<J>]> = &mut plant.legs;
+        legs.put(&model.legs);
         plant.settle();
         plant
     }

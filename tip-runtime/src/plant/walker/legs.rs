@@ -30,9 +30,9 @@ pub(super) struct Legs<S: ?Sized> {
 
 impl<const J: usize> LegPlant<J> {
     /// In its initial posture.
-    pub(super) fn new(model: Leg<J>) -> Self {
+    pub(super) fn new(model: &Leg<J>) -> Self {
         LegPlant {
-            model,
+            model: *model,
             servos: model.initial.map(Servo::at),
             links: LegLinks::NOWHERE,
         }
@@ -68,6 +68,13 @@ impl<const J: usize> LegPlant<J> {
 }
 
 impl<const J: usize> Legs<[LegPlant<J>]> {
+    /// Puts every leg in its initial posture.
+    pub(super) fn put(&mut self, models: &[Leg<J>]) {
+        for (leg, model) in self.each.iter_mut().zip(models) {
+            *leg = LegPlant::new(model);
+        }
+    }
+
     /// One control cycle of `period` ms.
     pub(super) fn advance(
         &mut self,
