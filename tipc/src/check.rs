@@ -14,70 +14,66 @@ mod message;
 mod names;
 mod ranges;
 mod resolve;
+mod resolved;
 mod structure;
 mod suggest;
 mod targets;
 mod usage;
 mod uses;
+mod values;
 
 use crate::diagnostic::Diagnostic;
-use crate::program::Variable;
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::Module;
-pub(crate) use blocks::Blocks;
-pub(crate) use labels::Labels;
-pub(crate) use resolve::Resolved;
+use labels::Labels;
+use names::Names;
+use resolve::Known;
+pub(crate) use resolved::{
+    Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
+};
 #[cfg(feature = "robot-files")]
 pub(crate) use suggest::nearest;
 
-/// What the passes found out about a module, statement by statement.
+/// What the passes found out about a module.
 #[derive(Debug)]
 pub(crate) struct Checked<'m> {
-    /// The variables, `VAR_KEY` first.
-    pub(crate) variables: Vec<Variable>,
-    /// The labels and subroutines.
-    pub(crate) labels: Labels<'m>,
-    /// The block structure.
-    pub(crate) blocks: Blocks,
-    /// Where each jump leads: the index of a statement.
-    pub(crate) jumps: Vec<Option<usize>>,
-    /// What the operands of each statement stand for.
-    pub(crate) resolved: Vec<Resolved>,
     /// What the program names.
     pub(crate) symbols: Symbols,
+    /// The module with all that its words stand for, unless a statement of it could not be resolved.
+    pub(crate) resolved: Option<ResolvedModule<'m>>,
+    /// All findings.
+    pub(crate) found: Vec<Diagnostic>,
 }
 
 /// Runs every pass over a module.
-pub(crate) fn check<'m>(
-    source: &Source,
-    module: &'m Module,
-    robot: Robot,
-) -> (Checked<'m>, Vec<Diagnostic>) {
+pub(crate) fn check<'m>(source: &Source, module: &'m Module, robot: Robot) -> Checked<'m> {
     let mut found = Vec::new();
-    let names = names::Names::collect(module, robot, &mut found);
+    let names = Names::collect(module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(module, &mut found);
     let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
-    let known = resolve::Known {
+    let known = Known {
         source,
         module,
         robot,
         names: &names,
         labels: &labels,
         blocks: &blocks,
+        jumps: &jumps,
     };
-    let (resolved, named) = resolve::statements(&known, &mut found);
+    let (statements, named) = resolve::statements(&known, &mut found);
     usage::report(source, &names, &named, &mut found);
     entries::warn_of_entries(module, &mut found);
-    let checked = Checked {
+    let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
-        labels,
-        blocks,
-        jumps,
-        resolved,
+        labels: labels.all,
+        statements,
+    });
+    Checked {
         symbols: named.symbols,
-    };
-    (checked, found)
+        resolved,
+        found,
+    }
 }

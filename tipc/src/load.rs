@@ -76,15 +76,16 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (symbols, program) = if wrong_version {
         (Symbols::default(), None)
     } else {
-        let (mut checked, found) = check(&source, &module, options.robot);
-        diagnostics.extend(found);
+        let checked = check(&source, &module, options.robot);
+        diagnostics.extend(checked.found);
         judge(&mut diagnostics, module.edition);
-        let loads = diagnostics
+        let is_sound = diagnostics
             .iter()
             .all(|diagnostic| diagnostic.level() == Level::Warning);
-        let symbols = std::mem::take(&mut checked.symbols);
-        let program = loads.then(|| {
-            let program = lower(&source, &module, checked, options.robot);
+        let symbols = checked.symbols;
+        let resolved = checked.resolved.filter(|_| is_sound);
+        let program = resolved.map(|resolved| {
+            let program = lower(&source, &module, resolved, options.robot);
             diagnostics.extend(warnings(&source, &module, &symbols, &program));
             program
         });

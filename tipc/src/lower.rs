@@ -1,55 +1,56 @@
-//! The only maker of [`Program`]: decides what a statement means.
+//! The only maker of [`Program`]: decides what a statement does.
 
-use crate::check::{Checked, Resolved};
-use crate::program::{Action, End, Label, Program, Step, StepId};
+use crate::check::{
+    Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
+};
+use crate::program::{
+    Action, Argument, End, Label, Op, Operand, Program, Scalar, Step, StepId, Target, Variable,
+    VariableId,
+};
 use crate::robot::Robot;
 use crate::source::Source;
-use crate::syntax::{Module, StatementKind, Then};
+use crate::syntax::Module;
 
 /// Lowers a module in which nothing was found wrong.
 pub(crate) fn lower(
     source: &Source,
     module: &Module,
-    mut checked: Checked<'_>,
+    resolved: ResolvedModule<'_>,
     robot: Robot,
 ) -> Program {
-    let mut resolved = std::mem::take(&mut checked.resolved);
+    let ResolvedModule {
+        variables,
+        labels,
+        statements,
+    } = resolved;
     let lowering = Lowering {
         module,
-        checked: &checked,
+        variables: &variables,
     };
-    let steps = module
-        .statements
-        .iter()
-        .enumerate()
-        .filter(|(_, statement)| statement.is_step())
-        .map(|(index, statement)| {
-            let column = source.column(statement.span.start);
-            Step {
-                action: lowering.action(index, &mut resolved),
+    let mut steps = Vec::with_capacity(statements.len());
+    for (statement, resolved) in module.statements.iter().zip(statements) {
+        if let Some(action) = lowering.action(resolved) {
+            steps.push(Step {
+                action,
                 line: statement.line,
-                column,
+                column: source.column(statement.span.start),
                 text: source.slice(statement.span).into(),
-            }
-        })
-        .collect();
-    let labels = checked
-        .labels
-        .all
-        .iter()
-        .map(|label| Label {
-            name: label.name.node.to_string(),
-            step: module.statements[label.statement].step,
-            subroutine: label.subroutine,
-        })
-        .collect();
+            });
+        }
+    }
+    let labels = labels.iter().map(|label| Label {
+        name: label.name.node.to_string(),
+        step: lowering.step(label.statement),
+        subroutine: label.subroutine,
+    });
+    let labels = labels.collect();
     Program {
         source_name: base_name(source.name()).to_owned(),
         source_hash: source.hash(),
         edition: module.edition,
         title: module.title.clone(),
         signature: robot.signature(),
-        variables: checked.variables,
+        variables,
         labels,
         steps,
     }
@@ -61,115 +62,154 @@ fn base_name(path: &str) -> &str {
 
 struct Lowering<'a> {
     module: &'a Module,
-    checked: &'a Checked<'a>,
+    variables: &'a [Variable],
 }
 
 impl Lowering<'_> {
-    /// What a statement does; a finished action is taken out of `resolved`.
-    fn action(&self, index: usize, resolved: &mut [Resolved]) -> Action {
-        match &mut resolved[index] {
-            Resolved::Action(action) => std::mem::replace(action, Action::Nothing),
-            Resolved::Condition(condition) => self.conditional(index, *condition),
-            Resolved::For {
-                variable,
-                from,
-                to,
-                step,
-            } => Action::For {
-                variable: *variable,
-                from: *from,
-                to: *to,
-                step: *step,
-                exit: self.partner(index) + 1,
-            },
-            Resolved::Plain | Resolved::Failed => self.plain(index, resolved),
-        }
-    }
-
-    fn conditional(&self, index: usize, condition: crate::program::Condition) -> Action {
-        match &self.module.statements[index].kind {
-            StatementKind::If {
-                then: Then::Goto(_),
-                ..
-            } => Action::IfGoto {
+    /// What a statement does; a declaration is no step.
+    fn action(&self, resolved: Resolved) -> Option<Action> {
+        Some(match resolved {
+            Resolved::Define => return None,
+            Resolved::Label
+            | Resolved::EndIf
+            | Resolved::Repeat
+            | Resolved::Subroutine
+            | Resolved::Rem => Action::Nothing,
+            Resolved::Equation(assignment) => equation(assignment),
+            Resolved::If(condition, next) => Action::If {
                 condition,
-                to: self.jump(index),
+                otherwise: self.step(next),
             },
-            StatementKind::If {
-                then: Then::Gosub(_),
-                ..
-            } => Action::IfGosub {
+            Resolved::ElseIf(condition, next) => Action::ElseIf {
                 condition,
-                to: self.jump(index),
+                otherwise: self.step(next),
             },
-            StatementKind::ElseIf { .. } => Action::ElseIf {
+            Resolved::Else(end) => Action::Else {
+                end: self.step(end),
+            },
+            Resolved::While(condition, wend) => Action::While {
                 condition,
-                otherwise: self.partner(index),
+                exit: self.step(wend) + 1,
             },
-            StatementKind::While { .. } => Action::While {
+            Resolved::Until(condition, repeat) => Action::Until {
                 condition,
-                exit: self.partner(index) + 1,
+                back: self.step(repeat),
             },
-            StatementKind::Until { .. } => Action::Until {
-                condition,
-                back: self.partner(index),
+            Resolved::For(counting, next) => Action::For {
+                variable: counting.variable,
+                from: counting.from,
+                to: counting.to,
+                step: increment(counting),
+                exit: self.step(next) + 1,
             },
-            _ => Action::If {
-                condition,
-                otherwise: self.partner(index),
-            },
-        }
-    }
-
-    fn plain(&self, index: usize, resolved: &[Resolved]) -> Action {
-        match &self.module.statements[index].kind {
-            StatementKind::Else => Action::Else {
-                end: self.partner(index),
-            },
-            StatementKind::Wend => Action::Goto {
-                to: self.partner(index),
-            },
-            StatementKind::Goto(_) => Action::Goto {
-                to: self.jump(index),
-            },
-            StatementKind::Gosub(_) | StatementKind::Call(_) => Action::Gosub {
-                to: self.jump(index),
-            },
-            StatementKind::Next { .. } => self.next(index, resolved),
-            StatementKind::Return | StatementKind::SubEnd => Action::Return,
-            StatementKind::End => Action::Finish(End::End),
-            StatementKind::Exit => Action::Finish(End::Exit),
-            _ => Action::Nothing,
-        }
-    }
-
-    fn next(&self, index: usize, resolved: &[Resolved]) -> Action {
-        let opener = self.checked.blocks.links[index].partner.unwrap_or(index);
-        match &resolved[opener] {
-            Resolved::For {
-                variable, to, step, ..
-            } => Action::Next {
-                variable: *variable,
-                to: *to,
-                step: *step,
+            Resolved::Next(counting, opener) => Action::Next {
+                variable: counting.variable,
+                to: counting.to,
+                step: increment(counting),
                 body: self.step(opener) + 1,
             },
-            _ => Action::Nothing,
+            Resolved::IfGoto(condition, to) => Action::IfGoto {
+                condition,
+                to: self.step(to),
+            },
+            Resolved::IfGosub(condition, to) => Action::IfGosub {
+                condition,
+                to: self.step(to),
+            },
+            Resolved::Wend(to) | Resolved::Goto(to) => Action::Goto { to: self.step(to) },
+            Resolved::Call(to) | Resolved::Gosub(to) => Action::Gosub { to: self.step(to) },
+            Resolved::SubEnd | Resolved::Return => Action::Return,
+            Resolved::End => Action::Finish(End::End),
+            Resolved::Exit => Action::Finish(End::Exit),
+            Resolved::Message(parts) => Action::Message { parts },
+            Resolved::MessageClear => Action::Message { parts: Vec::new() },
+            Resolved::Command {
+                op,
+                hs,
+                target,
+                arguments,
+            } => Action::Command {
+                op,
+                hs,
+                target,
+                arguments: self.arguments(arguments),
+            },
+            Resolved::Special(number, values) => special(number, values),
+            Resolved::Teach(what, target, Receiver::Scalar(into)) => {
+                Action::TeachScalar { what, target, into }
+            }
+            Resolved::Teach(what, target, Receiver::Struct(into)) => {
+                Action::TeachStruct { what, target, into }
+            }
+            Resolved::AdIn(port, into) => Action::AdIn { port, into },
+            Resolved::KeyIn(into) => Action::KeyIn { into },
+        })
+    }
+
+    fn arguments(&self, arguments: Arguments) -> Vec<Argument> {
+        match arguments {
+            Arguments::Each(arguments) => arguments,
+            Arguments::Whole { variable, relative } => self.members(variable, relative),
         }
     }
 
-    /// The step that a control word is tied to; checked programs have one.
-    fn partner(&self, index: usize) -> StepId {
-        let partner = self.checked.blocks.links[index].partner;
-        self.step(partner.unwrap_or(index))
+    /// A struct stands as its members.
+    fn members(&self, variable: VariableId, relative: bool) -> Vec<Argument> {
+        let members = 0..self.variables[variable].size();
+        let argument = |member| Argument {
+            operand: Operand::Scalar {
+                scalar: Scalar { variable, member },
+                negative: false,
+            },
+            relative,
+        };
+        members.map(argument).collect()
     }
 
-    /// The step that a jump leads to; checked programs have one.
-    fn jump(&self, index: usize) -> StepId {
-        self.step(self.checked.jumps[index].unwrap_or(index))
+    fn step(&self, statement: StatementId) -> StepId {
+        self.module.statements[statement].step
     }
+}
 
-    fn step(&self, index: usize) -> StepId {
-        self.module.statements[index].step
+fn equation(assignment: Assignment) -> Action {
+    match assignment {
+        Assignment::Scalar {
+            target,
+            update,
+            value,
+        } => Action::SetScalar {
+            target,
+            update,
+            value,
+        },
+        Assignment::Struct {
+            target,
+            update,
+            value,
+        } => Action::SetStruct {
+            target,
+            update,
+            value,
+        },
+    }
+}
+
+/// FOR counts by 1 if it names no other number.
+fn increment(counting: Counting) -> Operand {
+    counting.step.unwrap_or(Operand::Constant(1.0))
+}
+
+/// The number of the native command stands before its values.
+fn special(number: f64, values: Vec<Operand>) -> Action {
+    let operands = std::iter::once(Operand::Constant(number)).chain(values);
+    let argument = |operand| Argument {
+        operand,
+        relative: false,
+    };
+    Action::Command {
+        op: Op::Special,
+        hs: false,
+        target: Target::None,
+        arguments: operands.map(argument).collect(),
     }
 }

@@ -2,10 +2,11 @@
 
 use super::names::Meant;
 use super::resolve::Resolver;
+use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
-use crate::program::{Action, Axis, ScalarExpression, StructExpression, VariableId};
+use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, VariableKind, Word};
@@ -17,7 +18,7 @@ enum Value {
 }
 
 impl Resolver<'_> {
-    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Action> {
+    pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
         let target = self.meant(&equation.target, Code::Equation);
         if let Some(target) = target {
             let access = match equation.update {
@@ -27,12 +28,17 @@ impl Resolver<'_> {
             self.uses.operand(&equation.target, target, access);
         }
         let value = self.expression(&equation.value, target);
-        let action = self.assignment(equation, target?, value?)?;
+        let assignment = self.assignment(equation, target?, value?)?;
         self.warn_of_domain(equation);
-        Some(action)
+        Some(assignment)
     }
 
-    fn assignment(&mut self, equation: &Equation, target: Meant, value: Value) -> Option<Action> {
+    fn assignment(
+        &mut self,
+        equation: &Equation,
+        target: Meant,
+        value: Value,
+    ) -> Option<Assignment> {
         let update = equation.update;
         let place = equation.target.span;
         match (target, value) {
@@ -44,13 +50,13 @@ impl Resolver<'_> {
             (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
                 self.refuse(Code::Equation, place, "the left side has no sign")
             }
-            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Action::SetScalar {
+            (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Assignment::Scalar {
                 target: scalar,
                 update,
                 value,
             }),
             (Meant::Struct { variable, kind, .. }, Value::Struct(of, value)) if kind == of => {
-                Some(Action::SetStruct {
+                Some(Assignment::Struct {
                     target: variable,
                     update,
                     value,

@@ -1,18 +1,18 @@
 //! Commands that fill variables, and SPECIAL (T.I.P. 3.1 §7-5, §7-9-1, §7-9-2, §7-10-11).
 
-use super::names::Meant;
+use super::names::{Meant, VAR_KEY_ID};
 use super::resolve::Resolver;
+use super::resolved::{Receiver, Resolved};
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Targets;
 use crate::language::inputs;
-use crate::language::reserved::VAR_KEY;
-use crate::program::{self, Action, Argument, Scalar};
+use crate::program::{self, Scalar};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, VariableKind, Word};
-use tip_runtime::command::{Op, Port, Target, Teach};
+use tip_runtime::command::{Port, Target, Teach};
 use tip_runtime::model::Family;
 
 impl Resolver<'_> {
@@ -22,7 +22,7 @@ impl Resolver<'_> {
         what: Teach,
         targets: Targets,
         arguments: &[Operand],
-    ) -> Option<Action> {
+    ) -> Option<Resolved> {
         let target = self.target(name, targets, arguments)?;
         let Some(into) = arguments.get(1) else {
             return self.missing(name.span, "the variable that receives what is measured");
@@ -46,11 +46,7 @@ impl Resolver<'_> {
                 negative: false,
             } if kind == of => {
                 self.uses.variable(into.span, variable, Access::Assign);
-                Some(Action::TeachStruct {
-                    what,
-                    target,
-                    into: variable,
-                })
+                Some(Resolved::Teach(what, target, Receiver::Struct(variable)))
             }
             Meant::Scalar {
                 scalar,
@@ -58,34 +54,29 @@ impl Resolver<'_> {
                 ..
             } if kind == VariableKind::Var => {
                 self.uses.operand(into, meant, Access::Assign);
-                Some(Action::TeachScalar {
-                    what,
-                    target,
-                    into: scalar,
-                })
+                Some(Resolved::Teach(what, target, Receiver::Scalar(scalar)))
             }
             _ => self.refuse(Code::Argument, into.span, wanted),
         }
     }
 
-    pub(super) fn key_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+    pub(super) fn key_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
         self.no_more(name, arguments.get(1..).unwrap_or_default())?;
         let into = match arguments.first() {
             Some(operand) => self.receiver(operand)?,
             None => {
-                let variable = self.names.find(VAR_KEY)?;
                 let left_out = Span::new(name.span.end, name.span.end);
-                self.uses.variable(left_out, variable, Access::Assign);
+                self.uses.variable(left_out, VAR_KEY_ID, Access::Assign);
                 Scalar {
-                    variable,
+                    variable: VAR_KEY_ID,
                     member: 0,
                 }
             }
         };
-        Some(Action::KeyIn { into })
+        Some(Resolved::KeyIn(into))
     }
 
-    pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+    pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
         let Some(first) = arguments.first() else {
             return self.missing(name.span, "the input, as `0 13` or `VR1`,");
         };
@@ -98,7 +89,7 @@ impl Resolver<'_> {
         };
         self.no_more(name, &arguments[used + 1..])?;
         let into = self.receiver(into)?;
-        Some(Action::AdIn { port, into })
+        Some(Resolved::AdIn(port, into))
     }
 
     fn channel(&mut self, name: &Word, arguments: &[Operand]) -> Option<Port> {
@@ -142,7 +133,7 @@ impl Resolver<'_> {
         port
     }
 
-    pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Action> {
+    pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
         let Some((number, values)) = arguments.split_first() else {
             return self.missing(name.span, "the number of the native command");
         };
@@ -156,18 +147,8 @@ impl Resolver<'_> {
             .iter()
             .map(|value| self.variable_or_constant(value, Code::Argument))
             .collect();
-        let mut operands = vec![program::Operand::Constant(code + 0.0)];
-        operands.extend(values.into_iter().collect::<Option<Vec<_>>>()?);
-        let argument = |operand| Argument {
-            operand,
-            relative: false,
-        };
-        Some(Action::Command {
-            op: Op::Special,
-            hs: false,
-            target: Target::None,
-            arguments: operands.into_iter().map(argument).collect(),
-        })
+        let values = values.into_iter().collect::<Option<Vec<_>>>()?;
+        Some(Resolved::Special(code + 0.0, values))
     }
 
     /// A VAR without sign, which a command fills.

@@ -1,14 +1,14 @@
 //! Placeholders and escapes of MESSAGE (T.I.P. 3.1 §7-9-4).
 
 use super::resolve::Resolver;
-use crate::program::{Action, MessagePart, Scalar};
+use crate::program::{MessagePart, Scalar};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::VariableKind;
 
 impl Resolver<'_> {
     /// Splits a text as it stands in the source at `place` into what is shown as it is and the values between.
-    pub(super) fn message(&mut self, text: &str, place: Span) -> Action {
+    pub(super) fn message(&mut self, text: &str, place: Span) -> Vec<MessagePart> {
         let mut parts = Vec::new();
         let mut plain = String::new();
         let mut rest = text;
@@ -36,7 +36,7 @@ impl Resolver<'_> {
         if !plain.is_empty() {
             parts.push(MessagePart::Text(plain));
         }
-        Action::Message { parts }
+        parts
     }
 
     /// `%NAME%` or `%NAME.n%` at the start: the VAR, its decimals, the placeholder's length.

@@ -11,6 +11,9 @@ use crate::source::Span;
 use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
 use std::collections::{HashMap, HashSet};
 
+/// `VAR_KEY` is the first of all variables.
+pub(super) const VAR_KEY_ID: VariableId = 0;
+
 /// Every variable of a program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {

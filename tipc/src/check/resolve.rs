@@ -3,35 +3,17 @@
 use super::blocks::Blocks;
 use super::labels::Labels;
 use super::names::{Meant, Names};
+use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::Message;
-use crate::program::{self, Action, Condition, Scalar};
+use crate::program::{self, Scalar};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
 use crate::symbols::Access;
-use crate::syntax::{Counting, Module, Operand, OperandKind, Statement, StatementKind, Then};
-
-/// A statement with its operands resolved.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Resolved {
-    /// Nothing to resolve.
-    Plain,
-    /// The whole action.
-    Action(Action),
-    /// The condition of a control word.
-    Condition(Condition),
-    /// The operands of FOR.
-    For {
-        variable: Scalar,
-        from: program::Operand,
-        to: program::Operand,
-        step: program::Operand,
-    },
-    /// Reported; there will be no program.
-    Failed,
-}
+use crate::syntax::{self, Condition, Jump, Module, Operand, Statement, StatementKind, Then};
+use std::collections::HashMap;
 
 /// What the passes before know.
 #[derive(Clone, Copy)]
@@ -42,136 +24,202 @@ pub(super) struct Known<'a> {
     pub(super) names: &'a Names,
     pub(super) labels: &'a Labels<'a>,
     pub(super) blocks: &'a Blocks,
+    /// Where each jump leads.
+    pub(super) jumps: &'a [Option<StatementId>],
 }
 
-/// Resolves every statement.
-pub(super) fn statements(known: &Known<'_>, found: &mut Vec<Diagnostic>) -> (Vec<Resolved>, Named) {
-    let Known {
-        source,
-        module,
-        robot,
-        names,
-        labels,
-        blocks,
-    } = *known;
+/// Why a statement is not resolved.
+enum Unresolved {
+    /// It is wrong in itself: reported when it was read, or here.
+    Wrong,
+    /// The statement that it belongs to is missing, or is no good: reported by the passes before.
+    Untied,
+}
+
+/// Resolves every statement; all of them, or none if one cannot be.
+pub(super) fn statements(
+    known: &Known<'_>,
+    found: &mut Vec<Diagnostic>,
+) -> (Option<Vec<Resolved>>, Named) {
+    let statements = &known.module.statements;
     let mut resolver = Resolver {
-        robot,
-        names,
-        module,
-        blocks,
-        source,
-        uses: Uses::new(names, labels),
+        robot: known.robot,
+        names: known.names,
+        known,
+        uses: Uses::new(known.names, known.labels),
+        counted: HashMap::new(),
         found,
     };
-    let resolved = module
-        .statements
-        .iter()
-        .enumerate()
-        .map(|(index, statement)| {
-            resolver.uses.enter();
-            let resolved = resolver.statement(index, statement);
-            if resolved == Some(Resolved::Failed) || resolved.is_none() {
-                resolver.uses.excuse(source, statement.span);
+    let mut all = Some(Vec::with_capacity(statements.len()));
+    for (index, statement) in statements.iter().enumerate() {
+        resolver.uses.enter();
+        match (resolver.statement(index, statement), &mut all) {
+            (Ok(resolved), Some(all)) => all.push(resolved),
+            (Ok(_), None) => {}
+            (Err(why), _) => {
+                all = None;
+                if let Unresolved::Wrong = why {
+                    resolver.uses.excuse(known.source, statement.span);
+                }
             }
-            resolved.unwrap_or(Resolved::Failed)
-        })
-        .collect();
-    (resolved, resolver.uses.finish())
+        }
+    }
+    (all, resolver.uses.finish())
 }
 
 /// One pass over the statements. Its methods answer `None` once they have reported why.
 pub(super) struct Resolver<'a> {
     pub(super) robot: Robot,
     pub(super) names: &'a Names,
-    module: &'a Module,
-    blocks: &'a Blocks,
-    source: &'a Source,
+    known: &'a Known<'a>,
     pub(super) uses: Uses<'a>,
+    /// What each FOR counts.
+    counted: HashMap<StatementId, Counting>,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
 
 impl Resolver<'_> {
-    fn statement(&mut self, index: usize, statement: &Statement) -> Option<Resolved> {
-        match &statement.kind {
-            StatementKind::Equation(equation) => self.equation(equation).map(Resolved::Action),
+    fn statement(
+        &mut self,
+        index: StatementId,
+        statement: &Statement,
+    ) -> Result<Resolved, Unresolved> {
+        Ok(match &statement.kind {
+            StatementKind::Define { names, .. } => {
+                for name in names {
+                    self.uses.declare(name);
+                }
+                Resolved::Define
+            }
+            StatementKind::Label(name) => {
+                self.uses.define_label(name, index);
+                Resolved::Label
+            }
+            StatementKind::Equation(equation) => {
+                Resolved::Equation(whole(self.equation(equation))?)
+            }
             StatementKind::If {
                 condition, then, ..
-            } => {
-                let condition = self.condition(condition);
-                match then {
-                    Then::Block => {}
-                    Then::Goto(jump) => self.uses.jump(index, jump, Access::Jump),
-                    Then::Gosub(jump) => self.uses.jump(index, jump, Access::Call),
-                }
-                condition.map(Resolved::Condition)
+            } => self.branch(index, condition, then)?,
+            StatementKind::ElseIf { condition, .. } => {
+                let condition = whole(self.condition(condition))?;
+                Resolved::ElseIf(condition, self.partner(index)?)
             }
-            StatementKind::ElseIf { condition, .. }
-            | StatementKind::While { condition, .. }
-            | StatementKind::Until { condition, .. } => {
-                self.condition(condition).map(Resolved::Condition)
+            StatementKind::Else => Resolved::Else(self.partner(index)?),
+            StatementKind::EndIf => Resolved::EndIf,
+            StatementKind::While { condition, .. } => {
+                let condition = whole(self.condition(condition))?;
+                Resolved::While(condition, self.partner(index)?)
             }
-            StatementKind::For { counting, .. } => self.counting(counting),
-            StatementKind::Next { keyword, variable } => match variable {
-                Some(variable) => {
-                    let counter = self.loop_variable(variable, Access::Count);
-                    counter.map(|_| Resolved::Plain)
-                }
-                None => {
-                    self.count_unnamed(index, *keyword);
-                    Some(Resolved::Plain)
-                }
-            },
+            StatementKind::Wend => Resolved::Wend(self.partner(index)?),
+            StatementKind::Repeat => Resolved::Repeat,
+            StatementKind::Until { condition, .. } => {
+                let condition = whole(self.condition(condition))?;
+                Resolved::Until(condition, self.partner(index)?)
+            }
+            StatementKind::For { counting, .. } => {
+                let counting = whole(self.counting(counting))?;
+                self.counted.insert(index, counting);
+                Resolved::For(counting, self.partner(index)?)
+            }
+            StatementKind::Next { keyword, variable } => {
+                self.next(index, *keyword, variable.as_ref())?
+            }
+            StatementKind::Subroutine { name, .. } => {
+                self.uses.define_label(name, index);
+                Resolved::Subroutine
+            }
+            StatementKind::SubEnd => Resolved::SubEnd,
+            StatementKind::Call(jump) => Resolved::Call(self.jump(index, jump, Access::Call)?),
+            StatementKind::Goto(jump) => Resolved::Goto(self.jump(index, jump, Access::Jump)?),
+            StatementKind::Gosub(jump) => Resolved::Gosub(self.jump(index, jump, Access::Call)?),
+            StatementKind::Return => Resolved::Return,
+            StatementKind::End => Resolved::End,
+            StatementKind::Exit => Resolved::Exit,
+            StatementKind::Rem => Resolved::Rem,
             StatementKind::Message { text } => {
-                let shown = self.source.slice(text.span);
-                Some(Resolved::Action(self.message(shown, text.span)))
+                let shown = self.known.source.slice(text.span);
+                Resolved::Message(self.message(shown, text.span))
             }
             StatementKind::Command {
                 name,
                 arguments,
                 malformed,
-            } => self
-                .command(name, arguments, malformed.as_deref())
-                .map(Resolved::Action),
-            StatementKind::Broken(_) => Some(Resolved::Failed),
-            StatementKind::Define { names, .. } => {
-                for name in names {
-                    self.uses.declare(name);
-                }
-                Some(Resolved::Plain)
-            }
-            StatementKind::Label(name) | StatementKind::Subroutine { name, .. } => {
-                self.uses.define_label(name, index);
-                Some(Resolved::Plain)
-            }
-            StatementKind::Goto(jump) => {
-                self.uses.jump(index, jump, Access::Jump);
-                Some(Resolved::Plain)
-            }
-            StatementKind::Call(jump) | StatementKind::Gosub(jump) => {
-                self.uses.jump(index, jump, Access::Call);
-                Some(Resolved::Plain)
-            }
-            StatementKind::Else
-            | StatementKind::EndIf
-            | StatementKind::Wend
-            | StatementKind::Repeat
-            | StatementKind::SubEnd
-            | StatementKind::Return
-            | StatementKind::End
-            | StatementKind::Exit
-            | StatementKind::Rem => Some(Resolved::Plain),
-        }
+            } => whole(self.command(name, arguments, malformed.as_deref()))?,
+            StatementKind::Broken(_) => return Err(Unresolved::Wrong),
+        })
     }
 
-    fn counting(&mut self, counting: &Counting) -> Option<Resolved> {
+    fn branch(
+        &mut self,
+        index: StatementId,
+        condition: &Condition,
+        then: &Then,
+    ) -> Result<Resolved, Unresolved> {
+        let condition = self.condition(condition);
+        Ok(match then {
+            Then::Block => Resolved::If(whole(condition)?, self.partner(index)?),
+            Then::Goto(jump) => {
+                let to = self.jump(index, jump, Access::Jump);
+                Resolved::IfGoto(whole(condition)?, to?)
+            }
+            Then::Gosub(jump) => {
+                let to = self.jump(index, jump, Access::Call);
+                Resolved::IfGosub(whole(condition)?, to?)
+            }
+        })
+    }
+
+    /// NEXT without a name counts the variable of its FOR.
+    fn next(
+        &mut self,
+        index: StatementId,
+        keyword: Span,
+        variable: Option<&Operand>,
+    ) -> Result<Resolved, Unresolved> {
+        let opener = self.partner(index);
+        let counting = opener.as_ref().ok().and_then(|it| self.counted.get(it));
+        let counting = counting.copied();
+        match (variable, counting) {
+            (Some(named), _) => {
+                whole(self.loop_variable(named, Access::Count))?;
+            }
+            (None, Some(Counting { variable, .. })) => {
+                let left_out = Span::new(keyword.end, keyword.end);
+                self.uses
+                    .variable(left_out, variable.variable, Access::Count);
+            }
+            (None, None) => {}
+        }
+        Ok(Resolved::Next(counting.ok_or(Unresolved::Untied)?, opener?))
+    }
+
+    /// The statement that a control word is tied to.
+    fn partner(&self, index: StatementId) -> Result<StatementId, Unresolved> {
+        let link = self.known.blocks.links[index];
+        link.partner.ok_or(Unresolved::Untied)
+    }
+
+    /// The statement that a jump leads to.
+    fn jump(
+        &mut self,
+        index: StatementId,
+        jump: &Jump,
+        access: Access,
+    ) -> Result<StatementId, Unresolved> {
+        self.uses.jump(index, jump, access);
+        self.known.jumps[index].ok_or(Unresolved::Untied)
+    }
+
+    fn counting(&mut self, counting: &syntax::Counting) -> Option<Counting> {
         let counter = self.loop_variable(&counting.variable, Access::Update);
         let from = self.number(&counting.from, Code::Argument);
         let to = self.number(&counting.to, Code::Argument);
         let step = match &counting.step {
-            Some(step) => self.for_step(step),
-            None => Some(program::Operand::Constant(1.0)),
+            Some(step) => self.for_step(step).map(Some),
+            None => Some(None),
         };
-        Some(Resolved::For {
+        Some(Counting {
             variable: counter?,
             from: from?,
             to: to?,
@@ -187,19 +235,6 @@ impl Resolver<'_> {
             self.report(warning.help("count by another number, or leave STEP out to count by 1"));
         }
         Some(number)
-    }
-
-    /// NEXT without a name counts the variable of its FOR.
-    fn count_unnamed(&mut self, next: usize, keyword: Span) {
-        let opener = self.blocks.links[next].partner;
-        if let Some(opener) = opener
-            && let StatementKind::For { counting, .. } = &self.module.statements[opener].kind
-            && let OperandKind::Name(name) = &counting.variable.kind
-            && let Some(variable) = self.names.find(name)
-        {
-            let left_out = Span::new(keyword.end, keyword.end);
-            self.uses.variable(left_out, variable, Access::Count);
-        }
     }
 
     fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
@@ -260,4 +295,9 @@ impl Resolver<'_> {
         self.report(Diagnostic::new(code, place, reason));
         None
     }
+}
+
+/// An operand that could not be resolved is wrong.
+fn whole<T>(resolved: Option<T>) -> Result<T, Unresolved> {
+    resolved.ok_or(Unresolved::Wrong)
 }

@@ -1,0 +1,262 @@
+//! The values of commands: numbers with their flags, or a struct in their place.
+
+use super::equations::type_name;
+use super::names::Meant;
+use super::resolve::Resolver;
+use super::resolved;
+use super::targets::word;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::language::commands::{Arguments, Values};
+use crate::program::{self, Argument};
+use crate::source::Span;
+use crate::symbols::Access;
+use crate::syntax::{Operand, OperandKind, VariableKind, Word};
+use tip_runtime::command::{ABSOLUTE, FAST, Op, RELATIVE, Target};
+
+impl Resolver<'_> {
+    pub(super) fn values(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        target: Target,
+        operands: &[Operand],
+    ) -> Option<resolved::Arguments> {
+        let joints = usize::from(self.robot.signature().joints);
+        let single = matches!(target, Target::Joint(..));
+        let one_for_all = match (form.values, target) {
+            (Values::Tolerances, Target::All) => !self.is_joint(operands),
+            (Values::TorqueLimits, Target::All) => true,
+            _ => false,
+        };
+        let each = match form.values {
+            Values::None => {
+                self.no_more(name, operands)?;
+                Some(Vec::new())
+            }
+            Values::One => self.plain_values(name, operands, 1),
+            Values::Three => self.plain_values(name, operands, 3),
+            Values::Angles if single => self.scalars(name, form, operands, 1),
+            Values::Tolerances | Values::TorqueLimits if single || one_for_all => {
+                self.plain_values(name, operands, 1)
+            }
+            Values::Position => return self.vector(name, form, operands, VariableKind::Pos, 3),
+            Values::Angles | Values::Tolerances | Values::TorqueLimits => {
+                return self.vector(name, form, operands, VariableKind::Joint, joints);
+            }
+        };
+        each.map(resolved::Arguments::Each)
+    }
+
+    fn is_joint(&self, operands: &[Operand]) -> bool {
+        let id = operands
+            .first()
+            .and_then(word)
+            .and_then(|name| self.names.find(name));
+        id.is_some_and(|id| self.names.variables[id].kind == VariableKind::Joint)
+    }
+
+    /// Three or n scalars, or one struct in their place.
+    fn vector(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        operands: &[Operand],
+        kind: VariableKind,
+        count: usize,
+    ) -> Option<resolved::Arguments> {
+        let flagged = usize::from(self.flag_of(form, operands).is_some());
+        let whole = operands
+            .get(flagged)
+            .and_then(word)
+            .filter(|name| !is_flag(form, name));
+        let id = whole.and_then(|name| self.names.find(name));
+        let id = match id.map(|id| (id, self.names.variables[id].kind)) {
+            None | Some((_, VariableKind::Var)) => {
+                let each = self.scalars(name, form, operands, count);
+                return each.map(resolved::Arguments::Each);
+            }
+            Some((id, of)) if of == kind => id,
+            Some((_, of)) => {
+                let reason = format!(
+                    "{} wants {} here, not {}",
+                    name.node,
+                    numbers(count, Some(kind)),
+                    type_name(Some(of))
+                );
+                return self.refuse(Code::Argument, operands[flagged].span, reason);
+            }
+        };
+        self.no_more(name, &operands[flagged + 1..])?;
+        let relative = self.relative(form, operands)?;
+        self.uses.variable(operands[flagged].span, id, Access::Read);
+        Some(resolved::Arguments::Whole {
+            variable: id,
+            relative,
+        })
+    }
+
+    /// So many scalars, each with its flag.
+    fn scalars(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        operands: &[Operand],
+        count: usize,
+    ) -> Option<Vec<Argument>> {
+        let mut rest = operands;
+        let mut values = Vec::with_capacity(count);
+        for _ in 0..count {
+            let relative = self.relative(form, rest)?;
+            let flag = rest.first().filter(|_| self.flag_of(form, rest).is_some());
+            rest = &rest[usize::from(flag.is_some())..];
+            let Some((operand, behind)) = rest.split_first() else {
+                if values.contains(&None) {
+                    // An unknown name may stand for a struct.
+                    return None;
+                }
+                let place = flag.map_or(name.span, |flag| flag.span);
+                return self.too_few(name, form, place, count, values.len());
+            };
+            if let Some(flag) = flag_name(form, operand) {
+                let reason = format!("{flag} is a flag here: it stands before a number, and once");
+                return self.refuse(Code::Argument, operand.span, reason);
+            }
+            let number = self.number(operand, Code::Argument);
+            values.push(number.map(|operand| Argument { operand, relative }));
+            rest = behind;
+        }
+        self.no_more(name, rest)?;
+        values.into_iter().collect()
+    }
+
+    /// So many constants or VARs.
+    fn plain_values(
+        &mut self,
+        name: &Word,
+        operands: &[Operand],
+        count: usize,
+    ) -> Option<Vec<Argument>> {
+        let judged = &operands[..count.min(operands.len())];
+        let values: Vec<Option<Argument>> = judged
+            .iter()
+            .map(|operand| {
+                let operand = self.variable_or_constant(operand, Code::Argument)?;
+                Some(Argument {
+                    operand,
+                    relative: false,
+                })
+            })
+            .collect();
+        let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
+        if values.len() < count {
+            return self.too_few(name, Arguments::BARE, name.span, count, values.len());
+        }
+        self.no_more(name, &operands[count..])?;
+        Some(values)
+    }
+
+    fn too_few<T>(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        place: Span,
+        wanted: usize,
+        found: usize,
+    ) -> Option<T> {
+        let whole = match form.values {
+            Values::Position => Some(VariableKind::Pos),
+            Values::Angles | Values::Tolerances | Values::TorqueLimits if wanted > 1 => {
+                Some(VariableKind::Joint)
+            }
+            _ => None,
+        };
+        let stand = match found {
+            0 => "none stands".to_owned(),
+            1 => "one stands".to_owned(),
+            _ => format!("{found} stand"),
+        };
+        let wanted = numbers(wanted, whole);
+        let reason = format!("{} wants {wanted}; {stand} here", name.node);
+        self.refuse(Code::Argument, place, reason)
+    }
+
+    /// A constant or VAR; a member is neither.
+    pub(super) fn variable_or_constant(
+        &mut self,
+        operand: &Operand,
+        shape: Code,
+    ) -> Option<program::Operand> {
+        let meant = self.meant(operand, shape)?;
+        self.uses.operand(operand, meant, Access::Read);
+        match meant {
+            Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
+            Meant::Scalar { .. } | Meant::Struct { .. } => {
+                let reason = "only a constant or a VAR can stand here";
+                let fault = Diagnostic::new(shape, operand.span, reason);
+                self.report(fault.help("copy the number into a VAR first"));
+                None
+            }
+        }
+    }
+
+    /// Refuses what stands behind the last argument.
+    pub(super) fn no_more(&mut self, name: &Word, extra: &[Operand]) -> Option<()> {
+        match extra.first() {
+            None => Some(()),
+            Some(operand) => {
+                let reason = match name.node.as_str() {
+                    // Version 2 had one.
+                    name if name == Op::WaitNear.name() => {
+                        "SET_NEAR_POSITION and SET_NEAR_ANGLE set the tolerance".to_owned()
+                    }
+                    name => format!("one argument too many for {name}"),
+                };
+                self.refuse(Code::Argument, operand.span, reason)
+            }
+        }
+    }
+
+    /// `R` or `A` as the first of these operands.
+    fn flag_of<'a>(&self, form: Arguments, operands: &'a [Operand]) -> Option<&'a str> {
+        let name = operands.first().and_then(word)?;
+        (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)
+    }
+
+    /// Whether the next operand is relative; refuses flags where the command takes none.
+    fn relative(&mut self, form: Arguments, operands: &[Operand]) -> Option<bool> {
+        match self.flag_of(form, operands) {
+            None => Some(false),
+            Some(flag) if form.relative => Some(flag == RELATIVE),
+            Some(flag) => {
+                let reason = format!("this command takes no {flag}");
+                self.refuse(Code::Argument, operands[0].span, reason)
+            }
+        }
+    }
+}
+
+/// Whether a motion command reads this word as its flag.
+fn is_flag(form: Arguments, word: &str) -> bool {
+    form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
+}
+
+/// The flag that stands in the place of a number, be it behind a sign.
+fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
+    match &operand.kind {
+        OperandKind::Name(name) if is_flag(form, name) => Some(name),
+        _ => None,
+    }
+}
+
+/// So many numbers, or a struct in their place, in words.
+fn numbers(count: usize, whole: Option<VariableKind>) -> String {
+    let numbers = match count {
+        1 => "one number".to_owned(),
+        _ => format!("{count} numbers"),
+    };
+    match whole {
+        Some(kind) => format!("{numbers} or {}", type_name(Some(kind))),
+        None => numbers,
+    }
+}
