@@ -3,10 +3,11 @@
 //! Words are upper-cased. Every piece keeps its span.
 
 mod module;
+mod statement;
 
 pub use module::{Module, Statement};
+pub use statement::{Jump, JumpKind, Shape, StatementKind, Then};
 
-use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use smol_str::{SmolStr, StrExt};
 
@@ -33,138 +34,6 @@ pub(crate) fn upper_case(text: &str) -> SmolStr {
     }
 }
 
-/// What a statement is. Large parts are boxed: a long program holds many statements.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StatementKind {
-    /// `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: not a step.
-    Define {
-        /// The type of the names.
-        kind: VariableKind,
-        /// The command word.
-        keyword: Span,
-        /// The names as written, well-formed or not.
-        names: Vec<Word>,
-    },
-    /// `NAME:`; the name without its colon.
-    Label(Word),
-    /// `LHS op RHS`.
-    Equation(Box<Equation>),
-    /// `IF condition` and what follows it.
-    If {
-        /// The command word.
-        keyword: Span,
-        /// The condition.
-        condition: Box<Condition>,
-        /// THEN, GOTO or GOSUB.
-        then: Then,
-    },
-    /// `ELSEIF condition THEN`.
-    ElseIf {
-        /// The command word.
-        keyword: Span,
-        /// The condition.
-        condition: Box<Condition>,
-    },
-    /// `ELSE`
-    Else,
-    /// `ENDIF`
-    EndIf,
-    /// `WHILE condition`
-    While {
-        /// The command word.
-        keyword: Span,
-        /// The condition.
-        condition: Box<Condition>,
-    },
-    /// `WEND`
-    Wend,
-    /// `REPEAT`
-    Repeat,
-    /// `UNTIL condition`
-    Until {
-        /// The command word.
-        keyword: Span,
-        /// The condition.
-        condition: Box<Condition>,
-    },
-    /// `FOR variable = from TO to [STEP step]`
-    For {
-        /// The command word.
-        keyword: Span,
-        /// What it counts.
-        counting: Box<Counting>,
-    },
-    /// `NEXT [variable]`
-    Next {
-        /// The command word.
-        keyword: Span,
-        /// The loop variable, if named.
-        variable: Option<Operand>,
-    },
-    /// `SUBROUTINE NAME:`; the name without its colon.
-    Subroutine {
-        /// The command word.
-        keyword: Span,
-        /// The name.
-        name: Word,
-    },
-    /// `SUBEND`
-    SubEnd,
-    /// `CALL NAME:`
-    Call(Jump),
-    /// `GOTO [NAME:]`
-    Goto(Jump),
-    /// `GOSUB NAME:`
-    Gosub(Jump),
-    /// `RETURN`
-    Return,
-    /// `END`
-    End,
-    /// `EXIT`
-    Exit,
-    /// `REM text`
-    Rem,
-    /// `MESSAGE text`; the text trimmed, U+3000 already two spaces, escapes and placeholders as written.
-    Message {
-        /// The text.
-        text: Spanned<String>,
-    },
-    /// Any other command with its arguments; whether it exists is for the checker to say.
-    Command {
-        /// The command word.
-        name: Word,
-        /// Its arguments, up to the first malformed one.
-        arguments: Vec<Operand>,
-        /// What is malformed behind `arguments`, not yet reported: it counts only if the command exists.
-        malformed: Option<Box<Diagnostic>>,
-    },
-    /// A statement that the parser has already reported; it still takes its step.
-    Broken(Shape),
-}
-
-/// What a broken statement was going to be, so that one mistake does not unbalance the blocks around it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shape {
-    /// Neither opens nor closes anything.
-    Plain,
-    /// `IF … THEN`
-    If,
-    /// `ELSEIF`
-    ElseIf,
-    /// `WHILE`
-    While,
-    /// `UNTIL`
-    Until,
-    /// `FOR`
-    For,
-    /// `NEXT`
-    Next,
-    /// `SUBROUTINE`
-    Subroutine,
-    /// `SUBEND`
-    SubEnd,
-}
-
 /// The types of variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VariableKind {
@@ -174,26 +43,6 @@ pub enum VariableKind {
     Pos,
     /// J1…Jn.
     Joint,
-}
-
-/// Where an IF leads.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Then {
-    /// `THEN`: a block follows.
-    Block,
-    /// `GOTO [NAME:]`
-    Goto(Jump),
-    /// `GOSUB NAME:`
-    Gosub(Jump),
-}
-
-/// A jump as written.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Jump {
-    /// The jump's own word.
-    pub keyword: Span,
-    /// The label without its colon; `None` if omitted.
-    pub label: Option<Word>,
 }
 
 /// An operand or argument as written: `-12.5`, `A`, `-P.X`, `F1`, `ALL`, `HS`, `J11`.

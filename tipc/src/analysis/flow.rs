@@ -72,11 +72,11 @@ impl Flow {
         let mut nodes = Vec::new();
         for (step, content) in (0..).zip(program.steps()) {
             let action = &content.action;
-            if has_two_nodes(action) {
+            if let Some(to) = action.passed_to() {
                 nodes.push(Node {
                     step,
                     is_passed: true,
-                    next: ways.passed(action),
+                    next: ways.to(to).into_iter().collect(),
                     ..Node::default()
                 });
             }
@@ -117,11 +117,6 @@ impl Flow {
     }
 }
 
-/// Whether it matters how a step is reached.
-fn has_two_nodes(action: &Action) -> bool {
-    matches!(action, Action::ElseIf { .. } | Action::Else { .. })
-}
-
 /// Where steps lead.
 struct Ways {
     /// The first node of each step, and one past the last.
@@ -139,7 +134,7 @@ impl Ways {
         };
         for step in program.steps() {
             ways.first.push(nodes);
-            nodes += usize::from(has_two_nodes(&step.action));
+            nodes += usize::from(step.action.passed_to().is_some());
             ways.last.push(nodes);
             nodes += 1;
         }
@@ -154,16 +149,6 @@ impl Ways {
     /// A step reached "not taken".
     fn otherwise(&self, step: StepId) -> Option<NodeId> {
         self.last.get(step as usize).copied()
-    }
-
-    /// Where ELSEIF and ELSE lead that are reached "taken".
-    fn passed(&self, action: &Action) -> Next {
-        match action {
-            Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => {
-                self.to(*to).into_iter().collect()
-            }
-            _ => Next::default(),
-        }
     }
 
     /// A step, ELSEIF and ELSE as reached "not taken".

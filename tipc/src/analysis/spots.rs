@@ -66,7 +66,7 @@ impl Spots {
         let called = node.call.map(|call| call.entry);
         let ways: BTreeSet<NodeId> = node.next.iter().copied().chain(called).collect();
         // Each node of an ELSEIF or ELSE may have only one edge; together they have several.
-        let has_two_nodes = matches!(action, Action::ElseIf { .. } | Action::Else { .. });
+        let has_two_nodes = action.passed_to().is_some();
         if ways.len() > 1 || has_two_nodes {
             let edges = ways.into_iter().map(|to| {
                 let way = self.way(action, node, to);

@@ -8,24 +8,17 @@ use crate::syntax::{Module, StatementKind};
 pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
     let mut open_above = true;
     for statement in &module.statements {
-        match &statement.kind {
-            StatementKind::Define { .. } => continue,
-            StatementKind::Subroutine { keyword, name } if open_above => {
-                let reason = "its SUBEND stops a program that comes this way";
-                let help = "put GOTO, RETURN or EXIT above it";
-                let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
-                found.push(warning.about(name.node.as_str()).help(help));
-            }
-            _ => {}
+        if !statement.is_step() {
+            continue;
         }
-        open_above = !matches!(
-            statement.kind,
-            StatementKind::Goto(_)
-                | StatementKind::Return
-                | StatementKind::SubEnd
-                | StatementKind::Exit
-                | StatementKind::End
-                | StatementKind::Broken(_)
-        );
+        if let StatementKind::Subroutine { keyword, name } = &statement.kind
+            && open_above
+        {
+            let reason = "its SUBEND stops a program that comes this way";
+            let help = "put GOTO, RETURN or EXIT above it";
+            let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
+            found.push(warning.about(name.node.as_str()).help(help));
+        }
+        open_above = statement.kind.goes_on();
     }
 }

@@ -2,20 +2,12 @@
 
 use super::blocks::{BlockKind, Blocks};
 use super::labels::Labels;
-use super::structure::keyword;
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::LOOP;
 use crate::source::Span;
-use crate::syntax::{Jump, Module, StatementKind, Then};
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Goto,
-    Gosub,
-    Call,
-}
+use crate::syntax::{Jump, JumpKind, Module, StatementKind};
 
 /// Finds the statement that each jump leads to.
 pub(crate) fn resolve(
@@ -35,30 +27,13 @@ pub(crate) fn resolve(
         .iter()
         .enumerate()
         .map(|(index, statement)| {
-            let (kind, jump) = jump_of(&statement.kind)?;
+            let (kind, jump) = statement.kind.jump()?;
             let place = jump.label.as_ref().map_or(jump.keyword, |label| label.span);
             let to = jumps.target(index, kind, jump, place)?;
             jumps.check(index, to, kind, jump.keyword);
             Some(to)
         })
         .collect()
-}
-
-fn jump_of(kind: &StatementKind) -> Option<(Kind, &Jump)> {
-    match kind {
-        StatementKind::Goto(jump)
-        | StatementKind::If {
-            then: Then::Goto(jump),
-            ..
-        } => Some((Kind::Goto, jump)),
-        StatementKind::Gosub(jump)
-        | StatementKind::If {
-            then: Then::Gosub(jump),
-            ..
-        } => Some((Kind::Gosub, jump)),
-        StatementKind::Call(jump) => Some((Kind::Call, jump)),
-        _ => None,
-    }
 }
 
 struct Jumps<'a> {
@@ -69,7 +44,7 @@ struct Jumps<'a> {
 }
 
 impl Jumps<'_> {
-    fn target(&mut self, index: usize, kind: Kind, jump: &Jump, place: Span) -> Option<usize> {
+    fn target(&mut self, index: usize, kind: JumpKind, jump: &Jump, place: Span) -> Option<usize> {
         let name = jump
             .label
             .as_ref()
@@ -86,7 +61,7 @@ impl Jumps<'_> {
             self.found.push(fault.about(name).help(help));
             return None;
         };
-        if kind == Kind::Call && !self.is_subroutine(to) {
+        if kind == JumpKind::Call && !self.is_subroutine(to) {
             let reason = format!("`{name}` is a plain label, not a SUBROUTINE");
             let fault = Diagnostic::new(Code::Argument, place, reason)
                 .label(self.module.statements[to].span, "declared here")
@@ -97,8 +72,8 @@ impl Jumps<'_> {
         Some(to)
     }
 
-    fn loop_target(&mut self, index: usize, kind: Kind, place: Span) -> Option<usize> {
-        if kind != Kind::Goto {
+    fn loop_target(&mut self, index: usize, kind: JumpKind, place: Span) -> Option<usize> {
+        if kind != JumpKind::Goto {
             let fault = Diagnostic::new(Code::Argument, place, "LOOP is a label for GOTO only");
             self.found
                 .push(fault.help("give the routine a label of its own"));
@@ -126,9 +101,9 @@ impl Jumps<'_> {
     }
 
     /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
-    fn check(&mut self, from: usize, to: usize, kind: Kind, place: Span) {
+    fn check(&mut self, from: usize, to: usize, kind: JumpKind, place: Span) {
         let blocks = self.blocks;
-        let called = kind != Kind::Goto && self.is_subroutine(to);
+        let called = kind != JumpKind::Goto && self.is_subroutine(to);
         let entered = blocks
             .chain(to)
             .take_while(|block| !blocks.blocks[*block].contains(from))
@@ -148,7 +123,7 @@ impl Jumps<'_> {
         if let Some(block) = refused {
             return self.refuse_entry(block, to, place);
         }
-        if kind == Kind::Goto
+        if kind == JumpKind::Goto
             && let Some(left) = self.left_subroutine(from, to)
         {
             return self.refuse_leaving(left, to, place);
@@ -177,7 +152,7 @@ impl Jumps<'_> {
         };
         let reason = format!("this jump enters {what} from outside");
         let mut fault = Diagnostic::new(Code::Structure, place, reason)
-            .label(keyword(opener), "the block starts here");
+            .label(opener.keyword(), "the block starts here");
         if block.opener != to {
             fault = fault.label(self.module.statements[to].span, "the label");
         }
@@ -187,7 +162,7 @@ impl Jumps<'_> {
     fn refuse_leaving(&mut self, block: usize, to: usize, place: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
         let fault = Diagnostic::new(Code::Structure, place, "GOTO leaves its SUBROUTINE")
-            .label(keyword(opener), "the SUBROUTINE starts here")
+            .label(opener.keyword(), "the SUBROUTINE starts here")
             .label(self.module.statements[to].span, "the label")
             .help("leave a SUBROUTINE with RETURN or SUBEND");
         self.found.push(fault);
@@ -197,7 +172,7 @@ impl Jumps<'_> {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
         let reason = "NEXT counts a variable that FOR may not have set";
         let warning = Diagnostic::new(Code::EntersFor, place, reason)
-            .label(keyword(opener), "the FOR")
+            .label(opener.keyword(), "the FOR")
             .label(self.module.statements[to].span, "the label");
         self.found.push(warning);
     }

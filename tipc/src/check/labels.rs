@@ -5,7 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::language::reserved::{LOOP, is_reserved};
-use crate::syntax::{Jump, Module, StatementKind, Word};
+use crate::syntax::{Jump, Module, Word};
 use std::collections::HashMap;
 
 /// Every label.
@@ -38,12 +38,8 @@ impl<'m> Labels<'m> {
             ..Labels::default()
         };
         for (index, statement) in module.statements.iter().enumerate() {
-            match &statement.kind {
-                StatementKind::Label(name) => labels.declare(index, name, false, found),
-                StatementKind::Subroutine { name, .. } => {
-                    labels.declare(index, name, true, found);
-                }
-                _ => {}
+            if let Some((name, subroutine)) = statement.kind.label() {
+                labels.declare(index, name, subroutine, found);
             }
         }
         labels

@@ -5,7 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
 use crate::source::Span;
-use crate::syntax::{Module, Operand, OperandKind, Shape, Statement, StatementKind};
+use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 
 /// Ties every control word to its partner and reports those without one.
 pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
@@ -59,28 +59,20 @@ struct Matcher<'a> {
 
 impl Matcher<'_> {
     fn statement(&mut self, index: usize) {
-        use BlockKind::{For, If, Repeat, Subroutine, While};
-        let kind = &self.module.statements[index].kind;
-        if let Some(opened) = opening(kind) {
-            return self.open(opened, index);
-        }
-        match kind {
-            StatementKind::ElseIf { .. } | StatementKind::Broken(Shape::ElseIf) => {
-                self.branch(index, Keyword::ElseIf);
-            }
-            StatementKind::Else => self.branch(index, Keyword::Else),
-            StatementKind::EndIf => self.close(index, If, Keyword::EndIf),
-            StatementKind::Wend => self.close(index, While, Keyword::Wend),
-            StatementKind::Until { .. } | StatementKind::Broken(Shape::Until) => {
-                self.close(index, Repeat, Keyword::Until);
-            }
-            StatementKind::Next { .. } | StatementKind::Broken(Shape::Next) => {
-                self.close(index, For, Keyword::Next);
-            }
-            StatementKind::SubEnd | StatementKind::Broken(Shape::SubEnd) => {
-                self.close(index, Subroutine, Keyword::SubEnd);
-            }
-            _ => self.result.around[index] = self.current(),
+        match self.module.statements[index].kind.shape() {
+            Shape::Plain => self.result.around[index] = self.current(),
+            Shape::If => self.open(BlockKind::If, index),
+            Shape::ElseIf => self.branch(index, Keyword::ElseIf),
+            Shape::Else => self.branch(index, Keyword::Else),
+            Shape::EndIf => self.close(index, BlockKind::If, Keyword::EndIf),
+            Shape::While => self.open(BlockKind::While, index),
+            Shape::Wend => self.close(index, BlockKind::While, Keyword::Wend),
+            Shape::Repeat => self.open(BlockKind::Repeat, index),
+            Shape::Until => self.close(index, BlockKind::Repeat, Keyword::Until),
+            Shape::For => self.open(BlockKind::For, index),
+            Shape::Next => self.close(index, BlockKind::For, Keyword::Next),
+            Shape::Subroutine => self.open(BlockKind::Subroutine, index),
+            Shape::SubEnd => self.close(index, BlockKind::Subroutine, Keyword::SubEnd),
         }
     }
 
@@ -296,44 +288,13 @@ impl Matcher<'_> {
     }
 
     fn place(&self, index: usize) -> Span {
-        keyword(&self.module.statements[index])
-    }
-}
-
-/// The word of a statement, or the whole of it.
-pub(crate) fn keyword(statement: &Statement) -> Span {
-    match &statement.kind {
-        StatementKind::If { keyword, .. }
-        | StatementKind::ElseIf { keyword, .. }
-        | StatementKind::While { keyword, .. }
-        | StatementKind::Until { keyword, .. }
-        | StatementKind::For { keyword, .. }
-        | StatementKind::Next { keyword, .. }
-        | StatementKind::Subroutine { keyword, .. } => *keyword,
-        _ => statement.span,
+        self.module.statements[index].keyword()
     }
 }
 
 fn name_of(operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) => Some(name),
-        _ => None,
-    }
-}
-
-fn opening(kind: &StatementKind) -> Option<BlockKind> {
-    match kind {
-        StatementKind::If {
-            then: crate::syntax::Then::Block,
-            ..
-        }
-        | StatementKind::Broken(Shape::If) => Some(BlockKind::If),
-        StatementKind::While { .. } | StatementKind::Broken(Shape::While) => Some(BlockKind::While),
-        StatementKind::Repeat => Some(BlockKind::Repeat),
-        StatementKind::For { .. } | StatementKind::Broken(Shape::For) => Some(BlockKind::For),
-        StatementKind::Subroutine { .. } | StatementKind::Broken(Shape::Subroutine) => {
-            Some(BlockKind::Subroutine)
-        }
         _ => None,
     }
 }

@@ -3,7 +3,7 @@
 use super::ident::{field, state};
 use super::step::collect_words;
 use super::{Emitter, Steps, header_of, word};
-use crate::program::{Action, Variable, VariableKind};
+use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeSet;
@@ -15,7 +15,7 @@ impl Emitter<'_> {
         self.program
             .steps
             .iter()
-            .any(|step| matches!(step.action, Action::ElseIf { .. } | Action::Else { .. }))
+            .any(|step| step.action.passed_to().is_some())
     }
 
     fn has_calls(&self, mentioned: &BTreeSet<String>) -> bool {

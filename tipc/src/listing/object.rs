@@ -93,7 +93,47 @@ impl Listing<'_> {
                 let left = self.variables.whole(*target);
                 equation(self.struct_value(value), *update, left)
             }
-            action => self.control(action, name),
+            Action::If {
+                condition,
+                otherwise,
+            } => self.conditional("IF_THEN", condition, *otherwise),
+            // The fourth argument is the cell that the block before writes.
+            Action::ElseIf {
+                condition,
+                otherwise,
+            } => self
+                .conditional(Keyword::ElseIf.word(), condition, *otherwise)
+                .with(Slot::constant(0.0)),
+            Action::While { condition, exit } => {
+                self.conditional(Keyword::While.word(), condition, *exit)
+            }
+            Action::Until { condition, back } => {
+                self.conditional(Keyword::Until.word(), condition, *back)
+            }
+            Action::IfGoto { condition, to } => self.conditional("IF_GOTO", condition, *to),
+            Action::IfGosub { condition, to } => self.conditional("IF_GOSUB", condition, *to),
+            Action::Else { end } => Record::new(Keyword::Else.word())
+                .with(label(*end))
+                .with(Slot::constant(0.0)),
+            Action::Goto { to } | Action::Gosub { to } => Record::new(name).with(label(*to)),
+            Action::For {
+                variable,
+                from,
+                to,
+                step,
+                exit,
+            } => Record::new(Keyword::For.word())
+                .with(self.variables.scalar(*variable, false))
+                .with(self.variables.operand(*from))
+                .with(self.variables.operand(*to))
+                .with(label(*exit))
+                .with(self.variables.operand(*step)),
+            Action::Next { variable, body, .. } => Record::new(Keyword::Next.word())
+                .with(self.variables.scalar(*variable, false))
+                .with(label(body.saturating_sub(1))),
+            Action::Nothing | Action::Return | Action::Finish(_) | Action::Message { .. } => {
+                Record::new(name)
+            }
         }
     }
 
@@ -177,51 +217,6 @@ impl Listing<'_> {
                 let name = equal(Operation::Rotate(*axis));
                 (name, vec![whole(operand), self.variables.operand(*angle)])
             }
-        }
-    }
-
-    /// Control words, and what has no argument.
-    fn control(&self, action: &Action, name: &str) -> Record {
-        match action {
-            Action::If {
-                condition,
-                otherwise,
-            } => self.conditional("IF_THEN", condition, *otherwise),
-            // The fourth argument is the cell that the block before writes.
-            Action::ElseIf {
-                condition,
-                otherwise,
-            } => self
-                .conditional(Keyword::ElseIf.word(), condition, *otherwise)
-                .with(Slot::constant(0.0)),
-            Action::While { condition, exit } => {
-                self.conditional(Keyword::While.word(), condition, *exit)
-            }
-            Action::Until { condition, back } => {
-                self.conditional(Keyword::Until.word(), condition, *back)
-            }
-            Action::IfGoto { condition, to } => self.conditional("IF_GOTO", condition, *to),
-            Action::IfGosub { condition, to } => self.conditional("IF_GOSUB", condition, *to),
-            Action::Else { end } => Record::new(Keyword::Else.word())
-                .with(label(*end))
-                .with(Slot::constant(0.0)),
-            Action::Goto { to } | Action::Gosub { to } => Record::new(name).with(label(*to)),
-            Action::For {
-                variable,
-                from,
-                to,
-                step,
-                exit,
-            } => Record::new(Keyword::For.word())
-                .with(self.variables.scalar(*variable, false))
-                .with(self.variables.operand(*from))
-                .with(self.variables.operand(*to))
-                .with(label(*exit))
-                .with(self.variables.operand(*step)),
-            Action::Next { variable, body, .. } => Record::new(Keyword::Next.word())
-                .with(self.variables.scalar(*variable, false))
-                .with(label(body.saturating_sub(1))),
-            _ => Record::new(name),
         }
     }
 

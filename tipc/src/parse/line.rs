@@ -102,7 +102,7 @@ impl Parser<'_> {
             .iter()
             .enumerate()
             .filter_map(|(index, statement)| {
-                let name = lone_word(&statement.kind).filter(|_| is_new(statement.span))?;
+                let name = lone_word(statement.kind.shape()).filter(|_| is_new(statement.span))?;
                 let other = &statements[usize::from(index == 0)];
                 Some(not_alone(name, statement.span, other.span))
             })
@@ -119,13 +119,21 @@ pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
         .help(Parsing::LabelBeforeCommentBehind)
 }
 
-fn lone_word(kind: &StatementKind) -> Option<Keyword> {
-    match kind {
-        StatementKind::Else => Some(Keyword::Else),
-        StatementKind::EndIf => Some(Keyword::EndIf),
-        StatementKind::Wend => Some(Keyword::Wend),
-        StatementKind::Repeat => Some(Keyword::Repeat),
-        _ => None,
+fn lone_word(shape: Shape) -> Option<Keyword> {
+    match shape {
+        Shape::Else => Some(Keyword::Else),
+        Shape::EndIf => Some(Keyword::EndIf),
+        Shape::Wend => Some(Keyword::Wend),
+        Shape::Repeat => Some(Keyword::Repeat),
+        Shape::Plain
+        | Shape::If
+        | Shape::ElseIf
+        | Shape::While
+        | Shape::Until
+        | Shape::For
+        | Shape::Next
+        | Shape::Subroutine
+        | Shape::SubEnd => None,
     }
 }
 

@@ -130,7 +130,20 @@ impl Parser<'_> {
             Keyword::Goto => reader.goto_statement(word),
             Keyword::Return => reader.alone(keyword, StatementKind::Return),
             Keyword::Exit => reader.alone(keyword, StatementKind::Exit),
-            _ => return None,
+            // These start no statement, or are read elsewhere.
+            Keyword::Then
+            | Keyword::To
+            | Keyword::Step
+            | Keyword::DefVar
+            | Keyword::DefPos
+            | Keyword::DefJoint
+            | Keyword::Else
+            | Keyword::EndIf
+            | Keyword::Wend
+            | Keyword::Repeat
+            | Keyword::Message
+            | Keyword::Rem
+            | Keyword::End => return None,
         })
     }
 

@@ -171,7 +171,49 @@ impl Action {
             | Action::Until { condition, .. }
             | Action::IfGoto { condition, .. }
             | Action::IfGosub { condition, .. } => Some(condition),
-            _ => None,
+            Action::Nothing
+            | Action::SetScalar { .. }
+            | Action::SetStruct { .. }
+            | Action::Else { .. }
+            | Action::Goto { .. }
+            | Action::For { .. }
+            | Action::Next { .. }
+            | Action::Gosub { .. }
+            | Action::Return
+            | Action::Finish(_)
+            | Action::Command { .. }
+            | Action::TeachStruct { .. }
+            | Action::TeachScalar { .. }
+            | Action::AdIn { .. }
+            | Action::KeyIn { .. }
+            | Action::Message { .. } => None,
+        }
+    }
+
+    /// Where ELSEIF and ELSE lead when they are reached "taken"; other steps do not ask how they are reached.
+    pub fn passed_to(&self) -> Option<StepId> {
+        match self {
+            Action::ElseIf { otherwise: to, .. } | Action::Else { end: to } => Some(*to),
+            Action::Nothing
+            | Action::SetScalar { .. }
+            | Action::SetStruct { .. }
+            | Action::If { .. }
+            | Action::While { .. }
+            | Action::Goto { .. }
+            | Action::Until { .. }
+            | Action::For { .. }
+            | Action::Next { .. }
+            | Action::IfGoto { .. }
+            | Action::Gosub { .. }
+            | Action::IfGosub { .. }
+            | Action::Return
+            | Action::Finish(_)
+            | Action::Command { .. }
+            | Action::TeachStruct { .. }
+            | Action::TeachScalar { .. }
+            | Action::AdIn { .. }
+            | Action::KeyIn { .. }
+            | Action::Message { .. } => None,
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The statements of a file, and which step each of them is.
 
-use super::{Span, StatementKind, StepId};
+use super::{StatementKind, StepId};
 use crate::language::Edition;
+use crate::source::Span;
 
 /// A whole source file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -56,6 +57,14 @@ impl Statement {
     /// Whether it is a step: everything but a declaration.
     pub const fn is_step(&self) -> bool {
         !matches!(self.kind, StatementKind::Define { .. })
+    }
+
+    /// Its first word if it has a place of its own, else the whole statement.
+    pub const fn keyword(&self) -> Span {
+        match self.kind.keyword() {
+            Some(keyword) => keyword,
+            None => self.span,
+        }
     }
 }
 

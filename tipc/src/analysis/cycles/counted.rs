@@ -53,21 +53,22 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
 
 /// A FOR over constants that is entered.
 fn candidate(program: &Program, flow: &Flow, step: StepId) -> Option<Counted> {
-    match program.steps()[step as usize].action {
-        Action::For {
-            from: Operand::Constant(from),
-            to: Operand::Constant(to),
-            step: Operand::Constant(by),
-            exit,
-            ..
-        } => Some(Counted {
-            nodes: flow.first(step + 1)..flow.first(exit),
-            next: flow.first(exit - 1),
-            exit: flow.first(exit),
-            turns: turns(from, to, by)?,
-        }),
-        _ => None,
-    }
+    let Action::For {
+        from: Operand::Constant(from),
+        to: Operand::Constant(to),
+        step: Operand::Constant(by),
+        exit,
+        ..
+    } = program.steps()[step as usize].action
+    else {
+        return None;
+    };
+    Some(Counted {
+        nodes: flow.first(step + 1)..flow.first(exit),
+        next: flow.first(exit - 1),
+        exit: flow.first(exit),
+        turns: turns(from, to, by)?,
+    })
 }
 
 /// How often FOR's body runs; `None` if never, or too often to count.

@@ -273,7 +273,27 @@ fn cost(action: &Action, longest_sampling: f64) -> Count {
                 _ => 1,
             }
         }
-        _ => return Count::exactly(1),
+        Action::Command { .. }
+        | Action::Nothing
+        | Action::SetScalar { .. }
+        | Action::SetStruct { .. }
+        | Action::If { .. }
+        | Action::ElseIf { .. }
+        | Action::Else { .. }
+        | Action::While { .. }
+        | Action::Goto { .. }
+        | Action::Until { .. }
+        | Action::For { .. }
+        | Action::Next { .. }
+        | Action::IfGoto { .. }
+        | Action::Gosub { .. }
+        | Action::IfGosub { .. }
+        | Action::Return
+        | Action::Finish(_)
+        | Action::TeachStruct { .. }
+        | Action::TeachScalar { .. }
+        | Action::AdIn { .. }
+        | Action::Message { .. } => return Count::exactly(1),
     };
     Count {
         waits: true,

@@ -1,0 +1,350 @@
+//! The kinds of statements, and what each of them is to the passes: an opener, a jump, a label.
+
+use super::{Condition, Counting, Equation, Operand, Spanned, VariableKind, Word};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+
+/// What a statement is. Large parts are boxed: a long program holds many statements.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StatementKind {
+    /// `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: not a step.
+    Define {
+        /// The type of the names.
+        kind: VariableKind,
+        /// The command word.
+        keyword: Span,
+        /// The names as written, well-formed or not.
+        names: Vec<Word>,
+    },
+    /// `NAME:`; the name without its colon.
+    Label(Word),
+    /// `LHS op RHS`.
+    Equation(Box<Equation>),
+    /// `IF condition` and what follows it.
+    If {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Box<Condition>,
+        /// THEN, GOTO or GOSUB.
+        then: Then,
+    },
+    /// `ELSEIF condition THEN`.
+    ElseIf {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Box<Condition>,
+    },
+    /// `ELSE`
+    Else,
+    /// `ENDIF`
+    EndIf,
+    /// `WHILE condition`
+    While {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Box<Condition>,
+    },
+    /// `WEND`
+    Wend,
+    /// `REPEAT`
+    Repeat,
+    /// `UNTIL condition`
+    Until {
+        /// The command word.
+        keyword: Span,
+        /// The condition.
+        condition: Box<Condition>,
+    },
+    /// `FOR variable = from TO to [STEP step]`
+    For {
+        /// The command word.
+        keyword: Span,
+        /// What it counts.
+        counting: Box<Counting>,
+    },
+    /// `NEXT [variable]`
+    Next {
+        /// The command word.
+        keyword: Span,
+        /// The loop variable, if named.
+        variable: Option<Operand>,
+    },
+    /// `SUBROUTINE NAME:`; the name without its colon.
+    Subroutine {
+        /// The command word.
+        keyword: Span,
+        /// The name.
+        name: Word,
+    },
+    /// `SUBEND`
+    SubEnd,
+    /// `CALL NAME:`
+    Call(Jump),
+    /// `GOTO [NAME:]`
+    Goto(Jump),
+    /// `GOSUB NAME:`
+    Gosub(Jump),
+    /// `RETURN`
+    Return,
+    /// `END`
+    End,
+    /// `EXIT`
+    Exit,
+    /// `REM text`
+    Rem,
+    /// `MESSAGE text`; the text trimmed, U+3000 already two spaces, escapes and placeholders as written.
+    Message {
+        /// The text.
+        text: Spanned<String>,
+    },
+    /// Any other command with its arguments; whether it exists is for the checker to say.
+    Command {
+        /// The command word.
+        name: Word,
+        /// Its arguments, up to the first malformed one.
+        arguments: Vec<Operand>,
+        /// What is malformed behind `arguments`, not yet reported: it counts only if the command exists.
+        malformed: Option<Box<Diagnostic>>,
+    },
+    /// A statement that the parser has already reported; it still takes its step.
+    Broken(Shape),
+}
+
+/// What a statement is among the blocks; a broken one, what it was going to be, so that one mistake does not unbalance the
+/// blocks around it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// Neither opens nor closes anything.
+    Plain,
+    /// `IF … THEN`
+    If,
+    /// `ELSEIF`
+    ElseIf,
+    /// `ELSE`
+    Else,
+    /// `ENDIF`
+    EndIf,
+    /// `WHILE`
+    While,
+    /// `WEND`
+    Wend,
+    /// `REPEAT`
+    Repeat,
+    /// `UNTIL`
+    Until,
+    /// `FOR`
+    For,
+    /// `NEXT`
+    Next,
+    /// `SUBROUTINE`
+    Subroutine,
+    /// `SUBEND`
+    SubEnd,
+}
+
+/// Where an IF leads.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Then {
+    /// `THEN`: a block follows.
+    Block,
+    /// `GOTO [NAME:]`
+    Goto(Jump),
+    /// `GOSUB NAME:`
+    Gosub(Jump),
+}
+
+/// A jump as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jump {
+    /// The jump's own word.
+    pub keyword: Span,
+    /// The label without its colon; `None` if omitted.
+    pub label: Option<Word>,
+}
+
+/// How a jump leads to its label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JumpKind {
+    /// Goes there.
+    Goto,
+    /// Goes to a label or SUBROUTINE, and comes back.
+    Gosub,
+    /// Goes to a SUBROUTINE, and comes back.
+    Call,
+}
+
+impl StatementKind {
+    /// What it is among the blocks.
+    pub const fn shape(&self) -> Shape {
+        match self {
+            StatementKind::If {
+                then: Then::Block, ..
+            } => Shape::If,
+            StatementKind::ElseIf { .. } => Shape::ElseIf,
+            StatementKind::Else => Shape::Else,
+            StatementKind::EndIf => Shape::EndIf,
+            StatementKind::While { .. } => Shape::While,
+            StatementKind::Wend => Shape::Wend,
+            StatementKind::Repeat => Shape::Repeat,
+            StatementKind::Until { .. } => Shape::Until,
+            StatementKind::For { .. } => Shape::For,
+            StatementKind::Next { .. } => Shape::Next,
+            StatementKind::Subroutine { .. } => Shape::Subroutine,
+            StatementKind::SubEnd => Shape::SubEnd,
+            StatementKind::Broken(shape) => *shape,
+            StatementKind::If {
+                then: Then::Goto(_) | Then::Gosub(_),
+                ..
+            }
+            | StatementKind::Define { .. }
+            | StatementKind::Label(_)
+            | StatementKind::Equation(_)
+            | StatementKind::Call(_)
+            | StatementKind::Goto(_)
+            | StatementKind::Gosub(_)
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::Command { .. } => Shape::Plain,
+        }
+    }
+
+    /// The jump in it.
+    pub const fn jump(&self) -> Option<(JumpKind, &Jump)> {
+        match self {
+            StatementKind::Goto(jump)
+            | StatementKind::If {
+                then: Then::Goto(jump),
+                ..
+            } => Some((JumpKind::Goto, jump)),
+            StatementKind::Gosub(jump)
+            | StatementKind::If {
+                then: Then::Gosub(jump),
+                ..
+            } => Some((JumpKind::Gosub, jump)),
+            StatementKind::Call(jump) => Some((JumpKind::Call, jump)),
+            StatementKind::If {
+                then: Then::Block, ..
+            }
+            | StatementKind::Define { .. }
+            | StatementKind::Label(_)
+            | StatementKind::Equation(_)
+            | StatementKind::ElseIf { .. }
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::While { .. }
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::Until { .. }
+            | StatementKind::For { .. }
+            | StatementKind::Next { .. }
+            | StatementKind::Subroutine { .. }
+            | StatementKind::SubEnd
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::Command { .. }
+            | StatementKind::Broken(_) => None,
+        }
+    }
+
+    /// The label that it defines, and whether SUBROUTINE does.
+    pub const fn label(&self) -> Option<(&Word, bool)> {
+        match self {
+            StatementKind::Label(name) => Some((name, false)),
+            StatementKind::Subroutine { name, .. } => Some((name, true)),
+            StatementKind::Define { .. }
+            | StatementKind::Equation(_)
+            | StatementKind::If { .. }
+            | StatementKind::ElseIf { .. }
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::While { .. }
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::Until { .. }
+            | StatementKind::For { .. }
+            | StatementKind::Next { .. }
+            | StatementKind::SubEnd
+            | StatementKind::Call(_)
+            | StatementKind::Goto(_)
+            | StatementKind::Gosub(_)
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::Command { .. }
+            | StatementKind::Broken(_) => None,
+        }
+    }
+
+    /// The place of its first word, if it is kept.
+    pub const fn keyword(&self) -> Option<Span> {
+        match self {
+            StatementKind::If { keyword, .. }
+            | StatementKind::ElseIf { keyword, .. }
+            | StatementKind::While { keyword, .. }
+            | StatementKind::Until { keyword, .. }
+            | StatementKind::For { keyword, .. }
+            | StatementKind::Next { keyword, .. }
+            | StatementKind::Subroutine { keyword, .. }
+            | StatementKind::Define { keyword, .. } => Some(*keyword),
+            StatementKind::Label(_)
+            | StatementKind::Equation(_)
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::SubEnd
+            | StatementKind::Call(_)
+            | StatementKind::Goto(_)
+            | StatementKind::Gosub(_)
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::Command { .. }
+            | StatementKind::Broken(_) => None,
+        }
+    }
+
+    /// Whether the statement behind it may be the next; of a broken one nobody knows.
+    pub const fn goes_on(&self) -> bool {
+        match self {
+            StatementKind::Goto(_)
+            | StatementKind::SubEnd
+            | StatementKind::Return
+            | StatementKind::End
+            | StatementKind::Exit
+            | StatementKind::Broken(_) => false,
+            StatementKind::Define { .. }
+            | StatementKind::Label(_)
+            | StatementKind::Equation(_)
+            | StatementKind::If { .. }
+            | StatementKind::ElseIf { .. }
+            | StatementKind::Else
+            | StatementKind::EndIf
+            | StatementKind::While { .. }
+            | StatementKind::Wend
+            | StatementKind::Repeat
+            | StatementKind::Until { .. }
+            | StatementKind::For { .. }
+            | StatementKind::Next { .. }
+            | StatementKind::Subroutine { .. }
+            | StatementKind::Call(_)
+            | StatementKind::Gosub(_)
+            | StatementKind::Rem
+            | StatementKind::Message { .. }
+            | StatementKind::Command { .. } => true,
+        }
+    }
+}
