@@ -11,7 +11,7 @@ mod tests;
 
 pub use flag::Flag;
 pub use op::Op;
-pub use port::Port;
+pub use port::{KNOBS, Port};
 pub use target::Target;
 
 use core::fmt;

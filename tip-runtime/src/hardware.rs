@@ -1,5 +1,6 @@
 //! The one trait that a real robot implements.
 
+use crate::command::KNOBS;
 use crate::fault::Fault;
 
 /// What a robot measures in one cycle. A reader fills in what it has; the rest keeps its zeros.
@@ -11,7 +12,7 @@ pub struct Sensors<const L: usize, const J: usize> {
     /// senses it.
     pub torques: [[f64; J]; L],
     /// `VR1…VR3`: V.
-    pub knobs: [f64; 3],
+    pub knobs: [f64; KNOBS],
     /// `PAW1…`: V of each sole's pressure sensor.
     pub paws: [f64; L],
     /// `ANTENNA`: V of the feeler, or 1 while the palm touches.
@@ -25,7 +26,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
         torques: [[0.0; J]; L],
-        knobs: [0.0; 3],
+        knobs: [0.0; KNOBS],
         paws: [0.0; L],
         antenna: 0.0,
         slider: [0.0; 3],
@@ -37,7 +38,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
     pub(crate) torques: &'a [[f64; J]],
-    pub(crate) knobs: [f64; 3],
+    pub(crate) knobs: [f64; KNOBS],
     pub(crate) paws: &'a [f64],
     pub(crate) antenna: f64,
     pub(crate) slider: [f64; 3],
@@ -48,7 +49,7 @@ pub(crate) struct SensorsView<'a, const J: usize> {
 pub(crate) struct SensorsMut<'a, const J: usize> {
     pub(crate) angles: &'a mut [[f64; J]],
     pub(crate) torques: &'a mut [[f64; J]],
-    pub(crate) knobs: &'a mut [f64; 3],
+    pub(crate) knobs: &'a mut [f64; KNOBS],
     pub(crate) paws: &'a mut [f64],
     pub(crate) antenna: &'a mut f64,
     pub(crate) slider: &'a mut [f64; 3],

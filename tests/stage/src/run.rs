@@ -2,7 +2,6 @@
 
 use crate::engine::Boxed;
 use crate::events::Events;
-use tip_runtime::command::Port;
 use tip_runtime::console::Scripted;
 use tip_runtime::machine::{Machine, Status};
 use tip_runtime::model::{Model, generic, hand, titan8};
@@ -83,7 +82,9 @@ fn run_on<const L: usize, const J: usize>(
             return Err(format!("it runs for more than {ENDLESS} cycles"));
         }
         for (name, volts, _) in events.sensors.iter().filter(|(_, _, from)| *from == cycle) {
-            let port = port(name).ok_or_else(|| format!("no input is called {name}"))?;
+            let port = name
+                .parse()
+                .map_err(|_| format!("no input is called {name}"))?;
             if !machine.hardware_mut().set_sensor(port, *volts) {
                 return Err(format!("the robot has no input {name}"));
             }
@@ -100,19 +101,4 @@ fn run_on<const L: usize, const J: usize>(
     trace.end(ending, machine.cycles());
     trace.result().map_err(|error| error.to_string())?;
     Ok(trace.into_inner())
-}
-
-/// An input by the name that AD_IN has for it.
-fn port(name: &str) -> Option<Port> {
-    let digit = |text: &str| text.parse::<u8>().ok().filter(|digit| *digit < 10);
-    if name == "ANTENNA" {
-        Some(Port::Antenna)
-    } else if let Some(n) = name.strip_prefix("VR") {
-        digit(n).map(Port::Knob)
-    } else if let Some(n) = name.strip_prefix("PAW") {
-        digit(n).map(Port::Paw)
-    } else {
-        let (leg, joint) = name.strip_prefix('J')?.split_at_checked(1)?;
-        Some(Port::Joint(digit(leg)?, digit(joint)?))
-    }
 }

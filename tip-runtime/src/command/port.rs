@@ -5,7 +5,7 @@ use core::fmt;
 use core::str::FromStr;
 
 /// How many potentiometers the control box has.
-const KNOBS: u8 = 3;
+pub const KNOBS: usize = 3;
 
 /// How many soles have a pressure sensor with a name.
 const PAWS: u8 = 4;
@@ -49,7 +49,7 @@ impl Port {
     pub fn named(self) -> impl Iterator<Item = Port> {
         let count = match self {
             Port::Channel(_) | Port::Joint(..) => 0,
-            Port::Knob(_) => KNOBS,
+            Port::Knob(_) => KNOBS as u8,
             Port::Paw(_) => PAWS,
             Port::Antenna => 1,
         };
@@ -83,7 +83,7 @@ impl FromStr for Port {
             [digit @ b'1'..=b'9'] if digit - b'0' <= last => Some(digit - b'0'),
             _ => None,
         };
-        if let Some(knob) = numbered(Port::Knob(1), KNOBS) {
+        if let Some(knob) = numbered(Port::Knob(1), KNOBS as u8) {
             return Ok(Port::Knob(knob));
         }
         if let Some(paw) = numbered(Port::Paw(1), PAWS) {

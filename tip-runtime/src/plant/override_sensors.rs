@@ -1,14 +1,14 @@
 //! Inputs that read what was set for them.
 
 use crate::analog::{self, Wire};
-use crate::command::Port;
+use crate::command::{KNOBS, Port};
 use crate::hardware::SensorsMut;
 use crate::model::{Leg, Range};
 
 /// Inputs of the robot as a whole, and of its legs: an array of them, or a slice.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overrides<S: ?Sized> {
-    knobs: [f64; 3],
+    knobs: [f64; KNOBS],
     antenna: Option<f64>,
     legs: S,
 }
@@ -36,7 +36,7 @@ impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
     /// Knobs read 0, everything else is measured.
     pub(super) fn new(legs: &[Leg<J>; L]) -> Self {
         let mut overrides = Overrides {
-            knobs: [0.0; 3],
+            knobs: [0.0; KNOBS],
             antenna: None,
             legs: [LegInputs::new(Leg::BLANK); L],
         };
