@@ -6,8 +6,8 @@ use std::fmt;
 use std::rc::Rc;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
+use tip_sim::Interpreter;
 use tip_tests::{Settings, run};
-use tipc::interp::Interpreter;
 
 const ORIGINAL: &str = "3.1
 original

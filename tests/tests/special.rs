@@ -11,7 +11,7 @@ use tip_runtime::program::{Program, Robot};
 use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::hand::HandSpecials;
 use tip_runtime::special::{Call, Special};
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 
 const SOURCE: &str = r#"3.1
 A native command

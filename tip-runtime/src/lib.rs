@@ -37,6 +37,7 @@ pub mod program;
 pub mod realtime;
 #[cfg(feature = "control")]
 pub mod record;
+pub mod scene;
 #[cfg(feature = "control")]
 pub mod special;
 pub mod version;

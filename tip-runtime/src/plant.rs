@@ -2,12 +2,11 @@
 
 pub mod hand;
 mod override_sensors;
-mod scene;
 pub mod walker;
 
+pub use crate::scene::{Floor, OBJECTS, Object, Scene, SceneError, Shape};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use scene::{OBJECTS, Object, Scene, SceneError, Shape};
-pub use walker::{Fall, Floor, Foot, Pose, ServoDynamics, SimulatedPlant};
+pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant};
 
 use crate::command::Port;
 use crate::hardware::Hardware;

@@ -5,5 +5,5 @@ pub mod assignment;
 #[cfg(feature = "tools")]
 pub mod cycles;
 mod flow;
-#[cfg(feature = "lockstep")]
+#[cfg(feature = "tools")]
 pub mod spots;

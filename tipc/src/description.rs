@@ -29,7 +29,6 @@ mod legs;
 mod model;
 mod name;
 mod rust;
-#[cfg(feature = "lockstep")]
 mod scene;
 mod section;
 mod settings;
@@ -40,7 +39,6 @@ mod tests;
 pub use keys::{KEYS, Key, Part};
 pub use model::WithModel;
 pub use rust::{const_name, skeleton};
-#[cfg(feature = "lockstep")]
 pub use scene::parse_scene;
 
 use crate::diagnostic::Diagnostic;

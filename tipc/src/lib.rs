@@ -14,15 +14,11 @@ pub mod emit;
 pub(crate) mod fixture;
 #[cfg(feature = "build")]
 pub mod generate;
-#[cfg(feature = "interp")]
-pub mod interp;
 pub mod language;
 mod lex;
 #[cfg(feature = "tools")]
 pub mod listing;
 mod load;
-#[cfg(feature = "lockstep")]
-pub mod lockstep;
 mod lower;
 pub mod message;
 #[cfg(feature = "tools")]
@@ -34,8 +30,6 @@ mod robot;
 pub mod source;
 pub mod symbols;
 pub mod syntax;
-#[cfg(feature = "urdf")]
-pub mod urdf;
 mod warn;
 
 #[cfg(feature = "build")]

@@ -10,7 +10,7 @@ mod table;
 mod building;
 #[cfg(feature = "robot-files")]
 mod describing;
-#[cfg(feature = "urdf")]
+#[cfg(all(feature = "robot-files", feature = "tools"))]
 mod importing;
 pub mod list;
 #[cfg(feature = "tools")]
@@ -25,7 +25,7 @@ mod warning;
 pub use building::Building;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-#[cfg(feature = "urdf")]
+#[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
 #[cfg(feature = "tools")]
 pub use migrating::Migrating;
@@ -41,7 +41,7 @@ tables! {
     Warning,
     #[cfg(feature = "robot-files")]
     Describing,
-    #[cfg(feature = "urdf")]
+    #[cfg(all(feature = "robot-files", feature = "tools"))]
     Importing,
     #[cfg(feature = "tools")]
     Migrating,

@@ -6,7 +6,7 @@ use crate::{by_hand, compiled, machines, switches, walk_by_hand};
 use statig::blocking::{IntoStateMachineExt, StateMachine};
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program};
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 
 /// A motion that runs one step in each control cycle.
 pub trait Entrant {

@@ -7,8 +7,8 @@ use grasp::{CYLINDER, Grasp, SCENE, SOURCE};
 use tip_runtime::plant::{Object, Scene};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
+use tip_sim::Interpreter;
 use tipc::Robot;
-use tipc::interp::Interpreter;
 use walking::engine::interpreter;
 
 fn interpreted(text: &str) -> Interpreter {

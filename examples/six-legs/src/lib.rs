@@ -2,7 +2,7 @@
 //! interpreter side by side.
 #![forbid(unsafe_code)]
 
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 
 // The robot and the program that was checked for it: `HEXAPOD`, a constant, and `Tripod`, a type.
 tip_macros::include_robot!(pub "hexapod.toml" as HEXAPOD);

@@ -7,7 +7,7 @@ use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 
 /// The simulated TITAN VIII.
 pub type Plant = SimulatedPlant<4, 3>;

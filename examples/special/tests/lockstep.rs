@@ -2,26 +2,22 @@
 
 use special::native::Native;
 use special::{Dance, SOURCE};
-use tip_runtime::model::titan8;
-use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tipc::lockstep::{Reach, Rig};
+use tip_sim::lockstep::{Lockstep, Reach};
+use tip_sim::{Robot, load};
 
 #[test]
 fn both_engines_dance_alike_whether_all_feet_carry_or_not() {
-    let loaded = tipc::load("dance.prg", SOURCE.as_bytes(), &tipc::Options::default());
-    let rig = Rig {
-        program: loaded.program.expect("it loads"),
-        compiled: Dance::new(),
-        model: &titan8::MODEL,
-        plant: SimulatedPlant::new(&titan8::MODEL),
-        special: Native::default(),
-    };
-    let mut reach = Reach::new(&rig.program);
+    let robot = Robot::named("titan8").expect("it has that name");
+    let robot = robot.with_special(Native::default());
+    let program = load("dance.prg", SOURCE, &robot).expect("it loads");
+    let lockstep = Lockstep::new(program.program().clone(), Dance::new(), &robot);
+    let lockstep = lockstep.expect("both are for TITAN VIII");
+    let mut reach = Reach::new(lockstep.program());
     for inputs in ["", "--sensor PAW2=0@0"] {
         let inputs = inputs.parse().expect("inputs");
-        let run = rig.run(&inputs, &mut reach).expect("TITAN VIII");
+        let run = lockstep.run(&inputs, &mut reach).expect("TITAN VIII");
         assert_eq!(run.divergence, None);
         assert_eq!(run.ending, Some(Ending::Program(End::End)));
     }

@@ -7,7 +7,7 @@ use tip_runtime::model::Model;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines};
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 
 /// The control loop around a program of type `P` and a console of type `C`.
 pub type Loop<P, C, const L: usize, const J: usize> =

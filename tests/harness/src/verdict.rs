@@ -9,8 +9,8 @@ use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
 use tip_runtime::program::Program;
+use tip_sim::Interpreter;
 use tipc::code::Level;
-use tipc::interp::Interpreter;
 use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.

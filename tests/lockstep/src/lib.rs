@@ -24,7 +24,7 @@ pub use script::{Event, Happening, Scenery, Script};
 pub use shrink::shrink;
 
 use tip_runtime::program::Program;
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 use tipc::{Loaded, Options, Robot, listing};
 
 /// Seed, robot and text of a program, and a maker of its compiled form.

@@ -8,7 +8,7 @@ use tip_runtime::model::{Model, hand, titan8};
 use tip_runtime::plant::{SimulatedHand, SimulatedPlant};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 use tipc::program::Program;
 use tipc::{Options, Robot, load};
 

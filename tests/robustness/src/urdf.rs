@@ -1,7 +1,7 @@
 //! Robots from URDF: what is imported is a description with a sound model, or there is a reason.
 
 use crate::description;
-use tipc::urdf::import;
+use tip_sim::urdf::import;
 
 /// Imports the bytes, bad ones replaced as the command line does.
 ///

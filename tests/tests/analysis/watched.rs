@@ -7,8 +7,8 @@ use std::fmt;
 use std::rc::Rc;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
+use tip_sim::Interpreter;
 use tipc::analysis::assignment::{Assigned, Assignment};
-use tipc::interp::Interpreter;
 use tipc::program::Action;
 
 /// How often runs came to reads of each kind.

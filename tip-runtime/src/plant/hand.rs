@@ -25,11 +25,11 @@ mod thing;
 
 use super::Plant;
 use super::override_sensors::{LegInputs, Overrides};
-use super::scene::{OBJECTS, Scene};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::Model;
+use crate::scene::{OBJECTS, Scene};
 use grip::{FingerPlant, Grip};
 
 /// In SI units.

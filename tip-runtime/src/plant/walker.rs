@@ -19,7 +19,6 @@ mod support;
 
 pub use body::Pose;
 pub use fall::Fall;
-pub use floor::Floor;
 pub use servo::ServoDynamics;
 
 use super::override_sensors::{LegInputs, Overrides};
@@ -28,6 +27,7 @@ use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model};
+use crate::scene::Floor;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;

@@ -5,7 +5,7 @@ use super::open;
 use super::section::{Found, Section, Sign, fault};
 use crate::load::Loaded;
 use crate::message::Describing;
-use tip_runtime::plant::{Object, Scene, SceneError, Shape};
+use tip_runtime::scene::{Object, Scene, SceneError, Shape};
 
 /// Reads a scene. `name` is how diagnostics call the file.
 ///

@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 use std::fs;
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::Model;
+use tip_sim::urdf;
 use tipc::description::WithModel;
-use tipc::urdf;
 
 /// Shows every fault of a description, or what the robot has.
 pub(super) fn check(arguments: &CheckRobot) -> Result<Status, Error> {

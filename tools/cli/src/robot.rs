@@ -1,6 +1,7 @@
 //! The robot of the command line: one with a name, or one with a description.
 
 use super::choices::RobotName;
+use super::error::Error;
 use super::input;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
@@ -51,6 +52,15 @@ impl RobotChoice {
 }
 
 impl ChosenRobot {
+    /// The robot before its first control cycle.
+    pub(super) fn simulated(&self) -> Result<tip_sim::Robot, Error> {
+        match self {
+            ChosenRobot::Named(name) => tip_sim::Robot::named(name.robot().name())
+                .map_err(|unknown| Error::Usage(unknown.to_string())),
+            ChosenRobot::Described(description) => Ok(tip_sim::Robot::described(description)),
+        }
+    }
+
     /// What programs are checked for.
     pub(super) fn robot(&self) -> Robot {
         match self {

@@ -6,7 +6,8 @@ use super::{input, report};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tip_runtime::plant::{Floor, Scene};
+use tip_runtime::plant::Scene;
+use tip_sim::{GraspsNothing, Robot};
 
 /// `NAME` or `FILE.toml`.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,15 +49,13 @@ pub(super) fn load(choice: Option<&SceneChoice>, format: Format) -> Option<Scene
     }
 }
 
-/// What a walking robot uses of a scene.
+/// Puts a robot into a scene.
 ///
 /// # Errors
 /// It has objects, which a walking robot cannot grasp.
-pub(super) fn floor(scene: &Scene, robot: &str) -> Result<Floor, Error> {
-    if scene.objects.iter().any(Option::is_some) {
-        return Err(Error::Usage(format!(
-            "{robot} grasps nothing: a scene with objects needs --robot hand"
-        )));
-    }
-    Ok(scene.floor)
+pub(super) fn around(robot: Robot, scene: &Scene) -> Result<Robot, Error> {
+    let refused = |error: GraspsNothing| {
+        Error::Usage(format!("{error}: a scene with objects needs --robot hand"))
+    };
+    robot.with_scene(scene).map_err(refused)
 }

@@ -2,15 +2,9 @@
 
 mod certificate;
 mod engines;
-mod events;
 mod finding;
-mod levers;
 mod package;
 mod project;
-mod random;
-mod search;
-mod shrink;
-mod tally;
 
 use super::arguments::Verify;
 use super::checked::checked;
@@ -21,8 +15,7 @@ use engines::Engines;
 use finding::finding;
 use package::Package;
 use project::Project;
-use search::Search;
-use tally::{Came, Tally};
+use tip_sim::search::{self, Failed};
 
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
@@ -37,17 +30,12 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let package = Package::new(arguments, &checked, &scene, &project)?;
     let executable = project.build(&package.write(&project)?)?;
     let mut engines = Engines::start(&executable)?;
-    let mut tally = Tally::new(&checked.program);
     let inputs = arguments.inputs.inputs();
-    let diverging = if inputs.happen() {
-        match tally.run(&mut engines, &inputs)? {
-            Came::Diverged(diverging) => Some(diverging),
-            Came::Agreed { .. } => None,
-        }
-    } else {
-        let search = Search::new(&mut engines, &mut tally, inputs.cycles);
-        search.run(&checked.program, arguments.runs)?
-    };
+    let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
+    let (tally, diverging) = compared.map_err(|failed| match failed {
+        Failed::Refused(reason) => Error::Usage(reason),
+        Failed::Engines(error) => error,
+    })?;
     match diverging {
         None => {
             output::print(certificate(
@@ -58,8 +46,7 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
             ))?;
             Ok(Status::Success)
         }
-        Some(diverging) => {
-            let shortest = shrink::shrink(&mut engines, diverging)?;
+        Some(shortest) => {
             output::print(finding(&checked, &shortest))?;
             Ok(Status::Failure)
         }

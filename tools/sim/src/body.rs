@@ -7,6 +7,7 @@ use crate::native::Native;
 use crate::rig::Rig;
 use crate::robot::Plant;
 use crate::shell::Shell;
+use tip_runtime::command::Port;
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::Model;
 use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
@@ -17,6 +18,7 @@ pub(crate) trait Body {
     fn boxed(&self) -> Box<dyn Body>;
     fn facts(&self) -> Facts;
     fn grasps(&self) -> bool;
+    fn has_input(&self, plant: Plant, scene: &Scene, port: Port) -> bool;
     fn start(
         &self,
         plant: Plant,
@@ -98,6 +100,10 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
 
     fn grasps(&self) -> bool {
         !matches!(self.hardware, Hardware::Walker)
+    }
+
+    fn has_input(&self, plant: Plant, scene: &Scene, port: Port) -> bool {
+        plant::Plant::set_sensor(&mut self.rig(plant, scene), port, 0.0)
     }
 
     fn start(

@@ -1,12 +1,12 @@
 //! Robots from descriptions.
 
 use crate::body::Sized;
+use crate::findings;
 use crate::robot::Robot;
 use std::fmt;
 use tip_runtime::model::Model;
 use tipc::Loaded;
 use tipc::description::{self, Description, WithModel};
-use tipc::render;
 
 impl Robot {
     /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
@@ -50,13 +50,7 @@ impl NotDescribed {
 
 impl fmt::Display for NotDescribed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Loaded {
-            source,
-            diagnostics,
-            ..
-        } = &*self.0;
-        let mut faults = diagnostics.iter();
-        faults.try_for_each(|fault| writeln!(f, "{}", render::short(source, fault).trim_end()))
+        findings::write(&self.0, f)
     }
 }
 

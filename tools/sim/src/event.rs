@@ -72,6 +72,14 @@ impl Events {
         self.0.is_empty()
     }
 
+    /// The inputs that they change.
+    pub fn ports(&self) -> impl Iterator<Item = Port> {
+        self.0.iter().filter_map(|timed| match timed.event {
+            Event::Sensor(port, _) => Some(port),
+            _ => None,
+        })
+    }
+
     /// Adds an event behind those of its cycle, and not before place `from`.
     pub(crate) fn insert(&mut self, from: usize, event: Timed) {
         let later = self.0.get(from..).unwrap_or_default();
@@ -89,6 +97,15 @@ impl From<Vec<Timed>> for Events {
 impl FromIterator<Timed> for Events {
     fn from_iter<I: IntoIterator<Item = Timed>>(events: I) -> Self {
         Events::new(events.into_iter().collect())
+    }
+}
+
+impl IntoIterator for Events {
+    type Item = Timed;
+    type IntoIter = std::vec::IntoIter<Timed>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
     }
 }
 

@@ -10,11 +10,15 @@ mod desk;
 mod echo;
 mod engine;
 pub mod event;
+mod findings;
+mod interp;
 mod load;
+pub mod lockstep;
 mod native;
 mod rig;
 mod robot;
 mod run;
+pub mod search;
 mod shell;
 mod sink;
 mod snapshot;
@@ -22,14 +26,17 @@ mod snapshot;
 mod trace;
 #[cfg(feature = "std")]
 mod transcript;
+#[cfg(feature = "urdf")]
+pub mod urdf;
 
 pub use cycle::{Asked, Cycle};
 #[cfg(feature = "robot-files")]
 pub use described::NotDescribed;
 pub use engine::Engine;
 pub use event::{Event, Events, Inputs, Timed};
+pub use interp::Interpreter;
 pub use load::{NotLoaded, load};
 pub use robot::{GraspsNothing, Plant, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Refused, Run};
 pub use snapshot::Snapshot;
-pub use tipc::interp::Interpreter;
+pub use tipc;

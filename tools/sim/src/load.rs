@@ -1,10 +1,10 @@
 //! Programs from text.
 
+use crate::findings;
+use crate::interp::Interpreter;
 use crate::robot::Robot;
 use std::fmt;
 use tipc::Loaded;
-use tipc::interp::Interpreter;
-use tipc::render;
 
 /// Loads the text of a program for a robot, to be run by the reference interpreter. `name` is how messages call it.
 ///
@@ -31,14 +31,7 @@ impl NotLoaded {
 
 impl fmt::Display for NotLoaded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Loaded {
-            source,
-            diagnostics,
-            ..
-        } = &*self.0;
-        let lines = diagnostics.iter().map(|one| render::short(source, one));
-        let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
-        f.write_str(&lines.join("\n"))
+        findings::write(&self.0, f)
     }
 }
 

@@ -6,6 +6,7 @@ use crate::engine::Engine;
 use crate::native::Native;
 use crate::shell::Shell;
 use std::fmt;
+use tip_runtime::command::Port;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
@@ -118,6 +119,11 @@ impl Robot {
             robot: tipc::Robot::Described(self.facts()),
             ..Options::default()
         }
+    }
+
+    /// Whether it has this input.
+    pub fn has_input(&self, port: Port) -> bool {
+        self.body.has_input(self.plant, &self.scene, port)
     }
 
     /// Puts a program on it.

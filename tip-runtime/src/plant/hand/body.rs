@@ -2,7 +2,7 @@
 
 use super::Vector;
 use super::finger::across;
-use crate::plant::scene::{Object, Shape};
+use crate::scene::{Object, Shape};
 
 /// Of free fall: m/s².
 const GRAVITY: f64 = 9.80665;

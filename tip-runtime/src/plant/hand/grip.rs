@@ -10,7 +10,7 @@ use super::thing::{Palm, Thing};
 use super::{Fingertip, ObjectState};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::{Leg, Model, Whole};
-use crate::plant::scene::{OBJECTS, Scene};
+use crate::scene::{OBJECTS, Scene};
 
 /// The longest step: ms.
 const STEP: f64 = 0.1;

@@ -6,7 +6,7 @@ use super::contact::{Bristle, Push};
 use super::finger::Finger;
 use super::overlap::{Surface, of_bodies, of_link};
 use crate::model::Range;
-use crate::plant::scene::{OBJECTS, Object};
+use crate::scene::{OBJECTS, Object};
 
 /// The coefficient of Coulomb friction of the palm; the object's counts if it is smaller.
 const PALM: f64 = 0.5;

@@ -1,25 +1,11 @@
-//! The floor: a plane.
+//! The floor as a walking robot meets it.
 
 use super::Point;
 use super::body::{Body, Pose, turn};
+use crate::scene::Floor;
 use nalgebra::Rotation3;
 
-/// A plane on which the robot stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Floor {
-    /// Above the world's origin: mm.
-    pub height: f64,
-    /// Rise for each mm along x and along y.
-    pub slope: [f64; 2],
-}
-
 impl Floor {
-    /// Level, at height 0.
-    pub const LEVEL: Self = Floor {
-        height: 0.0,
-        slope: [0.0, 0.0],
-    };
-
     /// Turns the floor's frame (z along its normal) into the world's.
     fn tilt(&self) -> Rotation3<f64> {
         let [x, y] = self.slope;

@@ -4,7 +4,7 @@ use super::Point;
 use super::body::Body;
 use super::contacts::Contacts;
 use super::fall::FallWatch;
-use super::floor::Floor;
+use crate::scene::Floor;
 use super::links::Mass;
 use super::stance::Stance;
 use super::support::{self, Load, Support};

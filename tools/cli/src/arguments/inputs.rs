@@ -2,8 +2,7 @@
 
 use super::super::scene::SceneChoice;
 use clap::Args;
-use tipc::lockstep::Inputs;
-use tipc::lockstep::inputs::{Keys, Sensor};
+use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 
 /// What happens around a simulated robot, and how long it runs.
 #[derive(Debug, Args)]
@@ -22,7 +21,11 @@ pub(crate) struct InputArguments {
 
     /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
-    sensors: Vec<Sensor>,
+    sensors: Vec<SensorAt>,
+
+    /// Whatever happens before the step of a cycle, such as '10:key F, 300:VR1=8, 900:halt'
+    #[arg(long, value_name = "CYCLE:EVENT,...")]
+    events: Option<Events>,
 
     /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
@@ -30,12 +33,15 @@ pub(crate) struct InputArguments {
 }
 
 impl InputArguments {
-    /// What the run is told.
+    /// What happens to the run.
     pub(crate) fn inputs(&self) -> Inputs {
+        let keys = self.keys.clone().unwrap_or_default().0;
+        let sensors = self.sensors.iter().map(|sensor| sensor.0.clone());
+        let halt = self.halt.map(|cycle| Event::Halt.at(cycle));
+        let events = self.events.clone().unwrap_or_default();
+        let all = keys.into_iter().chain(sensors).chain(halt).chain(events);
         Inputs {
-            keys: self.keys.clone().unwrap_or_default().0,
-            sensors: self.sensors.clone(),
-            halt: self.halt,
+            events: all.collect(),
             cycles: self.cycles,
         }
     }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
 use tip_runtime::program::Program as _;
-use tipc::interp::Interpreter;
+use tip_sim::Interpreter;
 use tipc::source::Source;
 
 /// The classical line, the statement that ran, and what else is known.

@@ -3,8 +3,8 @@
 use super::super::checked::Checked;
 use super::super::scene::SceneChoice;
 use super::project::{Project, VERSION};
-use super::tally::Tally;
 use std::fmt::Write as _;
+use tip_sim::search::Tally;
 use tipc::analysis::spots::Spot;
 use tipc::program::Step;
 

@@ -7,7 +7,9 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
-use tipc::lockstep::{Answer, Inputs, LIMIT};
+use tip_sim::Inputs;
+use tip_sim::lockstep::{Answer, LIMIT};
+use tip_sim::search;
 
 /// A run may take this long, and so much more for each of its cycles.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -46,9 +48,12 @@ impl Engines {
             answers,
         })
     }
+}
 
-    /// One run.
-    pub(super) fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
+impl search::Engines for Engines {
+    type Error = Error;
+
+    fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
         // A process that is gone shows when its answer is missing.
         let _ = writeln!(self.requests, "{inputs}").and_then(|()| self.requests.flush());
         let cycles = u32::try_from(inputs.cycles.unwrap_or(LIMIT)).unwrap_or(u32::MAX);
@@ -84,6 +89,7 @@ impl Drop for Engines {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
+    use tip_sim::search::Engines as _;
 
     fn complaint(executable: &str) -> String {
         let engines = Engines::start(Path::new(executable));

@@ -2,12 +2,14 @@
 
 use super::super::checked::Checked;
 use super::super::place::place;
-use super::tally::Diverging;
 use std::env;
-use tipc::lockstep::Divergence;
+use tip_sim::lockstep::Divergence;
+use tip_sim::search::Diverging;
 
 /// The options that the shortest inputs take the place of.
-const INPUTS: [&str; 5] = ["--keys", "--sensor", "--halt", "--cycles", "--runs"];
+const INPUTS: [&str; 6] = [
+    "--keys", "--sensor", "--halt", "--events", "--cycles", "--runs",
+];
 
 /// The text of a divergence.
 pub(super) fn finding(checked: &Checked, diverging: &Diverging) -> String {

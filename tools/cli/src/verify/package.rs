@@ -2,7 +2,6 @@
 
 use super::super::arguments::Verify;
 use super::super::checked::Checked;
-use super::super::choices::RobotName;
 use super::super::error::Error;
 use super::super::robot::ChosenRobot;
 use super::super::{output, scene};
@@ -44,7 +43,7 @@ impl Package {
             files.push(("src/robot.rs", robot(description)?.into_bytes()));
         }
         let mut hasher = DefaultHasher::new();
-        (&files, &project.runtime, &project.tipc).hash(&mut hasher);
+        (&files, &project.runtime, &project.sim).hash(&mut hasher);
         let name = format!(
             "verify-{}-{:016x}",
             crate_name(program.source_name()),
@@ -83,7 +82,7 @@ fn crate_name(source: &str) -> String {
 }
 
 fn manifest(name: &str, project: &Project) -> String {
-    let Project { runtime, tipc, .. } = project;
+    let Project { runtime, sim, .. } = project;
     format!(
         r#"# Written by `tipc verify`.
 [package]
@@ -96,13 +95,16 @@ publish = false
 
 [dependencies]
 tip-runtime = {{ {runtime} }}
-tipc = {{ {tipc}, default-features = false, features = ["lockstep"] }}
+tip-sim = {{ {sim}, default-features = false, features = ["std"] }}
 
 # What runs in control cycles is optimised. The rest only reads the program, and builds in half the time without.
 [profile.release.package."*"]
 opt-level = 0
 
 [profile.release.package.tip-runtime]
+opt-level = 3
+
+[profile.release.package.tip-sim]
 opt-level = 3
 
 [profile.release.package.libm]
@@ -112,24 +114,14 @@ opt-level = 3
 }
 
 fn main(arguments: &Verify, checked: &Checked, scene: &Scene) -> Result<String, Error> {
+    scene::around(checked.robot.simulated()?, scene)?;
     let name = checked.robot.robot().name();
-    let hand = matches!(checked.robot, ChosenRobot::Named(RobotName::Hand));
-    if !hand {
-        scene::floor(scene, name)?;
-    }
-    let (robot, model) = match &checked.robot {
-        ChosenRobot::Named(RobotName::Titan8) => ("", "tip_runtime::model::titan8::MODEL"),
-        ChosenRobot::Named(RobotName::Generic) => ("", "tip_runtime::model::generic::MODEL"),
-        ChosenRobot::Named(RobotName::Hand) => ("", "tip_runtime::model::hand::MODEL"),
-        ChosenRobot::Described(_) => ("mod robot;\n", "robot::ROBOT"),
-    };
-    let (plant, special) = if hand {
-        (
-            "SimulatedHand::new(model).with_scene(&scene)",
-            "HandSpecials::new()",
-        )
-    } else {
-        ("SimulatedPlant::new(model).with_floor(scene.floor)", "()")
+    let (module, robot) = match &checked.robot {
+        ChosenRobot::Named(_) => (
+            "",
+            format!("Robot::named({name:?}).expect(\"tipc knows it\")"),
+        ),
+        ChosenRobot::Described(_) => ("mod robot;\n", "Robot::of(&robot::ROBOT)".to_owned()),
     };
     let options = arguments.source.options(checked.robot.robot());
     let (version, encoding) = (options.tip_version, options.encoding);
@@ -140,32 +132,29 @@ fn main(arguments: &Verify, checked: &Checked, scene: &Scene) -> Result<String, 
 #![allow(unused_imports)]
 
 mod program;
-{robot}
+{module}
 use std::io;
 use tip_runtime::plant::Shape::{{Box, Disc}};
-use tip_runtime::plant::{{Floor, Object, Scene, SimulatedHand, SimulatedPlant}};
-use tip_runtime::special::hand::HandSpecials;
-use tipc::lockstep::{{Rig, serve}};
-use tipc::source::Encoding;
-use tipc::{{Facts, Options, Robot}};
+use tip_runtime::plant::{{Floor, Object, Scene}};
+use tip_sim::Robot;
+use tip_sim::lockstep::{{Lockstep, serve}};
+use tip_sim::tipc::source::Encoding;
+use tip_sim::tipc::{{Options, load}};
 
 fn main() -> io::Result<()> {{
-    let model = &{model};
     let scene = {scene:?};
+    let robot = {robot};
+    let robot = robot.with_scene(&scene).expect("tipc put it there already");
     let options = Options {{
-        robot: Robot::Described(Facts::of(model)),
         tip_version: {version:?},
         encoding: Encoding::{encoding:?},
+        ..robot.options()
     }};
-    let loaded = tipc::load({source:?}, include_bytes!("source.prg"), &options);
-    let rig = Rig {{
-        program: loaded.program.expect("tipc loaded it already"),
-        compiled: program::Verified::new(),
-        model,
-        plant: {plant},
-        special: {special},
-    }};
-    serve(&rig, io::stdin().lock(), io::stdout().lock())
+    let loaded = load({source:?}, include_bytes!("source.prg"), &options);
+    let program = loaded.program.expect("tipc loaded it already");
+    let compiled = program::Verified::new();
+    let lockstep = Lockstep::new(program, compiled, &robot).expect("both are for this robot");
+    serve(lockstep, io::stdin().lock(), io::stdout().lock())
 }}
 "#
     ))

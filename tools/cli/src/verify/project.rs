@@ -25,8 +25,8 @@ pub(super) struct Project {
     pub(super) lock: PathBuf,
     /// Where to take tip-runtime from: a TOML table without braces.
     pub(super) runtime: String,
-    /// Where to take tipc from: the same.
-    pub(super) tipc: String,
+    /// Where to take tip-sim from: the same.
+    pub(super) sim: String,
 }
 
 impl Project {
@@ -51,10 +51,10 @@ impl Project {
         })?;
         same_version(runtime)?;
         let runtime_source = source(runtime);
-        let tipc = match package("tipc") {
-            Some(tipc) => {
-                same_version(tipc)?;
-                source(tipc)
+        let sim = match package("tip-sim") {
+            Some(sim) => {
+                same_version(sim)?;
+                source(sim)
             }
             None => beside(runtime, &runtime_source)?,
         };
@@ -63,7 +63,7 @@ impl Project {
             target: path("target_directory").join("tipc-verify"),
             lock: path("workspace_root").join("Cargo.lock"),
             runtime: runtime_source,
-            tipc,
+            sim,
             folder,
         })
     }
@@ -186,17 +186,17 @@ fn source(package: &Value) -> String {
     }
 }
 
-/// The tipc that belongs to a run-time whose project has none: from the same registry, repository or checkout.
+/// The tip-sim that belongs to a run-time whose project has none: from the same registry, repository or checkout.
 fn beside(runtime: &Value, source: &str) -> Result<String, Error> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());
     }
-    let folder = folder_of(runtime).with_file_name("tipc");
+    let folder = folder_of(runtime).with_file_name("tools").join("sim");
     if folder.join("Cargo.toml").exists() {
         return Ok(format!("path = {}", quoted(&folder.to_string_lossy())));
     }
     Err(Error::Failed(
-        "the project has tip-runtime from a folder, and no tipc: add it as a dev-dependency, so that the interpreter can be built"
+        "the project has tip-runtime from a folder, and no tip-sim: add it as a dev-dependency, so that the interpreter can be built"
             .to_owned(),
     ))
 }

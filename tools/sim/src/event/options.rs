@@ -1,6 +1,6 @@
 //! Events as the command line spells them: `--keys`, `--sensor` and `--halt` are short forms, `--events` is the full one.
 
-use super::text::{KeyText, key_byte, port};
+use super::text::{KeyText, key_byte, number, port};
 use super::{Event, EventError, Events, Timed};
 use std::fmt;
 use std::str::FromStr;
@@ -61,7 +61,7 @@ impl FromStr for Inputs {
                 "--keys" => events.extend(value.parse::<Keys>()?.0),
                 "--sensor" => events.push(value.parse::<SensorAt>()?.0),
                 "--halt" => events.push(Event::Halt.at(cycles(value)?)),
-                "--events" => events.extend(value.parse::<Events>()?.0),
+                "--events" => events.extend(value.parse::<Events>()?),
                 "--cycles" => inputs.cycles = Some(cycles(value)?),
                 _ => return Err(EventError(format!("'{option}' is no option of a run"))),
             }
@@ -126,8 +126,8 @@ impl FromStr for SensorAt {
         let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
         let name = name.trim().to_ascii_uppercase();
         let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is no input")))?;
-        let volts = super::text::number(volts)
-            .ok_or_else(|| wrong(&format!("'{volts}' is no number of volts")))?;
+        let volts =
+            number(volts).ok_or_else(|| wrong(&format!("'{volts}' is no number of volts")))?;
         let cycle = cycle
             .trim()
             .parse()

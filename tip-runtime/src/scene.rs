@@ -1,0 +1,184 @@
+//! What surrounds a simulated robot: a floor, and objects to grasp.
+
+use core::fmt;
+
+/// How many objects a scene has room for.
+pub const OBJECTS: usize = 4;
+
+/// Lighter objects are too quick for the time steps of the simulation: kg.
+const LIGHTEST: f64 = 0.01;
+
+/// Smaller objects would slip through contacts: mm.
+const SMALLEST: f64 = 2.0;
+
+/// The outline of an object in the x–y plane; along z it is as wide as the hand. A cylinder that
+/// stands upright shows the outline of a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// A cylinder that lies along z.
+    Disc {
+        /// mm.
+        radius: f64,
+    },
+    /// A box.
+    Box {
+        /// Along x at angle 0: mm.
+        width: f64,
+        /// Along y at angle 0: mm.
+        height: f64,
+    },
+}
+
+/// An object that may move in the x–y plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object {
+    /// Its outline.
+    pub shape: Shape,
+    /// kg.
+    pub mass: f64,
+    /// The coefficient of Coulomb friction; where two things touch the smaller one counts.
+    pub friction: f64,
+    /// Where its centre is at first: mm.
+    pub x: f64,
+    /// Where its centre is at first: mm; `None` where it stands on the floor.
+    pub y: Option<f64>,
+    /// How far it is turned at first: deg.
+    pub angle: f64,
+}
+
+/// A plane on which the robot stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Floor {
+    /// Above the world's origin: mm.
+    pub height: f64,
+    /// Rise for each mm along x and along y.
+    pub slope: [f64; 2],
+}
+
+impl Floor {
+    /// Level, at height 0.
+    pub const LEVEL: Self = Floor {
+        height: 0.0,
+        slope: [0.0, 0.0],
+    };
+}
+
+/// A floor and up to [`OBJECTS`] objects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene {
+    /// What a walking robot stands on. Under a hand the slider carries it: its height counts from
+    /// the slider's, and it rises along x only.
+    pub floor: Floor,
+    /// The floor's coefficient of Coulomb friction.
+    pub friction: f64,
+    /// The objects.
+    pub objects: [Option<Object>; OBJECTS],
+}
+
+impl Scene {
+    /// A level floor (friction 0.5) and nothing on it.
+    pub const EMPTY: Self = Scene {
+        floor: Floor::LEVEL,
+        friction: 0.5,
+        objects: [None; OBJECTS],
+    };
+
+    /// A cylinder that stands upright under the middle of the palm: 200 mm across, 60 mm high, 0.6 kg,
+    /// as rough as rubber (1.5).
+    ///
+    /// Fingers in their initial posture nearly touch it. Equal torques in all joints push a fingertip
+    /// along a line that is parallel to the straight finger above it, 50 deg upwards, and only so
+    /// rough a side does not let it slip.
+    pub const CYLINDER: Self = {
+        let mut scene = Scene::EMPTY;
+        scene.objects[0] = Some(Object {
+            shape: Shape::Box {
+                width: 200.0,
+                height: 60.0,
+            },
+            mass: 0.6,
+            friction: 1.5,
+            x: 0.0,
+            y: None,
+            angle: 0.0,
+        });
+        scene
+    };
+
+    /// The scene with this name, as `--scene` takes it.
+    pub fn by_name(name: &str) -> Option<Self> {
+        (name == "cylinder").then_some(Scene::CYLINDER)
+    }
+
+    /// Puts one more object into the scene.
+    ///
+    /// # Errors
+    /// What is wrong with it, or that no room is left.
+    pub fn with_object(mut self, object: Object) -> Result<Self, SceneError> {
+        object.check()?;
+        let place = self.objects.iter_mut().find(|place| place.is_none());
+        *place.ok_or(SceneError::Full)? = Some(object);
+        Ok(self)
+    }
+}
+
+impl Object {
+    /// Whether it can be simulated.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self) -> Result<(), SceneError> {
+        let sizes = match self.shape {
+            Shape::Disc { radius } => [radius, radius],
+            Shape::Box { width, height } => [width, height],
+        };
+        let large = |size: &f64| size.is_finite() && *size >= SMALLEST;
+        let placed = [self.x, self.y.unwrap_or(0.0), self.angle];
+        if !sizes.iter().all(large) {
+            Err(SceneError::Size)
+        } else if !(self.mass.is_finite() && self.mass >= LIGHTEST) {
+            Err(SceneError::Mass)
+        } else if !(self.friction.is_finite() && self.friction >= 0.0) {
+            Err(SceneError::Friction)
+        } else if !placed.iter().all(|number| number.is_finite()) {
+            Err(SceneError::Place)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Scene::EMPTY
+    }
+}
+
+/// Why an object cannot be in a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneError {
+    /// There are [`OBJECTS`] already.
+    Full,
+    /// It is too small, or its size is not a number.
+    Size,
+    /// It is too light, or its mass is not a number.
+    Mass,
+    /// Its friction is negative or no number.
+    Friction,
+    /// Its position is not a number.
+    Place,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneError::Full => write!(f, "a scene has room for {OBJECTS} objects"),
+            SceneError::Size => write!(f, "an object measures at least {SMALLEST} mm"),
+            SceneError::Mass => write!(f, "an object's mass is at least {LIGHTEST} kg"),
+            SceneError::Friction => f.write_str("friction is 0 or more"),
+            SceneError::Place => f.write_str("a place and an angle are finite numbers"),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}

@@ -1,0 +1,210 @@
+//! Compiled code against the reference interpreter, cycle by cycle, each on a simulated robot of its own.
+//!
+//! `tipc verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
+//! few lines, in a test of your own; the front page of this crate has an example.
+
+mod answer;
+mod notes;
+mod reach;
+mod side;
+
+pub use answer::{Answer, RunEnd, Session, serve};
+pub use reach::Reach;
+
+#[cfg(all(test, feature = "std"))]
+mod tests;
+
+use crate::event::Inputs;
+use crate::interp::Interpreter;
+use crate::robot::Robot;
+use crate::run::{Refused, Run};
+use side::Side;
+use std::sync::Arc;
+use tip_runtime::machine::Mismatch;
+use tip_runtime::program::Program;
+use tip_runtime::record::Ending;
+use tipc::analysis::spots::Place;
+use tipc::program::{self, StepId};
+
+/// The most cycles of a run that is given no limit: a program may run forever.
+pub const LIMIT: u64 = 10_000;
+
+/// What of each cycle is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Evidence {
+    /// The record of the trace, to the byte: every assignment, message, lamp and command, and a hash over the bits of
+    /// all joints.
+    #[cfg(feature = "std")]
+    Records,
+    /// A running hash of the same, of every variable, and of all that a console is shown: quick. Where it differs the
+    /// run is repeated, and both sides write the cycle down in words.
+    Hashes,
+}
+
+/// Is told where the interpreter goes.
+pub trait Scout {
+    /// A step ran, and led on unless it was the last.
+    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>);
+}
+
+impl Scout for () {
+    fn went(&mut self, _cycle: u64, _from: Place, _to: Option<Place>) {}
+}
+
+/// What came of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// How many cycles were compared; one that stops the robot is not counted.
+    pub cycles: u64,
+    /// How both engines ended; `None` if they diverged.
+    pub ending: Option<Ending>,
+    /// Where they diverged.
+    pub divergence: Option<Divergence>,
+    /// A hash of everything that both did, if hashes were compared.
+    pub hash: u64,
+}
+
+/// The first difference between the engines.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Divergence {
+    /// The cycle.
+    pub cycle: u64,
+    /// The step that the interpreter ran.
+    pub step: StepId,
+    /// What the interpreter did in it: its record, or words.
+    pub interpreted: String,
+    /// What the compiled code did.
+    pub compiled: String,
+}
+
+/// A program in both forms on two robots, each before its first cycle.
+#[derive(Clone, Debug)]
+pub struct Lockstep {
+    program: Arc<program::Program>,
+    interpreted: Run,
+    compiled: Run,
+    evidence: Evidence,
+}
+
+impl Lockstep {
+    /// Puts a program and its compiled code on a robot each. Records are compared.
+    ///
+    /// # Errors
+    /// One of them is for another robot.
+    #[cfg(feature = "std")]
+    pub fn new(
+        program: impl Into<Arc<program::Program>>,
+        compiled: impl Program + Clone + 'static,
+        robot: &Robot,
+    ) -> Result<Self, Mismatch> {
+        Self::comparing(Evidence::Records, program, compiled, robot)
+    }
+
+    /// The same, comparing what is wanted.
+    ///
+    /// # Errors
+    /// One of them is for another robot.
+    pub fn comparing(
+        evidence: Evidence,
+        program: impl Into<Arc<program::Program>>,
+        compiled: impl Program + Clone + 'static,
+        robot: &Robot,
+    ) -> Result<Self, Mismatch> {
+        let program = program.into();
+        Ok(Lockstep {
+            interpreted: Run::new(Interpreter::new(program.clone()), robot.clone())?,
+            compiled: Run::new(compiled, robot.clone())?,
+            program,
+            evidence,
+        })
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Arc<program::Program> {
+        &self.program
+    }
+
+    /// What the engines say of the program without running it, if that differs: robot, name, title, source lines of the
+    /// steps, names of the variables.
+    pub fn unlike(&self) -> Option<Divergence> {
+        let facts = |run: &Run| {
+            let program = run.program();
+            let lines = (0..).map(|step| program.line(step));
+            let lines: Vec<u32> = lines.take_while(|line| *line > 0).collect();
+            let names = (0..).map_while(|n| program.scalar(n).map(|(name, _)| name.to_owned()));
+            let names: Vec<String> = names.collect();
+            let named = (program.name(), program.title());
+            format!("{:?} {named:?} {lines:?} {names:?}", program.signature())
+        };
+        let (interpreted, compiled) = (facts(&self.interpreted), facts(&self.compiled));
+        (interpreted != compiled).then_some(Divergence {
+            cycle: 0,
+            step: 0,
+            interpreted,
+            compiled,
+        })
+    }
+
+    /// Runs both until they end, `inputs.cycles` (else [`LIMIT`]) are used up, or they differ.
+    ///
+    /// # Errors
+    /// The robot lacks an input.
+    pub fn run(&self, inputs: &Inputs, scout: &mut dyn Scout) -> Result<Compared, Refused> {
+        let limit = inputs.cycles.unwrap_or(LIMIT);
+        let [mut interpreted, mut compiled] = self.sides(inputs)?;
+        let mut compared = Compared {
+            cycles: 0,
+            ending: None,
+            divergence: None,
+            hash: 0,
+        };
+        while compared.ending.is_none() {
+            let cycle = compared.cycles;
+            let from = interpreted.place();
+            let ending = interpreted.cycle(limit);
+            compiled.cycle(limit);
+            if !interpreted.equals(&compiled) {
+                let [interpreted, compiled] = match self.evidence {
+                    #[cfg(feature = "std")]
+                    Evidence::Records => side::first_difference(&interpreted, &compiled),
+                    Evidence::Hashes => self.in_words(inputs, cycle)?,
+                };
+                compared.divergence = Some(Divergence {
+                    cycle,
+                    step: from.step,
+                    interpreted,
+                    compiled,
+                });
+                break;
+            }
+            compared.ending = ending;
+            compared.cycles = interpreted.cycles();
+            if compared.cycles > cycle {
+                scout.went(cycle, from, ending.is_none().then(|| interpreted.place()));
+            }
+        }
+        compared.hash = interpreted.hash();
+        Ok(compared)
+    }
+
+    fn sides(&self, inputs: &Inputs) -> Result<[Side; 2], Refused> {
+        let side = |run: &Run| -> Result<Side, Refused> {
+            let run = run.clone().with_events(&inputs.events)?;
+            Ok(Side::new(run, self.evidence))
+        };
+        Ok([side(&self.interpreted)?, side(&self.compiled)?])
+    }
+
+    /// What both sides do in a cycle.
+    fn in_words(&self, inputs: &Inputs, cycle: u64) -> Result<[String; 2], Refused> {
+        let limit = inputs.cycles.unwrap_or(LIMIT);
+        let sides = self.sides(inputs)?;
+        Ok(sides.map(|mut side| {
+            (0..cycle).for_each(|_| {
+                side.cycle(limit);
+            });
+            side.in_words(limit)
+        }))
+    }
+}

@@ -1,0 +1,182 @@
+//! Runs on request: inputs come in, one run a line, and one line goes out for each.
+
+use super::{Compared, Divergence, Lockstep, Reach};
+use crate::event::Inputs;
+use std::fmt::{self, Display};
+use std::io::{self, BufRead, Write};
+use std::str::FromStr;
+use tip_runtime::program::End;
+use tip_runtime::record::Ending;
+
+/// What came of a requested run. Its text is one line: fields with tabs between them, which no field holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Both engines did the same.
+    Agreed {
+        /// How many cycles were compared.
+        cycles: u64,
+        /// How it ended.
+        end: RunEnd,
+        /// The spots that no run before came by, by their places in [`Spots::all`](tipc::analysis::spots::Spots::all).
+        new: Vec<usize>,
+        /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
+        chances: Vec<u64>,
+    },
+    /// They did not.
+    Diverged(Divergence),
+    /// The robot lacks something that was asked for.
+    Refused(String),
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RunEnd {
+    /// END or EXIT.
+    Finished,
+    /// Its cycles were used up.
+    Limit,
+    /// Emergency stop.
+    Emergency,
+}
+
+const ENDS: [(&str, RunEnd); 3] = [
+    ("finished", RunEnd::Finished),
+    ("limit", RunEnd::Limit),
+    ("emergency", RunEnd::Emergency),
+];
+
+/// A program in both forms, and what its runs came by so far.
+#[derive(Clone, Debug)]
+pub struct Session {
+    lockstep: Lockstep,
+    reach: Reach,
+}
+
+impl Session {
+    /// A session without runs.
+    pub fn new(lockstep: Lockstep) -> Self {
+        let reach = Reach::new(lockstep.program());
+        Session { lockstep, reach }
+    }
+
+    /// One run.
+    pub fn answer(&mut self, inputs: &Inputs) -> Answer {
+        let compared = self.lockstep.run(inputs, &mut self.reach);
+        let (new, chances) = self.reach.take_news();
+        match compared {
+            Err(refused) => Answer::Refused(refused.to_string()),
+            Ok(Compared {
+                divergence: Some(divergence),
+                ..
+            }) => Answer::Diverged(divergence),
+            Ok(Compared { cycles, ending, .. }) => Answer::Agreed {
+                cycles,
+                end: match ending {
+                    Some(Ending::Program(End::End | End::Exit)) => RunEnd::Finished,
+                    Some(Ending::Emergency(_)) => RunEnd::Emergency,
+                    Some(Ending::Limit | Ending::Interrupted) | None => RunEnd::Limit,
+                },
+                new,
+                chances,
+            },
+        }
+    }
+}
+
+impl Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Answer::Agreed {
+                cycles,
+                end,
+                new,
+                chances,
+            } => {
+                let end = ENDS.iter().find(|(_, of)| of == end);
+                let end = end.map_or("", |(name, _)| name);
+                write!(
+                    f,
+                    "agreed\t{cycles}\t{end}\t{}\t{}",
+                    list(new),
+                    list(chances)
+                )
+            }
+            Answer::Diverged(divergence) => {
+                let Divergence {
+                    cycle,
+                    step,
+                    interpreted,
+                    compiled,
+                } = divergence;
+                write!(f, "diverged\t{cycle}\t{step}\t{interpreted}\t{compiled}")
+            }
+            Answer::Refused(reason) => write!(f, "refused\t{reason}"),
+        }
+    }
+}
+
+impl FromStr for Answer {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let fields: Vec<&str> = text.split('\t').collect();
+        let answer = match fields[..] {
+            ["agreed", cycles, end, new, chances] => agreed(cycles, end, new, chances),
+            ["diverged", cycle, step, interpreted, compiled] => {
+                diverged(cycle, step, interpreted, compiled)
+            }
+            ["refused", reason] => Some(Answer::Refused(reason.to_owned())),
+            _ => None,
+        };
+        answer.ok_or_else(|| format!("'{text}' is no answer"))
+    }
+}
+
+fn agreed(cycles: &str, end: &str, new: &str, chances: &str) -> Option<Answer> {
+    Some(Answer::Agreed {
+        cycles: cycles.parse().ok()?,
+        end: ENDS.iter().find(|(name, _)| *name == end)?.1,
+        new: numbers(new)?,
+        chances: numbers(chances)?,
+    })
+}
+
+fn diverged(cycle: &str, step: &str, interpreted: &str, compiled: &str) -> Option<Answer> {
+    Some(Answer::Diverged(Divergence {
+        cycle: cycle.parse().ok()?,
+        step: step.parse().ok()?,
+        interpreted: interpreted.to_owned(),
+        compiled: compiled.to_owned(),
+    }))
+}
+
+fn list(numbers: &[impl Display]) -> String {
+    let numbers = numbers.iter().map(ToString::to_string);
+    numbers.collect::<Vec<_>>().join(",")
+}
+
+fn numbers<T: FromStr>(list: &str) -> Option<Vec<T>> {
+    let numbers = list.split(',').filter(|number| !number.is_empty());
+    numbers.map(|number| number.parse().ok()).collect()
+}
+
+/// Answers each line of `requests`, which is the text of [`Inputs`], by the line of an [`Answer`].
+///
+/// # Errors
+/// Requests cannot be read, or answers not be written.
+pub fn serve(
+    lockstep: Lockstep,
+    requests: impl BufRead,
+    mut answers: impl Write,
+) -> io::Result<()> {
+    let mut session = Session::new(lockstep);
+    for request in requests.lines() {
+        let answer = match request?.parse() {
+            Ok(inputs) => session.answer(&inputs),
+            Err(error) => Answer::Refused(error.to_string()),
+        };
+        writeln!(answers, "{answer}")?;
+        answers.flush()?;
+    }
+    Ok(())
+}

@@ -1,0 +1,115 @@
+//! Robots from URDF files: each serial chain of revolute joints becomes a leg of a description.
+//!
+//! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
+//! what it needs and URDF lacks is assumed. The report tells both.
+
+mod chain;
+mod depth;
+mod pose;
+mod tree;
+mod write;
+
+use chain::Chain;
+use pose::Pose;
+use std::fmt;
+use tip_runtime::command::MAX;
+use tipc::description;
+use tipc::message::Importing;
+use tipc::message::list::Faults;
+use tree::Tree;
+
+/// A description that was made of a URDF file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The text of the description; [`tipc::description::parse`] takes it.
+    pub toml: String,
+    /// What was assumed and what was dropped, a line each.
+    pub report: Vec<Importing>,
+}
+
+/// Why a URDF file is no robot of legs; it names the link or joint, and says a way out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImportError(Importing);
+
+impl fmt::Display for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for ImportError {}
+
+impl ImportError {
+    fn new(message: Importing) -> Self {
+        ImportError(message)
+    }
+}
+
+/// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
+///
+/// # Errors
+/// Text that is no URDF, or nested too deep; joints that are no tree; a leg that branches or has a joint that does not turn; legs
+/// that differ in their number of joints, or have too many.
+pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
+    depth::check(text)?;
+    let robot = urdf_rs::read_from_string(text).map_err(|error| {
+        ImportError::new(Importing::NoUrdf {
+            error: error.to_string(),
+        })
+    })?;
+    let tree = Tree::new(&robot)?;
+    let body = tree.rigid(tree.root(), Pose::ROBOT_FRAME);
+    let first_joints = tree.movable(&body);
+    if first_joints.is_empty() {
+        return Err(ImportError::new(Importing::NoTurningJoint {
+            link: tree.root().to_owned(),
+        }));
+    }
+    let legs = first_joints
+        .into_iter()
+        .map(|(joint, pose)| Chain::follow(&tree, joint, pose))
+        .collect::<Result<Vec<_>, _>>()?;
+    check_sizes(&legs)?;
+    let mass = body.iter().map(|(link, _)| link.inertial.mass.value).sum();
+    let (toml, report) = write::description(source_name, &robot.name, mass, &legs);
+    match description::parse(source_name, toml.as_bytes()) {
+        Ok(_) => Ok(Import { toml, report }),
+        Err(loaded) => {
+            let faults = loaded.diagnostics.into_iter().map(|fault| fault.reason);
+            let faults = Faults(faults.collect());
+            Err(ImportError::new(Importing::NoRobot { faults }))
+        }
+    }
+}
+
+/// Every leg needs the same number of joints, and the language can name nine of each.
+fn check_sizes(legs: &[Chain<'_>]) -> Result<(), ImportError> {
+    if legs.len() > MAX {
+        return Err(ImportError::new(Importing::TooManyChains {
+            chains: legs.len(),
+            most: MAX,
+        }));
+    }
+    let Some(first) = legs.first() else {
+        return Ok(());
+    };
+    for leg in legs {
+        let count = leg.joints.len();
+        if count > MAX {
+            return Err(ImportError::new(Importing::TooManyJoints {
+                leg: leg.name().to_owned(),
+                joints: count,
+                most: MAX,
+            }));
+        }
+        if count != first.joints.len() {
+            return Err(ImportError::new(Importing::OtherNumberOfJoints {
+                leg: leg.name().to_owned(),
+                joints: count,
+                first: first.name().to_owned(),
+                wanted: first.joints.len(),
+            }));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,133 @@
+//! One leg: a chain of joints from the body to the foot.
+
+use super::ImportError;
+use super::pose::Pose;
+use super::tree::Tree;
+use tipc::message::Importing;
+use tipc::message::phrase::JointKind;
+use urdf_rs::{Joint, JointType, Link};
+
+/// A leg. All of it is seen from the robot frame while every joint stands at 0: there the axes of all joints
+/// are those of a description, whose frames are parallel at 0, however URDF has turned its own frames.
+#[derive(Clone, Debug)]
+pub(super) struct Chain<'a> {
+    pub(super) joints: Vec<Turning<'a>>,
+    /// The link at its end.
+    pub(super) end: &'a str,
+    /// Where it ends: mm.
+    pub(super) foot: [f64; 3],
+}
+
+/// A joint that turns, and the links that it carries up to the next one.
+#[derive(Clone, Debug)]
+pub(super) struct Turning<'a> {
+    pub(super) joint: &'a Joint,
+    pub(super) axis: [f64; 3],
+    /// Where it is: mm.
+    pub(super) at: [f64; 3],
+    /// kg.
+    pub(super) mass: f64,
+    /// Links that fixed joints hold to the one behind this joint, without those of the foot.
+    pub(super) merged: Vec<&'a str>,
+}
+
+impl<'a> Chain<'a> {
+    /// From a joint on the body to the foot.
+    pub(super) fn follow(
+        tree: &Tree<'a>,
+        first: &'a Joint,
+        pose: Pose,
+    ) -> Result<Self, ImportError> {
+        let mut joints = Vec::new();
+        let mut next = (first, pose);
+        loop {
+            let (joint, pose) = next;
+            check_kind(joint)?;
+            let links = tree.rigid(&joint.child.link, pose);
+            let movable = tree.movable(&links);
+            let is_last = movable.is_empty();
+            joints.push(Turning {
+                joint,
+                axis: pose.direction(*joint.axis.xyz),
+                at: pose.origin(),
+                mass: links.iter().map(|(link, _)| link.inertial.mass.value).sum(),
+                merged: merged(&links).filter(|_| !is_last).collect(),
+            });
+            match movable.as_slice() {
+                [] => {
+                    let (end, foot) = foot(tree, joint, &links)?;
+                    return Ok(Chain { joints, end, foot });
+                }
+                [one] => next = *one,
+                [(one, _), (other, _), ..] => {
+                    return Err(ImportError::new(Importing::Branches {
+                        leg: first.name.clone(),
+                        link: joint.child.link.clone(),
+                        one: one.name.clone(),
+                        other: other.name.clone(),
+                    }));
+                }
+            }
+        }
+    }
+
+    /// What errors and comments call the leg.
+    pub(super) fn name(&self) -> &'a str {
+        self.joints.first().map_or("", |first| &first.joint.name)
+    }
+}
+
+fn merged<'a>(links: &[(&'a Link, Pose)]) -> impl Iterator<Item = &'a str> {
+    links.iter().skip(1).map(|(link, _)| link.name.as_str())
+}
+
+fn check_kind(joint: &Joint) -> Result<(), ImportError> {
+    let kind = match joint.joint_type {
+        JointType::Revolute | JointType::Continuous => None,
+        JointType::Fixed => Some(JointKind::Fixed),
+        JointType::Prismatic => Some(JointKind::Prismatic),
+        JointType::Floating => Some(JointKind::Floating),
+        JointType::Planar => Some(JointKind::Planar),
+        JointType::Spherical => Some(JointKind::Spherical),
+    };
+    let (name, link) = (joint.name.clone(), joint.parent.link.clone());
+    if let Some(kind) = kind {
+        return Err(ImportError::new(Importing::DoesNotTurn {
+            joint: name,
+            link,
+            kind,
+        }));
+    }
+    if let Some(mimic) = &joint.mimic {
+        return Err(ImportError::new(Importing::Mimics {
+            joint: name,
+            link,
+            other: mimic.joint.clone(),
+        }));
+    }
+    if joint.axis.xyz.iter().all(|part| *part == 0.0) {
+        return Err(ImportError::new(Importing::NoAxis { joint: name, link }));
+    }
+    Ok(())
+}
+
+/// The foot: the frame that fixed joints put at the end of the last link.
+fn foot<'a>(
+    tree: &Tree<'a>,
+    last: &Joint,
+    links: &[(&'a Link, Pose)],
+) -> Result<(&'a str, [f64; 3]), ImportError> {
+    let behind = links.iter().skip(1);
+    let ends: Vec<&(&Link, Pose)> = behind.filter(|(link, _)| tree.is_leaf(link)).collect();
+    let (link, joint) = (last.child.link.clone(), last.name.clone());
+    match ends.as_slice() {
+        [(end, pose)] => Ok((&end.name, pose.origin())),
+        [] => Err(ImportError::new(Importing::NoFoot { link, joint })),
+        [(one, _), (other, _), ..] => Err(ImportError::new(Importing::TwoFeet {
+            link,
+            joint,
+            one: one.name.clone(),
+            other: other.name.clone(),
+        })),
+    }
+}

@@ -1,0 +1,178 @@
+//! The description as text, and the report.
+
+use super::chain::{Chain, Turning};
+use std::fmt::Write as _;
+use tipc::Robot;
+use tipc::message::Importing;
+use tipc::message::list::List;
+use urdf_rs::JointType;
+
+/// The longest name of a robot, in characters.
+const LONGEST: usize = 40;
+/// What is more than this stands for a motor without limit: N·m.
+const STRONGEST: f64 = 1e5;
+/// How far the assumed body reaches above and below the first joints: mm.
+const HALF_HEIGHT: f64 = 50.0;
+
+/// The text, and what was assumed or dropped.
+pub(super) fn description(
+    source_name: &str,
+    name: &str,
+    body_mass: f64,
+    legs: &[Chain<'_>],
+) -> (String, Vec<Importing>) {
+    let mut report = vec![
+        Importing::Frames,
+        Importing::Dropped,
+        Importing::NoSensors,
+        Importing::InitialPosture,
+    ];
+    let mut text = format!(
+        "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
+        comment(source_name),
+        robot_name(name)
+    );
+    for (number, leg) in (1..).zip(legs) {
+        let what = Importing::Leg {
+            number,
+            joint: comment(leg.name()),
+            link: comment(leg.end),
+        };
+        report.push(what.clone());
+        let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));
+    }
+    body(&mut text, body_mass, legs, &mut report);
+    let velocities = legs
+        .iter()
+        .flat_map(|leg| &leg.joints)
+        .map(|turning| turning.joint.limit.velocity);
+    let slowest = velocities
+        .filter(|v| *v > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    if slowest.is_finite() {
+        report.push(Importing::OmegaMax);
+        let _ = write!(
+            text,
+            "\n[standards]\nomega_max = {}\n",
+            measure(slowest.to_degrees())
+        );
+    }
+    (text, report)
+}
+
+fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
+    let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
+    let mut text = format!("base = {}\njoint = [\n", vector(base.map(measure)));
+    let behind = leg.joints.iter().skip(1).map(|next| next.at);
+    for (turning, next) in leg.joints.iter().zip(behind.chain([leg.foot])) {
+        let link = [0, 1, 2].map(|i| measure(next[i] - turning.at[i]));
+        let _ = writeln!(
+            text,
+            "    {{ axis = {}, link = {}{} }}, # {}",
+            vector(direction(turning.axis)),
+            vector(link),
+            settings(turning, report),
+            comment(&turning.joint.name)
+        );
+    }
+    text + "]\n"
+}
+
+/// Limits, mass and torque of a joint, as far as the file knows them.
+fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
+    let joint = turning.joint;
+    let (name, limit) = (comment(&joint.name), &joint.limit);
+    let mut text = String::new();
+    let ends = [limit.lower, limit.upper];
+    let has_ends = ends.iter().all(|end| end.is_finite()) && limit.lower < limit.upper;
+    if joint.joint_type == JointType::Revolute && has_ends {
+        let ends = ends.map(|end| measure(end.to_degrees()));
+        let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
+    } else {
+        report.push(Importing::TurnsAllRound {
+            joint: name.clone(),
+        });
+    }
+    let _ = write!(text, ", mass = {}", measure(turning.mass));
+    if limit.effort > 0.0 && limit.effort <= STRONGEST {
+        let _ = write!(text, ", torque = {}", measure(limit.effort));
+    } else {
+        report.push(Importing::Motor { joint: name });
+    }
+    if !turning.merged.is_empty() {
+        let merged: Vec<String> = turning.merged.iter().map(|link| comment(link)).collect();
+        report.push(Importing::TookIn {
+            link: comment(&joint.child.link),
+            merged: List(merged),
+        });
+    }
+    text
+}
+
+/// A box around the first joints, for a robot that can stand on its legs.
+fn body(text: &mut String, mass: f64, legs: &[Chain<'_>], report: &mut Vec<Importing>) {
+    if legs.len() < 3 {
+        report.push(Importing::BoltedDown);
+        return;
+    }
+    report.push(Importing::Walks);
+    let bases = || {
+        legs.iter()
+            .filter_map(|leg| leg.joints.first())
+            .map(|first| first.at)
+    };
+    let extent = |axis: usize, more: f64| {
+        let at = || bases().map(|base| base[axis]);
+        let low = at().fold(f64::INFINITY, f64::min) - more;
+        let high = at().fold(f64::NEG_INFINITY, f64::max) + more;
+        format!("[{}, {}]", measure(low), measure(high))
+    };
+    let _ = write!(
+        text,
+        "\n[body]\nx = {}\ny = {}\nz = {}\n",
+        extent(0, 0.0),
+        extent(1, 0.0),
+        extent(2, HALF_HEIGHT)
+    );
+    if mass > 0.0 {
+        let _ = writeln!(text, "mass = {}", measure(mass));
+    } else {
+        report.push(Importing::BodyMass);
+    }
+}
+
+/// A measure without the dust that changes of units and frames leave: to a millionth.
+fn measure(value: f64) -> f64 {
+    // Adding 0 makes of −0 a plain 0.
+    (value * 1e6).round() / 1e6 + 0.0
+}
+
+/// A unit vector, to the twelfth digit.
+fn direction(axis: [f64; 3]) -> [f64; 3] {
+    let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
+    axis.map(|part| (part / length * 1e12).round() / 1e12 + 0.0)
+}
+
+fn vector([x, y, z]: [f64; 3]) -> String {
+    format!("[{x}, {y}, {z}]")
+}
+
+/// A name as a comment or a report may hold it.
+fn comment(name: &str) -> String {
+    name.replace(char::is_control, "?")
+}
+
+/// The robot's name with blanks for what cannot stand in one.
+fn robot_name(name: &str) -> String {
+    let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);
+    let name: String = name
+        .chars()
+        .map(|c| if allowed(c) { c } else { ' ' })
+        .collect();
+    let name: String = name.trim().chars().take(LONGEST).collect();
+    match name.trim() {
+        "" => "robot".to_owned(),
+        known if Robot::from_name(known).is_some() => format!("{known} robot"),
+        name => name.to_owned(),
+    }
+}
