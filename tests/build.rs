@@ -5,9 +5,6 @@
     reason = "a build script reads and writes files and talks to Cargo"
 )]
 
-#[path = "stage/src/events.rs"]
-#[allow(unreachable_pub, reason = "it is shared with the tests")]
-mod events;
 #[path = "src/random.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod random;
@@ -18,7 +15,6 @@ mod seek;
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod settings;
 
-use events::Events;
 use settings::Settings;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -32,7 +28,6 @@ fn main() {
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=src");
     println!("cargo::rerun-if-changed=harness/src/settings.rs");
-    println!("cargo::rerun-if-changed=stage/src/events.rs");
     write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
     write(&out.join("random.rs"), &random_programs());
 }
@@ -96,7 +91,7 @@ impl Programs {
         let kind = spelling.name_for(program.source_name());
         let items = emit::emit(&program, &spelling);
         writeln!(self.modules, "mod {module} {{ {items} }}").unwrap();
-        let arm = format!("{key:?} => Box::new({module}::{kind}::new()),");
+        let arm = format!("{key:?} => tip_sim::Engine::new({module}::{kind}::new()),");
         writeln!(self.arms, "{arm}").unwrap();
         self.count += 1;
     }
@@ -106,7 +101,7 @@ impl Programs {
         format!(
             "{modules}
 /// The generated code of a program; `None` if it does not load.
-pub fn case(name: &str) -> Option<Box<dyn tip_runtime::program::Program>> {{
+pub fn case(name: &str) -> Option<tip_sim::Engine> {{
     Some(match name {{
         {arms}
         _ => return None,

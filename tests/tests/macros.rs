@@ -63,7 +63,7 @@ fn invocations_name_robot_and_type() {
 // clauses: 2.12 2.13 7.35 7.47
 #[test]
 fn an_included_program_runs() {
-    let trace = run(Box::new(Counting::new()), &Settings::default()).unwrap();
+    let trace = run(Counting::new(), &Settings::default()).unwrap();
     let said: Vec<&str> = trace
         .lines()
         .filter_map(|line| line.split_once("\"say\":\"")?.1.split_once('"'))

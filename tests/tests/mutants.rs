@@ -73,12 +73,12 @@ const MUTATIONS: &[(&str, &str)] = &[
     ("EXIT", "REM"),
 ];
 
-fn interpreter(source: &str) -> Box<dyn Program> {
+fn interpreter(source: &str) -> Interpreter {
     let loaded = tipc::load("mutant.prg", source.as_bytes(), &tipc::Options::default());
-    Box::new(Interpreter::new(loaded.program.expect("it loads")))
+    Interpreter::new(loaded.program.expect("it loads"))
 }
 
-fn trace(program: Box<dyn Program>) -> String {
+fn trace(program: impl Program + Clone + 'static) -> String {
     run(program, &Settings::default()).unwrap()
 }
 
@@ -94,8 +94,9 @@ fn a_wrong_step_shows_in_the_trace() {
 }
 
 /// An engine that runs one step twice.
+#[derive(Clone)]
 struct Stutter {
-    engine: Box<dyn Program>,
+    engine: Interpreter,
     steps_left: u32,
     stuttered: Rc<Cell<bool>>,
 }
@@ -165,7 +166,7 @@ fn a_step_too_many_shows_wherever_it_happens() {
             stuttered: Rc::default(),
         };
         let stuttered = Rc::clone(&engine.stuttered);
-        let flawed = trace(Box::new(engine));
+        let flawed = trace(engine);
         // A step that waits does not go on, so it cannot stutter.
         assert_eq!(
             flawed != original,

@@ -15,5 +15,4 @@ pub use compare::matches;
 pub use run::run;
 pub use seek::{cases, root};
 pub use settings::Settings;
-pub use tip_stage::{Boxed, Events};
 pub use verdict::{Compiled, checked, stopped, traced};

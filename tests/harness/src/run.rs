@@ -1,49 +1,47 @@
 //! A run as a case wants it.
 
 use crate::settings::Settings;
-use tip_runtime::model::Model;
 use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
-use tip_stage::Robot;
-use tipc::description::Description;
+use tip_runtime::record::Ending;
+use tip_sim::{Inputs, Limit, Robot, Run};
+
+/// No case needs more cycles; one that has not ended by then never will.
+const ENDLESS: u64 = 100_000;
 
 /// The trace of a run, with the state in each record.
 ///
 /// # Errors
-/// The program is for another robot, an input has no such name, or the program never ends.
-pub fn run(program: Box<dyn Program>, settings: &Settings) -> Result<String, String> {
-    tip_stage::run(program, &robot(settings)?, &settings.events)
+/// The program is for another robot, what is to happen to it cannot, or it never ends.
+pub fn run(program: impl Program + Clone + 'static, settings: &Settings) -> Result<String, String> {
+    let inputs: Inputs = settings.inputs.parse().map_err(text)?;
+    let run = Run::new(program, robot(settings)?).map_err(text)?;
+    let mut run = run
+        .with_events(&inputs.events)
+        .map_err(text)?
+        .with_trace(true);
+    let limit = inputs.cycles.unwrap_or(u64::MAX);
+    let ending = run.to_end(Limit::cycles(limit.min(ENDLESS)));
+    match ending {
+        Ending::Limit if limit > ENDLESS => Err(format!("it runs for more than {ENDLESS} cycles")),
+        _ => Ok(run.trace()),
+    }
+}
+
+fn text(error: impl std::fmt::Display) -> String {
+    error.to_string()
 }
 
 fn robot(settings: &Settings) -> Result<Robot, String> {
-    if let Some(description) = &settings.description {
-        return described(description);
-    }
-    match settings.load.robot {
-        tipc::Robot::Titan8 => Ok(Robot::Titan8),
-        tipc::Robot::Generic => Ok(Robot::Generic),
-        tipc::Robot::Hand => Ok(Robot::Hand(Box::new(scene(settings)?))),
-        tipc::Robot::Described(_) => Err("the robot has no description".to_owned()),
-    }
-}
-
-fn scene(settings: &Settings) -> Result<Scene, String> {
+    let robot = match &settings.description {
+        Some(description) => Robot::described(description),
+        None => Robot::named(settings.load.robot.name()).map_err(text)?,
+    };
     match &settings.scene {
-        Some(name) => Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}")),
-        None => Ok(Scene::EMPTY),
+        Some(name) => {
+            let scene = Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}"))?;
+            robot.with_scene(&scene).map_err(text)
+        }
+        None => Ok(robot),
     }
-}
-
-fn described(description: &Description) -> Result<Robot, String> {
-    let one = sized(description).map(Robot::OneJoint);
-    let six = sized(description).map(Robot::Hexapod);
-    let nine = sized(description).map(Robot::Largest);
-    one.or(six).or(nine).ok_or_else(|| {
-        let name = description.name();
-        format!("no case has had a robot of the size of {name}: it is to be listed here")
-    })
-}
-
-fn sized<const L: usize, const J: usize>(description: &Description) -> Option<Box<Model<L, J>>> {
-    description.model().map(Box::new)
 }

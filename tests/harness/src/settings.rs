@@ -4,7 +4,7 @@
     reason = "a case may stand beside the description of its robot"
 )]
 
-use super::Events;
+use std::fmt::{Display, Write as _};
 use std::fs;
 use std::path::Path;
 use tipc::description::{self, Description};
@@ -19,8 +19,8 @@ pub struct Settings {
     pub load: Options,
     /// The robot, if a file beside the case describes it.
     pub description: Option<Description>,
-    /// What happens around it while it runs.
-    pub events: Events,
+    /// What happens around it while it runs, as `tip_sim::Inputs` reads it.
+    pub inputs: String,
     /// What stands around the robot, by its name.
     pub scene: Option<String>,
 }
@@ -60,6 +60,15 @@ impl Settings {
         format!("{case} on {}", self.load.robot.name())
     }
 
+    /// Lets one more thing happen: an option of `tipc run`.
+    pub fn add_input(&mut self, option: &str, value: impl Display) {
+        if !self.inputs.is_empty() {
+            self.inputs.push(' ');
+        }
+        // Writing to a String cannot fail.
+        let _ = write!(self.inputs, "{option} {value}");
+    }
+
     fn read(&mut self, args: &str, folder: &Path) -> Result<(), String> {
         let mut words = args.split_whitespace();
         while let Some(option) = words.next() {
@@ -70,14 +79,14 @@ impl Settings {
                 "--robot" => Robot::from_name(value).map(|robot| self.load.robot = robot),
                 "--tip-version" => value.parse().ok().map(|n| self.load.tip_version = n),
                 "--encoding" => encoding(value).map(|encoding| self.load.encoding = encoding),
-                "--cycles" => value.parse().ok().map(|n| self.events.cycles = Some(n)),
                 "--scene" => {
                     self.scene = Some(value.to_owned());
                     Some(())
                 }
-                "--halt" => value.parse().ok().map(|n| self.events.halt = Some(n)),
-                "--keys" => keys(value).map(|keys| self.events.keys.extend(keys)),
-                "--sensor" => sensor(value).map(|sensor| self.events.sensors.push(sensor)),
+                "--cycles" | "--keys" | "--halt" | "--sensor" | "--events" => {
+                    self.add_input(option, value);
+                    Some(())
+                }
                 _ => return Err(format!("unknown option {option}")),
             };
             known.ok_or_else(|| format!("{option} cannot be {value}"))?;
@@ -111,28 +120,6 @@ fn encoding(name: &str) -> Option<Encoding> {
     }
 }
 
-/// `CYCLE:CHAR,…`
-fn keys(list: &str) -> Option<Vec<(u64, u8)>> {
-    list.split(',')
-        .map(|key| {
-            let (cycle, byte) = key.split_once(':')?;
-            let byte = match (byte.strip_prefix("0x"), byte.as_bytes()) {
-                (Some(code), _) => u8::from_str_radix(code, 16).ok()?,
-                (None, [byte]) => *byte,
-                (None, _) => return None,
-            };
-            Some((cycle.parse().ok()?, byte))
-        })
-        .collect()
-}
-
-/// `NAME=VALUE@CYCLE`
-fn sensor(text: &str) -> Option<(String, f64, u64)> {
-    let (name, rest) = text.split_once('=')?;
-    let (volts, cycle) = rest.split_once('@')?;
-    Some((name.to_owned(), volts.parse().ok()?, cycle.parse().ok()?))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,11 +134,11 @@ mod tests {
         assert_eq!(settings.load.robot, Robot::Generic);
         assert_eq!(settings.load.tip_version, 2.5);
         assert_eq!(settings.load.encoding, Encoding::ShiftJis);
-        let events = &settings.events;
-        assert_eq!(events.keys, [(3, b'a'), (4, 0x1B)]);
-        assert_eq!((events.halt, events.cycles), (Some(5), Some(100)));
+        assert_eq!(
+            settings.inputs,
+            "--keys 3:a,4:0x1B --halt 5 --cycles 100 --sensor VR1=8@3"
+        );
         assert_eq!(settings.scene.as_deref(), Some("cylinder"));
-        assert_eq!(events.sensors, [("VR1".to_owned(), 8.0, 3)]);
     }
 
     #[test]
@@ -160,7 +147,7 @@ mod tests {
         let settings = Settings::of_header(header, Path::new("")).unwrap();
         let robots: Vec<Robot> = settings.iter().map(|one| one.load.robot).collect();
         assert_eq!(robots, [Robot::Hand, Robot::Titan8]);
-        assert!(settings.iter().all(|one| one.events.cycles == Some(5)));
+        assert!(settings.iter().all(|one| one.inputs == "--cycles 5"));
         assert!(Settings::of_header("# robots: arm\n", Path::new("")).is_err());
     }
 

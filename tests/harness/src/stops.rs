@@ -32,8 +32,7 @@ impl<'a> Stop<'a> {
 /// The settings of a run in which a line is wanted; no line bears the number 0.
 pub fn wanting(line: u32, settings: &Settings) -> Settings {
     let mut settings = settings.clone();
-    let knob = ("VR1".to_owned(), f64::from(line), 0);
-    settings.events.sensors.push(knob);
+    settings.add_input("--sensor", format_args!("VR1={line}@0"));
     settings
 }
 

@@ -9,12 +9,12 @@ use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
 use tip_runtime::program::Program;
-use tip_sim::Interpreter;
+use tip_sim::{Engine, Interpreter};
 use tipc::code::Level;
 use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.
-pub type Compiled = fn(&str) -> Option<Box<dyn Program>>;
+pub type Compiled = fn(&str) -> Option<Engine>;
 
 /// Runs a case on the interpreter, and on the generated code if there is some: each gives the expected trace, and both
 /// give the same one.
@@ -92,17 +92,13 @@ pub fn checked(case: &str) {
     }
 }
 
-fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Box<dyn Program> {
+fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Engine {
     compiled(&settings.key(case)).expect("a case that loads was compiled")
 }
 
 /// The trace of a program, states included; that of its generated code, if there is some, is the same.
-fn trace(
-    program: tipc::program::Program,
-    compiled: Option<Box<dyn Program>>,
-    settings: &Settings,
-) -> String {
-    let interpreter = Box::new(Interpreter::new(program));
+fn trace(program: tipc::program::Program, compiled: Option<Engine>, settings: &Settings) -> String {
+    let interpreter = Interpreter::new(program);
     let Some(compiled) = compiled else {
         return run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
     };
@@ -117,7 +113,7 @@ fn trace(
         };
         assert_eq!(lines(a), lines(b), "the source lines of the steps");
     };
-    same(interpreter.as_ref(), compiled.as_ref());
+    same(&interpreter, &compiled);
     let interpreted = run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
     let compiled = run(compiled, settings).unwrap_or_else(|error| panic!("{error}"));
     let (a, b): (Vec<&str>, Vec<&str>) =

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
 use std::sync::LazyLock;
-use tip_tests::{Events, Settings, cases, root, run};
+use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
 
@@ -30,7 +30,7 @@ pub(crate) static RUNS: LazyLock<Runs> = LazyLock::new(|| {
     for one in all() {
         let watched = Watched::new(&one.name, one.program.clone(), Rc::clone(&seen));
         // A program that never ends by itself has no whole trace.
-        if let Ok(trace) = run(Box::new(watched), &one.settings) {
+        if let Ok(trace) = run(watched, &one.settings) {
             traces.push((one, trace));
         }
     }

@@ -15,6 +15,7 @@ use tipc::program::Action;
 pub(crate) type Seen = BTreeMap<Assigned, u64>;
 
 /// The interpreter, watched: each step's reads are judged before it runs.
+#[derive(Clone)]
 pub(crate) struct Watched {
     name: String,
     engine: Interpreter,

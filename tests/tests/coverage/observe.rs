@@ -159,7 +159,7 @@ impl Case {
         let Some(program) = self.loaded.program.clone() else {
             return Vec::new();
         };
-        let Ok(trace) = run(Box::new(Interpreter::new(program)), settings) else {
+        let Ok(trace) = run(Interpreter::new(program), settings) else {
             return Vec::new();
         };
         let is_step = |statement: &&syntax::Statement| {
