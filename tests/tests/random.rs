@@ -1,13 +1,14 @@
 //! Random programs of fixed seeds on both engines in lock-step: the part of the differential campaign that every run of
 //! the tests goes through.
 
-use lockstep::{Figures, Scenery, Script, Subject, Verdict, compare, interpreter};
+use lockstep::{Figures, Script, Subject, Verdict, compare, interpreter};
 use std::thread;
+use tip_sim::Plant;
 
 include!(concat!(env!("OUT_DIR"), "/random.rs"));
 
 /// Echoing joints for as long as it takes to come to an end, simulated ones for a moment.
-const RUNS: [(Scenery, u64); 2] = [(Scenery::Echo, 800), (Scenery::Simulated, 100)];
+const RUNS: [(Plant, u64); 2] = [(Plant::Echo, 800), (Plant::Simulated, 100)];
 
 #[test]
 fn both_engines_do_the_same_to_the_bit() {
@@ -40,8 +41,8 @@ fn agree(subjects: &[Subject]) -> Figures {
     for subject in subjects {
         let (robot, _) = interpreter(subject);
         let ((seed, _, source), _) = subject;
-        for (number, (scenery, cycles)) in (0..).zip(RUNS) {
-            let script = Script::random(robot, *seed, number, cycles, scenery);
+        for (number, (plant, cycles)) in (0..).zip(RUNS) {
+            let script = Script::random(robot, *seed, number, cycles, plant);
             if let Verdict::Different(difference) = compare(subject, &script, &mut figures) {
                 panic!("seed {seed}, {script:?}\n{difference:#?}\n{source}");
             }

@@ -3,15 +3,10 @@
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::fault::Fault;
-use tip_runtime::hardware::Hardware;
-use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::{hand, titan8};
-use tip_runtime::plant::{SimulatedHand, SimulatedPlant};
 use tip_runtime::program::{Program, Robot};
-use tip_runtime::record::{Ending, JsonLines};
 use tip_runtime::special::hand::HandSpecials;
 use tip_runtime::special::{Call, Special};
-use tip_sim::Interpreter;
+use tip_sim::{Interpreter, Limit, Run};
 
 const SOURCE: &str = r#"3.1
 A native command
@@ -41,7 +36,7 @@ END
 );
 
 /// 14 counts its first argument down, then sets flag 7 and lights a lamp; 15 takes no argument.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Handler {
     left: f64,
 }
@@ -82,37 +77,19 @@ fn interpreted(source: &str, robot: tipc::Robot) -> Interpreter {
 }
 
 /// The trace of a run with `special`, and whether lamp 1 shines at its end.
-fn trace(program: impl Program, special: impl Special) -> (String, bool) {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    let mut machine =
-        Machine::new(program, &titan8::MODEL, plant, (), special).expect("it is for TITAN VIII");
-    let lines = trace_of(&mut machine);
-    let shines = machine.outputs().lamps[0] & 0b10 != 0;
-    (lines, shines)
+fn trace(
+    program: impl Program + Clone + 'static,
+    special: impl Special + Clone + 'static,
+) -> (String, bool) {
+    let robot = simulated("titan8").with_special(special);
+    let run = Run::new(program, robot).expect("it is for TITAN VIII");
+    let mut run = run.with_trace(false);
+    run.to_end(Limit::NONE);
+    (run.trace(), run.lamp(1))
 }
 
-/// The trace of a run to its end.
-fn trace_of<P, H, C, S, const L: usize, const J: usize>(
-    machine: &mut Machine<'_, P, H, C, S, L, J>,
-) -> String
-where
-    P: Program,
-    H: Hardware<L, J>,
-    C: Console,
-    S: Special,
-{
-    let mut lines = JsonLines::new(String::new(), false);
-    let ending = loop {
-        match machine.cycle_traced(&mut lines) {
-            Status::Running => {}
-            Status::Finished(end) => break Ending::Program(end),
-            Status::Emergency => {
-                break Ending::Emergency(*machine.emergency().expect("it stopped"));
-            }
-        }
-    };
-    lines.end(ending, machine.cycles());
-    lines.into_inner()
+fn simulated(name: &str) -> tip_sim::Robot {
+    tip_sim::Robot::named(name).expect("it has that name")
 }
 
 // clauses: 2.17 5.1 7.43 7.48
@@ -192,7 +169,7 @@ impl Console for Canvas {
 }
 
 /// Knows 31, which sets flag 9, and lights a lamp in the fifth cycle.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Own {
     cycles: u32,
 }
@@ -223,13 +200,12 @@ impl Special for Own {
 // clauses: 5.1 7.43 7.48
 #[test]
 fn a_users_commands_stand_beside_those_of_the_hand() {
-    fn check(program: impl Program) {
-        let plant = SimulatedHand::new(&hand::MODEL);
-        let special = HandSpecials::beside(Own::default());
-        let canvas = Canvas::default();
-        let mut machine = Machine::new(program, &hand::MODEL, plant, canvas, special)
-            .expect("it is for the hand");
-        let text = trace_of(&mut machine);
+    fn check(program: impl Program + Clone + 'static) {
+        let robot = simulated("hand").with_special(HandSpecials::beside(Own::default()));
+        let run = Run::new(program, robot).expect("it is for the hand");
+        let mut run = run.with_trace(false).with_console(Canvas::default());
+        run.to_end(Limit::NONE);
+        let text = run.trace();
         let mut lines = text.lines();
         for expected in [
             r#"{"cycle":0,"step":0,"next":1,"cmd":["SPECIAL",null,20.0,0.0,1.0]}"#,
@@ -241,9 +217,10 @@ fn a_users_commands_stand_beside_those_of_the_hand() {
         }
         // SLEEP takes 125 cycles of 2 ms, then come the last SPECIAL and END.
         assert_eq!(lines.last(), Some(r#"{"end":"END","cycles":132}"#));
-        assert_eq!(machine.outputs().lamps[0], 0b10);
+        assert!(run.lamp(1) && !run.lamp(0));
         // The nine joints at 0, 100 and 200 ms, then nothing.
-        assert_eq!(machine.console().0, [(0, 9), (0, 9), (0, 9), (0, 0)]);
+        let canvas: &Canvas = run.console().expect("it was given");
+        assert_eq!(canvas.0, [(0, 9), (0, 9), (0, 9), (0, 0)]);
     }
     check(Beside::new());
     check(interpreted(BESIDE, tipc::Robot::Hand));

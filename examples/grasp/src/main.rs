@@ -13,8 +13,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 use tip_runtime::console::Console;
 use tip_runtime::plant::SimulatedHand;
-use tipc::Robot;
-use walking::engine::interpreter;
+use tip_sim::{Robot, load};
 use walking::exit::exit;
 
 /// Time on the robot between two lines of progress: s. No whole number of the vibration's periods, so
@@ -39,11 +38,7 @@ fn grasp_and_compare() -> Result<bool, Box<dyn Error>> {
     if let Some(failure) = failure {
         return Err(failure.into());
     }
-    let options = tipc::Options {
-        robot: Robot::Hand,
-        ..tipc::Options::default()
-    };
-    let program = interpreter("grasp.prg", SOURCE, &options)?;
+    let program = load("grasp.prg", SOURCE, &Robot::named("hand")?)?;
     let interpreted = run(program, &SCENE, (), |_, _| {})?;
     let identical = compiled.trace == interpreted.trace;
     write!(out, "\n{compiled}")?;

@@ -7,16 +7,11 @@ use grasp::{CYLINDER, Grasp, SCENE, SOURCE};
 use tip_runtime::plant::{Object, Scene};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::Interpreter;
-use tipc::Robot;
-use walking::engine::interpreter;
+use tip_sim::{Interpreter, Robot, load};
 
 fn interpreted(text: &str) -> Interpreter {
-    let options = tipc::Options {
-        robot: Robot::Hand,
-        ..tipc::Options::default()
-    };
-    interpreter("grasp.prg", text, &options).expect("it loads")
+    let hand = Robot::named("hand").expect("it has that name");
+    load("grasp.prg", text, &hand).expect("it loads")
 }
 
 /// The program with pieces of its text exchanged, over a scene.

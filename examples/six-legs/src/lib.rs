@@ -2,7 +2,7 @@
 //! interpreter side by side.
 #![forbid(unsafe_code)]
 
-use tip_sim::Interpreter;
+use tip_sim::Robot;
 
 // The robot and the program that was checked for it: `HEXAPOD`, a constant, and `Tripod`, a type.
 tip_macros::include_robot!(pub "hexapod.toml" as HEXAPOD);
@@ -11,14 +11,7 @@ tip_macros::include_tip!(pub "motions/tripod.prg", robot = "hexapod.toml");
 /// The program's text, for the interpreter.
 pub const SOURCE: &str = include_str!("../motions/tripod.prg");
 
-/// The reference interpreter of a program for this robot.
-///
-/// # Errors
-/// The text does not load: the classical message of each error, one a line.
-pub fn interpreter(text: &str) -> Result<Interpreter, String> {
-    let options = tipc::Options {
-        robot: tipc::Robot::Described(tipc::Facts::of(&HEXAPOD)),
-        ..tipc::Options::default()
-    };
-    walking::engine::interpreter("tripod.prg", text, &options)
+/// The hexapod, simulated.
+pub fn hexapod() -> Robot {
+    Robot::of(&HEXAPOD)
 }

@@ -1,12 +1,13 @@
 //! `cargo run --release -p six-legs`: see the README beside it.
 
-use six_legs::{HEXAPOD, SOURCE, Tripod, interpreter};
+use six_legs::{SOURCE, Tripod, hexapod};
 use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use walking::engine::{Engine, on_simulated_robot};
+use tip_sim::lockstep::Lockstep;
+use tip_sim::{Inputs, load};
 use walking::exit::exit;
-use walking::race::Race;
+use walking::race::race;
 
 fn main() -> ExitCode {
     exit("six-legs", walk())
@@ -14,10 +15,14 @@ fn main() -> ExitCode {
 
 /// Whether the robot walked as it should, alike in both engines.
 fn walk() -> Result<bool, Box<dyn Error>> {
-    let compiled = on_simulated_robot(Tripod::new(), &HEXAPOD, ())?;
-    let interpreted = on_simulated_robot(interpreter(SOURCE)?, &HEXAPOD, ())?;
-    let race = Race::new(Engine::new(compiled, true), Engine::new(interpreted, true));
-    let outcome = race.run(None, &mut ());
+    let robot = hexapod();
+    let program = load("tripod.prg", SOURCE, &robot)?.program().clone();
+    let lockstep = Lockstep::new(program, Tripod::new(), &robot)?;
+    let inputs = Inputs {
+        cycles: Some(u64::MAX),
+        ..Inputs::default()
+    };
+    let outcome = race::<6, 3>(&lockstep, &inputs, true, &mut ())?;
     write!(io::stdout(), "{outcome}")?;
     Ok(outcome.is_good())
 }

@@ -1,13 +1,12 @@
 //! The hexapod walks on its tripods, alike in both engines; gaits that are wrong fail the same measure.
 
-use six_legs::{HEXAPOD, SOURCE, Tripod, interpreter};
+use six_legs::{SOURCE, Tripod, hexapod};
 use std::sync::OnceLock;
-use tip_runtime::console::Scripted;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
-use walking::engine::{Engine, on_simulated_robot};
+use tip_sim::load;
+use tip_sim::lockstep::Lockstep;
 use walking::outcome::{Outcome, SLIP};
-use walking::race::Race;
 
 /// Long enough for every gait here: cycles.
 const LIMIT: u64 = 10_000;
@@ -16,15 +15,17 @@ const LIMIT: u64 = 10_000;
 const LEFT: [bool; 6] = [true, false, false, true, true, false];
 const RIGHT: [bool; 6] = [false, true, true, false, false, true];
 
-fn race<A: Program, B: Program>(leader: A, rival: B, console: &Scripted<()>) -> Outcome<6> {
-    let leader = on_simulated_robot(leader, &HEXAPOD, console.clone()).unwrap();
-    let rival = on_simulated_robot(rival, &HEXAPOD, console.clone()).unwrap();
-    let race = Race::new(Engine::new(leader, true), Engine::new(rival, true));
-    race.run(Some(LIMIT), &mut ())
+/// A compiled program beside the interpreter of a text.
+fn race(compiled: impl Program + Clone + 'static, text: &str, inputs: &str) -> Outcome<6> {
+    let robot = hexapod();
+    let program = load("tripod.prg", text, &robot).unwrap();
+    let lockstep = Lockstep::new(program.program().clone(), compiled, &robot).unwrap();
+    let inputs = format!("{inputs} --cycles {LIMIT}").parse().unwrap();
+    walking::race::race::<6, 3>(&lockstep, &inputs, true, &mut ()).unwrap()
 }
 
-fn walked(console: &Scripted<()>) -> Outcome<6> {
-    race(Tripod::new(), interpreter(SOURCE).unwrap(), console)
+fn walked(inputs: &str) -> Outcome<6> {
+    race(Tripod::new(), SOURCE, inputs)
 }
 
 /// The gait with pieces of its text exchanged.
@@ -33,14 +34,13 @@ fn variant(changes: &[(&str, &str)]) -> Outcome<6> {
         assert_eq!(text.matches(from).count(), 1, "{from}");
         text.replace(from, to)
     });
-    let program = interpreter(&text).unwrap();
-    race(program.clone(), program, &Scripted::default())
+    race(load("tripod.prg", &text, &hexapod()).unwrap(), &text, "")
 }
 
 /// The gait as it is, undisturbed.
 fn undisturbed() -> &'static Outcome<6> {
     static OUTCOME: OnceLock<Outcome<6>> = OnceLock::new();
-    OUTCOME.get_or_init(|| walked(&Scripted::default()))
+    OUTCOME.get_or_init(|| walked(""))
 }
 
 /// Which feet were up, one entry for each time that this changed.
@@ -105,7 +105,7 @@ fn the_tripods_take_turns() {
 #[test]
 fn a_halt_request_ends_the_walk_with_the_feet_side_by_side() {
     let whole = undisturbed();
-    let outcome = walked(&Scripted::default().halt(whole.cycles / 2));
+    let outcome = walked(&format!("--halt {}", whole.cycles / 2));
     assert_eq!(outcome.ending, Ending::Program(End::Exit));
     assert!(outcome.falls == 0 && outcome.identical, "{outcome:?}");
     // Two steps in each turn of the loop, and the two halves.

@@ -10,20 +10,18 @@ use special::{Dance, SOURCE};
 use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use tip_runtime::console::Transcript;
 use tip_runtime::model::titan8;
 use tip_runtime::record::Ending;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let plant = Plant::new(&titan8::MODEL);
-    let mut console = Transcript::default();
-    let compiled = run(Dance::new(), &mut console, plant.clone())?;
+    let compiled = run(Dance::new(), plant.clone())?;
     let text = interpreter("dance.prg", SOURCE).ok_or("dance.prg has errors")?;
-    let interpreted = run(text, (), plant)?;
+    let interpreted = run(text, plant)?;
 
     let identical = compiled.trace == interpreted.trace;
     let mut out = io::stdout();
-    writeln!(out, "{}", console.messages.join("\n"))?;
+    writeln!(out, "{}", compiled.said.join("\n"))?;
     report(&mut out, &compiled, identical)?;
     let good = identical && matches!(compiled.ending, Ending::Program(_));
     Ok(if good {

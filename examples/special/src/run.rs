@@ -1,13 +1,13 @@
 //! A program on the simulated robot with the commands of its owner, and what came of it.
 
 use crate::native::Native;
-use tip_runtime::console::Console;
-use tip_runtime::machine::{Machine, Mismatch, Status};
+use tip_runtime::console::Transcript;
+use tip_runtime::machine::Mismatch;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::Program;
-use tip_runtime::record::{Ending, JsonLines};
-use tip_sim::Interpreter;
+use tip_runtime::record::Ending;
+use tip_sim::{Interpreter, Limit, Observer, Robot, load};
 
 /// The simulated TITAN VIII.
 pub type Plant = SimulatedPlant<4, 3>;
@@ -21,6 +21,8 @@ pub struct Run {
     pub trace: String,
     /// Where the body was after each cycle, to the right and forward of its start: mm.
     pub path: Vec<[f64; 2]>,
+    /// What the program said, line by line.
+    pub said: Vec<String>,
     /// The robot at its end.
     pub plant: Plant,
 }
@@ -45,32 +47,36 @@ fn length([x, y]: [f64; 2]) -> f64 {
 ///
 /// # Errors
 /// The program was checked for another robot.
-pub fn run<P: Program, C: Console>(program: P, console: C, plant: Plant) -> Result<Run, Mismatch> {
-    let native = Native::default();
-    let mut machine = Machine::new(program, &titan8::MODEL, plant, console, native)?;
-    let mut trace = JsonLines::new(String::new(), true);
-    let mut path = Vec::new();
-    let ending = loop {
-        let status = machine.cycle_traced(&mut trace);
-        let body = machine.hardware().body();
-        path.push([body.x, body.y]);
-        match (status, machine.emergency()) {
-            (Status::Finished(end), _) => break Ending::Program(end),
-            (_, Some(emergency)) => break Ending::Emergency(*emergency),
-            _ => {}
-        }
-    };
-    trace.end(ending, machine.cycles());
+pub fn run(program: impl Program + Clone + 'static, plant: Plant) -> Result<Run, Mismatch> {
+    let robot = Robot::on(&titan8::MODEL, plant).with_special(Native::default());
+    let mut run = tip_sim::Run::new(program, robot)?
+        .with_console(Transcript::default())
+        .with_trace(true);
+    let mut path = Path(Vec::new());
+    let ending = run.observed(Limit::NONE, &mut path);
+    let said = run
+        .console()
+        .map(|shown: &Transcript| shown.messages.clone());
     Ok(Run {
         ending,
-        trace: trace.into_inner(),
-        path,
-        plant: machine.hardware().clone(),
+        trace: run.trace(),
+        path: path.0,
+        said: said.unwrap_or_default(),
+        plant: run.plant::<Plant>().expect("it was put there").clone(),
     })
+}
+
+/// Notes where the body is.
+struct Path(Vec<[f64; 2]>);
+
+impl Observer for Path {
+    fn after(&mut self, run: &mut tip_sim::Run) {
+        let pose = run.motion().map(|motion| motion.pose);
+        self.0.extend(pose.map(|pose| [pose.x, pose.y]));
+    }
 }
 
 /// The reference interpreter of a program's text; `None` if it has errors.
 pub fn interpreter(name: &str, text: &str) -> Option<Interpreter> {
-    let loaded = tipc::load(name, text.as_bytes(), &tipc::Options::default());
-    loaded.program.map(Interpreter::new)
+    load(name, text, &Robot::of(&titan8::MODEL)).ok()
 }

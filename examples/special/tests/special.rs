@@ -3,7 +3,6 @@
 use special::run::{Plant, Run, interpreter, run};
 use special::{Dance, SOURCE};
 use tip_runtime::command::{Port, Target};
-use tip_runtime::console::Transcript;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::Plant as _;
@@ -21,18 +20,18 @@ fn plant() -> Plant {
 
 /// The dance, compiled and interpreted alike, and what it said.
 fn dance(plant: &Plant) -> (Run, Vec<String>) {
-    let mut console = Transcript::default();
-    let compiled = run(Dance::new(), &mut console, plant.clone()).unwrap();
+    let compiled = run(Dance::new(), plant.clone()).unwrap();
     let text = interpreter("dance.prg", SOURCE).unwrap();
-    let interpreted = run(text, (), plant.clone()).unwrap();
+    let interpreted = run(text, plant.clone()).unwrap();
     assert_eq!(compiled.trace, interpreted.trace);
-    (compiled, console.messages)
+    let said = compiled.said.clone();
+    (compiled, said)
 }
 
 /// Statements on a robot that stands.
 fn standing(statements: &str) -> Run {
     let text = format!("3.1\ntest\nSTAND_UP 50\nSLEEP 200\n{statements}\nEND\n");
-    run(interpreter("test.prg", &text).unwrap(), (), plant()).unwrap()
+    run(interpreter("test.prg", &text).unwrap(), plant()).unwrap()
 }
 
 fn fault(run: &Run) -> Option<Fault> {
@@ -100,9 +99,9 @@ fn the_flag_is_cleared_too() {
 
 #[test]
 fn what_nothing_answers_to_is_a_domain_error() {
-    let compiled = run(Unknown::new(), (), plant()).unwrap();
+    let compiled = run(Unknown::new(), plant()).unwrap();
     let text = "3.1\nA number that nothing answers to\nSPECIAL 32 1 2\nEND";
-    let interpreted = run(interpreter("unknown.prg", text).unwrap(), (), plant()).unwrap();
+    let interpreted = run(interpreter("unknown.prg", text).unwrap(), plant()).unwrap();
     assert_eq!(fault(&compiled), Some(Fault::Domain));
     assert_eq!(compiled.trace, interpreted.trace);
     for wrong in [

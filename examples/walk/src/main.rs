@@ -11,16 +11,18 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use tip_runtime::console::Terminal;
+use tip_runtime::machine::Machine;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 use tip_runtime::record::WholeFile;
+use tip_sim::lockstep::Lockstep;
+use tip_sim::{Inputs, Robot, load};
 use walk::options::{HELP, Options};
 use walk::{SOURCE, Walk};
-use walking::engine::{Engine, interpreter, on_simulated_robot};
 use walking::exit::exit;
 use walking::outcome::whole;
-use walking::race::{Observer, Race};
+use walking::race::{Observer, race};
 
 /// Time on the robot between two lines of progress: s.
 const REPORT_EVERY: f64 = 5.0;
@@ -49,13 +51,13 @@ fn help() -> Result<bool, Box<dyn Error>> {
 }
 
 fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
-    let compiled = on_simulated_robot(Walk::new(), &titan8::MODEL, ())?;
-    let interpreted = interpreter("walk.prg", SOURCE, &tipc::Options::default())?;
-    let interpreted = on_simulated_robot(interpreted, &titan8::MODEL, ())?;
-    let race = Race::new(
-        Engine::new(compiled, options.trace_state),
-        Engine::new(interpreted, options.trace_state),
-    );
+    let robot = Robot::named("titan8")?;
+    let program = load("walk.prg", SOURCE, &robot)?.program().clone();
+    let lockstep = Lockstep::new(program, Walk::new(), &robot)?;
+    let inputs = Inputs {
+        cycles: Some(options.cycles.unwrap_or(u64::MAX)),
+        ..Inputs::default()
+    };
     let mut progress = Progress {
         due: REPORT_EVERY,
         trace: match &options.trace {
@@ -64,7 +66,7 @@ fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
         },
         failure: None,
     };
-    let outcome = race.run(options.cycles, &mut progress);
+    let outcome = race(&lockstep, &inputs, options.trace_state, &mut progress)?;
     progress.finish()?;
     write!(io::stdout(), "\n{outcome}")?;
     Ok(outcome.is_good())
@@ -86,6 +88,12 @@ impl Observer<4, 3> for Progress {
     fn cycle(&mut self, time: f64, robot: &SimulatedPlant<4, 3>, records: &str) {
         if self.failure.is_none() {
             self.failure = self.write(time, robot, records).err();
+        }
+    }
+
+    fn end(&mut self, record: &str) {
+        if let (None, Some(trace)) = (&self.failure, &mut self.trace) {
+            self.failure = trace.write_all(record.as_bytes()).err();
         }
     }
 }
@@ -128,7 +136,8 @@ fn place(robot: &SimulatedPlant<4, 3>) -> String {
 
 /// The compiled program alone, with the keyboard.
 fn walk_in_real_time() -> Result<bool, Box<dyn Error>> {
-    let mut robot = on_simulated_robot(Walk::new(), &titan8::MODEL, Terminal::new())?;
+    let plant = SimulatedPlant::new(&titan8::MODEL);
+    let mut robot = Machine::new(Walk::new(), &titan8::MODEL, plant, Terminal::new(), ())?;
     let (status, pace) = run_realtime(&mut robot, |status| !status.is_running());
     let mut out = io::stdout();
     writeln!(out, "{status:?}; {}", place(robot.hardware()))?;

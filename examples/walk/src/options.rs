@@ -10,7 +10,7 @@ Usage: walk [OPTIONS]
 
 Options:
   --cycles N     stop after N control cycles (default: when the program ends)
-  --trace FILE   write the compiled program's trace, one JSON object a line
+  --trace FILE   write the trace of both engines, one JSON object a line
   --trace-state  add a hash of joint commands and angles to each record
   --realtime     walk in real time: F faster, S slower, Q stop, ESC halt request, RETURN emergency stop
   --help         this text

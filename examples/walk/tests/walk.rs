@@ -2,29 +2,28 @@
 
 use std::sync::OnceLock;
 use tip_runtime::command::Target;
-use tip_runtime::console::Scripted;
 use tip_runtime::fault::Fault;
-use tip_runtime::model::titan8;
 use tip_runtime::program::{End, Program};
 use tip_runtime::record::Ending;
+use tip_sim::lockstep::Lockstep;
+use tip_sim::{Robot, load};
 use walk::{SOURCE, Walk};
-use walking::engine::{Engine, interpreter, on_simulated_robot};
 use walking::outcome::{GOAL, Outcome, SLIP};
-use walking::race::Race;
 
 /// Long enough for every gait here: cycles.
 const LIMIT: u64 = 20_000;
 
-fn race<A: Program, B: Program>(leader: A, rival: B, console: &Scripted<()>) -> Outcome<4> {
-    let leader = on_simulated_robot(leader, &titan8::MODEL, console.clone()).unwrap();
-    let rival = on_simulated_robot(rival, &titan8::MODEL, console.clone()).unwrap();
-    let race = Race::new(Engine::new(leader, true), Engine::new(rival, true));
-    race.run(Some(LIMIT), &mut ())
+/// A compiled program beside the interpreter of a text.
+fn race(compiled: impl Program + Clone + 'static, text: &str, inputs: &str) -> Outcome<4> {
+    let robot = Robot::named("titan8").unwrap();
+    let program = load("walk.prg", text, &robot).unwrap();
+    let lockstep = Lockstep::new(program.program().clone(), compiled, &robot).unwrap();
+    let inputs = format!("{inputs} --cycles {LIMIT}").parse().unwrap();
+    walking::race::race::<4, 3>(&lockstep, &inputs, true, &mut ()).unwrap()
 }
 
-fn walked(console: &Scripted<()>) -> Outcome<4> {
-    let rival = interpreter("walk.prg", SOURCE, &tipc::Options::default()).unwrap();
-    race(Walk::new(), rival, console)
+fn walked(inputs: &str) -> Outcome<4> {
+    race(Walk::new(), SOURCE, inputs)
 }
 
 /// The gait with pieces of its text exchanged.
@@ -34,18 +33,14 @@ fn variant(changes: &[(&str, &str)]) -> Outcome<4> {
         assert_eq!(text.matches(from).count(), 1, "{from}");
         text = text.replace(from, to);
     }
-    let program = interpreter("variant.prg", &text, &tipc::Options::default()).unwrap();
-    race(program.clone(), program, &nobody())
-}
-
-fn nobody() -> Scripted<()> {
-    Scripted::default()
+    let robot = Robot::named("titan8").unwrap();
+    race(load("variant.prg", &text, &robot).unwrap(), &text, "")
 }
 
 /// The gait as it is, undisturbed.
 fn undisturbed() -> &'static Outcome<4> {
     static OUTCOME: OnceLock<Outcome<4>> = OnceLock::new();
-    OUTCOME.get_or_init(|| walked(&nobody()))
+    OUTCOME.get_or_init(|| walked(""))
 }
 
 #[test]
@@ -93,7 +88,7 @@ fn every_stride_lifts_each_foot_once_rear_before_front_on_either_side() {
 #[test]
 fn a_halt_request_ends_the_walk_at_the_end_of_the_stride() {
     let whole = undisturbed();
-    let outcome = walked(&nobody().halt(whole.cycles / 2));
+    let outcome = walked(&format!("--halt {}", whole.cycles / 2));
     assert_eq!(outcome.ending, Ending::Program(End::Exit));
     assert_eq!(outcome.falls, 0);
     assert!(outcome.identical);
@@ -105,15 +100,15 @@ fn a_halt_request_ends_the_walk_at_the_end_of_the_stride() {
 #[test]
 fn q_stops_and_f_hurries_and_s_slows() {
     let normal = undisturbed();
-    let keys = |keys| walked(&Scripted::around(keys, ()));
-    let stopped = keys(vec![(800, b'q')]);
+    let keys = |keys| walked(&format!("--keys {keys}"));
+    let stopped = keys("800:q");
     assert!(stopped.travel < normal.travel - 150.0 && stopped.falls == 0);
-    let hurried = keys(vec![(100, b'f')]);
+    let hurried = keys("100:f");
     assert!(
         hurried.is_good() && hurried.cycles < normal.cycles,
         "{hurried:?}"
     );
-    let slowed = keys(vec![(100, b's')]);
+    let slowed = keys("100:s");
     assert!(
         slowed.is_good() && slowed.cycles > normal.cycles,
         "{slowed:?}"

@@ -2,7 +2,6 @@
 //! by the compiled program and by the reference interpreter side by side, and what came of it.
 #![forbid(unsafe_code)]
 
-pub mod engine;
 pub mod exit;
 pub mod gait;
 pub mod outcome;

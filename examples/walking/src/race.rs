@@ -1,110 +1,97 @@
 //! Two engines side by side, cycle by cycle.
 
-use crate::engine::Engine;
 use crate::gait::Gait;
 use crate::outcome::Outcome;
-use tip_runtime::console::Console;
-use tip_runtime::machine::Status;
 use tip_runtime::plant::SimulatedPlant;
-use tip_runtime::program::Program;
-use tip_runtime::record::Ending;
+use tip_runtime::record::{Ending, JsonLines, Sink};
+use tip_sim::lockstep::{Lockstep, Scout};
+use tip_sim::{Inputs, Refused, Run};
 
-/// Told of a run while it lasts.
+/// Watches a run while it lasts.
 pub trait Observer<const L: usize, const J: usize> {
     /// One cycle is over: the time on the robot (s), the robot, and its new records.
-    fn cycle(&mut self, time: f64, robot: &SimulatedPlant<L, J>, records: &str);
+    fn cycle(&mut self, time: f64, robot: &SimulatedPlant<L, J>, records: &str) {
+        let _ = (time, robot, records);
+    }
+
+    /// The run is over: the last record.
+    fn end(&mut self, record: &str) {
+        let _ = record;
+    }
 }
 
-impl<const L: usize, const J: usize> Observer<L, J> for () {
-    fn cycle(&mut self, _time: f64, _robot: &SimulatedPlant<L, J>, _records: &str) {}
+impl<const L: usize, const J: usize> Observer<L, J> for () {}
+
+/// Runs both engines to their end, or until the inputs say so. Records get a hash of the robot's state if
+/// `with_state` says so; both are compared with it.
+///
+/// # Errors
+/// The robot lacks an input.
+pub fn race<const L: usize, const J: usize>(
+    lockstep: &Lockstep,
+    inputs: &Inputs,
+    with_state: bool,
+    observer: &mut dyn Observer<L, J>,
+) -> Result<Outcome<L>, Refused> {
+    let mut race = Race {
+        records: JsonLines::new(String::new(), with_state),
+        gait: Gait::default(),
+        margin: f64::INFINITY,
+        time: 0.0,
+        robot: None,
+        observer,
+    };
+    let compared = lockstep.run(inputs, &mut race)?;
+    let identical = compared.divergence.is_none();
+    let ending = compared.ending.unwrap_or(Ending::Interrupted);
+    if identical {
+        race.records.end(ending, compared.cycles);
+        race.observer.end(race.records.get_ref());
+    }
+    let (gait, margin, robot) = (race.gait, race.margin, race.robot);
+    let body = robot.as_ref().map(SimulatedPlant::body);
+    Ok(Outcome {
+        ending,
+        cycles: compared.cycles,
+        seconds: race.time,
+        travel: body.map_or(0.0, |body| body.y),
+        drift: body.map_or(0.0, |body| body.x),
+        falls: robot.as_ref().map_or(0, SimulatedPlant::falls),
+        slip: robot.as_ref().map_or(0.0, SimulatedPlant::worst_slip),
+        margin,
+        gait,
+        same_records: compared.cycles + u64::from(identical),
+        identical,
+    })
 }
 
-/// Two engines that run the same program.
-pub struct Race<A, B, C, const L: usize, const J: usize> {
-    leader: Engine<A, C, L, J>,
-    rival: Engine<B, C, L, J>,
+/// What is seen of the robot under way.
+struct Race<'a, const L: usize, const J: usize> {
+    records: JsonLines<String>,
     gait: Gait<L>,
     margin: f64,
+    /// s.
     time: f64,
-    records: u64,
-    identical: bool,
+    /// As it is now.
+    robot: Option<SimulatedPlant<L, J>>,
+    observer: &'a mut dyn Observer<L, J>,
 }
 
-impl<A: Program, B: Program, C: Console, const L: usize, const J: usize> Race<A, B, C, L, J> {
-    /// Both engines must be at their start.
-    pub fn new(leader: Engine<A, C, L, J>, rival: Engine<B, C, L, J>) -> Self {
-        Race {
-            leader,
-            rival,
-            gait: Gait::default(),
-            margin: f64::INFINITY,
-            time: 0.0,
-            records: 0,
-            identical: true,
-        }
+impl<const L: usize, const J: usize> Scout for Race<'_, L, J> {
+    fn sink(&mut self) -> Option<&mut dyn Sink> {
+        Some(&mut self.records)
     }
 
-    /// Runs both to their end, or for `limit` cycles.
-    pub fn run(mut self, limit: Option<u64>, observer: &mut dyn Observer<L, J>) -> Outcome<L> {
-        let ending = loop {
-            if limit.is_some_and(|limit| self.leader.machine().cycles() >= limit) {
-                break Ending::Limit;
-            }
-            self.time += self.leader.machine().period() / 1000.0;
-            let status = self.leader.cycle();
-            let rival_status = self.rival.cycle();
-            self.identical &= status == rival_status;
-            let robot = self.leader.machine().hardware();
-            self.gait.push(robot.contacts());
-            self.margin = self.margin.min(robot.margin());
-            self.compare(observer);
-            if let Some(ending) = self.ending(status) {
-                break ending;
-            }
+    fn after(&mut self, run: &Run) {
+        let Some(robot) = run.plant::<SimulatedPlant<L, J>>() else {
+            return;
         };
-        self.leader.end(ending);
-        self.rival.end(ending);
-        self.compare(observer);
-        self.outcome(ending)
-    }
-
-    fn compare(&mut self, observer: &mut dyn Observer<L, J>) {
-        let records = self.leader.take_records();
-        self.identical &= records == self.rival.take_records();
-        if self.identical {
-            self.records += records.lines().count() as u64;
-        }
-        observer.cycle(self.time, self.leader.machine().hardware(), &records);
-    }
-
-    fn ending(&self, status: Status) -> Option<Ending> {
-        match status {
-            Status::Running => None,
-            Status::Finished(end) => Some(Ending::Program(end)),
-            Status::Emergency => self
-                .leader
-                .machine()
-                .emergency()
-                .copied()
-                .map(Ending::Emergency),
-        }
-    }
-
-    fn outcome(self, ending: Ending) -> Outcome<L> {
-        let machine = self.leader.machine();
-        let body = machine.hardware().body();
-        Outcome {
-            ending,
-            cycles: machine.cycles(),
-            seconds: self.time,
-            travel: body.y,
-            drift: body.x,
-            falls: machine.hardware().falls(),
-            slip: machine.hardware().worst_slip(),
-            margin: self.margin,
-            gait: self.gait,
-            same_records: self.records,
-            identical: self.identical,
-        }
+        self.time = run.time() / 1000.0;
+        self.gait.push(robot.contacts());
+        self.margin = self.margin.min(robot.margin());
+        self.observer
+            .cycle(self.time, robot, self.records.get_ref());
+        self.records.get_mut().clear();
+        self.robot = Some(robot.clone());
     }
 }

@@ -1,7 +1,8 @@
 //! What a compiled batch does: runs each of its programs several times, each time among other events.
 
 use crate::found::{self, Failure};
-use lockstep::{Figures, Scenery, Script, Subject, Verdict, compare, shrink};
+use lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
+use tip_sim::Plant;
 use std::env;
 use std::process::ExitCode;
 use tipc::Robot;
@@ -51,7 +52,7 @@ impl Effort {
 
     /// The scripts of a program. Simulated joints take longer to compute.
     fn scripts(&self, robot: Robot, seed: u64) -> Vec<Script> {
-        let echo = |run| Script::random(robot, seed, run, self.cycles, Scenery::Echo);
+        let echo = |run| Script::random(robot, seed, run, self.cycles, Plant::Echo);
         let mut scripts: Vec<Script> = (0..self.runs).map(echo).collect();
         if seed.is_multiple_of(self.simulated_one_in) {
             let number = self.runs;
@@ -60,7 +61,7 @@ impl Effort {
                 seed,
                 number,
                 self.simulated_cycles,
-                Scenery::Simulated,
+                Plant::Simulated,
             ));
         }
         scripts

@@ -1,6 +1,6 @@
 //! What was compared, counted.
 
-use crate::duel::Run;
+use crate::compare::Run;
 use std::collections::BTreeMap;
 use std::fmt;
 use tipc::Robot;

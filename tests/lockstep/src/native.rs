@@ -7,7 +7,7 @@ use tip_runtime::program::Robot;
 use tip_runtime::special::{Call, Special};
 
 /// How many cycles the command under way still takes.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Native {
     left: f64,
 }

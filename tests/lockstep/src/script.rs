@@ -3,89 +3,59 @@
 use random_programs::Dice;
 use tip_runtime::command::Port;
 use tip_runtime::model::Family;
+use tip_sim::{Event, Inputs, Plant};
 use tipc::Robot;
-
-/// The hardware of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scenery {
-    /// Joints that are at once where they are told to be.
-    Echo,
-    /// The simulated robot.
-    Simulated,
-}
-
-/// What happens.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Happening {
-    /// A byte is typed.
-    Key(u8),
-    /// An input reads so many volts from now on.
-    Sensor(Port, f64),
-    /// Every foot or finger begins to feel something, or ceases to.
-    Touch(bool),
-    /// The hardware fails to read.
-    ReadFails,
-    /// The hardware fails to write.
-    WriteFails,
-}
-
-/// Something happens before the step of a cycle.
-pub type Event = (u64, Happening);
 
 /// A run's surroundings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// The most cycles.
-    pub limit: u64,
-    /// The hardware.
-    pub scenery: Scenery,
-    /// In order of their cycles.
-    pub events: Vec<Event>,
+    /// How the robot is simulated.
+    pub plant: Plant,
+    /// What happens, and the most cycles.
+    pub inputs: Inputs,
 }
 
-const ESCAPE: u8 = 0x1B;
 const RETURN: u8 = 0x0D;
 
 impl Script {
     /// The surroundings of run `number` of the program of a seed: keys, sensors and touches all the time; in most runs
     /// a halt request towards the end; now and then a failing input, failing hardware or the emergency key.
-    pub fn random(robot: Robot, seed: u64, number: u64, limit: u64, scenery: Scenery) -> Self {
+    pub fn random(robot: Robot, seed: u64, number: u64, limit: u64, plant: Plant) -> Self {
         let mut dice = Dice::new(seed.rotate_left(32) ^ number);
         let mut events = Vec::new();
         let mut cycle = 0;
         let mut touching = false;
         while cycle < limit {
             cycle += 1 + dice.below(40);
-            let happening = match dice.below(4) {
+            let event = match dice.below(4) {
                 0 => {
                     touching = !touching;
-                    Happening::Touch(touching)
+                    Event::Touch(touching)
                 }
-                1 => Happening::Sensor(port(&mut dice, robot), dice.below(11) as f64 / 2.0),
-                _ => Happening::Key(dice.pick(b"abcxyz0189 ")),
+                1 => Event::Sensor(port(&mut dice, robot), dice.below(11) as f64 / 2.0),
+                _ => Event::Key(dice.pick(b"abcxyz0189 ")),
             };
-            events.push((cycle, happening));
+            events.push(event.at(cycle));
         }
         if dice.below(4) > 0 {
-            events.push((
-                limit / 2 + dice.below(limit / 2 + 1),
-                Happening::Key(ESCAPE),
-            ));
+            let cycle = limit / 2 + dice.below(limit / 2 + 1);
+            events.push(Event::Halt.at(cycle));
         }
         if dice.once_in(10) {
             let disaster = dice.pick(&[
-                Happening::Key(RETURN),
-                Happening::ReadFails,
-                Happening::WriteFails,
-                Happening::Sensor(port(&mut dice.clone(), robot), f64::NAN),
+                Event::Key(RETURN),
+                Event::ReadFails,
+                Event::WriteFails,
+                Event::Sensor(port(&mut dice.clone(), robot), f64::NAN),
             ]);
-            events.push((dice.below(limit), disaster));
+            events.push(disaster.at(dice.below(limit)));
         }
-        events.sort_by_key(|(cycle, _)| *cycle);
         Script {
-            limit,
-            scenery,
-            events,
+            plant,
+            inputs: Inputs {
+                events: events.into(),
+                cycles: Some(limit),
+            },
         }
     }
 }

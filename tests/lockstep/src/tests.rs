@@ -1,4 +1,6 @@
 use super::*;
+use tip_sim::lockstep::Divergence;
+use tip_sim::{Event, Interpreter, Plant};
 
 const RIGHT: &str = "3.1
 counts keys
@@ -13,30 +15,30 @@ GOTO
 END
 ";
 
-fn engine(source: &str) -> Box<dyn Program> {
+fn engine(source: &str) -> Engine {
     let loaded = tipc::load("1.prg", source.as_bytes(), &Options::default());
-    Box::new(Interpreter::new(loaded.program.expect("it loads")))
+    Engine::new(Interpreter::new(loaded.program.expect("it loads")))
 }
 
-fn right() -> Box<dyn Program> {
+fn right() -> Engine {
     engine(RIGHT)
 }
 
 /// Only a key makes it differ.
-fn wrong() -> Box<dyn Program> {
+fn wrong() -> Engine {
     engine(&RIGHT.replace("D + 1", "D - 1"))
 }
 
-fn longer() -> Box<dyn Program> {
+fn longer() -> Engine {
     engine(&RIGHT.replace("FLUSH_BUF", "FLUSH_BUF\nREM"))
 }
 
-fn subject(compiled: fn() -> Box<dyn Program>) -> Subject {
+fn subject(compiled: fn() -> Engine) -> Subject {
     ((1, "titan8", RIGHT), compiled)
 }
 
 fn script() -> Script {
-    Script::random(Robot::Titan8, 1, 0, 2000, Scenery::Echo)
+    Script::random(Robot::Titan8, 1, 0, 2000, Plant::Echo)
 }
 
 #[test]
@@ -63,19 +65,21 @@ fn a_wrong_operator_is_found_and_its_events_are_shrunk_to_one_key() {
         panic!("one adds, one subtracts");
     };
     assert!(
-        difference.expected.contains("D is Some(1.0)"),
+        difference.interpreted.contains("D is Some(1.0)"),
         "{difference:?}"
     );
     assert!(
-        difference.found.contains("D is Some(-1.0)"),
+        difference.compiled.contains("D is Some(-1.0)"),
         "{difference:?}"
     );
     let (script, shrunk) = shrink(&subject, &script(), difference);
-    let [(cycle, Happening::Key(_))] = script.events[..] else {
+    let [key] = script.inputs.events.all() else {
         panic!("one key is enough: {script:?}");
     };
+    assert!(matches!(key.event, Event::Key(_)), "{script:?}");
+    let cycle = key.cycle;
     assert!(
-        shrunk.cycle <= cycle + 4 && script.limit == shrunk.cycle + 1,
+        shrunk.cycle <= cycle + 4 && script.inputs.cycles == Some(shrunk.cycle + 1),
         "{script:?}"
     );
 }
@@ -85,28 +89,30 @@ fn programs_of_other_steps_are_no_match_before_they_run() {
     let verdict = compare(&subject(longer), &script(), &mut Figures::default());
     assert!(matches!(
         verdict,
-        Verdict::Different(Difference { cycle: 0, .. })
+        Verdict::Different(Divergence { cycle: 0, .. })
     ));
 }
 
 #[test]
 fn simulated_robots_agree_with_themselves() {
-    for robot in Robot::ALL {
-        let make = || engine_on(*robot);
-        let script = Script::random(*robot, 2, 0, 200, Scenery::Simulated);
-        assert!(
-            matches!(duel(*robot, &script, &make, &make), Verdict::Same(_)),
-            "{}",
-            robot.name()
-        );
+    let engines: [(Robot, fn() -> Engine); 3] = [
+        (Robot::Titan8, right),
+        (Robot::Hand, || engine_on(Robot::Hand)),
+        (Robot::Generic, || engine_on(Robot::Generic)),
+    ];
+    for (robot, engine) in engines {
+        let script = Script::random(robot, 2, 0, 200, Plant::Simulated);
+        let subject = ((1, robot.name(), RIGHT), engine);
+        let verdict = compare(&subject, &script, &mut Figures::default());
+        assert!(matches!(verdict, Verdict::Same(_)), "{}", robot.name());
     }
 }
 
-fn engine_on(robot: Robot) -> Box<dyn Program> {
+fn engine_on(robot: Robot) -> Engine {
     let options = Options {
         robot,
         ..Options::default()
     };
     let loaded = tipc::load("1.prg", RIGHT.as_bytes(), &options);
-    Box::new(Interpreter::new(loaded.program.expect("it loads")))
+    Engine::new(Interpreter::new(loaded.program.expect("it loads")))
 }

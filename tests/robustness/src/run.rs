@@ -1,68 +1,40 @@
 //! Programs on the interpreter: whatever they do, every command is a number within the robot's limits.
 
-use tip_runtime::console::Scripted;
+use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::{Model, hand, titan8};
-use tip_runtime::plant::{SimulatedHand, SimulatedPlant};
-use tip_runtime::special::Special;
+use tip_runtime::model::{hand, titan8};
+use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
 use tip_runtime::special::hand::HandSpecials;
-use tip_sim::Interpreter;
-use tipc::program::Program;
-use tipc::{Options, Robot, load};
+use tip_sim::{Interpreter, Limit, Robot, Run};
+use tipc::load;
 
-/// How many cycles a program gets, the number of the one with a halt request, and what is typed when.
-const CYCLES: u64 = 200;
-const HALT: u64 = 150;
-const KEYS: [(u64, u8); 4] = [(3, b'A'), (10, b'1'), (40, b' '), (90, 0x0D)];
+/// How many cycles a program gets, and what happens in them.
+const LIMIT: Limit = Limit::cycles(200);
+const EVENTS: &str = "3:key A, 10:key 1, 40:key 0x20, 90:key 0x0D, 150:halt";
 
 /// Runs the bytes on TITAN VIII and on the hand.
 ///
 /// # Panics
 /// A command is no number.
 pub fn examine(bytes: &[u8]) {
-    if let Some(program) = loaded(bytes, Robot::Titan8) {
-        run(
-            program,
-            &titan8::MODEL,
-            SimulatedPlant::new(&titan8::MODEL),
-            (),
-        );
-    }
-    if let Some(program) = loaded(bytes, Robot::Hand) {
-        let special = HandSpecials::new();
-        run(
-            program,
-            &hand::MODEL,
-            SimulatedHand::new(&hand::MODEL),
-            special,
-        );
-    }
+    let walker = Guarded(SimulatedPlant::new(&titan8::MODEL));
+    run(bytes, Robot::on(&titan8::MODEL, walker));
+    let hand = Robot::on(&hand::MODEL, Guarded(SimulatedHand::new(&hand::MODEL)));
+    run(bytes, hand.with_special(HandSpecials::new()));
 }
 
-fn loaded(bytes: &[u8], robot: Robot) -> Option<Program> {
-    let options = Options {
-        robot,
-        ..Options::default()
+fn run(bytes: &[u8], robot: Robot) {
+    let Some(program) = load("random.prg", bytes, &robot.options()).program else {
+        return;
     };
-    load("random.prg", bytes, &options).program
-}
-
-fn run<const L: usize, const J: usize>(
-    program: Program,
-    model: &Model<L, J>,
-    plant: impl Hardware<L, J>,
-    special: impl Special,
-) {
-    let console = Scripted::new(KEYS.to_vec()).halt(HALT);
-    let plant = Guarded(plant);
-    let machine = Machine::new(Interpreter::new(program), model, plant, console, special);
-    let mut machine = machine.expect("it was loaded for this robot");
-    while machine.cycles() < CYCLES && machine.cycle() == Status::Running {}
+    let run = Run::new(Interpreter::new(program), robot).expect("it was loaded for this robot");
+    let mut run = run.events(EVENTS).expect("every robot has a keyboard");
+    run.to_end(LIMIT);
 }
 
 /// A robot that takes numbers only.
+#[derive(Clone)]
 struct Guarded<H>(H);
 
 impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Guarded<H> {
@@ -79,5 +51,11 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Guard
 
     fn stop(&mut self, why: &Fault) {
         self.0.stop(why);
+    }
+}
+
+impl<H: Plant<L, J>, const L: usize, const J: usize> Plant<L, J> for Guarded<H> {
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        self.0.set_sensor(port, volts)
     }
 }

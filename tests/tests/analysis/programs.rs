@@ -2,12 +2,13 @@
 #![expect(clippy::disallowed_methods, reason = "tests read their cases")]
 
 use crate::watched::{Seen, Watched};
-use lockstep::{Event, Happening, Scenery, Script};
+use lockstep::Script;
 use random_programs::Specimen;
 use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
 use std::sync::LazyLock;
+use tip_sim::{Event, Inputs, Plant};
 use tip_tests::{Settings, cases, root, run};
 use tipc::program::Program;
 use tipc::{Options, Robot};
@@ -75,21 +76,20 @@ pub(crate) fn all() -> Vec<Runnable> {
 
 /// Keys are typed while a random program runs.
 fn random_settings(robot: Robot, seed: u64) -> Settings {
-    let script = Script::random(robot, seed, 0, 800, Scenery::Simulated);
-    let key = |(cycle, happening): &Event| match happening {
-        Happening::Key(byte) => Some((*cycle, *byte)),
-        _ => None,
+    let script = Script::random(robot, seed, 0, 800, Plant::Simulated);
+    let events = script.inputs.events.into_iter();
+    // A halt request is the ESC key.
+    let typed = events.filter(|timed| matches!(timed.event, Event::Key(_) | Event::Halt));
+    let inputs = Inputs {
+        events: typed.collect(),
+        cycles: script.inputs.cycles,
     };
     Settings {
         load: Options {
             robot,
             ..Options::default()
         },
-        events: Events {
-            cycles: Some(script.limit),
-            keys: script.events.iter().filter_map(key).collect(),
-            ..Events::default()
-        },
+        inputs: inputs.to_string(),
         ..Settings::default()
     }
 }

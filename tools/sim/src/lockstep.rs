@@ -22,7 +22,7 @@ use side::Side;
 use std::sync::Arc;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
-use tip_runtime::record::Ending;
+use tip_runtime::record::{Ending, Sink};
 use tipc::analysis::spots::Place;
 use tipc::program::{self, StepId};
 
@@ -42,15 +42,25 @@ pub enum Evidence {
     Hashes,
 }
 
-/// Is told where the interpreter goes.
+/// Goes along with the interpreter while both engines do the same.
 pub trait Scout {
     /// A step ran, and led on unless it was the last.
-    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>);
+    fn went(&mut self, cycle: u64, from: Place, to: Option<Place>) {
+        let _ = (cycle, from, to);
+    }
+
+    /// Where the interpreter's cycle is written down, if anywhere.
+    fn sink(&mut self) -> Option<&mut dyn Sink> {
+        None
+    }
+
+    /// Both engines are over one more cycle; the last one may have ended them.
+    fn after(&mut self, interpreted: &Run) {
+        let _ = interpreted;
+    }
 }
 
-impl Scout for () {
-    fn went(&mut self, _cycle: u64, _from: Place, _to: Option<Place>) {}
-}
+impl Scout for () {}
 
 /// What came of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,8 +172,8 @@ impl Lockstep {
         while compared.ending.is_none() {
             let cycle = compared.cycles;
             let from = interpreted.place();
-            let ending = interpreted.cycle(limit);
-            compiled.cycle(limit);
+            let ending = interpreted.cycle(limit, scout.sink());
+            compiled.cycle(limit, None);
             if !interpreted.equals(&compiled) {
                 let [interpreted, compiled] = match self.evidence {
                     #[cfg(feature = "std")]
@@ -182,6 +192,9 @@ impl Lockstep {
             compared.cycles = interpreted.cycles();
             if compared.cycles > cycle {
                 scout.went(cycle, from, ending.is_none().then(|| interpreted.place()));
+            }
+            if ending != Some(Ending::Limit) {
+                scout.after(interpreted.run());
             }
         }
         compared.hash = interpreted.hash();
@@ -202,7 +215,7 @@ impl Lockstep {
         let sides = self.sides(inputs)?;
         Ok(sides.map(|mut side| {
             (0..cycle).for_each(|_| {
-                side.cycle(limit);
+                side.cycle(limit, None);
             });
             side.in_words(limit)
         }))

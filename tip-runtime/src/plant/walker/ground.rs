@@ -4,11 +4,11 @@ use super::Point;
 use super::body::Body;
 use super::contacts::Contacts;
 use super::fall::FallWatch;
-use crate::scene::Floor;
 use super::links::Mass;
 use super::stance::Stance;
 use super::support::{self, Load, Support};
 use crate::model;
+use crate::scene::Floor;
 
 /// What carries the legs, whatever their number.
 pub(super) trait Carrier {

@@ -4,9 +4,10 @@ use super::Evidence;
 use super::notes::{Notes, Shown};
 use crate::interp::Interpreter;
 use crate::run::Run;
-use tip_runtime::record::Ending;
+use crate::sink::both;
 #[cfg(feature = "std")]
 use tip_runtime::record::JsonLines;
+use tip_runtime::record::{Ending, Sink};
 use tipc::analysis::spots::Place;
 
 /// A run, and what is noted of it.
@@ -44,8 +45,8 @@ impl Side {
         }
     }
 
-    /// Runs a cycle, unless `limit` are used up, and tells whether that was the end.
-    pub(super) fn cycle(&mut self, limit: u64) -> Option<Ending> {
+    /// Runs a cycle, unless `limit` are used up, tells `sink` about it, and tells whether that was the end.
+    pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
         #[cfg(feature = "std")]
         if let Tape::Record(record) = &mut self.tape {
             record.get_mut().clear();
@@ -53,11 +54,12 @@ impl Side {
         self.ending = if self.run.cycles() >= limit {
             Some(Ending::Limit)
         } else {
-            self.run.advance(Some(match &mut self.tape {
+            let tape: &mut dyn Sink = match &mut self.tape {
                 #[cfg(feature = "std")]
                 Tape::Record(record) => record.as_mut(),
                 Tape::Hash(notes) => notes,
-            }));
+            };
+            both(Some(tape), sink, |sink| self.run.advance(sink));
             self.run.ending()
         };
         #[cfg(feature = "std")]
@@ -96,7 +98,7 @@ impl Side {
     /// Runs a cycle, and tells what happens in it.
     pub(super) fn in_words(&mut self, limit: u64) -> String {
         self.tape = Tape::Hash(Notes::in_words());
-        self.cycle(limit);
+        self.cycle(limit, None);
         let words = match &mut self.tape {
             #[cfg(feature = "std")]
             Tape::Record(_) => None,
@@ -108,6 +110,10 @@ impl Side {
             Some(ending) => format!("{words}  {ending:?}\n"),
             None => format!("{words}  Running\n"),
         }
+    }
+
+    pub(super) fn run(&self) -> &Run {
+        &self.run
     }
 
     /// Control cycles whose step ran without a fault.

@@ -2,8 +2,8 @@
 
 use super::ImportError;
 use super::pose::Pose;
-use tipc::message::Importing;
 use std::collections::{BTreeMap, BTreeSet};
+use tipc::message::Importing;
 use urdf_rs::{Joint, JointType, Link, Robot};
 
 /// The robot's links, and the joints that hang on each.
