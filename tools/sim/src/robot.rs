@@ -4,6 +4,7 @@ use crate::body::{Body, Sized};
 use crate::desk::Desk;
 use crate::engine::Engine;
 use crate::native::Native;
+use crate::plant::Plant;
 use crate::shell::Shell;
 use std::fmt;
 use tip_runtime::command::Port;
@@ -13,17 +14,6 @@ use tip_runtime::plant::{self, Scene};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
 use tipc::{Facts, Options};
-
-/// How the robot's joints and surroundings are simulated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Plant {
-    /// As the runtime simulates them: servos, gravity, contact.
-    #[default]
-    Simulated,
-    /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
-    Echo,
-}
 
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
 #[derive(Clone)]

@@ -1,9 +1,8 @@
 //! Every word of the language is spelled once: in its table, or, if a trace prints it, in the vocabulary of the runtime.
 
+use house::{modules, packages};
 use proc_macro2::{Delimiter, Literal, TokenStream, TokenTree};
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet};
 use tipc::language::commands::COMMANDS;
 use tipc::language::flags::FLAGS;
 use tipc::language::functions::FUNCTIONS;
@@ -12,20 +11,15 @@ use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
 
 /// Where words are spelled: the tables, the vocabulary, and what knows the words of older editions.
-const HOMES: [&str; 3] = [
-    "tipc/src/language",
-    "tip-runtime/src/command",
-    "tipc/src/migrate",
-];
+const HOMES: [&str; 3] = ["tipc::language", "tip-runtime::command", "tipc::migrate"];
 
 #[test]
 fn no_word_is_spelled_outside_its_table() {
     let words = words();
     let mut found = Vec::new();
-    for path in sources() {
-        let text = fs::read_to_string(workspace().join(&path)).expect("a source file");
-        let spelled = spelled(&text, &words);
-        found.extend(spelled.iter().map(|word| format!("{path}: {word}")));
+    for (module, code) in sources() {
+        let spelled = spelled(code, &words);
+        found.extend(spelled.iter().map(|word| format!("{module}: {word}")));
     }
     assert!(found.is_empty(), "spelled again:\n{}", found.join("\n"));
 }
@@ -33,22 +27,23 @@ fn no_word_is_spelled_outside_its_table() {
 #[test]
 fn the_search_reaches_the_rooms_of_all_crates() {
     let sources = sources();
-    for file in [
-        "tip-runtime/src/record/json_lines.rs",
-        "tipc/src/check/names.rs",
-        "tipc/src/listing/object.rs",
-        "tip-macros/src/arguments.rs",
-        "tools/cli/src/run.rs",
+    for module in [
+        "tip-runtime::record::json_lines",
+        "tipc::check::names",
+        "tipc::listing::object",
+        "tip-macros::arguments",
+        "tip-sim::run",
+        "tipc-cli::run",
     ] {
-        assert!(sources.iter().any(|source| source == file), "{file}");
+        assert!(sources.contains_key(module), "{module}");
     }
-    let is_home = |source: &String| HOMES.iter().any(|home| source.starts_with(home));
-    assert!(!sources.iter().any(is_home));
+    let is_home = |module: &String| HOMES.iter().any(|home| module.starts_with(home));
+    assert!(!sources.keys().any(is_home));
 }
 
 #[test]
 fn a_planted_word_is_found_and_prose_is_not() {
-    let found = |text: &str| spelled(text, &words());
+    let found = |text: &str| spelled(text.parse().expect("it is Rust"), &words());
     for (text, word) in [
         (r#"fn f() { g("PTP_ANGLE") }"#, "PTP_ANGLE"),
         (r#"const A: &[&str] = &["no", "THEN"];"#, "THEN"),
@@ -72,14 +67,9 @@ fn a_planted_word_is_found_and_prose_is_not() {
         r#"fn f() { "IF_THEN"; "ptp"; "MODELF{n}" }"#,
         r#"fn f() { format!("leg F{n} has no joints") }"#,
         "fn f() { b'A'..=b'Z' }",
-        r#"#[cfg(test)] mod tests { const A: &str = "PTP"; }"#,
     ] {
         assert!(found(text).is_empty(), "{text}");
     }
-}
-
-fn workspace() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
 /// Every word, and what the words of each family begin with.
@@ -96,67 +86,38 @@ fn words() -> BTreeSet<String> {
     words.chain(inputs).collect()
 }
 
-/// The source files of products and tools that have to look words up, by their paths in the workspace.
-fn sources() -> Vec<String> {
-    let crates = ["tip-runtime", "tipc", "tip-macros"].map(str::to_owned);
-    let tools = fs::read_dir(workspace().join("tools")).expect("the tools");
-    let tools = tools.map(|tool| format!("tools/{}", name(&tool.expect("a tool"))));
-    let mut sources = Vec::new();
-    for member in crates.into_iter().chain(tools) {
-        collect(&format!("{member}/src"), &mut sources);
-    }
-    sources.sort();
-    sources
+/// The code of products and tools that have to look words up, by crate and module; tests left out.
+fn sources() -> BTreeMap<String, TokenStream> {
+    let crates = packages(&["tip-runtime", "tipc", "tip-macros", "tools"]);
+    let all = crates.iter().flat_map(|package| {
+        let modules = modules(&package.folder.join("src")).into_values();
+        modules.map(|module| {
+            let path = [package.name.clone()].into_iter().chain(module.path);
+            (path.collect::<Vec<_>>().join("::"), module.tokens)
+        })
+    });
+    let is_home = |module: &String| HOMES.iter().any(|home| module.starts_with(home));
+    all.filter(|(module, _)| !is_home(module)).collect()
 }
 
-fn collect(folder: &str, sources: &mut Vec<String>) {
-    let Ok(entries) = fs::read_dir(workspace().join(folder)) else {
-        return;
-    };
-    for entry in entries {
-        let entry = entry.expect("an entry");
-        let path = format!("{folder}/{}", name(&entry));
-        let is_home = HOMES.iter().any(|home| path.starts_with(home));
-        if is_home || path.ends_with("/tests") || path.ends_with("/tests.rs") {
-            continue;
-        }
-        if entry.path().is_dir() {
-            collect(&path, sources);
-        } else if path.ends_with(".rs") {
-            sources.push(path);
-        }
-    }
-}
-
-fn name(entry: &fs::DirEntry) -> String {
-    entry.file_name().to_string_lossy().into_owned()
-}
-
-/// The literals of a source that are words, or from which words are made; attributes and tests left out.
-fn spelled(text: &str, words: &BTreeSet<String>) -> Vec<String> {
-    let tokens: TokenStream = text.parse().expect("a source file");
+/// The literals of some code that are words, or from which words are made; attributes left out.
+fn spelled(code: TokenStream, words: &BTreeSet<String>) -> Vec<String> {
     let mut literals = Vec::new();
-    find_literals(tokens, &mut literals);
+    find_literals(code, &mut literals);
     literals.retain(|literal| words.contains(literal) || makes_a_word(literal));
     literals
 }
 
 fn find_literals(tokens: TokenStream, found: &mut Vec<String>) {
     let mut tokens = tokens.into_iter().peekable();
-    let mut in_test = false;
     while let Some(token) = tokens.next() {
         match token {
             TokenTree::Punct(sign) if sign.as_char() == '#' => {
-                let attribute = tokens.next_if(|next| {
+                tokens.next_if(|next| {
                     matches!(next, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket)
                 });
-                in_test |= attribute.is_some_and(|tokens| tokens.to_string() == "[cfg (test)]");
             }
-            TokenTree::Punct(sign) if sign.as_char() == ';' => in_test = false,
-            TokenTree::Group(group) if in_test && group.delimiter() == Delimiter::Brace => {
-                in_test = false;
-            }
-            TokenTree::Group(group) if !in_test => find_literals(group.stream(), found),
+            TokenTree::Group(group) => find_literals(group.stream(), found),
             TokenTree::Literal(literal) => found.extend(text_of(literal)),
             _ => {}
         }
@@ -173,7 +134,7 @@ fn text_of(literal: Literal) -> Option<String> {
     }
 }
 
-/// Whether a format string puts something behind what the words of a family begin with, and is no sentence.
+/// Whether a format string puts something after what the words of a family begin with, and is not a sentence.
 fn makes_a_word(literal: &str) -> bool {
     let families = [
         "F",
