@@ -21,6 +21,8 @@ pub mod controller;
 mod emergency;
 pub mod fault;
 pub mod function;
+#[doc(hidden)]
+pub mod generated;
 #[cfg(feature = "control")]
 pub mod hardware;
 #[cfg(feature = "control")]

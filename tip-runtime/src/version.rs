@@ -1,7 +1,7 @@
 //! The lock between generated code and this crate.
 
 /// The shape of generated code that this runtime understands.
-pub const FORMAT: u32 = 4;
+pub const FORMAT: u32 = 5;
 
 /// Fails the build when code was generated for another runtime; generated code calls it in a constant.
 pub const fn require(format: u32) {

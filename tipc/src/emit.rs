@@ -1,8 +1,9 @@
 //! How Rust spells a [`Program`]: a struct that holds its variables and one state for each step.
 //!
-//! Each state is a function, and a table of them leads from a step's number to it: one indirect call a
-//! cycle however long the program is, and a compile time that is linear in its length. A state ends in
-//! one of a few moves to the next one, which have in them what would cost compile time in each state.
+//! Each state is a row of a table: a command of constants, a move to another step, or else a function, which
+//! costs one indirect call however long the program is. A row costs rustc next to nothing, a function is what its
+//! compile time consists of; it ends in one of a few moves to the next state, which have in them what would cost
+//! compile time in each.
 //! Every path goes through `::core` or the run-time's root; nothing is expected from the prelude or from
 //! the scope that the code lands in.
 
@@ -13,6 +14,7 @@ mod ident;
 mod pretty;
 mod state;
 mod step;
+mod table;
 mod word;
 
 #[cfg(test)]
@@ -30,7 +32,6 @@ use crate::analysis::assignment::Assignment;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use std::collections::BTreeSet;
 
 /// How the generated type is called and what it refers to.
 #[derive(Clone, Debug)]
@@ -78,13 +79,13 @@ pub(crate) fn header_of(source: &str, hash: u64) -> String {
 pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let emitter = Emitter::new(program, options);
     let lock = emitter.version_lock();
-    let steps = emitter.steps();
-    let state = emitter.state(&steps.mentioned);
-    let inherent = emitter.inherent_impl(&steps);
-    let states = emitter.states(&steps);
+    let states = emitter.states();
+    let structure = emitter.structure(&states.mentioned);
+    let inherent = emitter.inherent_impl(&states.mentioned);
+    let table = emitter.table(&states);
     let default = emitter.default_impl();
     let program = emitter.program_impl();
-    quote! { #lock #state #inherent #states #default #program }
+    quote! { #lock #structure #inherent #table #default #program }
 }
 
 /// A type of the program's name that no error follows from: it implements the trait and does
@@ -153,12 +154,6 @@ struct Emitter<'a> {
     assignment: Assignment,
     /// The labels that jumps may name: those whose name stands for one step only.
     labels: Vec<(u32, Ident)>,
-}
-
-/// The functions that hold the states, and the words that they mention.
-struct Steps {
-    functions: TokenStream,
-    mentioned: BTreeSet<String>,
 }
 
 impl<'a> Emitter<'a> {

@@ -1,8 +1,7 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
-use super::ident::{field, state};
-use super::step::collect_words;
-use super::{Emitter, Steps, header_of, word};
+use super::ident::field;
+use super::{Emitter, header_of, word};
 use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -23,7 +22,7 @@ impl Emitter<'_> {
     }
 
     /// The struct; `mentioned` are the words of its states.
-    pub(super) fn state(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+    pub(super) fn structure(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let Emitter {
             visibility,
             runtime,
@@ -61,39 +60,16 @@ impl Emitter<'_> {
     }
 
     /// The constructor and the tables.
-    pub(super) fn inherent_impl(&self, steps: &Steps) -> TokenStream {
+    pub(super) fn inherent_impl(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let name = &self.name;
-        let constructor = self.constructor(&steps.mentioned);
-        let tables = self.tables(&steps.mentioned);
+        let constructor = self.constructor(mentioned);
+        let tables = self.tables(mentioned);
         quote! {
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
             impl #name {
                 #tables
                 #constructor
             }
-        }
-    }
-
-    /// The states, in a scope of their own for what they import.
-    pub(super) fn states(&self, steps: &Steps) -> TokenStream {
-        let imports = self.imports(&steps.mentioned);
-        let functions = &steps.functions;
-        let table = (0..).zip(&self.program.steps).map(|(step, _)| state(step));
-        let name = &self.name;
-        // A type that bears the name of an import can only be meant outside of this scope.
-        let mut imported = BTreeSet::new();
-        collect_words(&imports, &mut imported);
-        let outside = imported.contains(&name.to_string()).then(|| quote!(self::));
-        quote! {
-            #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
-            const _: () = {
-                #imports
-                impl #outside #name {
-                    const STEPS: &'static [fn(&mut Self, &mut dyn Context) -> Result<Flow, Fault>] =
-                        &[#(Self::#table),*];
-                    #functions
-                }
-            };
         }
     }
 
@@ -153,7 +129,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The ways from a state to the next one; only those that a state takes.
+    /// The paths from a state to the next one; beside that of the table, only those that a state takes.
     pub(super) fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let taken = self
             .has_taken_state()
@@ -183,12 +159,10 @@ impl Emitter<'_> {
                 self.go(if passes? { yes } else { no })
             }
         };
-        let behind_go = [("after", after), ("branch", branch)]
+        let behind = [("after", after), ("branch", branch)]
             .map(|(name, function)| mentioned.contains(name).then_some(function));
-        let goes = mentioned.contains("go") || behind_go.iter().any(Option::is_some);
-        let go = goes.then_some(go);
         let skip = mentioned.contains("skip").then_some(skip);
-        quote! { #go #skip #(#behind_go)* }
+        quote! { #go #skip #(#behind)* }
     }
 
     pub(super) fn default_impl(&self) -> TokenStream {
@@ -234,8 +208,11 @@ impl Emitter<'_> {
                     cx: &mut dyn #runtime::program::Context,
                 ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
                     use ::core::option::Option::{None, Some};
+                    use #runtime::generated::Step;
                     match Self::STEPS.get(self.at as usize) {
-                        Some(step) => step(self, cx),
+                        Some(Step::Ask(command, next)) => cx.ask(command, &mut self.at, *next),
+                        Some(Step::Go(next)) => self.go(*next),
+                        Some(Step::Run(step)) => step(self, cx),
                         None => ::core::result::Result::Err(#runtime::fault::Fault::WrongStep),
                     }
                 }

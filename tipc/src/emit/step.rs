@@ -1,79 +1,31 @@
-//! How Rust spells steps: one function each.
+//! How Rust spells a step: as a row of the table of states, or as a function that the row leads to.
 
 use super::expression::Values;
-use super::ident::{field, identifier, state};
-use super::word;
-use super::{Emitter, Steps};
-use crate::program::{Action, End, ScalarExpression, Step, StepId};
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use super::ident::field;
+use super::{Emitter, word};
+use crate::program::{Action, Argument, End, Operand, ScalarExpression, StepId};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::BTreeSet;
+
+/// What a step becomes.
+pub(super) enum State {
+    /// A row that needs no code.
+    Row(TokenStream),
+    /// The body of a function; its value is a `Result<Flow, Fault>`.
+    Function(TokenStream),
+}
 
 impl Emitter<'_> {
-    /// The states, and what moves between them.
-    pub(super) fn steps(&self) -> Steps {
-        let steps = self.program.steps.iter().zip(0..);
-        let states: TokenStream = steps
-            .map(|(step, id)| self.state_function(id, step))
-            .collect();
-        let mut mentioned = BTreeSet::new();
-        collect_words(&states, &mut mentioned);
-        let moves = self.moves(&mentioned);
-        collect_words(&moves, &mut mentioned);
-        Steps {
-            functions: quote! { #states #moves },
-            mentioned,
-        }
-    }
-
-    fn state_function(&self, id: StepId, step: &Step) -> TokenStream {
-        let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
-        let name = state(id);
-        let action = self.action(id, &step.action);
-        let mut words = BTreeSet::new();
-        collect_words(&action, &mut words);
-        let context = if words.contains("cx") {
-            quote!(cx)
-        } else {
-            quote!(_)
-        };
-        quote! {
-            #[doc = #doc]
-            fn #name(&mut self, #context: &mut dyn Context) -> Result<Flow, Fault> {
-                #action
-            }
-        }
-    }
-
-    /// What the states mention: no name of the surrounding scope can get in between.
-    pub(super) fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
-        let runtime = self.runtime;
-        let option = import(quote!(::core::option::Option), words, &["Some"]);
-        let result = import(quote!(::core::result), words, &["Result"]);
-        let ok = import(quote!(::core::result::Result), words, &["Ok"]);
-        let command = ["Command", "Flag", "Op", "Port", "Target", "Teach", "Value"];
-        let command = import(quote!(#runtime::command), words, &command);
-        let fault = import(quote!(#runtime::fault), words, &["Fault"]);
-        let ops = import(runtime.clone(), words, &["ops"]);
-        let scalar = import(quote!(#runtime::ops), words, &["Scalar"]);
-        let program = import(
-            quote!(#runtime::program),
-            words,
-            &["Context", "End", "Flow"],
-        );
-        quote! { #option #result #ok #command #fault #ops #scalar #program }
-    }
-
-    /// The function's body; its value is a `Result<Flow, Fault>`.
-    fn action(&self, step: StepId, action: &Action) -> TokenStream {
+    /// What a step becomes that does this.
+    pub(super) fn state(&self, step: StepId, action: &Action) -> State {
         let next = step + 1;
         let values = Values {
             program: self.program,
             assignment: &self.assignment,
             step,
         };
-        match action {
-            Action::Nothing => self.go(next),
+        let body = match action {
+            Action::Nothing => return self.row_of_move(next),
             Action::SetScalar {
                 target,
                 update,
@@ -84,7 +36,7 @@ impl Emitter<'_> {
                     (Some(operation), value) => values.update(*target, *operation, value),
                     (None, ScalarExpression::Operand(operand)) => {
                         let (value, go) = (values.operand(operand), self.go(next));
-                        return quote!(#place.set(#value); #go);
+                        return State::Function(quote!(#place.set(#value); #go));
                     }
                     (None, value) => (None, values.calculated(value)),
                 };
@@ -128,7 +80,7 @@ impl Emitter<'_> {
                 let (go, exit) = (self.go(next), self.go(*exit));
                 quote!(if #condition { #go } else { #exit })
             }
-            Action::Goto { to } => self.go(*to),
+            Action::Goto { to } => return self.row_of_move(*to),
             Action::Until { condition, back } => {
                 let condition = values.condition(*condition);
                 let (go, back) = (self.go(next), self.go(*back));
@@ -188,9 +140,14 @@ impl Emitter<'_> {
             } => {
                 let (op, target) = (word::op(*op), word::target(*target));
                 let values = values.of_arguments(arguments);
+                let command =
+                    quote!(&Command { op: #op, hs: #hs, target: #target, values: &#values });
                 let next = self.step_number(next);
+                if arguments.iter().all(is_constant) {
+                    return State::Row(quote!(Ask(#command, #next)));
+                }
                 quote! {
-                    let command = &Command { op: #op, hs: #hs, target: #target, values: &#values };
+                    let command = #command;
                     cx.ask(command, &mut self.at, #next)
                 }
             }
@@ -237,7 +194,14 @@ impl Emitter<'_> {
                 let go = self.go(next);
                 quote!(#text #go)
             }
-        }
+        };
+        State::Function(body)
+    }
+
+    /// Only on to a step.
+    fn row_of_move(&self, to: StepId) -> State {
+        let to = self.step_number(to);
+        State::Row(quote!(Go(#to)))
     }
 
     /// On to a step, "taken".
@@ -295,32 +259,6 @@ impl Emitter<'_> {
     }
 }
 
-/// A `use` of those candidates that are mentioned.
-fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> TokenStream {
-    let names: Vec<Ident> = candidates
-        .iter()
-        .filter(|word| words.contains(**word))
-        .map(|word| identifier(word))
-        .collect();
-    match names.as_slice() {
-        [] => TokenStream::new(),
-        [name] => quote!(use #from::#name;),
-        names => quote!(use #from::{#(#names),*};),
-    }
-}
-
-/// Adds every identifier that occurs in the tokens.
-pub(super) fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
-    for token in tokens.clone() {
-        match token {
-            TokenTree::Ident(ident) => {
-                let word = ident.to_string();
-                if !words.contains(&word) {
-                    words.insert(word);
-                }
-            }
-            TokenTree::Group(group) => collect_words(&group.stream(), words),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-        }
-    }
+fn is_constant(argument: &Argument) -> bool {
+    matches!(argument.operand, Operand::Constant(_))
 }

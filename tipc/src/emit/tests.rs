@@ -173,16 +173,48 @@ fn the_same_program_gives_the_same_tokens() {
 }
 
 #[test]
-fn each_step_has_a_function_in_its_place_of_the_table() {
+fn each_step_has_a_row_in_its_place_of_the_table() {
     let text = text(&small());
-    let table = "& [Self :: step_0 , Self :: step_1 , Self :: step_2 , Self :: step_3]";
+    let table = "& [# [doc = \" by_hand.prg:3: LINE 3\"] Go (1) , \
+                 Run (Self :: step_1) , Run (Self :: step_2) , Run (Self :: step_3) ,]";
     assert!(text.contains(table), "{text}");
-    for step in 0..4 {
-        assert_eq!(
-            text.matches(&format!("fn step_{step} ")).count(),
-            1,
-            "{text}"
-        );
+    for (step, functions) in [(0, 0), (1, 1), (2, 1), (3, 1)] {
+        let function = format!("fn step_{step} ");
+        assert_eq!(text.matches(&function).count(), functions, "{text}");
+    }
+}
+
+#[test]
+fn a_command_of_constants_needs_no_function() {
+    let sleep = |operand| Action::Command {
+        op: Op::Sleep,
+        hs: false,
+        target: Target::None,
+        arguments: vec![Argument {
+            operand,
+            relative: false,
+        }],
+    };
+    let set = Action::SetScalar {
+        target: scalar(1),
+        update: None,
+        value: ScalarExpression::Operand(constant(1.0)),
+    };
+    let command = "& Command { op : Op :: Sleep , hs : false , target : Target :: None , \
+                   values : & [Value :: Absolute (";
+    for (operand, spelled) in [
+        (constant(20.0), format!("Ask ({command}20.0)] }} , 2)")),
+        (
+            read(1),
+            format!(
+                "let command = {command}self . v_a . value ())] }} ; \
+                 cx . ask (command , & mut self . at , 2)"
+            ),
+        ),
+    ] {
+        let steps = vec![set.clone(), sleep(operand), Action::Finish(End::End)];
+        let text = text(&program(&[("A", VariableKind::Var)], steps));
+        assert!(text.contains(&spelled), "{spelled} not in {text}");
     }
 }
 
@@ -203,8 +235,9 @@ fn a_type_named_like_an_import_is_found_outside_of_the_imports() {
 fn only_what_states_use_is_there() {
     let only_end = text(&program(&[], vec![Action::Finish(End::End)]));
     for absent in [
-        "fn go",
         "fn skip",
+        "fn after",
+        "fn branch",
         "calls",
         "not_taken",
         "use :: core :: option :: Option :: { Some",
@@ -234,25 +267,11 @@ fn only_what_states_use_is_there() {
     for present in [
         "fn go",
         "fn skip",
-        "cx . ask (",
+        "Ask (& Command",
         "calls :",
         "not_taken : bool",
     ] {
         assert!(all.contains(present), "{present} not in {all}");
-    }
-}
-
-#[test]
-fn what_leads_on_is_there_for_all_but_commands() {
-    let sleep = Action::Command {
-        op: Op::Sleep,
-        hs: false,
-        target: Target::None,
-        arguments: vec![argument(1.0)],
-    };
-    for (first, goes) in [(sleep, false), (Action::Nothing, true)] {
-        let text = text(&program(&[], vec![first, Action::Finish(End::End)]));
-        assert_eq!(text.contains("fn go"), goes, "{text}");
     }
 }
 

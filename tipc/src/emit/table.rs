@@ -1,0 +1,146 @@
+//! How Rust spells the table of states: one row for each step, and a function for each row that needs code.
+
+use super::Emitter;
+use super::ident::{identifier, state};
+use super::step::State;
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::quote;
+use std::collections::BTreeSet;
+
+/// The states of a program.
+pub(super) struct States {
+    rows: TokenStream,
+    /// Those of the rows that need code, and what moves between states.
+    functions: TokenStream,
+    /// The words that rows and functions mention.
+    pub(super) mentioned: BTreeSet<String>,
+}
+
+impl Emitter<'_> {
+    /// The states, and what moves between them.
+    pub(super) fn states(&self) -> States {
+        let (mut rows, mut functions) = (TokenStream::new(), TokenStream::new());
+        for (step, id) in self.program.steps.iter().zip(0..) {
+            let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
+            match self.state(id, &step.action) {
+                State::Row(row) => rows.extend(quote!(#[doc = #doc] #row,)),
+                State::Function(body) => {
+                    let name = state(id);
+                    rows.extend(quote!(Run(Self::#name),));
+                    functions.extend(function(&name, &doc, &body));
+                }
+            }
+        }
+        let mut mentioned = BTreeSet::new();
+        collect_words(&rows, &mut mentioned);
+        collect_words(&functions, &mut mentioned);
+        let moves = self.moves(&mentioned);
+        collect_words(&moves, &mut mentioned);
+        functions.extend(moves);
+        States {
+            rows,
+            functions,
+            mentioned,
+        }
+    }
+
+    /// The table and its functions, in a scope of their own for what they import.
+    pub(super) fn table(&self, states: &States) -> TokenStream {
+        let States {
+            rows,
+            functions,
+            mentioned,
+        } = states;
+        let imports = self.imports(mentioned);
+        let name = &self.name;
+        // A type that bears the name of an import can only be meant outside of this scope.
+        let mut imported = BTreeSet::new();
+        collect_words(&imports, &mut imported);
+        let outside = imported.contains(&name.to_string()).then(|| quote!(self::));
+        quote! {
+            #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
+            const _: () = {
+                #imports
+                impl #outside #name {
+                    #[allow(unused_doc_comments)]
+                    const STEPS: &'static [Step<Self>] = &[#rows];
+                    #functions
+                }
+            };
+        }
+    }
+
+    /// What the states mention: no name of the surrounding scope can get in between.
+    fn imports(&self, words: &BTreeSet<String>) -> TokenStream {
+        let runtime = self.runtime;
+        let option = import(quote!(::core::option::Option), words, &["Some"]);
+        let result = import(quote!(::core::result), words, &["Result"]);
+        let ok = import(quote!(::core::result::Result), words, &["Ok"]);
+        let command = ["Command", "Flag", "Op", "Port", "Target", "Teach", "Value"];
+        let command = import(quote!(#runtime::command), words, &command);
+        let fault = import(quote!(#runtime::fault), words, &["Fault"]);
+        let row = import(
+            quote!(#runtime::generated::Step),
+            words,
+            &["Ask", "Go", "Run"],
+        );
+        let ops = import(runtime.clone(), words, &["ops"]);
+        let scalar = import(quote!(#runtime::ops), words, &["Scalar"]);
+        let program = import(
+            quote!(#runtime::program),
+            words,
+            &["Context", "End", "Flow"],
+        );
+        quote! {
+            #option #result #ok #command #fault
+            use #runtime::generated::Step;
+            #row #ops #scalar #program
+        }
+    }
+}
+
+fn function(name: &Ident, doc: &str, body: &TokenStream) -> TokenStream {
+    let mut words = BTreeSet::new();
+    collect_words(body, &mut words);
+    let context = if words.contains("cx") {
+        quote!(cx)
+    } else {
+        quote!(_)
+    };
+    quote! {
+        #[doc = #doc]
+        fn #name(&mut self, #context: &mut dyn Context) -> Result<Flow, Fault> {
+            #body
+        }
+    }
+}
+
+/// A `use` of those candidates that are mentioned.
+fn import(from: TokenStream, words: &BTreeSet<String>, candidates: &[&str]) -> TokenStream {
+    let names: Vec<Ident> = candidates
+        .iter()
+        .filter(|word| words.contains(**word))
+        .map(|word| identifier(word))
+        .collect();
+    match names.as_slice() {
+        [] => TokenStream::new(),
+        [name] => quote!(use #from::#name;),
+        names => quote!(use #from::{#(#names),*};),
+    }
+}
+
+/// Adds every identifier that occurs in the tokens.
+fn collect_words(tokens: &TokenStream, words: &mut BTreeSet<String>) {
+    for token in tokens.clone() {
+        match token {
+            TokenTree::Ident(ident) => {
+                let word = ident.to_string();
+                if !words.contains(&word) {
+                    words.insert(word);
+                }
+            }
+            TokenTree::Group(group) => collect_words(&group.stream(), words),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
