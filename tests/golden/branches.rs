@@ -258,6 +258,13 @@ impl ::tip_runtime::program::Program for Branches {
             },
         )
     }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        match i {
+            0 => self.v_var_key.set(value),
+            1 => self.v_key.set(value),
+            _ => {}
+        }
+    }
     fn line(&self, step: u32) -> u32 {
         use ::core::option::Option::{None, Some};
         match Self::LINES.get(step as usize) {
@@ -269,3 +276,5 @@ impl ::tip_runtime::program::Program for Branches {
         *self = Self::new();
     }
 }
+#[automatically_derived]
+impl ::tip_runtime::robot::For<::tip_runtime::robot::Titan8> for Branches {}

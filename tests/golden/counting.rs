@@ -171,6 +171,14 @@ impl ::tip_runtime::program::Program for Counting {
             },
         )
     }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        match i {
+            0 => self.v_var_key.set(value),
+            1 => self.v_n.set(value),
+            2 => self.v_sum.set(value),
+            _ => {}
+        }
+    }
     fn line(&self, step: u32) -> u32 {
         use ::core::option::Option::{None, Some};
         match Self::LINES.get(step as usize) {
@@ -182,3 +190,5 @@ impl ::tip_runtime::program::Program for Counting {
         *self = Self::new();
     }
 }
+#[automatically_derived]
+impl ::tip_runtime::robot::For<::tip_runtime::robot::Titan8> for Counting {}

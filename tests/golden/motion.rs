@@ -255,6 +255,22 @@ impl ::tip_runtime::program::Program for Motion {
             },
         )
     }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        match i {
+            0 => self.v_var_key.set(value),
+            1 => self.v_here[0].set(value),
+            2 => self.v_here[1].set(value),
+            3 => self.v_here[2].set(value),
+            4 => self.v_there[0].set(value),
+            5 => self.v_there[1].set(value),
+            6 => self.v_there[2].set(value),
+            7 => self.v_pose[0].set(value),
+            8 => self.v_pose[1].set(value),
+            9 => self.v_pose[2].set(value),
+            10 => self.v_z.set(value),
+            _ => {}
+        }
+    }
     fn line(&self, step: u32) -> u32 {
         use ::core::option::Option::{None, Some};
         match Self::LINES.get(step as usize) {
@@ -266,3 +282,5 @@ impl ::tip_runtime::program::Program for Motion {
         *self = Self::new();
     }
 }
+#[automatically_derived]
+impl ::tip_runtime::robot::For<::tip_runtime::robot::Titan8> for Motion {}

@@ -17,10 +17,16 @@ use tipc::source::Span;
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     match arguments::include_tip(input) {
         Ok(arguments) => {
-            let Arguments { text, spelling, .. } = &arguments;
+            let Arguments {
+                text,
+                load,
+                spelling,
+                ..
+            } = &arguments;
             let compile = |bytes: &[u8]| compiled(&text.value, bytes, &arguments, invoking);
-            included(text, invoking, compile)
-                .unwrap_or_else(|failure| failure.beside(emit::skeleton(&text.value, spelling)))
+            included(text, invoking, compile).unwrap_or_else(|failure| {
+                failure.beside(emit::skeleton(&text.value, load.robot, spelling))
+            })
         }
         Err(misuse) => complaint(&misuse),
     }
@@ -29,10 +35,16 @@ pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenS
 pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
     match arguments::tip(input) {
         Ok(arguments) => {
-            let Arguments { text, spelling, .. } = &arguments;
+            let Arguments {
+                text,
+                load,
+                spelling,
+                ..
+            } = &arguments;
             let name = spelling.name_for("").to_string();
-            compiled(&name, text.value.as_bytes(), &arguments, invoking)
-                .unwrap_or_else(|failure| failure.beside(emit::skeleton(&name, spelling)))
+            compiled(&name, text.value.as_bytes(), &arguments, invoking).unwrap_or_else(|failure| {
+                failure.beside(emit::skeleton(&name, load.robot, spelling))
+            })
         }
         Err(misuse) => complaint(&misuse),
     }

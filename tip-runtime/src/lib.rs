@@ -39,8 +39,10 @@ pub mod program;
 pub mod realtime;
 #[cfg(feature = "control")]
 pub mod record;
+pub mod robot;
 pub mod scene;
 #[cfg(feature = "control")]
 pub mod special;
+#[doc(hidden)]
 pub mod version;
 pub mod vibration;

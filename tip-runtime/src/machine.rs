@@ -8,13 +8,14 @@ mod graphs;
 mod keyboard;
 mod mismatch;
 mod sampling;
+mod simulated;
 mod state;
 mod view;
 mod wires;
 
 pub use crate::emergency::{Emergency, Report};
 pub use mismatch::Mismatch;
-
+pub use simulated::Simulated;
 pub use state::Status;
 
 use crate::console::Console;
@@ -66,7 +67,12 @@ where
         special: S,
     ) -> Result<Self, Mismatch> {
         Mismatch::check(program.signature(), model.signature())?;
-        Ok(Machine {
+        Ok(Self::at_start(program, model, hardware, console, special))
+    }
+
+    /// A program on the robot that it was checked for, before its first cycle.
+    fn at_start(program: P, model: &'m Model<L, J>, hardware: H, console: C, special: S) -> Self {
+        Machine {
             program,
             hardware,
             console,
@@ -80,7 +86,7 @@ where
                 period: model.standards.period,
             },
             state: State::new(),
-        })
+        }
     }
 
     /// Starts the program again on the robot as it is: after its end, after an emergency, or in

@@ -4,6 +4,7 @@
 mod scalar;
 mod shown;
 
+#[doc(hidden)]
 pub use scalar::{Scalar, get_each};
 pub use shown::Shown;
 

@@ -6,6 +6,10 @@ use crate::model::{Family, Model};
 use crate::vibration::Vibration;
 use core::fmt::Display;
 
+mod variables;
+
+pub use variables::VariableError;
+
 /// Which command ended the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
@@ -69,10 +73,31 @@ pub trait Program {
     /// Name and value of scalar `i` in declaration order (`VAR_KEY` first, members one by one);
     /// `None` past the last, an inner `None` while unassigned.
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)>;
+    /// Assigns a finite value to scalar `i`; does nothing past the last. [`set`](Self::set) does it by name.
+    fn set_scalar(&mut self, i: usize, value: f64);
     /// The source line (from 1) of a step; 0 if there is no such step.
     fn line(&self, step: u32) -> u32;
     /// Back to the state of a new program.
     fn reset(&mut self);
+
+    /// The value of a variable, or of a struct's member such as `P.X`; `None` while unassigned.
+    ///
+    /// # Errors
+    /// `Unknown` for a name that the program does not declare, `Constant` for `CHAR_A` and its like.
+    fn get(&self, name: &str) -> Result<Option<f64>, VariableError> {
+        variables::get(self, name)
+    }
+
+    /// Assigns a variable, or a struct's member such as `P.X`, between two control cycles. The steps that follow
+    /// read it, until one of them assigns another value. A program may not read what was never assigned
+    /// (T.I.P. 3.1 §5-1), and the compiler warns where it does: let it assign a default first, and set the variable
+    /// after that step.
+    ///
+    /// # Errors
+    /// As [`get`](Self::get); `NotFinite` for an infinite value, or one that is not a number.
+    fn set(&mut self, name: &str, value: f64) -> Result<(), VariableError> {
+        variables::set(self, name, value)
+    }
 }
 
 impl<P: Program + ?Sized> Program for &mut P {
@@ -93,6 +118,9 @@ impl<P: Program + ?Sized> Program for &mut P {
     }
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
         (**self).scalar(i)
+    }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        (**self).set_scalar(i, value);
     }
     fn line(&self, step: u32) -> u32 {
         (**self).line(step)
@@ -181,6 +209,7 @@ pub trait Context: Robot {
     fn message(&mut self, text: &dyn Display);
 }
 
+#[doc(hidden)]
 /// Return steps of GOSUB and CALL, ten deep (T.I.P. 3.1 §10-3-6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CallStack {

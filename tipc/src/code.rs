@@ -5,6 +5,7 @@ use tip_runtime::fault::{Kind, UNASSIGNED};
 
 /// How grave a diagnostic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Level {
     /// The program does not load.
     Error,
@@ -26,6 +27,7 @@ macro_rules! codes {
     ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr; )*) => {
         /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
         pub enum Code {
             $( $(#[$doc])* $variant, )*
         }

@@ -9,6 +9,7 @@ use crate::source::Span;
 
 /// A second place that a diagnostic points at.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Label {
     /// Where.
     pub span: Span,
@@ -18,6 +19,7 @@ pub struct Label {
 
 /// One finding about a source file.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Diagnostic {
     /// What it is about.
     pub code: Code,

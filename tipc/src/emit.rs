@@ -28,10 +28,12 @@ pub(crate) use pretty::under;
 #[cfg(feature = "robot-files")]
 pub(crate) use word::number;
 
+use crate::Robot;
 use crate::analysis::assignment::Assignment;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
+use tip_runtime::program::Signature;
 
 /// How the generated type is called and what it refers to.
 #[derive(Clone, Debug)]
@@ -85,18 +87,20 @@ pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let table = emitter.table(&states);
     let default = emitter.default_impl();
     let program = emitter.program_impl();
-    quote! { #lock #structure #inherent #table #default #program }
+    let robot = for_robot(emitter.program.signature, &emitter.name, emitter.runtime);
+    quote! { #lock #structure #inherent #table #default #program #robot }
 }
 
 /// A type of the program's name that no error follows from: it implements the trait and does
-/// nothing. It stands in for a program that does not load, so that only the program is reported.
-pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
+/// nothing. It stands in for a program for `robot` that does not load, so that only the program is reported.
+pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStream {
     let Options {
         visibility,
         runtime,
         ..
     } = options;
     let name = options.name_for(source_name);
+    let robot = for_robot(robot.signature(), &name, runtime);
     quote! {
         #[doc = " Stands in for a program that does not load."]
         #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::default::Default)]
@@ -137,12 +141,26 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
             fn scalar(&self, _: usize) -> ::core::option::Option<(&str, ::core::option::Option<f64>)> {
                 ::core::option::Option::None
             }
+            fn set_scalar(&mut self, _: usize, _: f64) {}
             fn line(&self, _: u32) -> u32 {
                 0
             }
             fn reset(&mut self) {}
         }
+
+        #robot
     }
+}
+
+/// That a program is for the robot of this signature, if that is one with a name.
+fn for_robot(signature: Signature, program: &Ident, runtime: &TokenStream) -> Option<TokenStream> {
+    let mut robots = Robot::ALL.iter();
+    let robot = robots.find(|robot| robot.signature() == signature)?;
+    let robot = ident::identifier(&format!("{robot:?}"));
+    Some(quote! {
+        #[automatically_derived]
+        impl #runtime::robot::For<#runtime::robot::#robot> for #program {}
+    })
 }
 
 /// One program on its way to tokens.

@@ -36,6 +36,7 @@ impl Default for Options {
 
 /// What came of a file.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Loaded {
     /// The decoded text.
     pub source: Source,

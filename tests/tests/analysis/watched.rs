@@ -127,6 +127,10 @@ impl Program for Watched {
         self.engine.scalar(i)
     }
 
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        self.engine.set_scalar(i, value);
+    }
+
     fn line(&self, step: u32) -> u32 {
         self.engine.line(step)
     }

@@ -56,6 +56,9 @@ impl Program for Script {
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
         self.scalars.get(i).copied()
     }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        self.scalars[i].1 = Some(value);
+    }
     fn line(&self, step: u32) -> u32 {
         step + 4
     }

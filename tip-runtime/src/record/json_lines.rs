@@ -16,7 +16,7 @@ pub struct JsonLines<W> {
     out: W,
     result: fmt::Result,
     with_state: bool,
-    /// Bits of every scalar after the cycle before; empty before the first one.
+    /// Bits of every scalar before the step.
     scalars: Vec<Option<u64>>,
     say: Option<String>,
     lamp: Option<(u8, bool)>,
@@ -110,18 +110,16 @@ impl<W: Write> JsonLines<W> {
         out.write_str("}\n")
     }
 
-    /// The key `set`, and the new values for the next cycle to compare with.
+    /// The key `set`: what the step assigned, and not what the host did before it.
     fn changes(&mut self, program: &dyn Program) -> fmt::Result {
         let mut opening = r#","set":{"#;
-        for (index, before) in self.scalars.iter_mut().enumerate() {
+        for (index, before) in self.scalars.iter().enumerate() {
             let Some((name, Some(value))) = program.scalar(index) else {
                 continue;
             };
-            let now = Some(value.to_bits());
-            if *before == now {
+            if *before == Some(value.to_bits()) {
                 continue;
             }
-            *before = now;
             self.out.write_str(opening)?;
             string(&mut self.out, &name)?;
             write!(self.out, ":{value:?}")?;
@@ -139,11 +137,10 @@ impl<W: Write> Sink for JsonLines<W> {
         self.say = None;
         self.lamp = None;
         self.command.clear();
-        if self.scalars.is_empty() {
-            let scalars = (0..).map_while(|index| program.scalar(index));
-            self.scalars
-                .extend(scalars.map(|(_, value)| value.map(f64::to_bits)));
-        }
+        self.scalars.clear();
+        let scalars = (0..).map_while(|index| program.scalar(index));
+        self.scalars
+            .extend(scalars.map(|(_, value)| value.map(f64::to_bits)));
     }
 
     fn command(&mut self, command: &Command<'_>) {

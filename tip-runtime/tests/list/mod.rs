@@ -62,6 +62,7 @@ impl<V: AsRef<[f64]>> Program for List<V> {
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
         (i == 0).then_some(("VAR_KEY", None))
     }
+    fn set_scalar(&mut self, _: usize, _: f64) {}
     fn line(&self, step: u32) -> u32 {
         step + 3
     }

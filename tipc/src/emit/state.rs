@@ -186,7 +186,7 @@ impl Emitter<'_> {
         } = self;
         let (source, title) = (&program.source_name, &program.title);
         let signature = self.signature();
-        let scalars = self.scalars();
+        let (scalars, assignments) = (self.scalars(), self.assignments());
         quote! {
             #[automatically_derived]
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
@@ -222,6 +222,12 @@ impl Emitter<'_> {
                         #scalars
                         _ => return None,
                     })
+                }
+                fn set_scalar(&mut self, i: usize, value: f64) {
+                    match i {
+                        #assignments
+                        _ => {}
+                    }
                 }
                 fn line(&self, step: u32) -> u32 {
                     use ::core::option::Option::{None, Some};
@@ -259,22 +265,35 @@ impl Emitter<'_> {
 
     /// The arms that give name and value of each scalar.
     fn scalars(&self) -> TokenStream {
-        let mut arms = TokenStream::new();
-        for variable in &self.program.variables {
+        let arm = |(index, name, place)| quote!(#index => (#name, #place.assigned()),);
+        self.places().map(arm).collect()
+    }
+
+    /// The arms that assign each scalar.
+    fn assignments(&self) -> TokenStream {
+        let arm = |(index, _, place)| quote!(#index => #place.set(value),);
+        self.places().map(arm).collect()
+    }
+
+    /// Index, name and place of each scalar.
+    fn places(&self) -> impl Iterator<Item = (Literal, String, TokenStream)> + '_ {
+        self.program.variables.iter().flat_map(|variable| {
             let field = field(variable);
-            for (member, name) in variable.scalar_names().enumerate() {
-                let index = Literal::usize_unsuffixed(variable.first + member);
-                let value = match variable.kind {
-                    VariableKind::Var => quote!(self.#field.assigned()),
-                    VariableKind::Pos | VariableKind::Joint => {
-                        let member = Literal::usize_unsuffixed(member);
-                        quote!(self.#field[#member].assigned())
-                    }
-                };
-                arms.extend(quote!(#index => (#name, #value),));
-            }
-        }
-        arms
+            variable
+                .scalar_names()
+                .enumerate()
+                .map(move |(member, name)| {
+                    let index = Literal::usize_unsuffixed(variable.first + member);
+                    let place = match variable.kind {
+                        VariableKind::Var => quote!(self.#field),
+                        VariableKind::Pos | VariableKind::Joint => {
+                            let member = Literal::usize_unsuffixed(member);
+                            quote!(self.#field[#member])
+                        }
+                    };
+                    (index, name, place)
+                })
+        })
     }
 
     fn field_type(&self, variable: &Variable) -> TokenStream {

@@ -2,6 +2,7 @@
 //! where generated code can be compiled: in the workspace's `tests`.
 
 use super::{Options, emit, skeleton, type_name, word};
+use crate::Robot;
 use crate::fixture::{argument, compare, constant, labelled, member, program, read, scalar};
 use crate::program::{
     Action, Argument, Condition, End, Flag, Function, Op, Operand, Relation, ScalarExpression,
@@ -284,7 +285,7 @@ fn name_visibility_and_run_time_are_options() {
     };
     for text in [
         emit(&small(), &options).to_string(),
-        skeleton("by_hand.prg", &options).to_string(),
+        skeleton("by_hand.prg", Robot::Titan8, &options).to_string(),
     ] {
         assert!(text.contains("pub (crate) struct Other"), "{text}");
         assert!(text.contains("crate :: robot :: program :: Program for Other"));

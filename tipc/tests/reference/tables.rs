@@ -3,7 +3,7 @@
 use crate::links::anchor;
 use crate::{hold, read};
 use std::fmt::Write as _;
-use tipc::code::{Code, Level};
+use tipc::code::Code;
 use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Command, Cycles};
 use tipc::language::flags::FLAGS;
@@ -105,10 +105,7 @@ pub(crate) fn replace(text: &str, name: &str, content: &str) -> String {
 fn codes() -> String {
     let mut table = String::from("\n| code | level | message |\n|---|---|---|\n");
     for code in Code::ALL {
-        let level = match code.level(Edition::default()) {
-            Level::Error => "error",
-            Level::Warning => "warning",
-        };
+        let level = code.level(Edition::default()).name();
         let message = code.template().replace("{}", "…");
         let _ = writeln!(table, "| {} | {level} | `{message}` |", code.id());
     }

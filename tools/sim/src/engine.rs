@@ -73,6 +73,10 @@ impl Program for Engine {
         self.0.scalar(i)
     }
 
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        self.0.set_scalar(i, value);
+    }
+
     fn line(&self, step: u32) -> u32 {
         self.0.line(step)
     }

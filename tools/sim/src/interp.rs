@@ -80,6 +80,12 @@ impl Program for Interpreter {
         Some((self.names.get(i)?, *self.scalars.get(i)?))
     }
 
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        if let Some(scalar) = self.scalars.get_mut(i) {
+            *scalar = Some(value);
+        }
+    }
+
     fn line(&self, step: u32) -> u32 {
         let step = self.program.steps().get(step as usize);
         step.map_or(0, |step| step.line)

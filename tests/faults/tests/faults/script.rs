@@ -59,6 +59,7 @@ impl Program for Script {
     fn scalar(&self, _: usize) -> Option<(&str, Option<f64>)> {
         None
     }
+    fn set_scalar(&mut self, _: usize, _: f64) {}
 }
 
 fn order<const N: usize>(

@@ -2,15 +2,12 @@
 #![deny(warnings)]
 
 use tip_runtime::machine::{Machine, Status};
-use tip_runtime::model::titan8;
-use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::End;
 
 tip_macros::tip!(Rise, "3.1\n\nSTAND_UP 50\nSIT_DOWN 50\nEND\n");
 
 fn main() {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    let mut machine = Machine::new(Rise::new(), &titan8::MODEL, plant, (), ()).expect("titan8");
+    let mut machine = Machine::simulated(Rise::new());
     while machine.cycle().is_running() {}
     assert_eq!(machine.status(), Status::Finished(End::End));
 }

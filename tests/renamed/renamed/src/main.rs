@@ -18,9 +18,8 @@ mod inline {
 }
 
 use motion::machine::{Machine, Status};
-use motion::model::titan8;
-use motion::plant::SimulatedPlant;
 use motion::program::{End, Program};
+use motion::robot::{For, Titan8};
 
 fn main() {
     let results = [
@@ -32,9 +31,8 @@ fn main() {
 }
 
 /// Scalar 1 when the program is over (scalar 0 is VAR_KEY).
-fn counted<P: Program>(program: P) -> Option<f64> {
-    let plant = SimulatedPlant::new(&titan8::MODEL);
-    let mut machine = Machine::new(program, &titan8::MODEL, plant, (), ()).expect("titan8");
+fn counted<P: For<Titan8>>(program: P) -> Option<f64> {
+    let mut machine = Machine::simulated(program);
     while machine.cycle().is_running() {}
     assert_eq!(machine.status(), Status::Finished(End::End));
     machine.program().scalar(1).and_then(|(_, value)| value)

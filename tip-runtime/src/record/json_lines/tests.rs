@@ -28,6 +28,9 @@ impl Program for Variables {
     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
         self.0.get(i).copied()
     }
+    fn set_scalar(&mut self, i: usize, value: f64) {
+        self.0[i].1 = Some(value);
+    }
     fn line(&self, _: u32) -> u32 {
         0
     }
@@ -276,6 +279,7 @@ mod through_a_machine {
         fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
             (i == 0).then_some(("VAR_KEY", None))
         }
+        fn set_scalar(&mut self, _: usize, _: f64) {}
         fn line(&self, _: u32) -> u32 {
             3
         }

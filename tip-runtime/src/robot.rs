@@ -1,0 +1,22 @@
+//! The robots that a program can be compiled for by name, as types.
+
+use crate::program::Program;
+
+/// TITAN VIII.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Titan8 {}
+
+/// The Hiroshima Hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Hand {}
+
+/// The generic robot when no description is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Generic {}
+
+/// A program that was checked for the robot `R`. Generated code implements it, unless the robot is a described one.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` was not compiled for a robot with a name",
+    note = "for a described robot there is `Machine::simulated_on`, which takes its model"
+)]
+pub trait For<R>: Program {}
