@@ -55,18 +55,3 @@ pub(super) enum Format {
     /// One JSON object a line
     Json,
 }
-
-/// The forms of a program.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Form {
-    /// Rust source
-    Rust,
-    /// FORMAL.TMP
-    Formal,
-    /// LABEL.TMP
-    Label,
-    /// TIP.OBJ
-    Obj,
-    /// WARNING.LOG
-    Warning,
-}

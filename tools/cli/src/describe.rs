@@ -1,18 +1,73 @@
 //! `tipc robot`: descriptions of robots.
 
-use super::arguments::{CheckRobot, Import};
 use super::choices::Format;
 use super::error::Error;
 use super::{Status, input, output, report};
+use clap::{Args, Subcommand};
 use std::fmt::Write as _;
 use std::fs;
+use std::path::PathBuf;
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::Model;
 use tip_sim::urdf;
 use tipc::description::WithModel;
 
+/// What to do with a robot's description.
+#[derive(Debug, Subcommand)]
+pub(super) enum RobotVerb {
+    /// Report everything that is wrong with a description, or what the robot has
+    Check(CheckRobot),
+    /// Make a description of a URDF file
+    Import(Import),
+}
+
+/// `tipc robot check`
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  tipc robot check hexapod.toml
+
+Exit status: 0 if the description can be used, 1 otherwise.")]
+pub(super) struct CheckRobot {
+    /// The description
+    #[arg(value_name = "FILE.toml")]
+    pub(super) file: PathBuf,
+
+    /// How faults are shown: snippets for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+}
+
+/// `tipc robot import`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
+foot is the link at the end, on a fixed joint. A report on standard error tells what was assumed and what was dropped.
+
+Example:
+  tipc robot import quadruped.urdf -o quadruped.toml
+
+Exit status: 0 if the description is written, 1 otherwise."
+)]
+pub(super) struct Import {
+    /// The URDF file; xacro has to be expanded first
+    #[arg(value_name = "FILE.urdf")]
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT.toml")]
+    pub(super) out: Option<PathBuf>,
+}
+
+/// Does what the command line says.
+pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
+    match verb {
+        RobotVerb::Check(arguments) => check(arguments),
+        RobotVerb::Import(arguments) => import(arguments),
+    }
+}
+
 /// Shows every fault of a description, or what the robot has.
-pub(super) fn check(arguments: &CheckRobot) -> Result<Status, Error> {
+fn check(arguments: &CheckRobot) -> Result<Status, Error> {
     match input::describe(&arguments.file) {
         Ok(description) => {
             if arguments.message_format == Format::Human {
@@ -61,7 +116,7 @@ impl WithModel for Summary {
 }
 
 /// Writes the description that a URDF file makes; the report goes to standard error.
-pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
+fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
     let name = path.display();
     let read = fs::read(path).map_err(|reason| reason.to_string());

@@ -1,12 +1,56 @@
 //! `tipc emit`: a program in another form.
 
-use super::arguments::Emit;
+use super::arguments::SourceArguments;
 use super::checked::checked;
-use super::choices::Form;
 use super::error::Error;
 use super::{Status, output};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
 use tipc::program::Program;
 use tipc::{emit as rust, listing};
+
+/// The forms of a program.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Form {
+    /// Rust source
+    Rust,
+    /// FORMAL.TMP
+    Formal,
+    /// LABEL.TMP
+    Label,
+    /// TIP.OBJ
+    Obj,
+    /// WARNING.LOG
+    Warning,
+}
+
+/// `tipc emit`
+#[derive(Debug, Args)]
+#[command(after_help = "Forms:
+  rust     one state for each step, as the macros and build scripts compile it
+  formal   FORMAL.TMP: the program step by step, comments and layout gone
+  label    LABEL.TMP: every label and the number of its step
+  obj      TIP.OBJ: every step as command, target and arguments with their types
+  warning  WARNING.LOG: the warnings, one a line
+
+Examples:
+  tipc emit rust walk.prg -o walk.rs
+  tipc emit label walk.prg")]
+pub(super) struct Emit {
+    /// Which form
+    #[arg(value_enum)]
+    pub(super) form: Form,
+
+    /// The program
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+}
 
 /// Writes one form of a program to a file or to standard output.
 pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {

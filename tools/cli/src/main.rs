@@ -19,9 +19,52 @@ mod run;
 mod scene;
 mod verify;
 
-use arguments::{Arguments, RobotVerb, Verb};
-use clap::Parser;
+use clap::{Parser, Subcommand};
 use std::process::ExitCode;
+
+/// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
+#[derive(Debug, Parser)]
+#[command(
+    name = "tipc",
+    version,
+    arg_required_else_help = true,
+    after_help = "A first session:
+  tipc check walk.prg                 what is wrong with it, all at once
+  tipc run walk.prg                   run it on the simulated TITAN VIII
+  tipc emit rust walk.prg -o walk.rs  the same program as Rust source
+  tipc cycles walk.prg                how many control cycles its parts take
+  tipc verify walk.prg                that its compiled code does what the interpreter does
+  tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
+  tipc robot check hexapod.toml       what a robot of your own has
+
+'tipc help run' and its like show examples of each command.
+Exit status: 0 done, 1 the program does not load or does not verify, or a file cannot be written,
+2 wrong usage, 3 emergency stop, 130 interrupted."
+)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+enum Verb {
+    /// Report everything that is wrong with programs
+    Check(check::Check),
+    /// Run a program on the simulated robot
+    Run(run::Run),
+    /// Write a program in another form
+    Emit(emit::Emit),
+    /// Count the control cycles that the parts of a program take
+    Cycles(cycles::Cycles),
+    /// Compare a program's compiled code with the reference interpreter
+    Verify(verify::Verify),
+    /// Turn a program of an older version into one of version 3.1
+    Migrate(migrate::Migrate),
+    /// Descriptions of robots
+    #[command(subcommand)]
+    Robot(describe::RobotVerb),
+}
 
 /// How the process ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +102,7 @@ fn main() -> ExitCode {
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
-        Verb::Robot(RobotVerb::Check(arguments)) => describe::check(arguments),
-        Verb::Robot(RobotVerb::Import(arguments)) => describe::import(arguments),
+        Verb::Robot(verb) => describe::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error);

@@ -1,10 +1,43 @@
 //! `tipc migrate`: a program of an older version as one of version 3.1.
 
-use super::arguments::Migrate;
-use super::choices::Format;
+use super::choices::{EncodingName, Format};
 use super::error::Error;
 use super::{Status, input, output, report};
+use clap::Args;
+use std::path::PathBuf;
 use tipc::migrate::{self, Migration};
+
+/// `tipc migrate`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
+renamed commands, changed forms. Comments, layout, encoding and the order of the steps are kept.
+Every change is reported with its line. What the text does not decide is asked; then nothing is written.
+
+Examples:
+  tipc migrate old.prg -o new.prg
+  tipc migrate old.prg > new.prg                        the new program on standard output
+  tipc migrate --message-format short old.prg -o new.prg   FILE:LINE:COLUMN: change: ...
+
+Exit status: 0 if the new program is written, 1 if there is a question or a file cannot be read or written."
+)]
+pub(super) struct Migrate {
+    /// The older program
+    #[arg(value_name = "OLD")]
+    pub(super) file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "NEW")]
+    pub(super) out: Option<PathBuf>,
+
+    /// How the file spells text; auto takes UTF-8 if it is valid, else Shift_JIS
+    #[arg(long, value_enum, default_value = "auto")]
+    pub(super) encoding: EncodingName,
+
+    /// How the report on standard error is written: for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+}
 
 /// Writes the new program, or nothing if a question is open; the report goes to standard error.
 pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {

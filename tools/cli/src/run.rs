@@ -7,18 +7,62 @@ mod progress;
 mod screen;
 mod trace;
 
-use super::arguments::Run;
+use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
 use super::{Status, input, report, scene};
+use clap::Args;
 use emergency::describe;
 use progress::Progress;
 use screen::Screen;
+use std::path::PathBuf;
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{Inputs, Interpreter, Observer, Robot};
 use tipc::program::Program;
 use tipc::source::Source;
 use trace::Trace;
+
+/// `tipc run`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tipc run walk.prg                             until END; messages on standard output
+  tipc run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
+  tipc run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
+  tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
+  tipc run march.prg --robot hexapod.toml
+  tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tipc run --robot hand grasp.prg --scene cylinder
+  tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
+
+One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
+program sets another. On a terminal keys reach the program as they are pressed, RETURN is the
+emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
+a second one ends a run that is stuck.
+
+Exit status: 0 END, EXIT or --cycles used up, 1 the program does not load, 2 wrong usage,
+3 emergency stop, 130 interrupted.")]
+pub(super) struct Run {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+
+    /// Write the trace, one JSON object a line, to a file, or to standard output for '-'
+    #[arg(long, value_name = "OUT.jsonl|-")]
+    pub(super) trace: Option<PathBuf>,
+
+    /// End each record of the trace with a hash of what the robot was told and measured
+    #[arg(long)]
+    pub(super) trace_state: bool,
+
+    /// Write the log files of the language into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(super) out_dir: Option<PathBuf>,
+}
 
 /// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {

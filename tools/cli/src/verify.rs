@@ -6,16 +6,53 @@ mod finding;
 mod package;
 mod project;
 
-use super::arguments::Verify;
+use super::arguments::{InputArguments, SourceArguments};
 use super::checked::checked;
 use super::error::Error;
 use super::{Status, output, scene};
 use certificate::certificate;
+use clap::Args;
 use engines::Engines;
 use finding::finding;
 use package::Package;
 use project::Project;
+use std::path::PathBuf;
 use tip_sim::search::{self, Failed};
+
+/// `tipc verify`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The program is compiled by tipc and cargo, in release mode, with the tip-runtime of your project. Compiled code and
+interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
+many runs are made: keys, sensors and halt requests are searched that lead to steps and branches not reached yet,
+always the same ones. What is left is listed. Where the engines differ, the shortest inputs are shown.
+
+Examples:
+  tipc verify walk.prg
+  tipc verify walk.prg --keys 300:F,400:Q    these inputs only
+  tipc verify march.prg --robot hexapod.toml --cycles 2000 --runs 1000
+  tipc verify walk.prg --manifest-path controller/Cargo.toml
+
+Exit status: 0 both agree, 1 they differ, or the program does not load or build, 2 wrong usage."
+)]
+pub(super) struct Verify {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+
+    /// How many runs a search makes
+    #[arg(long, value_name = "N", default_value = "256")]
+    pub(super) runs: u64,
+
+    /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder
+    #[arg(long, value_name = "Cargo.toml")]
+    pub(super) manifest_path: Option<PathBuf>,
+}
 
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {

@@ -1,10 +1,10 @@
 //! The package that is built: the user's program as Rust and as text, its robot, and a loop that answers requests.
 
-use super::super::arguments::Verify;
 use super::super::checked::Checked;
 use super::super::error::Error;
 use super::super::robot::ChosenRobot;
 use super::super::{output, scene};
+use super::Verify;
 use super::project::Project;
 use proc_macro2::{Ident, Span};
 use quote::quote;
