@@ -1,7 +1,7 @@
 #![cfg_attr(feature = "control", doc = include_str!("../README.md"))]
 #![cfg_attr(
     not(feature = "control"),
-    doc = "The vocabulary that the compiler and the run-time of T.I.P. programs share."
+    doc = "The vocabulary that the compiler and the runtime of T.I.P. programs share."
 )]
 #![no_std]
 #![forbid(unsafe_code)]

@@ -4,7 +4,7 @@
 //! costs one indirect call however long the program is. A row costs rustc next to nothing, a function is what its
 //! compile time consists of; it ends in one of a few moves to the next state, which have in them what would cost
 //! compile time in each.
-//! Every path goes through `::core` or the run-time's root; nothing is expected from the prelude or from
+//! Every path goes through `::core` or the runtime's root; nothing is expected from the prelude or from
 //! the scope that the code lands in.
 
 mod command;
@@ -163,7 +163,7 @@ fn for_robot(signature: Signature, program: &Ident, runtime: &TokenStream) -> Op
     })
 }
 
-/// One program on its way to tokens.
+/// One program moving to tokens.
 struct Emitter<'a> {
     program: &'a Program,
     visibility: &'a TokenStream,

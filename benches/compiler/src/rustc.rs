@@ -80,7 +80,7 @@ impl Runtime {
             .filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok())
             .filter(|message| message["target"]["name"] == "tip_runtime")
             .find_map(|message| Some(PathBuf::from(message["filenames"][0].as_str()?)))
-            .ok_or("cargo built no run-time")?;
+            .ok_or("cargo built no runtime")?;
         Ok(Runtime { release, library })
     }
 

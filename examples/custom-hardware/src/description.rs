@@ -9,7 +9,7 @@ pub const LEGS: usize = 4;
 /// Joints of a leg.
 pub const JOINTS: usize = 3;
 
-/// A robot as its description file tells it.
+/// A robot as its description file defines it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
     /// What its owner calls it.

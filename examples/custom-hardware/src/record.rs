@@ -39,7 +39,7 @@ impl<H, W: Write> Recorded<H, W> {
     /// Ends the table.
     ///
     /// # Errors
-    /// The first error that writing met; the rows behind it are missing.
+    /// The first error that writing met; the rows after it are missing.
     pub fn finish(&mut self) -> io::Result<()> {
         match self.failure.take() {
             Some(error) => Err(error),

@@ -31,7 +31,7 @@ impl Servo {
         self.id
     }
 
-    /// Where it stands: counts.
+    /// Where it is: counts.
     pub fn position(&self) -> f64 {
         self.position
     }

@@ -1,4 +1,4 @@
-//! What came of a run.
+//! The result for a run.
 
 use std::fmt;
 use tip_runtime::record::Ending;
@@ -9,7 +9,7 @@ pub const LIFT: f64 = 30.0;
 /// For how long it must stay that high: s.
 pub const HOLD: f64 = 2.0;
 
-/// What came of a run. Shown, it is a report of a few lines.
+/// The result for a run. Shown, it is a report of a few lines.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// How it ended.

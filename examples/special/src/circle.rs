@@ -16,7 +16,7 @@ const FASTEST: f64 = 180.0;
 /// Along how much of the spiral out and in the radius grows and shrinks: deg.
 const SPIRAL: f64 = 180.0;
 
-/// A sway under way: half a turn spirals out, whole turns follow, half a turn spirals in.
+/// A sway in progress: half a turn spirals out, whole turns follow, half a turn spirals in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Circle {
     /// Where the feet were at the start, in the robot frame: mm.

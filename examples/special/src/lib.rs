@@ -1,4 +1,4 @@
-//! Commands of a robot's owner, written in Rust, behind `SPECIAL`: a program uses them like any other.
+//! Commands of a robot's owner, written in Rust, for `SPECIAL`: a program uses them like any other.
 #![forbid(unsafe_code)]
 
 mod circle;

@@ -16,7 +16,7 @@ pub const FEEL: u8 = 31;
 /// The special commands of this robot.
 #[derive(Clone, Debug, Default)]
 pub struct Native {
-    /// The circle under way.
+    /// The circle in progress.
     circle: Option<Circle>,
 }
 

@@ -1,4 +1,4 @@
-//! A program on the simulated robot with the commands of its owner, and what came of it.
+//! A program on the simulated robot with the commands of its owner, and what became of it.
 
 use crate::native::Native;
 use tip_runtime::console::Transcript;
@@ -12,7 +12,7 @@ use tip_sim::{Interpreter, Limit, Observer, Robot, load};
 /// The simulated TITAN VIII.
 pub type Plant = SimulatedPlant<4, 3>;
 
-/// What came of a run.
+/// The result for a run.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// How it ended.

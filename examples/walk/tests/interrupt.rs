@@ -48,7 +48,7 @@ fn the_signal_ends_the_process_and_leaves_the_earlier_trace() {
     while !part.exists() {
         require_running(&mut child);
     }
-    // Nobody catches TERM here, nor INT, which is ignored in the background jobs of a shell.
+    // No one catches TERM here, nor INT, which is ignored in the background jobs of a shell.
     kill_process(Pid::from_child(&child), Signal::TERM).expect("it runs");
     let status = child.wait().expect("it ends");
     assert_eq!(status.signal(), Some(Signal::TERM.as_raw()));

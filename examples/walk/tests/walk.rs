@@ -80,7 +80,7 @@ fn every_stride_lifts_each_foot_once_rear_before_front_on_either_side() {
         .windows(2)
         .filter(|pair| pair[1].iter().filter(|down| !**down).count() == 1);
     let order: Vec<usize> = alone.filter_map(lifted).map(|foot| foot + 1).collect();
-    // Before and behind the walk all feet rise from the floor, F1 a cycle ahead of the others.
+    // Before and after the walk all feet rise from the floor, F1 a cycle ahead of the others.
     let walk = [3, 1, 4, 2].repeat(6);
     assert_eq!(order, [vec![1], walk, vec![1]].concat());
 }

@@ -1,5 +1,5 @@
 //! What the walking examples share: a program on a simulated robot of `L` legs with `J` joints, run
-//! by the compiled program and by the reference interpreter side by side, and what came of it.
+//! by the compiled program and by the reference interpreter side by side, and what became of it.
 #![forbid(unsafe_code)]
 
 pub mod exit;

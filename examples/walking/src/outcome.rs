@@ -1,4 +1,4 @@
-//! What came of a run.
+//! The result for a run.
 
 use crate::gait::Gait;
 use std::fmt;
@@ -10,7 +10,7 @@ pub const GOAL: f64 = 1000.0;
 /// How far a foot that carries may slip: mm.
 pub const SLIP: f64 = 1.0;
 
-/// What came of a run. Shown, it is a report of a few lines.
+/// The result for a run. Shown, it is a report of a few lines.
 #[derive(Clone, Debug)]
 pub struct Outcome<const L: usize> {
     /// How it ended.

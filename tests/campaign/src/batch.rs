@@ -68,7 +68,7 @@ impl Effort {
     }
 }
 
-/// Prints the figures of a batch, a fingerprint of each program's runs, and what is different behind it.
+/// Prints the figures of a batch, a fingerprint of each program's runs, and what is different after it.
 pub fn main(subjects: &[Subject]) -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let Some(effort) = Effort::parse(&arguments) else {

@@ -15,7 +15,7 @@ pub enum Flavour {
     Optimised,
     /// Nothing optimised, and arithmetic overflow checked.
     Debug,
-    /// As `Quick`, with the run-time's feature `std`.
+    /// As `Quick`, with the runtime's feature `std`.
     Std,
 }
 

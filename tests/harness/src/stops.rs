@@ -29,7 +29,7 @@ impl<'a> Stop<'a> {
     }
 }
 
-/// The settings of a run in which a line is wanted; no line bears the number 0.
+/// The settings of a run in which a line is wanted; no line has the number 0.
 pub fn wanting(line: u32, settings: &Settings) -> Settings {
     let mut settings = settings.clone();
     settings.add_input("--sensor", format_args!("VR1={line}@0"));

@@ -1,5 +1,5 @@
 //! Generated code has to compile here: without prelude, without the standard library, with every
-//! warning denied, the run-time under another name, and the names that it might lean on taken.
+//! warning denied, the runtime under another name, and the names that it might lean on taken.
 #![no_std]
 #![no_implicit_prelude]
 #![forbid(unsafe_code)]
@@ -20,7 +20,7 @@ pub mod included {
     ::motion_macros::tip!(pub Flow, "3.1\nflow\nLOOP:\nGOTO\nEND", runtime = ::robot);
 }
 
-/// A scope in which other things bear the names of Rust's and of the run-time's.
+/// A scope in which other things bear the names of Rust's and of the runtime's.
 pub mod hostile {
     /// Not the crate.
     pub mod core {}

@@ -25,7 +25,7 @@ pub struct Run {
     pub visits: Vec<u64>,
 }
 
-/// What came of a comparison.
+/// The result for a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// Not a bit differs.

@@ -1,4 +1,4 @@
-//! The native code behind SPECIAL that random programs call.
+//! The native code of SPECIAL that random programs call.
 
 use random_programs::NATIVE;
 use tip_runtime::command::{Command, Op, Poll, Target, Value};

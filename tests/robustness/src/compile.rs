@@ -1,4 +1,4 @@
-//! The whole way to generated code and listings: what the emitter writes is a Rust file, the same each time.
+//! The whole path to generated code and listings: what the emitter writes is a Rust file, the same each time.
 
 use tipc::analysis::cycles::{Sampling, json, parts};
 use tipc::emit::{emit, pretty};
@@ -7,7 +7,7 @@ use tipc::{Options, Robot, emit, listing, load};
 /// Compiles the bytes for each robot.
 ///
 /// # Panics
-/// A program that loads has no code, or code that is no Rust.
+/// A program that loads has no code, or code that is not Rust.
 pub fn examine(bytes: &[u8]) {
     for robot in Robot::ALL {
         let options = Options {

@@ -7,7 +7,7 @@ use tipc::{Options, emit, load};
 /// Reads the bytes as a description.
 ///
 /// # Panics
-/// It is taken and the run-time refuses the robot, its Rust is none, or it is refused without a reason.
+/// It is taken and the runtime refuses the robot, its Rust is none, or it is refused without a reason.
 pub fn examine(bytes: &[u8]) {
     let seen = String::from_utf8_lossy(bytes);
     match parse("random.toml", bytes) {
@@ -33,7 +33,7 @@ pub fn examine(bytes: &[u8]) {
     }
 }
 
-/// Whether the run-time takes the robot for one.
+/// Whether the runtime takes the robot for one.
 struct Check;
 
 impl WithModel for Check {

@@ -16,7 +16,7 @@ const EVENTS: &str = "3:key A, 10:key 1, 40:key 0x20, 90:key 0x0D, 150:halt";
 /// Runs the bytes on TITAN VIII and on the hand.
 ///
 /// # Panics
-/// A command is no number.
+/// A command is not a number.
 pub fn examine(bytes: &[u8]) {
     let walker = Guarded(SimulatedPlant::new(&titan8::MODEL));
     run(bytes, Robot::on(&titan8::MODEL, walker));

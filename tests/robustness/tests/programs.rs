@@ -211,7 +211,7 @@ fn mutated_programs() {
     }
 }
 
-/// The text behind its version line with some bytes lost, doubled or replaced.
+/// The text after its version line with some bytes lost, doubled or replaced.
 fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     let mut changed = bytes.to_vec();
     for _ in 0..=random.below(4) {

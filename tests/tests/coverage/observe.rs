@@ -181,7 +181,7 @@ impl Case {
             let (Some(step), Some(outcome)) = (step, outcome) else {
                 continue;
             };
-            // What befalls a leg moving is of the last motion that it was sent on.
+            // What happens to a moving leg belongs to its last motion command.
             let leg = error.and_then(leg_of);
             let motion = leg.and_then(|leg| motions.get(&leg)).copied();
             for statement in [Some(*step), motion].into_iter().flatten() {

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 /// The tokens of [`emit`](super::emit) as formatted source text under a header comment.
 ///
 /// # Errors
-/// The tokens are no Rust file; a visibility or run-time path that is none can cause it.
+/// The tokens are not a Rust file; a visibility or runtime path that is none can cause it.
 pub fn pretty(program: &Program, tokens: TokenStream) -> Result<String, syn::Error> {
     under(&header(program), tokens)
 }

@@ -225,7 +225,7 @@ impl Emitter<'_> {
         self.after(quote!(self.calls.push(#back)), to)
     }
 
-    /// On to a step behind what may fail: one `?` for all steps, since compiling one takes longer than
+    /// On to a step after what may fail: one `?` for all steps, since compiling one takes longer than
     /// all the rest of a short step.
     fn after(&self, done: TokenStream, step: StepId) -> TokenStream {
         let step = self.step_number(step);
@@ -235,7 +235,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// On to one of two steps behind a test that may fail.
+    /// On to one of two steps after a test that may fail.
     fn branch(&self, test: TokenStream, yes: StepId, no: StepId) -> TokenStream {
         let (yes, no) = (self.step_number(yes), self.step_number(no));
         quote! {

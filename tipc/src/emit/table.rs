@@ -53,7 +53,7 @@ impl Emitter<'_> {
         } = states;
         let imports = self.imports(mentioned);
         let name = &self.name;
-        // A type that bears the name of an import can only be meant outside of this scope.
+        // A type that has the name of an import can only be meant outside of this scope.
         let mut imported = BTreeSet::new();
         collect_words(&imports, &mut imported);
         let outside = imported.contains(&name.to_string()).then(|| quote!(self::));

@@ -1,4 +1,4 @@
-//! How Rust spells the run-time's vocabulary: commands, targets, inputs, flags and numbers.
+//! How Rust spells the runtime's vocabulary: commands, targets, inputs, flags and numbers.
 
 use super::ident::identifier;
 use crate::program::{Flag, Op, Port, Target, Teach};
@@ -16,7 +16,7 @@ pub(crate) fn number(value: f64) -> TokenStream {
     }
 }
 
-/// A variant of the vocabulary: Rust spells it as `Debug` does, behind the name of its type.
+/// A variant of the vocabulary: Rust spells it as `Debug` does, after the name of its type.
 fn variant(of: &str, variant: impl Debug) -> TokenStream {
     let spelled = format!("{of}::{variant:?}");
     spelled.parse().unwrap_or_default()

@@ -30,7 +30,7 @@ pub(super) struct SourceArguments {
 }
 
 impl SourceArguments {
-    /// What the compiler is told.
+    /// The options of the compiler.
     pub(super) fn options(&self, robot: Robot) -> Options {
         Options {
             robot,

@@ -17,11 +17,11 @@ pub(super) struct Checked {
     pub(super) program: Program,
     pub(super) source: Source,
     pub(super) module: Module,
-    /// The warnings about it, told already.
+    /// The warnings about it, already reported.
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-/// Loads the program at `path` for the robot of the command line, and tells the findings about both;
+/// Loads the program at `path` for the robot of the command line, and reports the findings about both;
 /// `None` if one of them does not load.
 pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checked> {
     let format = arguments.message_format;

@@ -58,7 +58,7 @@ impl fmt::Display for Error {
     }
 }
 
-/// Whether the reader of a pipe went away, which is no fault of ours.
+/// Whether the reader of a pipe went away, which is not our fault.
 pub(super) fn is_closed(error: &io::Error) -> bool {
     error.kind() == io::ErrorKind::BrokenPipe
 }

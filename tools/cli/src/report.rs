@@ -33,7 +33,7 @@ pub(super) fn error(error: &Error) {
     complain(&format!("error: {error}\n"));
 }
 
-/// Writes to standard error; one that is closed cannot be told so.
+/// Writes to standard error; if that is closed, there is no one to report it to.
 pub(super) fn complain(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }

@@ -64,7 +64,7 @@ pub(super) struct Run {
     pub(super) out_dir: Option<PathBuf>,
 }
 
-/// Runs the program until it ends, the cycles are used up, or somebody presses Ctrl-C.
+/// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
     let robot = match arguments.source.robot.load() {
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     }
 }
 
-/// Runs a program that was loaded, and tells how it ended.
+/// Runs a program that was loaded, and reports how it ended.
 fn simulate(
     program: Program,
     robot: Robot,
@@ -132,7 +132,7 @@ fn simulate(
     Ok(status(&ending))
 }
 
-/// Writes the trace, and ends the run when somebody wants that.
+/// Writes the trace, and ends the run when someone wants that.
 struct Watch<'a> {
     trace: Option<&'a mut Trace>,
 }

@@ -38,7 +38,7 @@ impl FromStr for SceneChoice {
     }
 }
 
-/// The scene that was asked for; without one, a level floor. `None`, with its findings told, if it cannot be used.
+/// The scene that was asked for; without one, a level floor. `None`, with its findings reported, if it cannot be used.
 pub(super) fn load(choice: Option<&SceneChoice>, format: Format) -> Option<Scene> {
     match choice {
         None => Some(Scene::EMPTY),

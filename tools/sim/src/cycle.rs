@@ -15,9 +15,9 @@ pub struct Cycle {
     pub number: u64,
     /// Time on the robot when it began: ms.
     pub time: f64,
-    /// The step that ran; none in the cycle of an emergency stop, behind the program's end, and in a pause.
+    /// The step that ran; none in the cycle of an emergency stop, after the program's end, and in a pause.
     pub step: Option<u32>,
-    /// The step of the next cycle; none behind END and EXIT.
+    /// The step of the next cycle; none after END and EXIT.
     pub next: Option<u32>,
     /// Scalars by name whose bits changed or that became assigned, with their values, in order of declaration.
     pub set: Vec<(String, f64)>,
@@ -61,7 +61,7 @@ pub(crate) struct Collector {
 }
 
 impl Collector {
-    /// The cycle that a robot is behind now; `number` and `time` are those of its beginning.
+    /// The cycle that a robot is in now; `number` and `time` are those of its beginning.
     pub(crate) fn finish(self, shell: &dyn Shell, number: u64, time: f64, status: Status) -> Cycle {
         let (commands, angles) = shell.joints();
         Cycle {

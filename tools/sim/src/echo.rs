@@ -1,4 +1,4 @@
-//! A robot that is cheap to simulate: joints are at once where they are told to be.
+//! A robot that is cheap to simulate: joints are at once where they are commanded to be.
 
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;

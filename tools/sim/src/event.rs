@@ -80,7 +80,7 @@ impl Events {
         })
     }
 
-    /// Adds an event behind those of its cycle, and not before place `from`.
+    /// Adds an event after those of its cycle, and not before place `from`.
     pub(crate) fn insert(&mut self, from: usize, event: Timed) {
         let later = self.0.get(from..).unwrap_or_default();
         let place = from + later.partition_point(|other| other.cycle <= event.cycle);

@@ -40,7 +40,7 @@ impl Interpreter {
         }
     }
 
-    /// Where it stands.
+    /// Where it is.
     pub fn place(&self) -> Place {
         Place {
             step: self.at,

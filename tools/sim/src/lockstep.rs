@@ -62,7 +62,7 @@ pub trait Scout {
 
 impl Scout for () {}
 
-/// What came of a run.
+/// The result for a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     /// How many cycles were compared; one that stops the robot is not counted.

@@ -1,4 +1,4 @@
-//! The native code behind SPECIAL under one type.
+//! The native code of SPECIAL under one type.
 
 use std::fmt;
 use tip_runtime::command::Poll;

@@ -161,7 +161,7 @@ impl Run {
         Ok(())
     }
 
-    /// Shows a console what the program shows from now on, and asks it for keys, behind those of events. It takes the
+    /// Shows a console what the program shows from now on, and asks it for keys, after those of events. It takes the
     /// place of the one before.
     #[must_use]
     pub fn with_console(mut self, console: impl Console + 'static) -> Self {
@@ -224,7 +224,7 @@ impl Run {
         *self.ending.insert(ending)
     }
 
-    /// Runs one cycle, and tells what happened in it. Behind the program's end the robot is still held.
+    /// Runs one cycle, and returns what happened in it. After the program's end the robot is still held.
     pub fn cycle(&mut self) -> Cycle {
         let Clocks { cycles, time, .. } = self.shell.clocks();
         let mut collector = Collector::default();
@@ -232,7 +232,7 @@ impl Run {
         collector.finish(self.shell.as_ref(), cycles, time, status)
     }
 
-    /// Runs one cycle, and tells a sink and the trace about it.
+    /// Runs one cycle, and reports it to a sink and the trace.
     pub fn advance(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         self.happen();
         #[cfg(feature = "std")]
@@ -274,7 +274,7 @@ impl Run {
         self.shell.pause(on);
     }
 
-    /// How it ended, if it has; a run whose cycles were used up goes on when it is told to.
+    /// How it ended, if it has; a run whose cycles were used up goes on when it is asked to.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }

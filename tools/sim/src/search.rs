@@ -1,5 +1,5 @@
-//! The search for inputs that lead where no run was yet: runs that came by something new are varied, most often
-//! just before cycles in which a condition went one way only so far. Where the engines differ the inputs are shrunk.
+//! The search for inputs that lead where no run has been: runs that reached something new are varied, most often
+//! just before cycles in which a condition has only gone one way so far. Where the engines differ the inputs are shrunk.
 
 mod levers;
 mod random;
@@ -91,7 +91,7 @@ const AHEAD: u64 = 4;
 /// The most times that an event repeats itself.
 const REPEATS: u64 = 12;
 
-/// A run that came by something new.
+/// A run that reached something new.
 #[derive(Clone, Debug)]
 struct Seed {
     events: Vec<Timed>,
@@ -159,7 +159,7 @@ impl<'a, E: Engines> Search<'a, E> {
         }
     }
 
-    /// A run that came by something new, more likely a late one, with one to three changes.
+    /// A run that reached something new, more likely a late one, with one to three changes.
     fn varied(&mut self, levers: &[Event]) -> Vec<Timed> {
         let count = self.seeds.len() as u64;
         let which = self.random.below(count).max(self.random.below(count));

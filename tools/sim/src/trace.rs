@@ -57,7 +57,7 @@ impl Trace {
     }
 }
 
-/// The record behind those of the cycles.
+/// The record after those of the cycles.
 pub(crate) fn last_record(ending: Ending, cycles: u64) -> String {
     let mut writer = JsonLines::new(String::new(), false);
     writer.end(ending, cycles);

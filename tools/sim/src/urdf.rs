@@ -1,7 +1,7 @@
 //! Robots from URDF files: each serial chain of revolute joints becomes a leg of a description.
 //!
 //! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
-//! what it needs and URDF lacks is assumed. The report tells both.
+//! what it needs and URDF lacks is assumed. The report lists both.
 
 mod chain;
 mod depth;
@@ -27,7 +27,7 @@ pub struct Import {
     pub report: Vec<Importing>,
 }
 
-/// Why a URDF file is no robot of legs; it names the link or joint, and says a way out.
+/// Why a URDF file is not a robot with legs; it names the link or joint, and says a way out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportError(Importing);
 
@@ -48,7 +48,7 @@ impl ImportError {
 /// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
 ///
 /// # Errors
-/// Text that is no URDF, or nested too deep; joints that are no tree; a leg that branches or has a joint that does not turn; legs
+/// Text that is not URDF, or nested too deep; joints that are not a tree; a leg that branches or has a joint that does not turn; legs
 /// that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
     depth::check(text)?;

@@ -170,7 +170,7 @@ fn what_does_not_fit_is_refused() -> Outcome {
     Ok(())
 }
 
-/// Counts what it is told, and interrupts.
+/// Counts what is reported to it, and interrupts.
 #[derive(Default)]
 struct Counter {
     left: u64,

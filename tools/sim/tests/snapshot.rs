@@ -93,7 +93,7 @@ fn what_follows_a_mark_follows_it_again() -> Outcome {
         let first = cycles(&mut run, 50);
         let (trace, text) = (run.trace(), shown(&run));
         run.restore(&mark);
-        // The last record tells of the limit.
+        // The last record names the limit.
         assert_eq!((run.cycles(), run.trace().lines().count()), (30, 31));
         assert_eq!(cycles(&mut run, 50), first);
         assert_eq!((run.trace(), shown(&run)), (trace, text));

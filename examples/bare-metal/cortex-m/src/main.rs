@@ -27,7 +27,7 @@ fn main() -> ! {
     }
 }
 
-/// Whether both programs ended themselves; `None` if that could not be told.
+/// Whether both programs ended themselves; `None` if that is not known.
 fn run() -> Option<bool> {
     let mut trace = hio::hstdout().ok()?;
     let mut report = hio::hstderr().ok()?;

@@ -12,7 +12,7 @@ const ROOM: usize = 128;
 unsafe extern "C" {
     /// The lowest word of the stack: the linker script defines it.
     static mut _stack_end: u32;
-    /// The word behind the highest.
+    /// The word after the highest.
     static mut _stack_start: u32;
 }
 

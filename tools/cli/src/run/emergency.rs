@@ -1,4 +1,4 @@
-//! An emergency stop, told with its place in the program.
+//! An emergency stop, reported with its place in the program.
 
 use super::super::place::place;
 use std::fmt::Write as _;

@@ -29,7 +29,7 @@ fn seen_from(folder: &Path, program: &Path) -> String {
     parts.collect::<Vec<_>>().join("/")
 }
 
-/// The way from `folder` to `file`, both absolute; `file` itself if they have no root in common.
+/// The path from `folder` to `file`, both absolute; `file` itself if they have no root in common.
 fn relative(folder: &Path, file: &Path) -> PathBuf {
     let common = folder
         .components()
@@ -44,7 +44,7 @@ fn relative(folder: &Path, file: &Path) -> PathBuf {
     up.map(|_| Component::ParentDir).chain(down).collect()
 }
 
-/// Writes what a run left to write, and tells the first error of all writing.
+/// Writes what a run left to write, and returns the first error of all writing.
 pub(super) fn finish(files: &mut LogFiles<()>) -> Result<(), Error> {
     files.flush();
     files

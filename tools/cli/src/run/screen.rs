@@ -77,7 +77,7 @@ impl Console for Screen {
         }
         self.progress.clear();
         let mut out = io::stdout().lock();
-        // Nobody reads the messages any more: the run has lost its audience.
+        // No one reads the messages any more: the run has lost its audience.
         if let Err(error) = writeln!(out, "{text}").and_then(|()| out.flush()) {
             interrupt::request();
             if !is_closed(&error) {

@@ -1,4 +1,4 @@
-//! The trace of a run, on its way to a file or to standard output.
+//! The trace of a run, written to a file or to standard output.
 
 use super::super::error::{Error, is_closed};
 use super::super::output;

@@ -1,4 +1,4 @@
-//! The certificate: what was compared, with what, and what no run came by.
+//! The certificate: what was compared, with what, and what no run reached.
 
 use super::super::checked::Checked;
 use super::super::scene::SceneChoice;

@@ -39,7 +39,7 @@ impl Engines {
         let (sender, answers) = mpsc::channel();
         thread::spawn(move || {
             let lines = BufReader::new(output).lines().map_while(Result::ok);
-            // When nobody listens any more, nobody misses the rest.
+            // When no one listens any more, no one misses the rest.
             let _ = lines.into_iter().try_for_each(|line| sender.send(line));
         });
         Ok(Engines {

@@ -1,4 +1,4 @@
-//! The user's project, as cargo tells it: where the run-time comes from, and the build.
+//! The user's project, as cargo reports it: where the runtime comes from, and the build.
 
 use super::super::error::Error;
 use super::super::report;
@@ -14,7 +14,7 @@ pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 const WHERE: &str = "run it in the folder of a project that depends on tip-runtime, or name its Cargo.toml by --manifest-path";
 
-/// A cargo project that depends on the run-time.
+/// A cargo project that depends on the runtime.
 #[derive(Debug)]
 pub(super) struct Project {
     /// Where cargo runs, so that the project's configuration and toolchain count.
@@ -118,7 +118,7 @@ impl Project {
     }
 }
 
-/// Cargo tells those that it starts who it is.
+/// Cargo names itself to the processes that it starts.
 fn cargo() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
@@ -186,7 +186,7 @@ fn source(package: &Value) -> String {
     }
 }
 
-/// The tip-sim that belongs to a run-time whose project has none: from the same registry, repository or checkout.
+/// The tip-sim that belongs to a runtime whose project has none: from the same registry, repository or checkout.
 fn beside(runtime: &Value, source: &str) -> Result<String, Error> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());

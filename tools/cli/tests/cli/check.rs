@@ -168,7 +168,7 @@ fn the_robot_decides_which_commands_exist() {
 // clauses: 1.1 1.6
 #[test]
 fn shift_jis_is_found_out_or_forced() {
-    // 全角 between full-width spaces, then an error behind them: MESSAGE 前; FOO in CP932.
+    // 全角 between full-width spaces, then an error after them: MESSAGE 前; FOO in CP932.
     let text = b"3.1\ntitle\n\x81\x40MESSAGE \x91\x4F ; FOO\nEND\n";
     let folder = Folder::new("shift-jis").file("sj.prg", text);
     let short = ["check", "--message-format", "short", "sj.prg"];

@@ -12,7 +12,7 @@ END
 SUBROUTINE SUB:
 SUBEND";
 
-/// SUBROUTINE behind END would be ignored, so END comes last.
+/// SUBROUTINE after END would be ignored, so END comes last.
 fn program() -> String {
     let body = PROGRAM.replace("END\nSUBROUTINE", "EXIT\nSUBROUTINE");
     format!("{body}\nEND")

@@ -8,7 +8,7 @@ mod terminal;
 use std::path::Path;
 use std::{env, fs};
 
-/// What went wrong, where, and what came of it.
+/// What went wrong, where, and what became of it.
 struct Row {
     place: &'static str,
     fault: &'static str,

@@ -11,7 +11,7 @@ use std::{env, fs};
 /// Counts keys up to 5.
 ///
 /// In the first turn of the loop KEY_IN runs in cycle 2, IF SPEED > 5 in cycle 7; in the second one nine cycles later. KEY_IN
-/// empties the keyboard buffer, so a second key has to come behind cycle 2.
+/// empties the keyboard buffer, so a second key has to come after cycle 2.
 const COUNTER: &str = "DEF_VAR SPEED
 SPEED = 3
 LOOP: KEY_IN
@@ -41,7 +41,7 @@ done
 exec "$SOUND_CARGO" "$@"
 "#;
 
-/// The command on the program with the run-time of this workspace.
+/// The command on the program with the runtime of this workspace.
 fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.toml");
     let workspace = workspace.to_str().expect("a path in UTF-8");
@@ -53,7 +53,7 @@ fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
     folder.command(&all)
 }
 
-/// What comes of it.
+/// The result.
 fn outcome(mut command: Command) -> Outcome {
     Outcome::of(command.output().expect("tipc starts"))
 }
@@ -106,7 +106,7 @@ fn engines_that_agree_get_a_certificate() {
     ] {
         assert!(outcome.out.contains(part), "{part} in {outcome:#?}");
     }
-    // Given inputs are one run; what it did not come by is told.
+    // Given inputs are one run; what it did not reach is reported.
     let outcome = verify(&["--keys", "0:Q"]).expect(0);
     for part in [
         "runs         1: 1 to END or EXIT, 0 ",

@@ -13,7 +13,7 @@ pub(super) struct Outcome {
     /// The scalars that it assigns, the first one at `first`.
     first: usize,
     values: Vec<f64>,
-    /// The calls that are open behind it, if it changes them.
+    /// The calls that are open after it, if it changes them.
     calls: Option<CallStack>,
     then: Then,
 }

@@ -15,7 +15,7 @@ const B: usize = 2;
 const P: usize = 3;
 
 /// An interpreter of these statements and an EXIT; they may use the variables A and B, and the positions P and Q. What
-/// stands behind only assigns them, since a program that never does is not loaded.
+/// follows only assigns them, since a program that never does is not loaded.
 fn interpreter(statements: &str) -> Interpreter {
     let behind = "EXIT\nA = 0\nB = 0\nTEACH_POSITION F1 P\nEND";
     let text =

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 
-/// What came of a requested run. Its text is one line: fields with tabs between them, which no field holds.
+/// The result for a requested run. Its text is one line: fields with tabs between them, which no field holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Both engines did the same.
@@ -17,7 +17,7 @@ pub enum Answer {
         cycles: u64,
         /// How it ended.
         end: RunEnd,
-        /// The spots that no run before came by, by their places in [`Spots::all`](tipc::analysis::spots::Spots::all).
+        /// The spots that no run before reached, by their places in [`Spots::all`](tipc::analysis::spots::Spots::all).
         new: Vec<usize>,
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,
@@ -45,7 +45,7 @@ const ENDS: [(&str, RunEnd); 3] = [
     ("emergency", RunEnd::Emergency),
 ];
 
-/// A program in both forms, and what its runs came by so far.
+/// A program in both forms, and what its runs have reached so far.
 #[derive(Clone, Debug)]
 pub struct Session {
     lockstep: Lockstep,

@@ -9,7 +9,7 @@ use tip_runtime::program::Program;
 use tip_runtime::record::{Cycle, Sample, Sink};
 
 /// A hash of words that goes on and on. Each word is taken in by a one-to-one map, so that one that differs is never lost
-/// to those behind it.
+/// to those after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Hash(u64);
 
@@ -37,7 +37,7 @@ impl fmt::Write for Hash {
 #[derive(Debug, Default)]
 pub(super) struct Notes {
     pub(super) hash: Hash,
-    /// The cycle under way in words, if they are wanted.
+    /// The present cycle in words, if they are wanted.
     pub(super) words: Option<String>,
 }
 

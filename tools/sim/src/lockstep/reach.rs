@@ -1,18 +1,18 @@
-//! What runs came by.
+//! What runs reached.
 
 use super::Scout;
 use tipc::analysis::spots::{Place, Spots};
 use tipc::program::Program;
 
-/// The most chances that are told of a run.
+/// The most chances that are reported of a run.
 const CHANCES: usize = 64;
 
-/// Which spots of a program some run came by.
+/// Which spots of a program some run reached.
 #[derive(Clone, Debug)]
 pub struct Reach {
     spots: Spots,
     seen: Vec<bool>,
-    /// Of the run under way: what no run before came by.
+    /// Of the present run: what no run before reached.
     new: Vec<usize>,
     chances: Vec<u64>,
 }
@@ -35,12 +35,12 @@ impl Reach {
         &self.spots
     }
 
-    /// Whether some run came by the spot at this place among all.
+    /// Whether some run reached the spot at this place among all.
     pub fn has(&self, spot: usize) -> bool {
         self.seen.get(spot).copied().unwrap_or_default()
     }
 
-    /// Some run came by this spot; whether it is the first.
+    /// Some run reached this spot; whether it is the first.
     pub fn add(&mut self, spot: usize) -> bool {
         let seen = self.seen.get_mut(spot);
         seen.is_some_and(|seen| !std::mem::replace(seen, true))

@@ -45,7 +45,7 @@ impl Side {
         }
     }
 
-    /// Runs a cycle, unless `limit` are used up, tells `sink` about it, and tells whether that was the end.
+    /// Runs a cycle, unless `limit` are used up, reports it to `sink`, and returns whether that was the end.
     pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
         #[cfg(feature = "std")]
         if let Tape::Record(record) = &mut self.tape {
@@ -69,7 +69,7 @@ impl Side {
         self.ending
     }
 
-    /// Whether nothing tells it from the other side.
+    /// Whether it equals the other side.
     pub(super) fn equals(&self, other: &Side) -> bool {
         let is_same = match (&self.tape, &other.tape) {
             #[cfg(feature = "std")]
@@ -95,7 +95,7 @@ impl Side {
         }
     }
 
-    /// Runs a cycle, and tells what happens in it.
+    /// Runs a cycle, and returns what happens in it.
     pub(super) fn in_words(&mut self, limit: u64) -> String {
         self.tape = Tape::Hash(Notes::in_words());
         self.cycle(limit, None);
@@ -121,7 +121,7 @@ impl Side {
         self.run.cycles()
     }
 
-    /// Where the interpreter stands; compiled code tells its step only.
+    /// Where the interpreter is; compiled code gives its step only.
     pub(super) fn place(&self) -> Place {
         match self.run.engine::<Interpreter>() {
             Some(interpreter) => interpreter.place(),

@@ -1,4 +1,4 @@
-//! What from outside can change the way of a program: read off its steps.
+//! What from outside can change the path of a program: read off its steps.
 
 use crate::event::Event;
 use std::collections::BTreeSet;

@@ -21,7 +21,7 @@ pub enum Came {
     Agreed {
         /// How many cycles were compared.
         cycles: u64,
-        /// It came by something that no run before it did.
+        /// It reached something that no run before it did.
         is_new: bool,
         /// Cycles where another input may change the path.
         chances: Vec<u64>,
@@ -33,7 +33,7 @@ pub enum Came {
 /// What all runs came to.
 #[derive(Debug)]
 pub struct Tally {
-    /// Where they came by.
+    /// What they reached.
     pub reach: Reach,
     /// Cycles that were compared.
     pub cycles: u64,

@@ -27,7 +27,7 @@ pub(super) struct Turning<'a> {
     pub(super) at: [f64; 3],
     /// kg.
     pub(super) mass: f64,
-    /// Links that fixed joints hold to the one behind this joint, without those of the foot.
+    /// Links that fixed joints hold to the one after this joint, without those of the foot.
     pub(super) merged: Vec<&'a str>,
 }
 

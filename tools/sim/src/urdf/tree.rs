@@ -14,7 +14,7 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// Refuses what is no tree.
+    /// Refuses what is not a tree.
     pub(super) fn new(robot: &'a Robot) -> Result<Self, ImportError> {
         let mut links = BTreeMap::new();
         for link in &robot.links {

@@ -1,4 +1,4 @@
-//! Robots from URDF files. Forward kinematics of what comes of them is held against the URDF's own frames, put together
+//! Robots from URDF files. Forward kinematics of the results are compared with the URDF's own frames, put together
 //! here from the numbers in the file, one homogeneous transform after the other.
 
 mod frames;

@@ -16,7 +16,7 @@ const INTERRUPTED: &str = "interrupted";
 const WAITS: &str = "LOG_START\nMESSAGE go\nKEY_IN\nEND";
 const MOVES: &str = "LOG_START\nMESSAGE go\nL1:\nPTP F1 -391 281 -160\nWAIT_INPOS F1\nPTP F1 -391 201 -200\n\
                      WAIT_INPOS F1\nGOTO L1:\nEND";
-/// Talks to somebody who does not listen, until the pipe is full.
+/// Talks to someone who does not listen, until the pipe is full.
 const TALKS: &str =
     "LOG_START\nL1:\nMESSAGE and so on and so on and so on and so on and so on\nGOTO L1:\nEND";
 /// The rows that TITAN.LOG holds at most.

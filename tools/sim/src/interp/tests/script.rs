@@ -1,4 +1,4 @@
-//! A robot that is no robot.
+//! A stand-in for a robot.
 
 use std::collections::VecDeque;
 use std::fmt::Display;
