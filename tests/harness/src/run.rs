@@ -45,3 +45,25 @@ fn robot(settings: &Settings) -> Result<Robot, String> {
         None => Ok(robot),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tip_sim::load;
+
+    #[test]
+    fn what_cannot_happen_is_refused() {
+        let robot = Robot::named("titan8").unwrap();
+        let program = load("p.prg", "3.1\ntest\nEND\n", &robot).unwrap();
+        let outcome = |option: &str, value: &str| {
+            let mut settings = Settings::default();
+            settings.add_input(option, value);
+            run(program.clone(), &settings)
+        };
+        for (option, value) in [("--keys", "3"), ("--sensor", "VR1=8"), ("--cycles", "x")] {
+            assert!(outcome(option, value).is_err(), "{option} {value}");
+        }
+        // An input may read nonsense.
+        assert!(outcome("--sensor", "ANTENNA=nan@0").is_ok());
+    }
+}

@@ -158,8 +158,6 @@ mod tests {
             "--robot no/such/file.toml",
             "--cycles",
             "--speed 3",
-            "--keys 3",
-            "--sensor VR1=8",
         ] {
             assert!(
                 Settings::of_header(&format!("# args: {args}"), Path::new("")).is_err(),

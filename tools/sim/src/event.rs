@@ -16,7 +16,7 @@ use tip_runtime::command::Port;
 /// |---|---|
 /// | a key is pressed: one ASCII character, or its code | `key F`, `key 0x2C` |
 /// | a halt is requested | `halt` |
-/// | an input reads this voltage from now on; it is called as in AD_IN | `VR1=8`, `PAW2=0`, `ANTENNA=1`, `J23=-0.5` |
+/// | an input reads this voltage from now on; it is called as in AD_IN, and may read nonsense | `VR1=8`, `J23=-0.5`, `ANTENNA=NaN` |
 /// | every foot or finger begins to feel something, or ceases to | `touch on`, `touch off` |
 /// | the robot cannot be read in this cycle | `read fails` |
 /// | the robot cannot be written to any more | `write fails` |

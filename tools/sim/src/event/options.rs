@@ -1,6 +1,6 @@
 //! Events as the command line spells them: `--keys`, `--sensor` and `--halt` are short forms, `--events` is the full one.
 
-use super::text::{KeyText, key_byte, number, port};
+use super::text::{KeyText, key_byte, port};
 use super::{Event, EventError, Events, Timed};
 use std::fmt;
 use std::str::FromStr;
@@ -59,7 +59,7 @@ impl FromStr for Inputs {
             }
             match option {
                 "--keys" => events.extend(value.parse::<Keys>()?.0),
-                "--sensor" => events.push(value.parse::<SensorAt>()?.0),
+                "--sensor" => events.push(sensor(value, |_| true)?),
                 "--halt" => events.push(Event::Halt.at(cycles(value)?)),
                 "--events" => events.extend(value.parse::<Events>()?),
                 "--cycles" => inputs.cycles = Some(cycles(value)?),
@@ -109,7 +109,7 @@ fn key(text: &str) -> Result<Timed, EventError> {
     Ok(Event::Key(byte).at(cycle))
 }
 
-/// `--sensor`: `NAME=VALUE@CYCLE`.
+/// `--sensor`: `NAME=VALUE@CYCLE`, where the value is a finite number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorAt(pub Timed);
 
@@ -117,23 +117,28 @@ impl FromStr for SensorAt {
     type Err = EventError;
 
     fn from_str(text: &str) -> Result<Self, EventError> {
-        let wrong = |what: &str| {
-            EventError(format!(
-                "{what}; expected NAME=VALUE@CYCLE, such as VR1=8@300"
-            ))
-        };
-        let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
-        let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
-        let name = name.trim().to_ascii_uppercase();
-        let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is no input")))?;
-        let volts =
-            number(volts).ok_or_else(|| wrong(&format!("'{volts}' is no number of volts")))?;
-        let cycle = cycle
-            .trim()
-            .parse()
-            .map_err(|_| wrong(&format!("'{cycle}' is no cycle")))?;
-        Ok(SensorAt(Event::Sensor(port, volts).at(cycle)))
+        sensor(text, f64::is_finite).map(SensorAt)
     }
+}
+
+/// An input that reads something from a cycle on, if it can read that.
+fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
+    let wrong = |what: &str| {
+        EventError(format!(
+            "{what}; expected NAME=VALUE@CYCLE, such as VR1=8@300"
+        ))
+    };
+    let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
+    let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
+    let name = name.trim().to_ascii_uppercase();
+    let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is no input")))?;
+    let number = volts.trim().parse().ok().filter(|volts| can_read(*volts));
+    let volts = number.ok_or_else(|| wrong(&format!("'{volts}' is no number of volts")))?;
+    let cycle = cycle
+        .trim()
+        .parse()
+        .map_err(|_| wrong(&format!("'{cycle}' is no cycle")))?;
+    Ok(Event::Sensor(port, volts).at(cycle))
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ impl FromStr for Event {
         }
         let (name, value) = text.split_once('=').ok_or_else(wrong)?;
         let port = port(name.trim()).ok_or_else(wrong)?;
-        let volts = number(value).ok_or_else(wrong)?;
+        let volts = value.trim().parse().map_err(|_| wrong())?;
         Ok(Event::Sensor(port, volts))
     }
 }
@@ -128,12 +128,6 @@ pub(super) fn key_byte(key: &str) -> Option<u8> {
     }
 }
 
-/// A number that is finite.
-pub(super) fn number(text: &str) -> Option<f64> {
-    let number = text.trim().parse::<f64>().ok();
-    number.filter(|number| number.is_finite())
-}
-
 /// The inputs by name, as AD_IN has them, in either case.
 pub(super) fn port(name: &str) -> Option<Port> {
     name.to_ascii_uppercase().parse().ok()
@@ -171,6 +165,8 @@ mod tests {
             "10:key F, 10:key g, 300:VR1=8, 900:halt"
         );
         assert_eq!(" ".parse(), Ok(Events::NONE));
+        let nonsense: Events = "3:ANTENNA=nan".parse().unwrap();
+        assert_eq!(nonsense.to_string(), "3:ANTENNA=NaN");
     }
 
     #[test]
@@ -182,7 +178,7 @@ mod tests {
             ("3:key", "'key' is not an event"),
             ("3:key ab", "'key ab' is not an event"),
             ("3:VR9=1", "'VR9=1' is not an event"),
-            ("3:VR1=NaN", "'VR1=NaN' is not an event"),
+            ("3:VR1=x", "'VR1=x' is not an event"),
             ("3:halt,", "'' is not CYCLE:EVENT"),
         ] {
             let error = wrong.parse::<Events>().expect_err(wrong).to_string();
