@@ -28,6 +28,9 @@ pub const ABSOLUTE: &str = "A";
 /// `HS`: the motion is not limited in its acceleration.
 pub const FAST: &str = "HS";
 
+/// `CHAR_A` and the like: what the names of the language's constants begin with.
+pub const CONSTANT: &str = "CHAR_";
+
 /// A text that names nothing of the kind that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownWord;

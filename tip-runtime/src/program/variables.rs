@@ -1,10 +1,8 @@
 //! A program's variables by their names, for whoever runs it.
 
 use super::Program;
+use crate::command::CONSTANT;
 use core::fmt;
-
-/// What the names of the language's constants begin with: `CHAR_A`, `CHAR_SPACE`.
-const CONSTANT: &str = "CHAR_";
 
 /// Why a variable cannot be read or set by that name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

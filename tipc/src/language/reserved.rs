@@ -1,7 +1,7 @@
 //! Words that are not commands, functions, flags or inputs, and which words nothing may have as a name (T.I.P. 3.1 §4).
 
 use super::{Edition, commands, flags, functions, inputs, keywords};
-use tip_runtime::command::{self, Target};
+use tip_runtime::command::{self, CONSTANT, Target};
 
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +72,7 @@ pub const RESERVED: &[Row] = &[
         "The ASCII code of the space bar.",
     ),
     Row::new(
-        "CHAR_",
+        CONSTANT,
         Kind::Characters,
         "§4-5",
         "3.3",
