@@ -103,7 +103,8 @@ fn words<'a>(text: &'a str, statement: Span, found: &mut Vec<Token<'a>>) {
         let colon = text[at + length..]
             .trim_start_matches([' ', '\t', '\u{3000}', ','])
             .starts_with(':');
-        if !is_member && !(is_number && !colon) {
+        let can_be_name = colon || !is_number;
+        if can_be_name && !is_member {
             found.push(Token {
                 text: word,
                 place: Span::new(at, at + length),
