@@ -8,6 +8,8 @@ mod table;
 
 #[cfg(feature = "build")]
 mod building;
+mod calculating;
+mod commanding;
 #[cfg(feature = "robot-files")]
 mod describing;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
@@ -15,28 +17,38 @@ mod importing;
 pub mod list;
 #[cfg(feature = "tools")]
 mod migrating;
+mod naming;
 mod parsing;
 pub mod phrase;
 mod reading;
+mod structuring;
 mod suggesting;
 mod warning;
 
 #[cfg(feature = "build")]
 pub use building::Building;
+pub use calculating::Calculating;
+pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
 #[cfg(feature = "tools")]
 pub use migrating::Migrating;
+pub use naming::Naming;
 pub use parsing::Parsing;
 pub use reading::Reading;
+pub use structuring::Structuring;
 pub use suggesting::Suggesting;
 pub use warning::Warning;
 
 tables! {
     Reading,
     Parsing,
+    Commanding,
+    Calculating,
+    Naming,
+    Structuring,
     Suggesting,
     Warning,
     #[cfg(feature = "robot-files")]
@@ -48,3 +60,6 @@ tables! {
     #[cfg(feature = "build")]
     Building,
 }
+
+#[cfg(test)]
+mod tests;

@@ -97,26 +97,18 @@ impl Robot {
         }
     }
 
-    /// What the robot has, for help texts.
-    pub(crate) fn inventory(self) -> String {
+    /// Its targets, in rows: `F1…F4`, `J11…J43`, `FLOOR`.
+    pub(crate) fn inventory(self) -> Vec<String> {
         let Facts {
             signature,
             has_slider,
             ..
         } = self.facts();
-        let Signature {
-            robot,
-            legs,
-            joints,
-            ..
-        } = signature;
+        let Signature { legs, joints, .. } = signature;
         let feet = span(Target::Foot(1), Target::Foot(legs));
         let joints = span(Target::Joint(1, 1), Target::Joint(legs, joints));
-        let floor = match has_slider {
-            true => format!(", {}", Target::Floor),
-            false => String::new(),
-        };
-        format!("{robot} has {feet}, {joints}{floor}")
+        let floor = has_slider.then(|| Target::Floor.to_string());
+        [feet, joints].into_iter().chain(floor).collect()
     }
 }
 

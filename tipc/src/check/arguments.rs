@@ -7,6 +7,9 @@ use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning};
+use crate::message::list::{Alternatives, Both};
+use crate::message::phrase::Lacking;
+use crate::message::{Commanding, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{Operand, Word};
@@ -37,8 +40,8 @@ impl Resolver<'_> {
             fault.help.is_none() && fault.code.level(edition) == Level::Error
         };
         for fault in self.found[told..].iter_mut().filter(silent) {
-            let usage = command.usage(self.robot).join("`, or `");
-            fault.help = Some(format!("write `{usage}`").into());
+            let forms = Alternatives(command.usage(self.robot));
+            fault.help = Some(Commanding::Write { forms }.into());
         }
     }
 
@@ -72,7 +75,8 @@ impl Resolver<'_> {
             return self.unknown_command(name);
         };
         if !command.robots.contains(self.robot) {
-            let reason = format!("{} lacks this command", self.robot.name());
+            let robot = self.robot.name();
+            let reason = Commanding::RobotLacks { robot };
             let help = self.who_has(command);
             self.report(
                 Diagnostic::new(Code::UnknownCommand, name.span, reason)
@@ -85,24 +89,28 @@ impl Resolver<'_> {
     }
 
     /// The way to a command that the robot lacks.
-    fn who_has(&self, command: &Command) -> String {
+    fn who_has(&self, command: &Command) -> Commanding {
         let name = command.name;
         match self.robot {
-            Robot::Described(_) if command.robots.misses_forces(self.robot) => format!(
-                "{name} needs a robot that senses and gives torque: its description has no `[forces]`"
-            ),
-            _ => format!("{name} is a command of {}", command.robots.names()),
+            Robot::Described(_) if command.robots.misses_forces(self.robot) => {
+                Commanding::NeedsForces { command: name }
+            }
+            _ => Commanding::CommandOf {
+                command: name,
+                robots: Both(command.robots.names()),
+            },
         }
     }
 
     fn unknown_command<T>(&mut self, name: &Word) -> Option<T> {
         let word = name.node.as_str();
         let (reason, help) = match self.names.find(word) {
-            Some(_) => (
-                "this is a variable, not a command",
-                format!("an equation has an operator behind its variable: `{word} = 0`"),
-            ),
-            None => ("this is no command", meant_by(word)),
+            Some(_) => {
+                let name = name.node.clone();
+                let help = Commanding::OperatorBehindVariable { name };
+                (Commanding::VariableNotCommand, help.into())
+            }
+            None => (Commanding::NoCommand, meant_by(word)),
         };
         let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         self.report(fault.about(word).help(help));
@@ -139,18 +147,18 @@ impl Resolver<'_> {
         })
     }
 
-    pub(super) fn missing<T>(&mut self, place: Span, what: &str) -> Option<T> {
-        self.refuse(Code::Argument, place, format!("{what} is missing"))
+    pub(super) fn missing<T>(&mut self, place: Span, what: Lacking) -> Option<T> {
+        self.refuse(Code::Argument, place, Commanding::Missing { what })
     }
 }
 
 /// What an unknown word may have been meant to be.
-fn meant_by(word: &str) -> String {
-    if let Some(renamed) = commands::renamed(word) {
-        return format!("this language calls it `{renamed}`");
+fn meant_by(word: &str) -> Message {
+    if let Some(command) = commands::renamed(word) {
+        return Commanding::CalledNow { command }.into();
     }
     match nearest(word, COMMANDS.iter().map(|command| command.name)) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => "a label ends with a colon, an equation has `=` behind its variable".to_owned(),
+        Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+        None => Commanding::LabelOrEquation.into(),
     }
 }

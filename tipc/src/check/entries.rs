@@ -2,6 +2,7 @@
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::message::Structuring;
 use crate::syntax::{Module, StatementKind};
 
 /// Warns of each SUBROUTINE that the step above it runs into.
@@ -14,8 +15,8 @@ pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
         if let StatementKind::Subroutine { keyword, name } = &statement.kind
             && open_above
         {
-            let reason = "its SUBEND stops a program that comes this way";
-            let help = "put GOTO, RETURN or EXIT above it";
+            let reason = Structuring::RunsInto;
+            let help = Structuring::PutJumpAbove;
             let warning = Diagnostic::new(Code::RunsInto, *keyword, reason);
             found.push(warning.about(name.node.as_str()).help(help));
         }

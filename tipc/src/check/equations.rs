@@ -6,6 +6,8 @@ use super::resolved::Assignment;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
+use crate::message::phrase::{Operands, Type};
+use crate::message::{Calculating, Parsing};
 use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -43,12 +45,12 @@ impl Resolver<'_> {
         let place = equation.target.span;
         match (target, value) {
             (Meant::Constant(_), _) => {
-                let fault = Diagnostic::new(Code::Equation, place, "a constant cannot be assigned");
-                self.report(fault.help("the left side is a variable or a member"));
+                let fault = Diagnostic::new(Code::Equation, place, Parsing::ConstantAssigned);
+                self.report(fault.help(Calculating::LeftSideIs));
                 None
             }
             (Meant::Scalar { negative: true, .. } | Meant::Struct { negative: true, .. }, _) => {
-                self.refuse(Code::Equation, place, "the left side has no sign")
+                self.refuse(Code::Equation, place, Calculating::LeftSideSign)
             }
             (Meant::Scalar { scalar, .. }, Value::Scalar(value)) => Some(Assignment::Scalar {
                 target: scalar,
@@ -63,15 +65,14 @@ impl Resolver<'_> {
                 })
             }
             (target, value) => {
-                let reason = format!(
-                    "the left side is {}, the right side {}",
-                    type_name(kind_of(target)),
-                    type_name(value.kind())
-                );
+                let reason = Calculating::SidesDiffer {
+                    left: type_of(kind_of(target)),
+                    right: type_of(value.kind()),
+                };
                 let fault =
                     Diagnostic::new(Code::Equation, expression_span(&equation.value), reason)
-                        .label(place, "the left side");
-                self.report(fault.help(ONE_TYPE));
+                        .label(place, Calculating::LeftSide);
+                self.report(fault.help(Calculating::OneType));
                 None
             }
         }
@@ -117,17 +118,16 @@ impl Resolver<'_> {
                             }))
                         }
                         _ => {
-                            let reason = format!(
-                                "{} and {} do not go together",
-                                type_name(kind_of(first)),
-                                type_name(kind_of(second))
-                            );
+                            let reason = Calculating::NotTogether {
+                                first: type_of(kind_of(first)),
+                                second: type_of(kind_of(second)),
+                            };
                             let place = match target.map(kind_of) {
                                 Some(wanted) if wanted == kind_of(first) => right.span,
                                 _ => left.span.to(right.span),
                             };
                             let fault = Diagnostic::new(Code::Equation, place, reason);
-                            self.report(fault.help(ONE_TYPE));
+                            self.report(fault.help(Calculating::OneType));
                             None
                         }
                     },
@@ -142,12 +142,14 @@ impl Resolver<'_> {
         let wanted = operation.operands();
         if operands.len() != wanted {
             let place = operands.get(wanted).map_or(name.span, |extra| extra.span);
-            let number = if wanted == 1 {
-                "one operand"
-            } else {
-                "two operands"
+            let reason = Calculating::OtherOperands {
+                function: name.node.clone(),
+                wanted: match wanted {
+                    1 => Operands::One,
+                    _ => Operands::Two,
+                },
+                found: operands.len(),
             };
-            let reason = format!("{} takes {number}, not {}", name.node, operands.len());
             let fault = Diagnostic::new(Code::Equation, place, reason);
             self.report(fault.help(usage(operation)));
             return None;
@@ -202,10 +204,10 @@ impl Resolver<'_> {
                 variable, kind: of, ..
             } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
             _ => {
-                let wanted = kind.map_or("a POS or JOINT", |kind| type_name(Some(kind)));
-                let reason = format!("{wanted} belongs here");
+                let wanted = kind.map_or(Type::PosOrJoint, |kind| type_of(Some(kind)));
+                let reason = Calculating::BelongsHere { wanted };
                 let fault = Diagnostic::new(Code::Equation, operand.span, reason);
-                self.report(fault.help("a whole variable, as `P`; a member is a number"));
+                self.report(fault.help(Calculating::WholeVariable));
                 None
             }
         }
@@ -216,26 +218,23 @@ impl Resolver<'_> {
         let meant = self.meant(operand, Code::Equation)?;
         self.uses.operand(operand, meant, Access::Read);
         if let Meant::Struct { negative: true, .. } = meant {
-            let fault = Diagnostic::new(Code::Equation, operand.span, "a struct has no sign");
-            self.report(fault.help("change the sign of each member, as `P.X = -P.X`"));
+            let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
+            self.report(fault.help(Calculating::ChangeMembers));
             return None;
         }
         Some(meant)
     }
 }
 
-const ONE_TYPE: &str =
-    "all of an equation is numbers, or POS, or JOINT; members, as `P.X`, are numbers";
-
 /// How a function is written.
-fn usage(operation: Operation) -> String {
-    let name = operation.word();
+fn usage(operation: Operation) -> Calculating {
+    let function = operation.word();
     match operation {
-        Operation::Atan2 => format!("write `A = {name} y x`"),
-        Operation::Norm => format!("write `A = {name} P`, P a POS or JOINT"),
-        Operation::UnitVect => format!("write `P = {name} P`"),
-        Operation::Rotate(_) => format!("write `P = {name} P angle`"),
-        Operation::Scalar(_) => format!("write `A = {name} a`, a a number"),
+        Operation::Atan2 => Calculating::WriteOfTwo { function },
+        Operation::Norm => Calculating::WriteOfStruct { function },
+        Operation::UnitVect => Calculating::WriteOfPos { function },
+        Operation::Rotate(_) => Calculating::WriteRotation { function },
+        Operation::Scalar(_) => Calculating::WriteFunction { function },
     }
 }
 
@@ -255,12 +254,12 @@ fn kind_of(meant: Meant) -> Option<VariableKind> {
     }
 }
 
-/// A type in words; `None` is a number.
-pub(super) fn type_name(kind: Option<VariableKind>) -> &'static str {
+/// The type of an operand; `None` is a number.
+pub(super) fn type_of(kind: Option<VariableKind>) -> Type {
     match kind {
-        Some(VariableKind::Pos) => "a POS",
-        Some(VariableKind::Joint) => "a JOINT",
-        Some(VariableKind::Var) | None => "a number",
+        Some(VariableKind::Pos) => Type::Pos,
+        Some(VariableKind::Joint) => Type::Joint,
+        Some(VariableKind::Var) | None => Type::Number,
     }
 }
 

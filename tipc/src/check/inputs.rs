@@ -3,11 +3,14 @@
 use super::names::{Meant, VAR_KEY_ID};
 use super::resolve::Resolver;
 use super::resolved::{Receiver, Resolved};
-use super::targets::word;
+use super::targets::{inventory, word};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::Targets;
 use crate::language::inputs;
+use crate::message::Commanding;
+use crate::message::list::List;
+use crate::message::phrase::Lacking;
 use crate::program::{self, Scalar};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -25,7 +28,7 @@ impl Resolver<'_> {
     ) -> Option<Resolved> {
         let target = self.target(name, targets, arguments)?;
         let Some(into) = arguments.get(1) else {
-            return self.missing(name.span, "the variable that receives what is measured");
+            return self.missing(name.span, Lacking::Measured);
         };
         self.no_more(name, &arguments[2..])?;
         let kind = match (what, target) {
@@ -34,9 +37,9 @@ impl Resolver<'_> {
             (Teach::Angle | Teach::Torque, _) => VariableKind::Joint,
         };
         let wanted = match kind {
-            VariableKind::Pos => "a POS variable belongs here",
-            VariableKind::Joint => "a JOINT variable belongs here",
-            VariableKind::Var => "a VAR or a member belongs here",
+            VariableKind::Pos => Commanding::PosVariable,
+            VariableKind::Joint => Commanding::JointVariable,
+            VariableKind::Var => Commanding::VarOrMember,
         };
         let meant = self.meant(into, Code::Argument)?;
         match meant {
@@ -78,14 +81,14 @@ impl Resolver<'_> {
 
     pub(super) fn ad_in(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
         let Some(first) = arguments.first() else {
-            return self.missing(name.span, "the input, as `0 13` or `VR1`,");
+            return self.missing(name.span, Lacking::Input);
         };
         let (port, used) = match word(first) {
             Some(id) if self.names.find(id).is_none() => (self.port(first, id)?, 1),
             _ => (self.channel(name, arguments)?, 2),
         };
         let Some(into) = arguments.get(used) else {
-            return self.missing(name.span, "the VAR that receives the volts");
+            return self.missing(name.span, Lacking::Volts);
         };
         self.no_more(name, &arguments[used + 1..])?;
         let into = self.receiver(into)?;
@@ -95,15 +98,15 @@ impl Resolver<'_> {
     fn channel(&mut self, name: &Word, arguments: &[Operand]) -> Option<Port> {
         let board = self.constant(&arguments[0])?;
         if board.trunc() != 0.0 {
-            let reason = "there is one A/D board: number 0";
+            let reason = Commanding::OneBoard;
             return self.refuse(Code::Argument, arguments[0].span, reason);
         }
         let Some(channel) = arguments.get(1) else {
-            return self.missing(name.span, "the channel");
+            return self.missing(name.span, Lacking::Channel);
         };
         let number = self.constant(channel)?.trunc();
         if !(0.0..=15.0).contains(&number) {
-            let reason = "the board has the channels 0…15";
+            let reason = Commanding::Channels;
             return self.refuse(Code::Argument, channel.span, reason);
         }
         Some(Port::Channel(number as u8))
@@ -118,16 +121,22 @@ impl Resolver<'_> {
         });
         let port = found.map(|(port, _)| port);
         if port.is_none() {
-            let reason = format!("{} has no input of this name", self.robot.name());
-            let paws = match family {
-                Family::Titan => ", PAW1…PAW4, ANTENNA",
-                Family::Hand => ", ANTENNA",
-                Family::Generic => "",
+            let robot = self.robot.name();
+            let reason = Commanding::NoInput { robot };
+            let inventory = inventory(self.robot);
+            let others: &[&str] = match family {
+                Family::Titan => &["PAW1…PAW4", "ANTENNA"],
+                Family::Hand => &["ANTENNA"],
+                Family::Generic => &[],
             };
-            let help = format!(
-                "inputs are VR1…VR3, joints{paws}; {}",
-                self.robot.inventory()
-            );
+            let others: Vec<String> = others.iter().map(|&other| other.to_owned()).collect();
+            let help = match others.is_empty() {
+                true => Commanding::Inputs { inventory },
+                false => Commanding::InputsWith {
+                    others: List(others),
+                    inventory,
+                },
+            };
             self.report(Diagnostic::new(Code::Argument, operand.span, reason).help(help));
         }
         port
@@ -135,11 +144,11 @@ impl Resolver<'_> {
 
     pub(super) fn special(&mut self, name: &Word, arguments: &[Operand]) -> Option<Resolved> {
         let Some((number, values)) = arguments.split_first() else {
-            return self.missing(name.span, "the number of the native command");
+            return self.missing(name.span, Lacking::NativeCommand);
         };
         let code = self.constant(number)?.trunc();
         if !(0.0..=255.0).contains(&code) {
-            let reason = "native commands have the numbers 0…255";
+            let reason = Commanding::NativeCommands;
             return self.refuse(Code::Argument, number.span, reason);
         }
         self.no_more(name, values.get(2..).unwrap_or_default())?;
@@ -163,14 +172,18 @@ impl Resolver<'_> {
                 self.uses.operand(operand, meant, Access::Assign);
                 Some(scalar)
             }
-            _ => self.refuse(Code::Argument, operand.span, "a VAR belongs here"),
+            _ => self.refuse(Code::Argument, operand.span, Commanding::VarBelongsHere),
         }
     }
 
     fn constant(&mut self, operand: &Operand) -> Option<f64> {
         match self.meant(operand, Code::Argument)? {
             Meant::Constant(value) => Some(value),
-            _ => self.refuse(Code::Argument, operand.span, "a constant belongs here"),
+            _ => self.refuse(
+                Code::Argument,
+                operand.span,
+                Commanding::ConstantBelongsHere,
+            ),
         }
     }
 }

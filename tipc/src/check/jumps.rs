@@ -6,6 +6,8 @@ use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::LOOP;
+use crate::message::phrase::Entered;
+use crate::message::{Naming, Structuring};
 use crate::source::Span;
 use crate::syntax::{Jump, JumpKind, Module, StatementKind};
 
@@ -54,18 +56,18 @@ impl Jumps<'_> {
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
             let help = match nearest(name, self.labels.names()) {
-                Some(near) => format!("did you mean `{near}:`?"),
-                None => format!("declare it: `{name}:`"),
+                Some(near) => Structuring::DidYouMean { near: near.into() },
+                None => Structuring::DeclareLabel { name: name.into() },
             };
-            let fault = Diagnostic::new(Code::UnknownLabel, place, "no such label");
+            let fault = Diagnostic::new(Code::UnknownLabel, place, Structuring::NoSuchLabel);
             self.found.push(fault.about(name).help(help));
             return None;
         };
         if kind == JumpKind::Call && !self.is_subroutine(to) {
-            let reason = format!("`{name}` is a plain label, not a SUBROUTINE");
+            let reason = Structuring::PlainLabel { name: name.into() };
             let fault = Diagnostic::new(Code::Argument, place, reason)
-                .label(self.module.statements[to].span, "declared here")
-                .help("GOSUB calls plain labels");
+                .label(self.module.statements[to].span, Naming::DeclaredHere)
+                .help(Structuring::GosubCalls);
             self.found.push(fault);
             return None;
         }
@@ -74,17 +76,15 @@ impl Jumps<'_> {
 
     fn loop_target(&mut self, index: usize, kind: JumpKind, place: Span) -> Option<usize> {
         if kind != JumpKind::Goto {
-            let fault = Diagnostic::new(Code::Argument, place, "LOOP is a label for GOTO only");
-            self.found
-                .push(fault.help("give the routine a label of its own"));
+            let fault = Diagnostic::new(Code::Argument, place, Structuring::LoopForGoto);
+            self.found.push(fault.help(Structuring::OwnLabel));
             return None;
         }
         let to = self.statement_of(self.labels.loop_above(index));
         if to.is_none() {
-            let reason = "no LOOP label stands above this jump";
+            let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
-            self.found
-                .push(fault.help("put `LOOP:` where the repetition starts"));
+            self.found.push(fault.help(Structuring::PutLoop));
         }
         to
     }
@@ -143,37 +143,40 @@ impl Jumps<'_> {
     fn refuse_entry(&mut self, block: usize, to: usize, place: Span) {
         let block = self.blocks.blocks[block];
         let opener = &self.module.statements[block.opener];
-        let (what, help) = match block.kind {
-            BlockKind::If => ("a branch of an IF", "move the label out of the branch"),
-            BlockKind::While => ("a WHILE", "jump to a label before the WHILE"),
-            BlockKind::Repeat => ("a REPEAT", "jump to a label before the REPEAT"),
-            BlockKind::For => ("a FOR", "jump to a label before the FOR"),
-            BlockKind::Subroutine => ("a SUBROUTINE", "CALL the SUBROUTINE"),
+        let before = Structuring::JumpBefore {
+            opener: block.kind.opener(),
         };
-        let reason = format!("this jump enters {what} from outside");
+        let (block_name, help) = match block.kind {
+            BlockKind::If => (Entered::Branch, Structuring::MoveOut),
+            BlockKind::While => (Entered::While, before),
+            BlockKind::Repeat => (Entered::Repeat, before),
+            BlockKind::For => (Entered::For, before),
+            BlockKind::Subroutine => (Entered::Subroutine, Structuring::CallIt),
+        };
+        let reason = Structuring::Enters { block: block_name };
         let mut fault = Diagnostic::new(Code::Structure, place, reason)
-            .label(opener.keyword(), "the block starts here");
+            .label(opener.keyword(), Structuring::BlockStarts);
         if block.opener != to {
-            fault = fault.label(self.module.statements[to].span, "the label");
+            fault = fault.label(self.module.statements[to].span, Structuring::Label);
         }
         self.found.push(fault.help(help));
     }
 
     fn refuse_leaving(&mut self, block: usize, to: usize, place: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
-        let fault = Diagnostic::new(Code::Structure, place, "GOTO leaves its SUBROUTINE")
-            .label(opener.keyword(), "the SUBROUTINE starts here")
-            .label(self.module.statements[to].span, "the label")
-            .help("leave a SUBROUTINE with RETURN or SUBEND");
+        let fault = Diagnostic::new(Code::Structure, place, Structuring::LeavesSubroutine)
+            .label(opener.keyword(), Structuring::SubroutineStarts)
+            .label(self.module.statements[to].span, Structuring::Label)
+            .help(Structuring::LeaveWith);
         self.found.push(fault);
     }
 
     fn warn_of_for(&mut self, block: usize, to: usize, place: Span) {
         let opener = &self.module.statements[self.blocks.blocks[block].opener];
-        let reason = "NEXT counts a variable that FOR may not have set";
+        let reason = Structuring::NextCounts;
         let warning = Diagnostic::new(Code::EntersFor, place, reason)
-            .label(opener.keyword(), "the FOR")
-            .label(self.module.statements[to].span, "the label");
+            .label(opener.keyword(), Structuring::For)
+            .label(self.module.statements[to].span, Structuring::Label);
         self.found.push(warning);
     }
 }

@@ -5,6 +5,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::language::reserved::{LOOP, is_reserved};
+use crate::message::Naming;
 use crate::syntax::{Jump, Module, Word};
 use std::collections::HashMap;
 
@@ -67,10 +68,12 @@ impl<'m> Labels<'m> {
             return;
         }
         if let Some(first) = self.by_name.get(name.node.as_str()) {
-            let reason = format!("`{}` is declared again", name.node);
+            let reason = Naming::DeclaredAgain {
+                name: name.node.clone(),
+            };
             let fault = Diagnostic::new(Code::DuplicateLabel, name.span, reason)
-                .help("give each label a name of its own; only LOOP may stand more than once")
-                .label(self.all[*first].name.span, "first declared here");
+                .help(Naming::OwnName)
+                .label(self.all[*first].name.span, Naming::FirstDeclared);
             found.push(fault);
             return;
         }
@@ -106,14 +109,24 @@ impl<'m> Labels<'m> {
 
 fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic> {
     let word = name.node.as_str();
-    let fault = |reason: String| Diagnostic::new(Code::Argument, name.span, reason);
+    let fault = |reason: Naming| Diagnostic::new(Code::Argument, name.span, reason);
     if !is_label_name(word) {
-        let help = "a label is made of letters, digits and `_`";
-        return Some(fault(format!("`{word}` is no name for a label")).help(help));
+        let help = Naming::LabelCharacters;
+        return Some(
+            fault(Naming::NoLabelName {
+                word: name.node.clone(),
+            })
+            .help(help),
+        );
     }
     if is_reserved(word, edition) {
-        let help = "choose another name";
-        return Some(fault(format!("`{word}` is a word of the language")).help(help));
+        let help = Naming::ChooseAnother;
+        return Some(
+            fault(Naming::WordOfLanguage {
+                word: name.node.clone(),
+            })
+            .help(help),
+        );
     }
-    (subroutine && word == LOOP).then(|| fault("a SUBROUTINE cannot be named LOOP".to_owned()))
+    (subroutine && word == LOOP).then(|| fault(Naming::SubroutineLoop))
 }

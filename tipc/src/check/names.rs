@@ -5,10 +5,12 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
+use crate::message::{Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
+use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
 /// `VAR_KEY` is the first of all variables.
@@ -74,8 +76,8 @@ impl Names {
             } = &statement.kind
             {
                 if words.is_empty() {
-                    let reason = "this declaration names no variable";
-                    let help = "write the names behind it, separated by blanks or commas";
+                    let reason = Naming::NoNames;
+                    let help = Naming::WriteNames;
                     found.push(Diagnostic::new(Code::Argument, *keyword, reason).help(help));
                 }
                 for word in words {
@@ -109,28 +111,28 @@ impl Names {
             return;
         }
         if is_motion_flag(name, self.edition) {
-            let reason = "motion commands read this word as their flag";
+            let reason = Naming::ReadAsFlag;
             let warning = Diagnostic::new(Code::FlagName, word.span, reason);
-            found.push(warning.about(name).help("choose another name"));
+            found.push(warning.about(name).help(Naming::ChooseAnother));
         }
         self.insert(name, kind, Some(word.span));
     }
 
     fn refusal(&self, word: &Word) -> Option<Diagnostic> {
         let name = word.node.as_str();
-        let fault = |reason: String| Diagnostic::new(Code::Argument, word.span, reason);
+        let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !is_variable_name(name) {
-            let help = "a name is made of letters, digits and `_`, and does not start with a digit";
-            return Some(fault(format!("`{name}` is no name for a variable")).help(help));
+            let help = Naming::VariableCharacters;
+            return Some(fault(Naming::NoVariableName { word: name.into() }).help(help));
         }
         if is_reserved(name, self.edition) {
-            let help = "choose another name";
-            return Some(fault(format!("`{name}` is a word of the language")).help(help));
+            let help = Naming::ChooseAnother;
+            return Some(fault(Naming::WordOfLanguage { word: name.into() }).help(help));
         }
         let first = *self.ids.get(name)?;
-        let again = fault(format!("`{name}` is declared again")).help("declare it once");
+        let again = fault(Naming::DeclaredAgain { name: name.into() }).help(Naming::DeclareOnce);
         Some(match self.declared[first] {
-            Some(place) => again.label(place, "first declared here"),
+            Some(place) => again.label(place, Naming::FirstDeclared),
             None => again,
         })
     }
@@ -217,29 +219,32 @@ impl Names {
 
     fn no_member(&self, id: VariableId, member: &str, span: Span, shape: Code) -> Diagnostic {
         let variable = &self.variables[id];
-        let name = &variable.name;
-        let help = match variable.kind {
-            VariableKind::Var => format!("`{name}` is a VAR: it has no members"),
-            VariableKind::Pos => format!("`{name}` is a POS: it has the members X, Y, Z"),
-            VariableKind::Joint => format!(
-                "`{name}` is a JOINT: on this robot it has the members J1…J{}",
-                variable.size()
-            ),
+        let name: SmolStr = variable.name.as_str().into();
+        let reason = Naming::NoMember {
+            name: name.clone(),
+            member: member.into(),
         };
-        let reason = format!("`{name}` has no member `{member}`");
+        let help = match variable.kind {
+            VariableKind::Var => Naming::VarMembers { name },
+            VariableKind::Pos => Naming::PosMembers { name },
+            VariableKind::Joint => Naming::JointMembers {
+                name,
+                last: variable.size(),
+            },
+        };
         Diagnostic::new(shape, span, reason).help(help)
     }
 
     fn unknown(&self, name: &str, span: Span) -> Diagnostic {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
-        let help = match nearest(name, known) {
-            Some(near) => format!("did you mean `{near}`?"),
+        let help: Message = match nearest(name, known) {
+            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => {
-                format!("`{name}` is a word of the language and stands for no number")
+                Naming::NoNumber { word: name.into() }.into()
             }
-            None => format!("declare it: `DEF_VAR {name}`, `DEF_POS {name}` or `DEF_JOINT {name}`"),
+            None => Naming::Declare { name: name.into() }.into(),
         };
-        Diagnostic::new(Code::UnknownVariable, span, "this name is not declared")
+        Diagnostic::new(Code::UnknownVariable, span, Naming::NotDeclared)
             .about(name)
             .help(help)
     }

@@ -6,6 +6,8 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::language::commands::{Arguments, Limit, Values};
 use crate::language::functions::{self, Operation};
+use crate::message::phrase::Bounds;
+use crate::message::{Calculating, Commanding};
 use crate::program::{Argument, Arithmetic, Function, Operand};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -28,10 +30,14 @@ impl Resolver<'_> {
         };
         for (operand, value) in operands.iter().zip(values).take(judged) {
             if let Operand::Constant(value) = value.operand
-                && let Some(range) = broken(form.limit, value, self.robot)
+                && let Some(bounds) = broken(form.limit, value, self.robot)
             {
-                let help = format!("{} takes {range} on {}", name.node, self.robot.name());
-                let reason = "out of range";
+                let help = Commanding::Takes {
+                    command: name.node.clone(),
+                    bounds,
+                    robot: self.robot.name(),
+                };
+                let reason = Commanding::OutOfRange;
                 self.report(Diagnostic::new(Code::OutOfRange, operand.span, reason).help(help));
             }
         }
@@ -48,7 +54,7 @@ impl Resolver<'_> {
 }
 
 /// Where such a constant stands, why it has no result, and what to write instead.
-fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, String, String)> {
+fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, Calculating, Calculating)> {
     match &equation.value {
         Expression::Operand(divisor) if equation.update == Some(Arithmetic::Div) => {
             division(divisor)
@@ -65,37 +71,39 @@ fn impossible(equation: &Equation, edition: Edition) -> Option<(Span, String, St
     }
 }
 
-fn division(divisor: &syntax::Operand) -> Option<(Span, String, String)> {
-    let reason = "nothing can be divided by 0".to_owned();
-    let help = "divide by another number".to_owned();
+fn division(divisor: &syntax::Operand) -> Option<(Span, Calculating, Calculating)> {
+    let (reason, help) = (Calculating::DividedByZero, Calculating::DivideByAnother);
     (constant(divisor)? == 0.0).then_some((divisor.span, reason, help))
 }
 
 /// A constant outside the domain of a function.
-fn outside(operation: Operation, operands: &[syntax::Operand]) -> Option<(Span, String, String)> {
+fn outside(
+    operation: Operation,
+    operands: &[syntax::Operand],
+) -> Option<(Span, Calculating, Calculating)> {
     let first = operands.first()?;
     let value = constant(first)?;
     let name = operation.word();
     match operation {
         Operation::Scalar(Function::Sqrt) if value < 0.0 => {
-            let reason = "a negative number has no square root".to_owned();
-            Some((first.span, reason, "SQRT takes 0 or more".to_owned()))
+            let reason = Calculating::NoSquareRoot;
+            Some((first.span, reason, Calculating::SqrtTakes))
         }
         Operation::Scalar(function @ (Function::Asin | Function::Acos | Function::Atan))
             if !(-1.0..=1.0).contains(&value) =>
         {
-            let reason = format!("{name} has no result here");
-            let wider = if function == Function::Atan {
-                "; `ATAN2 y x` takes any ratio"
+            let reason = Calculating::NoResult { function: name };
+            let help = if function == Function::Atan {
+                Calculating::TakesToOneOrRatio { function: name }
             } else {
-                ""
+                Calculating::TakesToOne { function: name }
             };
-            Some((first.span, reason, format!("{name} takes -1 to 1{wider}")))
+            Some((first.span, reason, help))
         }
         Operation::Atan2 => {
             let second = operands.get(1)?;
-            let reason = "the point (0, 0) has no direction".to_owned();
-            let help = "one of the two has to be another number than 0".to_owned();
+            let reason = Calculating::NoDirection;
+            let help = Calculating::AnotherThanZero;
             let nowhere = value == 0.0 && constant(second)? == 0.0;
             nowhere.then(|| (first.span.to(second.span), reason, help))
         }
@@ -110,37 +118,35 @@ fn constant(operand: &syntax::Operand) -> Option<f64> {
     }
 }
 
-/// The range that a value leaves, in words.
-fn broken(limit: Limit, value: f64, robot: Robot) -> Option<String> {
-    let outside =
-        |range: Range| (!range.contains(value)).then(|| format!("{} to {}", range.min, range.max));
+/// The range that a value leaves.
+fn broken(limit: Limit, value: f64, robot: Robot) -> Option<Bounds> {
+    let from_to = |Range { min, max }: Range| Bounds::FromTo { min, max };
+    let outside = |range: Range| (!range.contains(value)).then(|| from_to(range));
     match limit {
         Limit::Any => None,
-        Limit::NotNegative => (value < 0.0).then(|| "0 or more".to_owned()),
-        Limit::Positive => (value <= 0.0).then(|| "more than 0".to_owned()),
-        Limit::Percent => {
-            (value <= 0.0 || value > 100.0).then(|| "more than 0, up to 100".to_owned())
-        }
+        Limit::NotNegative => (value < 0.0).then_some(Bounds::NotNegative),
+        Limit::Positive => (value <= 0.0).then_some(Bounds::Positive),
+        Limit::Percent => (value <= 0.0 || value > 100.0).then_some(Bounds::Percent),
         Limit::Period => outside(robot.facts().periods),
         Limit::Frequency => {
             let Range { min, max } = robot.facts().periods;
             outside(Range::new(1000.0 / max, 1000.0 / min))
         }
         Limit::Lamp => match robot.facts().lamps.checked_sub(1) {
-            None => Some("nothing".to_owned()),
+            None => Some(Bounds::Nothing),
             Some(last) => {
-                let fitted = Range::new(0.0, f64::from(last)).contains(value.trunc());
-                (!fitted).then(|| format!("0 to {last}"))
+                let range = Range::new(0.0, f64::from(last));
+                (!range.contains(value.trunc())).then(|| from_to(range))
             }
         },
         Limit::FloorType => {
             let types = if robot.is_hand() { 2.0 } else { 3.0 };
-            let known = Range::new(1.0, types).contains(value.trunc());
-            (!known).then(|| format!("1 to {types}"))
+            let range = Range::new(1.0, types);
+            (!range.contains(value.trunc())).then(|| from_to(range))
         }
         Limit::ObjectType => {
-            let known = Range::new(1.0, 3.0).contains(value.trunc());
-            (!known).then(|| "1 to 3".to_owned())
+            let range = Range::new(1.0, 3.0);
+            (!range.contains(value.trunc())).then(|| from_to(range))
         }
     }
 }

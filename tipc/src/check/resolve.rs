@@ -7,7 +7,7 @@ use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::message::Message;
+use crate::message::{Commanding, Message};
 use crate::program::{self, Scalar};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
@@ -230,9 +230,9 @@ impl Resolver<'_> {
     fn for_step(&mut self, step: &Operand) -> Option<program::Operand> {
         let number = self.number(step, Code::Argument)?;
         if number == program::Operand::Constant(0.0) {
-            let reason = "FOR never ends with a step of 0";
+            let reason = Commanding::NeverEnds;
             let warning = Diagnostic::new(Code::OutOfRange, step.span, reason);
-            self.report(warning.help("count by another number, or leave STEP out to count by 1"));
+            self.report(warning.help(Commanding::CountOtherwise));
         }
         Some(number)
     }
@@ -249,9 +249,9 @@ impl Resolver<'_> {
                 Some(scalar)
             }
             _ => {
-                let reason = "the variable of a FOR is a VAR";
+                let reason = Commanding::CountsVar;
                 let fault = Diagnostic::new(Code::Argument, operand.span, reason);
-                self.report(fault.help("count a VAR, as `FOR I = 1 TO 10`"));
+                self.report(fault.help(Commanding::CountVar));
                 None
             }
         }
@@ -275,9 +275,9 @@ impl Resolver<'_> {
         if let Some(number) = meant.number() {
             return Some(number);
         }
-        let reason = "a struct stands where one number belongs";
+        let reason = Commanding::StructForNumber;
         let fault = Diagnostic::new(shape, operand.span, reason);
-        self.report(fault.help("name a member, as `P.X` or `Q.J2`"));
+        self.report(fault.help(Commanding::NameMember));
         None
     }
 

@@ -4,6 +4,7 @@ use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
+use crate::message::{Parsing, Structuring};
 use crate::source::Span;
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 
@@ -127,13 +128,10 @@ impl Matcher<'_> {
             if let Some(outer) = inside.and_then(|block| self.result.blocks[block].parent) {
                 self.result.blocks[outer].broken = true;
             }
-            let reason = format!("this SUBROUTINE stands inside {opener}");
+            let reason = Structuring::SubroutineInside { opener };
             let fault = Diagnostic::new(Code::Structure, self.place(*index), reason)
-                .label(
-                    self.place(open.first),
-                    format!("this {opener} is still open"),
-                )
-                .help(format!("close {opener} with {closer} before it"));
+                .label(self.place(open.first), Structuring::StillOpen { opener })
+                .help(Structuring::CloseBefore { opener, closer });
             self.found.push(fault);
         }
     }
@@ -143,10 +141,10 @@ impl Matcher<'_> {
             return;
         };
         if open.has_else {
-            let reason = format!("{name} stands behind the ELSE of its IF");
+            let reason = Structuring::BehindElse { word: name };
             let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-                .label(self.place(open.branch), "the ELSE")
-                .help("ELSE is the last branch of an IF");
+                .label(self.place(open.branch), Structuring::Else)
+                .help(Structuring::ElseIsLast);
             self.found.push(fault);
         }
         self.result.links[open.branch].partner = Some(index);
@@ -184,12 +182,13 @@ impl Matcher<'_> {
             if self.is_owed(index, kind, name) {
                 return None;
             }
-            let reason = format!("no {} is open for this {name}", kind.opener());
-            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason).help(
-                format!("{} opens what {} closes", kind.opener(), kind.closer()),
-            );
+            let (opener, closer) = (kind.opener(), kind.closer());
+            let reason = Structuring::NothingOpen { opener, word: name };
+            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason)
+                .help(Structuring::Opens { opener, closer });
             if let Some(open) = self.open.last() {
-                let text = format!("this {} is open", open.kind.opener());
+                let opener = open.kind.opener();
+                let text = Structuring::Open { opener };
                 fault = fault.label(self.place(open.first), text);
             }
             self.found.push(fault);
@@ -212,7 +211,7 @@ impl Matcher<'_> {
             let owed = self.owed.remove(at);
             let label = Label {
                 span: self.place(index),
-                text: format!("its {name} stands here").into(),
+                text: Structuring::StandsHere { word: name }.into(),
             };
             self.found[owed.fault].labels.push(label);
         }
@@ -228,20 +227,19 @@ impl Matcher<'_> {
         let block = &mut self.result.blocks[open.block];
         block.broken = true;
         block.end = met.map_or(usize::MAX, |(index, _)| index);
-        let reason = format!("this {opener} is not closed");
+        let reason = Structuring::NotClosed { opener };
         let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
-            .help(format!("close it with {closer}"));
+            .help(Structuring::CloseWith { closer });
         if let Some(nested) = open.nested.first() {
-            let text = format!("this SUBROUTINE comes before {closer}");
+            let text = Structuring::SubroutineBefore { closer };
             fault = fault.label(self.place(*nested), text);
         }
         fault = match (met, self.module.statements.last()) {
-            (Some((index, name)), _) => {
-                fault.label(self.place(index), format!("{name} comes before {closer}"))
-            }
-            (None, Some(last)) => {
-                fault.label(last.span, format!("the program ends before {closer}"))
-            }
+            (Some((index, name)), _) => fault.label(
+                self.place(index),
+                Structuring::WordBefore { word: name, closer },
+            ),
+            (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
         };
         if met.is_some() {
@@ -275,13 +273,13 @@ impl Matcher<'_> {
         };
         let variable = &counting.variable;
         if name_of(variable) != name_of(named) {
-            let reason = format!(
-                "this NEXT names {}",
-                name_of(named).unwrap_or("another variable")
-            );
-            let help = "NEXT names the variable of its FOR, or nothing";
+            let reason = match name_of(named) {
+                Some(name) => Structuring::NextNames { name: name.into() },
+                None => Structuring::NextNamesAnother,
+            };
+            let help = Parsing::NextNamesItsVariable;
             let fault = Diagnostic::new(Code::Structure, named.span, reason)
-                .label(variable.span, "the variable of its FOR")
+                .label(variable.span, Structuring::VariableOfFor)
                 .help(help);
             self.found.push(fault);
         }

@@ -6,6 +6,9 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Joints, Targets};
 use crate::language::flags;
+use crate::message::list::List;
+use crate::message::phrase::Inventory;
+use crate::message::{Commanding, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{Operand, OperandKind, Word};
@@ -28,39 +31,42 @@ impl Resolver<'_> {
         arguments: &[Operand],
     ) -> Option<Target> {
         let Some(first) = arguments.first() else {
-            let reason = format!(
-                "{} wants a target, as {}",
-                command.node,
-                self.wanted(targets)
-            );
+            let reason = Commanding::WantsTarget {
+                command: command.node.clone(),
+                targets: self.wanted(targets),
+            };
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
-            let reason = format!("a target belongs here, as {}", self.wanted(targets));
+            let targets = self.wanted(targets);
+            let reason = Commanding::TargetBelongsHere { targets };
             return self.refuse_target(first.span, reason);
         };
         if !self.robot.has(target) {
-            let reason = format!("{} has no {target}", self.robot.name());
+            let robot = self.robot.name();
+            let reason = Commanding::RobotHasNo { robot, target };
             return self.refuse_target(first.span, reason);
         }
         if !takes(targets, target, self.robot) {
-            let reason = format!(
-                "{} takes no {target}; its targets are such as {}",
-                command.node,
-                self.wanted(targets)
-            );
+            let reason = Commanding::OtherTargets {
+                command: command.node.clone(),
+                target,
+                targets: self.wanted(targets),
+            };
             return self.refuse_target(first.span, reason);
         }
         Some(target)
     }
 
-    fn wanted(&self, targets: Targets) -> String {
-        targets.examples(self.robot).replace('|', ", ")
+    fn wanted(&self, targets: Targets) -> List {
+        let examples = targets.examples(self.robot);
+        List(examples.split('|').map(str::to_owned).collect())
     }
 
-    fn refuse_target<T>(&mut self, place: Span, reason: String) -> Option<T> {
+    fn refuse_target<T>(&mut self, place: Span, reason: Commanding) -> Option<T> {
         let fault = Diagnostic::new(Code::Argument, place, reason);
-        self.report(fault.help(self.robot.inventory()));
+        let inventory = inventory(self.robot);
+        self.report(fault.help(Commanding::RobotHas { inventory }));
         None
     }
 
@@ -82,33 +88,42 @@ impl Resolver<'_> {
         let word = name.node.as_str();
         let robot = self.robot.name();
         let (reason, help) = match self.names.find(word) {
-            Some(_) => (
-                format!("`{word}` is a variable; alone it is no condition"),
-                format!("compare it with something: `{word} <> 0`"),
-            ),
-            None => (
-                format!("{robot} has no event flag of this name"),
-                self.flag_help(word),
-            ),
+            Some(_) => {
+                let name = &name.node;
+                let help = Commanding::Compare { name: name.clone() };
+                let reason = Commanding::VariableNoCondition { name: name.clone() };
+                (reason, help.into())
+            }
+            None => (Commanding::NoEventFlag { robot }, self.flag_help(word)),
         };
         self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
     }
 
-    fn flag_help(&self, word: &str) -> String {
+    fn flag_help(&self, word: &str) -> Message {
         match nearest(word, flags::words()).filter(|near| *near != word) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => {
-                let palm = if self.robot.is_hand() {
-                    ", ANTENNA_ON"
-                } else {
-                    ""
-                };
-                format!(
-                    "flags are HALT_REQUEST, KB_HIT, INPOS_F1 and NEAR_F1 (or another target), SPECIAL_FLAG0…9{palm}; {}",
-                    self.robot.inventory()
-                )
-            }
+            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            None => flags_of(self.robot).into(),
         }
+    }
+}
+
+/// The event flags of a robot.
+fn flags_of(robot: Robot) -> Commanding {
+    let inventory = inventory(robot);
+    match robot.is_hand() {
+        true => Commanding::FlagsWith {
+            others: List(vec![Flag::Antenna.to_string()]),
+            inventory,
+        },
+        false => Commanding::Flags { inventory },
+    }
+}
+
+/// The targets that a robot has.
+pub(super) fn inventory(robot: Robot) -> Inventory {
+    Inventory::Has {
+        robot: robot.name(),
+        targets: List(robot.inventory()),
     }
 }
 

@@ -4,6 +4,8 @@ use super::names::Names;
 use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::message::Naming;
+use crate::message::phrase::Assign;
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Use};
 use crate::syntax::VariableKind;
@@ -28,11 +30,11 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
                 Some(never_assigned(name, variable.kind, place, declared))
             }
             (None, false, Some(declared)) => {
-                let reason = "nothing uses this name";
+                let reason = Naming::NothingUses;
                 Some(Diagnostic::new(Code::Unused, declared, reason).about(name))
             }
             (None, true, Some(declared)) if !named.dumped => {
-                let reason = "nothing reads this variable";
+                let reason = Naming::NothingReads;
                 Some(Diagnostic::new(Code::NeverRead, declared, reason).about(name))
             }
             _ => None,
@@ -72,20 +74,17 @@ fn never_assigned(
     place: Span,
     declared: Option<Span>,
 ) -> Diagnostic {
-    let reason = format!("`{name}` is read here and assigned nowhere");
-    let help = match (kind, declared) {
-        (_, None) => "KEY_IN without argument assigns it".to_owned(),
-        (VariableKind::Var, _) => format!("assign it before, as `{name} = 0`"),
-        (VariableKind::Pos, _) => {
-            format!("assign it before, as `{name}.X = 0` or `TEACH_POSITION F1 {name}`")
-        }
-        (VariableKind::Joint, _) => {
-            format!("assign it before, as `{name}.J1 = 0` or `TEACH_ANGLE F1 {name}`")
-        }
+    let reason = Naming::AssignedNowhere { name: name.into() };
+    let assign = match (kind, declared) {
+        (_, None) => Assign::KeyIn,
+        (VariableKind::Var, _) => Assign::Var { name: name.into() },
+        (VariableKind::Pos, _) => Assign::Pos { name: name.into() },
+        (VariableKind::Joint, _) => Assign::Joint { name: name.into() },
     };
+    let help = Naming::AssignBefore { assign };
     let fault = Diagnostic::new(Code::NeverAssigned, place, reason).help(help);
     match declared {
-        Some(declared) => fault.label(declared, "declared here"),
+        Some(declared) => fault.label(declared, Naming::DeclaredHere),
         None => fault,
     }
 }

@@ -1,6 +1,6 @@
 //! The values of commands: numbers with their flags, or a struct in their place.
 
-use super::equations::type_name;
+use super::equations::type_of;
 use super::names::Meant;
 use super::resolve::Resolver;
 use super::resolved;
@@ -8,6 +8,8 @@ use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Arguments, Values};
+use crate::message::Commanding;
+use crate::message::phrase::Numbers;
 use crate::program::{self, Argument};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -78,12 +80,11 @@ impl Resolver<'_> {
             }
             Some((id, of)) if of == kind => id,
             Some((_, of)) => {
-                let reason = format!(
-                    "{} wants {} here, not {}",
-                    name.node,
-                    numbers(count, Some(kind)),
-                    type_name(Some(of))
-                );
+                let reason = Commanding::OtherType {
+                    command: name.node.clone(),
+                    wanted: Numbers::new(count, Some(type_of(Some(kind)))),
+                    found: type_of(Some(of)),
+                };
                 return self.refuse(Code::Argument, operands[flagged].span, reason);
             }
         };
@@ -119,7 +120,7 @@ impl Resolver<'_> {
                 return self.too_few(name, form, place, count, values.len());
             };
             if let Some(flag) = flag_name(form, operand) {
-                let reason = format!("{flag} is a flag here: it stands before a number, and once");
+                let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
                 return self.refuse(Code::Argument, operand.span, reason);
             }
             let number = self.number(operand, Code::Argument);
@@ -171,13 +172,11 @@ impl Resolver<'_> {
             }
             _ => None,
         };
-        let stand = match found {
-            0 => "none stands".to_owned(),
-            1 => "one stands".to_owned(),
-            _ => format!("{found} stand"),
+        let reason = Commanding::TooFew {
+            command: name.node.clone(),
+            wanted: Numbers::new(wanted, whole.map(|kind| type_of(Some(kind)))),
+            found: found.into(),
         };
-        let wanted = numbers(wanted, whole);
-        let reason = format!("{} wants {wanted}; {stand} here", name.node);
         self.refuse(Code::Argument, place, reason)
     }
 
@@ -192,9 +191,9 @@ impl Resolver<'_> {
         match meant {
             Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
             Meant::Scalar { .. } | Meant::Struct { .. } => {
-                let reason = "only a constant or a VAR can stand here";
+                let reason = Commanding::ConstantOrVar;
                 let fault = Diagnostic::new(shape, operand.span, reason);
-                self.report(fault.help("copy the number into a VAR first"));
+                self.report(fault.help(Commanding::CopyIntoVar));
                 None
             }
         }
@@ -207,10 +206,10 @@ impl Resolver<'_> {
             Some(operand) => {
                 let reason = match name.node.as_str() {
                     // Version 2 had one.
-                    name if name == Op::WaitNear.name() => {
-                        "SET_NEAR_POSITION and SET_NEAR_ANGLE set the tolerance".to_owned()
-                    }
-                    name => format!("one argument too many for {name}"),
+                    name if name == Op::WaitNear.name() => Commanding::ToleranceElsewhere,
+                    _ => Commanding::TooMany {
+                        command: name.node.clone(),
+                    },
                 };
                 self.refuse(Code::Argument, operand.span, reason)
             }
@@ -229,7 +228,7 @@ impl Resolver<'_> {
             None => Some(false),
             Some(flag) if form.relative => Some(flag == RELATIVE),
             Some(flag) => {
-                let reason = format!("this command takes no {flag}");
+                let reason = Commanding::NoFlag { flag: flag.into() };
                 self.refuse(Code::Argument, operands[0].span, reason)
             }
         }
@@ -246,17 +245,5 @@ fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),
         _ => None,
-    }
-}
-
-/// So many numbers, or a struct in their place, in words.
-fn numbers(count: usize, whole: Option<VariableKind>) -> String {
-    let numbers = match count {
-        1 => "one number".to_owned(),
-        _ => format!("{count} numbers"),
-    };
-    match whole {
-        Some(kind) => format!("{numbers} or {}", type_name(Some(kind))),
-        None => numbers,
     }
 }

@@ -61,3 +61,23 @@ impl Display for Faults {
         Ok(())
     }
 }
+
+/// What can be written: `` `this`, or `that` ``.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Alternatives(pub Vec<String>);
+
+impl Display for Alternatives {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}`", self.0.join("`, or `"))
+    }
+}
+
+/// Things that are all meant: `this and that`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Both(pub Vec<&'static str>);
+
+impl Display for Both {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join(" and "))
+    }
+}

@@ -20,6 +20,13 @@ macro_rules! messages {
             )*
         }
 
+        #[cfg(test)]
+        impl $table {
+            /// Table, row and text of each message.
+            pub(crate) const ROWS: &'static [(&'static str, &'static str, &'static str)] =
+                &[$( (stringify!($table), stringify!($name), $english), )*];
+        }
+
         impl std::fmt::Display for $table {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 match self {
@@ -39,25 +46,11 @@ macro_rules! tables {
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum Message {
-            /// Text that has no row yet.
-            Text(String),
             $(
                 $( #[$meta] )*
                 #[doc = concat!("One of [`", stringify!($table), "`].")]
                 $table($table),
             )*
-        }
-
-        impl From<String> for Message {
-            fn from(text: String) -> Self {
-                Message::Text(text)
-            }
-        }
-
-        impl From<&str> for Message {
-            fn from(text: &str) -> Self {
-                Message::Text(text.to_owned())
-            }
         }
 
         $(
@@ -72,10 +65,13 @@ macro_rules! tables {
         impl std::fmt::Display for Message {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 match self {
-                    Message::Text(text) => f.write_str(text),
                     $( $( #[$meta] )* Message::$table(message) => message.fmt(f), )*
                 }
             }
         }
+
+        /// The rows of every table.
+        #[cfg(test)]
+        const ROWS: &[&[(&str, &str, &str)]] = &[$( $( #[$meta] )* $table::ROWS, )*];
     };
 }

@@ -1,8 +1,8 @@
 use super::{human, json, short};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::source::Span;
-use crate::source::{Encoding, Source};
+use crate::message::{Parsing, Reading};
+use crate::source::{Encoding, Source, Span};
 
 fn source(name: &str, text: &str) -> Source {
     Source::decode(name, text.as_bytes(), Encoding::Utf8).0
@@ -10,7 +10,13 @@ fn source(name: &str, text: &str) -> Source {
 
 /// A diagnostic at the first occurrence of `place`.
 fn at(source: &Source, code: Code, place: &str, reason: &str) -> Diagnostic {
-    Diagnostic::new(code, span(source, place), reason)
+    Diagnostic::new(code, span(source, place), text(reason))
+}
+
+/// A message of any text.
+fn text(text: &str) -> Reading {
+    let error = text.to_owned();
+    Reading::System { error }
 }
 
 fn span(source: &Source, place: &str) -> Span {
@@ -42,7 +48,7 @@ fn carets_stand_under_the_place_behind_wide_text() {
         "// 注",
         "the text ends here",
     )
-    .help("move it");
+    .help(text("move it"));
     check_human(
         &source,
         &diagnostic,
@@ -67,8 +73,8 @@ fn labels_are_shown_near_and_far() {
         &format!("3.1\nt\nWHILE KB_HIT\nIF KB_HIT THEN\n{body}END"),
     );
     let diagnostic = at(&source, Code::Structure, "WHILE", "this is never closed")
-        .label(span(&source, "IF"), "inside it")
-        .label(span(&source, "END"), "the program ends here");
+        .label(span(&source, "IF"), text("inside it"))
+        .label(span(&source, "END"), text("the program ends here"));
     check_human(
         &source,
         &diagnostic,
@@ -93,7 +99,7 @@ error[E207]: TIP_ERR:Control structure mismatch (SyntaxError)
 fn a_place_at_the_end_of_a_line_has_its_caret() {
     let source = source("walk.prg", "3.1\r\nt\r\nA =\r\nEND");
     let place = Span::new(span(&source, "A =").end, span(&source, "A =").end);
-    let diagnostic = Diagnostic::new(Code::Equation, place, "an operand is missing here");
+    let diagnostic = Diagnostic::new(Code::Equation, place, Parsing::OperandMissing);
     check_human(
         &source,
         &diagnostic,
@@ -146,7 +152,7 @@ fn json_is_one_object_on_one_line() {
     let source = source("a\"b\\.prg", "3.1\nt\nあ X\nEND");
     let error = at(&source, Code::UnknownVariable, "X", "nowhere")
         .about("X")
-        .help("two\nlines\t日");
+        .help(text("two\nlines\t日"));
     assert_eq!(
         json(&source, &error),
         concat!(

@@ -57,14 +57,11 @@ impl Robots {
         }
     }
 
-    /// The robots' names in words.
-    pub fn names(self) -> String {
-        let names: Vec<&str> = Robot::ALL
-            .iter()
-            .filter(|robot| self.contains(**robot))
-            .map(|robot| robot.name())
-            .collect();
-        names.join(" and ")
+    /// The robots' names.
+    pub fn names(self) -> Vec<&'static str> {
+        let robots = Robot::ALL.iter().copied();
+        let robots = robots.filter(|robot| self.contains(*robot));
+        robots.map(Robot::name).collect()
     }
 
     /// The letters T, H, G of the language reference.

@@ -1,0 +1,144 @@
+use super::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
+use super::phrase::*;
+use super::{Describing, Message, Parsing, ROWS};
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+
+/// The rows of parts of messages.
+const PHRASES: &[&[(&str, &str, &str)]] = &[
+    End::ROWS,
+    Lack::ROWS,
+    Assign::ROWS,
+    Stretch::ROWS,
+    Joints::ROWS,
+    Table::ROWS,
+    Kind::ROWS,
+    JointKind::ROWS,
+    Changes::ROWS,
+    Questions::ROWS,
+    Loads::ROWS,
+    Declared::ROWS,
+    Type::ROWS,
+    Numbers::ROWS,
+    Standing::ROWS,
+    Operands::ROWS,
+    Lacking::ROWS,
+    Bounds::ROWS,
+    Entered::ROWS,
+    Inventory::ROWS,
+];
+
+#[track_caller]
+fn check(message: impl ToString, expected: &str) {
+    assert_eq!(message.to_string(), expected);
+}
+
+#[test]
+fn holes_take_the_arguments_that_bear_their_names() {
+    check(
+        Parsing::NameTooLong {
+            limit: 32,
+            length: 33,
+        },
+        "a name has at most 32 bytes, this one 33",
+    );
+    check(
+        Describing::InitialOutside {
+            angle: 90.5,
+            joint: 2,
+            min: -60.0,
+            max: 75.0,
+        },
+        "the initial angle 90.5 of joint 2 is outside its limits -60 to 75",
+    );
+    check(Message::from(Parsing::ThenBelongsHere), "THEN belongs here");
+}
+
+#[test]
+fn parts_of_a_sentence_agree_with_their_numbers() {
+    check(Joints::from(1), "1 joint");
+    check(Joints::from(3), "3 joints");
+    check(Standing::from(0), "none stands");
+    check(Standing::from(1), "one stands");
+    check(Standing::from(2), "2 stand");
+    check(Numbers::new(1, None), "one number");
+    check(Numbers::new(3, None), "3 numbers");
+    check(Numbers::new(1, Some(Type::Joint)), "one number or a JOINT");
+    check(Numbers::new(3, Some(Type::Pos)), "3 numbers or a POS");
+}
+
+#[test]
+fn lists_are_written_as_sentences_need_them() {
+    let names = || vec!["A".to_owned(), "B".to_owned()];
+    check(List(names()), "A, B");
+    check(Quoted(names()), "`A`, `B`");
+    check(Alternatives(names()), "`A`, or `B`");
+    check(Both(vec!["hand", "generic"]), "hand and generic");
+    let faults = [Parsing::ThenBelongsHere, Parsing::ToBelongsHere];
+    check(
+        Faults(faults.map(Message::from).into()),
+        "THEN belongs here; TO belongs here",
+    );
+}
+
+#[test]
+fn of_a_long_path_the_ends_are_shown() {
+    let pieces = |count| Pieces((1..=count).map(|line| (10 * line, 10 * line + 5)).collect());
+    check(Pieces(vec![(3, 3)]), "3");
+    check(pieces(2), "10-15, 20-25");
+    check(
+        pieces(8),
+        "10-15, 20-25, 30-35, 40-45, 50-55, 60-65, 70-75, 80-85",
+    );
+    check(
+        pieces(9),
+        "10-15, 20-25, 30-35, 40-45, …, 60-65, 70-75, 80-85, 90-95",
+    );
+}
+
+#[test]
+fn no_text_stands_in_two_rows() {
+    let mut rows: HashMap<&str, String> = HashMap::new();
+    for (table, row, text) in ROWS.iter().copied().flatten() {
+        let is_words = text
+            .replace(|c: char| c == '{' || c == '}', "")
+            .contains(' ');
+        let name = format!("{table}::{row}");
+        if let Some(first) = rows.insert(text, name.clone()).filter(|_| is_words) {
+            panic!("{first} and {name} are both {text:?}");
+        }
+    }
+}
+
+#[test]
+fn every_row_is_said_somewhere() {
+    let mut sources = String::new();
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    collect(&package.join("src"), &mut sources);
+    collect(&package.join("../tools"), &mut sources);
+    for (table, row, text) in ROWS.iter().chain(PHRASES).copied().flatten() {
+        let said = sources
+            .match_indices(&format!("{table}::{row}"))
+            .any(|(at, name)| {
+                let next = sources[at + name.len()..].chars().next();
+                !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
+            });
+        assert!(said, "nothing says {table}::{row}: {text}");
+    }
+}
+
+/// The sources of a folder, without tests.
+fn collect(folder: &Path, sources: &mut String) {
+    for entry in fs::read_dir(folder).expect("a folder of sources") {
+        let path = entry.expect("an entry").path();
+        if path.file_stem().is_some_and(|stem| stem == "tests") {
+            continue;
+        }
+        if path.is_dir() {
+            collect(&path, sources);
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            *sources += &fs::read_to_string(&path).expect("a source");
+        }
+    }
+}
