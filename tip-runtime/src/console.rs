@@ -17,7 +17,7 @@ pub use scripted::{Scripted, Transcript};
 pub use terminal::{Terminal, TerminalState};
 
 use crate::emergency::Report;
-use crate::record::Sample;
+use crate::record::{Dump, Sample};
 use core::fmt::Display;
 
 /// A console. Every method has a default that does nothing: `()` is a console.
@@ -52,8 +52,9 @@ pub trait Console {
         let _ = sample;
     }
 
-    /// The text of OUTPUT_VARIABLES.
-    fn variables(&mut self, dump: &dyn Display) {
+    /// The text of OUTPUT_VARIABLES, which only a console that shows it has to format: the floats of `core::fmt` have panic
+    /// paths.
+    fn variables(&mut self, dump: &Dump<'_>) {
         let _ = dump;
     }
 
@@ -85,7 +86,7 @@ macro_rules! forward {
         fn sample(&mut self, sample: &Sample<'_>) {
             (**self).sample(sample);
         }
-        fn variables(&mut self, dump: &dyn Display) {
+        fn variables(&mut self, dump: &Dump<'_>) {
             (**self).variables(dump);
         }
         fn emergency(&mut self, report: &Report<'_>) {

@@ -8,7 +8,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::machine::{Machine, Report, Status};
 use tip_runtime::model::generic;
 use tip_runtime::plant::SimulatedPlant;
-use tip_runtime::record::Sample;
+use tip_runtime::record::{Dump, Sample};
 
 /// Cycles after the end of a program, in which the robot is held or stopped.
 const BEYOND: usize = 100;
@@ -93,7 +93,7 @@ impl Console for Pad {
     fn sample(&mut self, _sample: &Sample<'_>) {
         self.samples += 1;
     }
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         self.show(dump);
     }
     fn emergency(&mut self, report: &Report<'_>) {

@@ -6,7 +6,7 @@ pub use claim::LogError;
 
 use super::{Bars, Console};
 use crate::emergency::Report;
-use crate::record::{Sample, TitanLog};
+use crate::record::{Dump, Sample, TitanLog};
 use claim::Claim;
 use core::fmt::Display;
 use std::fmt::Write as _;
@@ -142,7 +142,7 @@ impl<C: Console> Console for LogFiles<C> {
         self.inner.sample(sample);
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         // Writing to a String cannot fail.
         let _ = write!(self.variables, "{dump}");
         self.inner.variables(dump);

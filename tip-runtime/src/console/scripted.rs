@@ -2,7 +2,7 @@
 
 use super::{Bars, Console};
 use crate::emergency::Report;
-use crate::record::{Sample, TitanLog};
+use crate::record::{Dump, Sample, TitanLog};
 use core::fmt::Display;
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -83,7 +83,7 @@ impl<C: Console> Console for Scripted<C> {
         self.inner.sample(sample);
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         self.inner.variables(dump);
     }
 
@@ -126,7 +126,7 @@ impl Console for Transcript {
         self.log.push(sample);
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         self.variables.push(dump.to_string());
     }
 

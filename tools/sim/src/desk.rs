@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use std::fmt::{self, Display};
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::machine::Report;
-use tip_runtime::record::Sample;
+use tip_runtime::record::{Dump, Sample};
 
 /// Keys that wait to be typed, and who is shown what the program shows. A copy has the keys alone: listeners stand
 /// outside of a run.
@@ -100,7 +100,7 @@ impl Console for Desk {
         self.tell(|listener| listener.sample(sample));
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         self.tell(|listener| listener.variables(dump));
     }
 

@@ -18,7 +18,7 @@ mod inline {
 }
 
 use motion::machine::{Machine, Status};
-use motion::program::{End, Program};
+use motion::program::End;
 use motion::robot::{For, Titan8};
 
 fn main() {

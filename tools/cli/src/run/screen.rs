@@ -9,7 +9,7 @@ use std::io::{self, IsTerminal, Sink, Write};
 use std::path::Path;
 use tip_runtime::console::{Bars, Console, LogFiles, Terminal};
 use tip_runtime::machine::Report;
-use tip_runtime::record::Sample;
+use tip_runtime::record::{Dump, Sample};
 
 /// Messages go to standard output as a record of the run, one a line.
 #[derive(Debug)]
@@ -100,7 +100,7 @@ impl Console for Screen {
         }
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         if let Some(logs) = &mut self.logs {
             logs.variables(dump);
         }

@@ -6,7 +6,7 @@ use tip_runtime::console::{Bars, Console};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Report;
 use tip_runtime::program::Program;
-use tip_runtime::record::{Cycle, Sample, Sink};
+use tip_runtime::record::{Cycle, Dump, Sample, Sink};
 
 /// A hash of words that goes on and on. Each word is taken in by a one-to-one map, so that one that differs is never lost
 /// to those after it.
@@ -151,7 +151,7 @@ impl Console for Shown {
             .for_each(|value| self.0.add(value.to_bits()));
     }
 
-    fn variables(&mut self, dump: &dyn Display) {
+    fn variables(&mut self, dump: &Dump<'_>) {
         self.show(dump);
     }
 
