@@ -17,6 +17,7 @@ use tip_runtime::command::Port;
 /// | a key is pressed: one ASCII character, or its code | `key F`, `key 0x2C` |
 /// | a halt is requested | `halt` |
 /// | an input reads this voltage from now on; it is called as in AD_IN, and may read nonsense | `VR1=8`, `J23=-0.5`, `ANTENNA=NaN` |
+/// | the host assigns a variable of the program, which its steps read from now on | `set STRIDE=80`, `set P.X=-1.5` |
 /// | every foot or finger begins to feel something, or ceases to | `touch on`, `touch off` |
 /// | the robot cannot be read in this cycle | `read fails` |
 /// | the robot cannot be written to any more | `write fails` |
@@ -29,6 +30,8 @@ pub enum Event {
     Halt,
     /// An input reads so many volts from now on.
     Sensor(Port, f64),
+    /// The host assigns a variable, as [`Program::set`](tip_runtime::program::Program::set) does.
+    Set(String, f64),
     /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; of these robots
     /// only the soles' sensors change.
     Touch(bool),

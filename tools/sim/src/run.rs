@@ -14,7 +14,7 @@ use tip_runtime::command::Port;
 use tip_runtime::console::Console;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
 use tip_runtime::plant::Motion;
-use tip_runtime::program::Program;
+use tip_runtime::program::{Program, VariableError};
 use tip_runtime::record::{Ending, Sink, state_hash};
 
 /// The byte of the ESC key: a halt request.
@@ -67,6 +67,8 @@ pub enum Refused {
     Mismatch(Mismatch),
     /// The robot has no such input.
     NoInput(Port),
+    /// The program has no such variable, or it cannot have the value.
+    Variable(String, VariableError),
     /// The text is not an event.
     Text(EventError),
 }
@@ -76,6 +78,7 @@ impl fmt::Display for Refused {
         match self {
             Refused::Mismatch(mismatch) => mismatch.fmt(f),
             Refused::NoInput(port) => write!(f, "the robot has no input {port}"),
+            Refused::Variable(name, error) => write!(f, "{name}: {error}"),
             Refused::Text(error) => error.fmt(f),
         }
     }
@@ -157,8 +160,21 @@ impl Run {
         {
             return Err(Refused::NoInput(port));
         }
+        if let Event::Set(name, value) = &event.event {
+            let mut engine = self.shell.engine().clone();
+            let refused = |error| Refused::Variable(name.clone(), error);
+            engine.set(name, *value).map_err(refused)?;
+        }
         self.events.insert(self.happened, event);
         Ok(())
+    }
+
+    /// Assigns a variable before the next step, as an event that is replayed when the run is taken back.
+    ///
+    /// # Errors
+    /// The program has no such variable, or it is a constant, or the value is not finite.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), Refused> {
+        self.add(Event::Set(name.to_owned(), value).at(self.cycles()))
     }
 
     /// Shows a console what the program shows from now on, and asks it for keys, after those of events. It takes the
@@ -261,6 +277,8 @@ impl Run {
                 Event::Key(byte) => self.shell.desk_mut().press(*byte),
                 Event::Halt => self.shell.desk_mut().press(ESCAPE),
                 Event::Sensor(port, volts) => self.shell.set_sensor(*port, *volts),
+                // It was tried when it was added.
+                Event::Set(name, value) => drop(self.shell.engine_mut().set(name, *value)),
                 Event::Touch(on) => self.shell.touch(*on),
                 Event::ReadFails => self.shell.fail_to_read(),
                 Event::WriteFails => self.shell.fail_to_write(),

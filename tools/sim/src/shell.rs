@@ -18,6 +18,7 @@ pub(crate) trait Shell {
     fn clocks(&self) -> Clocks;
     fn emergency(&self) -> Option<Emergency>;
     fn engine(&self) -> &Engine;
+    fn engine_mut(&mut self) -> &mut Engine;
     fn desk(&self) -> &Desk;
     fn desk_mut(&mut self) -> &mut Desk;
     fn plant(&self) -> &dyn Any;
@@ -72,6 +73,10 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn engine(&self) -> &Engine {
         self.program()
+    }
+
+    fn engine_mut(&mut self) -> &mut Engine {
+        self.program_mut()
     }
 
     fn desk(&self) -> &Desk {

@@ -113,6 +113,33 @@ fn events_come_before_the_step_of_their_cycle() -> Outcome {
     Ok(())
 }
 
+const DOUBLE: &str = "DEF_VAR STRIDE, TWICE\nSTRIDE = 1\nL:\nTWICE = STRIDE * 2\nGOTO L:\nEND";
+
+#[test]
+fn a_host_sets_variables_between_cycles() -> Outcome {
+    // Step 2 runs in the cycles 2, 5, 8 …
+    let mut run = run_on("titan8", DOUBLE)?
+        .events("4:set STRIDE=10")?
+        .with_trace(false);
+    run.to_end(Limit::cycles(4));
+    // The write itself is none of the step's.
+    assert_eq!(run.cycle().set, []);
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), 20.0)]);
+    let mark = run.snapshot();
+    run.set("STRIDE", -3.0)?;
+    run.to_end(Limit::cycles(8));
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), -6.0)]);
+    run.restore(&mark);
+    run.to_end(Limit::cycles(8));
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), -6.0)]);
+    assert_eq!(run.trace().matches("STRIDE").count(), 1);
+    for (name, value) in [("SPEED", 1.0), ("CHAR_A", 1.0), ("STRIDE", f64::NAN)] {
+        let refused = run.set(name, value);
+        assert!(matches!(refused, Err(Refused::Variable(..))), "{name}");
+    }
+    Ok(())
+}
+
 #[test]
 fn an_event_that_comes_too_late_comes_at_once() -> Outcome {
     let mut run = run_on("titan8", LISTEN)?.events("50:VR1=1")?;

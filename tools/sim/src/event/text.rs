@@ -23,6 +23,7 @@ impl fmt::Display for Event {
             Event::Key(byte) => write!(f, "key {}", KeyText(*byte)),
             Event::Halt => f.write_str("halt"),
             Event::Sensor(port, volts) => write!(f, "{port}={volts}"),
+            Event::Set(name, value) => write!(f, "set {name}={value}"),
             Event::Touch(true) => f.write_str("touch on"),
             Event::Touch(false) => f.write_str("touch off"),
             Event::ReadFails => f.write_str("read fails"),
@@ -53,6 +54,10 @@ impl FromStr for Event {
             return key_byte(key.trim()).map(Event::Key).ok_or_else(wrong);
         }
         let (name, value) = text.split_once('=').ok_or_else(wrong)?;
+        if let Some(name) = name.strip_prefix("set ") {
+            let value = value.trim().parse().map_err(|_| wrong())?;
+            return Ok(Event::Set(name.trim().to_ascii_uppercase(), value));
+        }
         let port = port(name.trim()).ok_or_else(wrong)?;
         let volts = value.trim().parse().map_err(|_| wrong())?;
         Ok(Event::Sensor(port, volts))
@@ -147,6 +152,7 @@ mod tests {
             Event::Sensor(Port::Knob(1), 8.0),
             Event::Sensor(Port::Joint(2, 3), -0.5),
             Event::Sensor(Port::Antenna, 1e-3),
+            Event::Set("P.X".to_owned(), -1.5),
             Event::Touch(true),
             Event::Touch(false),
             Event::ReadFails,
