@@ -101,9 +101,7 @@ fn of_a_long_path_the_ends_are_shown() {
 fn no_text_stands_in_two_rows() {
     let mut rows: HashMap<&str, String> = HashMap::new();
     for (table, row, text) in ROWS.iter().copied().flatten() {
-        let is_words = text
-            .replace(|c: char| c == '{' || c == '}', "")
-            .contains(' ');
+        let is_words = text.replace(['{', '}'], "").contains(' ');
         let name = format!("{table}::{row}");
         if let Some(first) = rows.insert(text, name.clone()).filter(|_| is_words) {
             panic!("{first} and {name} are both {text:?}");
