@@ -11,7 +11,7 @@ impl Random {
     }
 
     /// Any number.
-    pub fn next(&mut self) -> u64 {
+    pub fn draw(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
@@ -20,7 +20,7 @@ impl Random {
 
     /// One of 0, 1, … `count` − 1; 0 if there is none.
     pub fn below(&mut self, count: u64) -> u64 {
-        self.next().checked_rem(count).unwrap_or(0)
+        self.draw().checked_rem(count).unwrap_or(0)
     }
 
     /// True once in `n` times.
