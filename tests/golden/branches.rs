@@ -44,6 +44,7 @@ const _: () = {
     use ::tip_runtime::generated::Step;
     use ::tip_runtime::generated::Step::{Ask, Go, Run};
     use ::tip_runtime::ops;
+    use ::tip_runtime::ops::Domain;
     use ::tip_runtime::program::{Context, End, Flow};
     impl Branches {
         #[allow(unused_doc_comments)]
@@ -121,8 +122,7 @@ const _: () = {
         }
         /// branches.prg:7: CALL STRETCH:
         fn step_3(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
-            let done = self.calls.push(4);
-            self.after(done, Self::L_STRETCH)
+            self.call(Self::L_STRETCH, 4)
         }
         /// branches.prg:8: ELSEIF KEY == CHAR_B THEN
         fn step_4(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
@@ -136,8 +136,7 @@ const _: () = {
         }
         /// branches.prg:9: GOSUB TURN:
         fn step_5(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
-            let done = self.calls.push(6);
-            self.after(done, Self::L_TURN)
+            self.call(Self::L_TURN, 6)
         }
         /// branches.prg:10: ELSE
         fn step_6(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
@@ -158,12 +157,7 @@ const _: () = {
         }
         /// branches.prg:18: IF KB_HIT GOSUB TURN:
         fn step_14(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-            if cx.flag(Flag::KbHit) {
-                let done = self.calls.push(15);
-                self.after(done, Self::L_TURN)
-            } else {
-                self.go(15)
-            }
+            if cx.flag(Flag::KbHit) { self.call(Self::L_TURN, 15) } else { self.go(15) }
         }
         /// branches.prg:19: IF KEY > 100 GOTO
         fn step_15(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
@@ -197,8 +191,12 @@ const _: () = {
             self.not_taken = true;
             Ok(Flow::Next)
         }
-        fn after(&mut self, done: Result<(), Fault>, step: u32) -> Result<Flow, Fault> {
+        fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
             done?;
+            self.go(step)
+        }
+        fn call(&mut self, step: u32, back: u32) -> Result<Flow, Fault> {
+            self.calls.push(back)?;
             self.go(step)
         }
     }

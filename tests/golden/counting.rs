@@ -35,6 +35,7 @@ const _: () = {
     use ::tip_runtime::generated::Step;
     use ::tip_runtime::generated::Step::{Go, Run};
     use ::tip_runtime::ops;
+    use ::tip_runtime::ops::{Domain, Message, Part};
     use ::tip_runtime::program::{Context, End, Flow};
     impl Counting {
         #[allow(unused_doc_comments)]
@@ -68,15 +69,16 @@ const _: () = {
         }
         /// counting.prg:7: MESSAGE {%N%} makes %SUM.1%
         fn step_3(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-            let shown1 = ops::Shown {
-                value: self.v_n.value(),
-                decimals: 0,
-            };
-            let shown2 = ops::Shown {
-                value: self.v_sum.value(),
-                decimals: 1,
-            };
-            cx.message(&::core::format_args!("{{{}}} makes {}", shown1, shown2));
+            cx.message(
+                &Message(
+                    &[
+                        Part::Text("{"),
+                        Part::Number(self.v_n.value(), 0),
+                        Part::Text("} makes "),
+                        Part::Number(self.v_sum.value(), 1),
+                    ],
+                ),
+            );
             self.go(4)
         }
         /// counting.prg:8: NEXT N
@@ -101,13 +103,13 @@ const _: () = {
             self.at = step;
             Ok(Flow::Next)
         }
-        fn after(&mut self, done: Result<(), Fault>, step: u32) -> Result<Flow, Fault> {
+        fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
             done?;
             self.go(step)
         }
         fn branch(
             &mut self,
-            passes: Result<bool, Fault>,
+            passes: Result<bool, Domain>,
             yes: u32,
             no: u32,
         ) -> Result<Flow, Fault> {

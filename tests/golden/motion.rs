@@ -41,7 +41,7 @@ const _: () = {
     use ::tip_runtime::generated::Step;
     use ::tip_runtime::generated::Step::{Ask, Run};
     use ::tip_runtime::ops;
-    use ::tip_runtime::ops::Scalar;
+    use ::tip_runtime::ops::{Domain, Scalar};
     use ::tip_runtime::program::{Context, End, Flow};
     impl Motion {
         #[allow(unused_doc_comments)]
@@ -163,8 +163,8 @@ const _: () = {
         }
         /// motion.prg:19: AD_IN VR1 Z
         fn step_13(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
-            let done = self.v_z.assign(cx.analog(Port::Knob(1)));
-            self.after(done, 14)
+            self.v_z.set(cx.analog(Port::Knob(1))?);
+            self.go(14)
         }
         /// motion.prg:20: Z = ATAN2 Z -1
         fn step_14(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
@@ -185,7 +185,7 @@ const _: () = {
             self.at = step;
             Ok(Flow::Next)
         }
-        fn after(&mut self, done: Result<(), Fault>, step: u32) -> Result<Flow, Fault> {
+        fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
             done?;
             self.go(step)
         }

@@ -1,7 +1,7 @@
 //! The functions of one number that equations have (T.I.P. 3.1 §5-2).
 
 #[cfg(feature = "ops")]
-use crate::{fault::Fault, ops};
+use crate::ops;
 
 macro_rules! functions {
     ($( $variant:ident $leaf:ident, )*) => {
@@ -27,7 +27,7 @@ macro_rules! functions {
             /// `Domain` where it has none, or where the value is not finite.
             #[cfg(feature = "ops")]
             #[inline]
-            pub fn call(self, operand: f64) -> Result<f64, Fault> {
+            pub fn call(self, operand: f64) -> Result<f64, ops::Domain> {
                 match self { $( Function::$variant => ops::$leaf(operand), )* }
             }
         }

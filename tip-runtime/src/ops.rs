@@ -7,19 +7,33 @@ mod shown;
 #[doc(hidden)]
 pub use scalar::{Scalar, get_each};
 pub use shown::Shown;
+#[doc(hidden)]
+pub use shown::{Message, Part};
 
 use crate::fault::Fault;
+
+/// The only fault of arithmetic: an operand outside the domain of its operation, or a result that is not finite.
+/// It has no size, so that a compiled step returns and tests one bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Domain;
+
+impl From<Domain> for Fault {
+    #[inline]
+    fn from(Domain: Domain) -> Self {
+        Fault::Domain
+    }
+}
 
 /// Accepts only finite results.
 ///
 /// # Errors
 /// `Domain` for NaN and infinities.
 #[inline]
-pub const fn finite(value: f64) -> Result<f64, Fault> {
+pub const fn finite(value: f64) -> Result<f64, Domain> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(Fault::Domain)
+        Err(Domain)
     }
 }
 
@@ -30,7 +44,7 @@ macro_rules! operator {
         /// # Errors
         /// `Domain` if the result is not finite.
         #[inline]
-        pub const fn $name(a: f64, b: f64) -> Result<f64, Fault> {
+        pub const fn $name(a: f64, b: f64) -> Result<f64, Domain> {
             finite(a $op b)
         }
     };
@@ -48,7 +62,7 @@ macro_rules! member_by_member {
         /// # Errors
         /// `Domain` if a member's result is not finite.
         #[inline]
-        pub fn $name<const N: usize>(mut a: [f64; N], b: [f64; N]) -> Result<[f64; N], Fault> {
+        pub fn $name<const N: usize>(mut a: [f64; N], b: [f64; N]) -> Result<[f64; N], Domain> {
             for (a, b) in a.iter_mut().zip(b) {
                 *a = $scalar(*a, b)?;
             }
@@ -67,7 +81,7 @@ member_by_member!(/** `a / b`, member by member */ div_each div);
 /// # Errors
 /// None; the shape is that of every function.
 #[inline]
-pub fn int(a: f64) -> Result<f64, Fault> {
+pub fn int(a: f64) -> Result<f64, Domain> {
     finite(libm::floor(a))
 }
 
@@ -76,7 +90,7 @@ pub fn int(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// None; the shape is that of every function.
 #[inline]
-pub fn abs(a: f64) -> Result<f64, Fault> {
+pub fn abs(a: f64) -> Result<f64, Domain> {
     finite(libm::fabs(a))
 }
 
@@ -85,7 +99,7 @@ pub fn abs(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` below zero.
 #[inline]
-pub fn sqrt(a: f64) -> Result<f64, Fault> {
+pub fn sqrt(a: f64) -> Result<f64, Domain> {
     finite(libm::sqrt(a))
 }
 
@@ -97,7 +111,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 /// # Errors
 /// None; the shape is that of every function.
 #[inline]
-pub fn deg2rad(a: f64) -> Result<f64, Fault> {
+pub fn deg2rad(a: f64) -> Result<f64, Domain> {
     finite(a * RADIANS_PER_DEGREE)
 }
 
@@ -106,7 +120,7 @@ pub fn deg2rad(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn rad2deg(a: f64) -> Result<f64, Fault> {
+pub fn rad2deg(a: f64) -> Result<f64, Domain> {
     finite(a * DEGREES_PER_RADIAN)
 }
 
@@ -115,7 +129,7 @@ pub fn rad2deg(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// None; the shape is that of every function.
 #[inline]
-pub fn sin(a: f64) -> Result<f64, Fault> {
+pub fn sin(a: f64) -> Result<f64, Domain> {
     finite(libm::sin(a * RADIANS_PER_DEGREE))
 }
 
@@ -124,7 +138,7 @@ pub fn sin(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// None; the shape is that of every function.
 #[inline]
-pub fn cos(a: f64) -> Result<f64, Fault> {
+pub fn cos(a: f64) -> Result<f64, Domain> {
     finite(libm::cos(a * RADIANS_PER_DEGREE))
 }
 
@@ -133,7 +147,7 @@ pub fn cos(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn tan(a: f64) -> Result<f64, Fault> {
+pub fn tan(a: f64) -> Result<f64, Domain> {
     finite(libm::tan(a * RADIANS_PER_DEGREE))
 }
 
@@ -142,7 +156,7 @@ pub fn tan(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` outside −1…1.
 #[inline]
-pub fn asin(a: f64) -> Result<f64, Fault> {
+pub fn asin(a: f64) -> Result<f64, Domain> {
     finite(libm::asin(a) * DEGREES_PER_RADIAN)
 }
 
@@ -151,7 +165,7 @@ pub fn asin(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` outside −1…1.
 #[inline]
-pub fn acos(a: f64) -> Result<f64, Fault> {
+pub fn acos(a: f64) -> Result<f64, Domain> {
     finite(libm::acos(a) * DEGREES_PER_RADIAN)
 }
 
@@ -160,11 +174,11 @@ pub fn acos(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` outside −1…1.
 #[inline]
-pub fn atan(a: f64) -> Result<f64, Fault> {
+pub fn atan(a: f64) -> Result<f64, Domain> {
     if libm::fabs(a) <= 1.0 {
         finite(libm::atan(a) * DEGREES_PER_RADIAN)
     } else {
-        Err(Fault::Domain)
+        Err(Domain)
     }
 }
 
@@ -173,9 +187,9 @@ pub fn atan(a: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` if both are zero.
 #[inline]
-pub fn atan2(a: f64, b: f64) -> Result<f64, Fault> {
+pub fn atan2(a: f64, b: f64) -> Result<f64, Domain> {
     if a == 0.0 && b == 0.0 {
-        return Err(Fault::Domain);
+        return Err(Domain);
     }
     finite(libm::atan2(a, b) * DEGREES_PER_RADIAN)
 }
@@ -185,7 +199,7 @@ pub fn atan2(a: f64, b: f64) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Fault> {
+pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Domain> {
     let mut sum = 0.0;
     for a in a {
         sum += a * a;
@@ -198,7 +212,7 @@ pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Fault> {
 /// # Errors
 /// `Domain` for a vector without length.
 #[inline]
-pub fn unit_vect(a: [f64; 3]) -> Result<[f64; 3], Fault> {
+pub fn unit_vect(a: [f64; 3]) -> Result<[f64; 3], Domain> {
     let length = norm(a)?;
     div_each(a, [length; 3])
 }
@@ -208,7 +222,7 @@ pub fn unit_vect(a: [f64; 3]) -> Result<[f64; 3], Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn rot_x([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+pub fn rot_x([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Domain> {
     let (y, z) = turn(y, z, angle)?;
     Ok([x, y, z])
 }
@@ -218,7 +232,7 @@ pub fn rot_x([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn rot_y([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+pub fn rot_y([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Domain> {
     let (z, x) = turn(z, x, angle)?;
     Ok([x, y, z])
 }
@@ -228,12 +242,12 @@ pub fn rot_y([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
-pub fn rot_z([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Fault> {
+pub fn rot_z([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Domain> {
     let (x, y) = turn(x, y, angle)?;
     Ok([x, y, z])
 }
 
-fn turn(a: f64, b: f64, angle: f64) -> Result<(f64, f64), Fault> {
+fn turn(a: f64, b: f64, angle: f64) -> Result<(f64, f64), Domain> {
     let (sin, cos) = (sin(angle)?, cos(angle)?);
     Ok((finite(a * cos - b * sin)?, finite(a * sin + b * cos)?))
 }
@@ -243,12 +257,12 @@ fn turn(a: f64, b: f64, angle: f64) -> Result<(f64, f64), Fault> {
 /// # Errors
 /// `Domain` for a step of zero.
 #[inline]
-pub fn for_test(value: f64, end: f64, step: f64) -> Result<bool, Fault> {
+pub fn for_test(value: f64, end: f64, step: f64) -> Result<bool, Domain> {
     if step > 0.0 {
         Ok(value <= end)
     } else if step < 0.0 {
         Ok(value >= end)
     } else {
-        Err(Fault::Domain)
+        Err(Domain)
     }
 }

@@ -1,6 +1,6 @@
 //! The scalars of a compiled program (T.I.P. 3.1 §5-1).
 
-use super::{add, for_test};
+use super::{Domain, add, for_test};
 use crate::fault::Fault;
 
 /// A VAR, or a member of a struct: a number, and whether anything was assigned yet.
@@ -26,12 +26,12 @@ impl Scalar {
         self.0 = value;
     }
 
-    /// Assigns what was calculated or measured.
+    /// Assigns what was calculated.
     ///
     /// # Errors
     /// The fault that came instead of a value; the scalar stays as it was.
     #[inline]
-    pub fn assign(&mut self, value: Result<f64, Fault>) -> Result<(), Fault> {
+    pub fn assign(&mut self, value: Result<f64, Domain>) -> Result<(), Domain> {
         self.set(value?);
         Ok(())
     }
@@ -41,7 +41,7 @@ impl Scalar {
     /// # Errors
     /// As [`for_test`]; the scalar stays as it was.
     #[inline]
-    pub fn begin(&mut self, from: f64, to: f64, by: f64) -> Result<bool, Fault> {
+    pub fn begin(&mut self, from: f64, to: f64, by: f64) -> Result<bool, Domain> {
         let enters = for_test(from, to, by)?;
         self.set(from);
         Ok(enters)
@@ -52,7 +52,7 @@ impl Scalar {
     /// # Errors
     /// As [`add`] and [`for_test`]; the scalar stays as it was.
     #[inline]
-    pub fn advance(&mut self, value: f64, by: f64, to: f64) -> Result<bool, Fault> {
+    pub fn advance(&mut self, value: f64, by: f64, to: f64) -> Result<bool, Domain> {
         let value = add(value, by)?;
         let repeats = for_test(value, to, by)?;
         self.set(value);
@@ -135,10 +135,10 @@ mod tests {
     #[test]
     fn a_fault_leaves_the_value_as_it_was() {
         let mut scalar = Scalar::of(5.0);
-        assert_eq!(scalar.assign(Err(Fault::Domain)), Err(Fault::Domain));
-        assert_eq!(scalar.begin(1.0, 2.0, 0.0), Err(Fault::Domain));
-        assert_eq!(scalar.advance(1.0, 0.0, 2.0), Err(Fault::Domain));
-        assert_eq!(scalar.advance(f64::MAX, f64::MAX, 2.0), Err(Fault::Domain));
+        assert_eq!(scalar.assign(Err(Domain)), Err(Domain));
+        assert_eq!(scalar.begin(1.0, 2.0, 0.0), Err(Domain));
+        assert_eq!(scalar.advance(1.0, 0.0, 2.0), Err(Domain));
+        assert_eq!(scalar.advance(f64::MAX, f64::MAX, 2.0), Err(Domain));
         assert_eq!(scalar.value(), 5.0);
         assert_eq!(scalar.assign(add(5.0, 1.0)), Ok(()));
         assert_eq!(scalar.value(), 6.0);

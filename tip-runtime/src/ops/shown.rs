@@ -34,6 +34,32 @@ impl fmt::Display for Shown {
     }
 }
 
+/// A part of a line that MESSAGE shows.
+#[derive(Clone, Copy, Debug)]
+pub enum Part<'a> {
+    /// Text as it stands.
+    Text(&'a str),
+    /// A value, and the digits behind its point.
+    Number(f64, u8),
+}
+
+/// The line that MESSAGE shows: generated code has one function for all of them, where `format_args!` would make
+/// several for each.
+#[derive(Clone, Copy, Debug)]
+pub struct Message<'a>(pub &'a [Part<'a>]);
+
+impl fmt::Display for Message<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for part in self.0 {
+            match *part {
+                Part::Text(text) => f.write_str(text)?,
+                Part::Number(value, decimals) => Shown { value, decimals }.fmt(f)?,
+            }
+        }
+        Ok(())
+    }
+}
+
 /// As `printf("%.*f")` does: from the exact binary value, ties to even.
 fn write_fixed(f: &mut fmt::Formatter<'_>, value: f64, decimals: u8) -> fmt::Result {
     if value.is_nan() {

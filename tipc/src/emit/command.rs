@@ -4,7 +4,7 @@ use super::expression::Values;
 use super::word;
 use crate::program::{Argument, MessagePart, Operand, Scalar, VariableKind};
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 impl Values<'_> {
     /// The operands of a command, as an array of values. One of numbers alone is a constant of the program,
@@ -42,34 +42,24 @@ impl Values<'_> {
     }
 
     pub(super) fn message(&self, parts: &[MessagePart]) -> TokenStream {
-        let mut plain = String::new();
-        let mut format = String::new();
-        let mut values = TokenStream::new();
-        let mut names = Vec::new();
-        for part in parts {
-            match part {
-                MessagePart::Text(text) => {
-                    plain.push_str(text);
-                    format.push_str(&text.replace('{', "{{").replace('}', "}}"));
-                }
-                MessagePart::Value { scalar, decimals } => {
-                    let name = format_ident!("shown{}", names.len() + 1);
-                    let (value, decimals) = (self.read(*scalar), word::small(*decimals));
-                    values.extend(quote! {
-                        let #name = ops::Shown { value: #value, decimals: #decimals };
-                    });
-                    names.push(name);
-                    format.push_str("{}");
-                }
-            }
+        let plain: Option<String> = parts.iter().map(text).collect();
+        if let Some(plain) = plain {
+            return quote!(cx.message(&#plain););
         }
-        if names.is_empty() {
-            quote!(cx.message(&#plain);)
-        } else {
-            quote! {
-                #values
-                cx.message(&::core::format_args!(#format, #(#names),*));
+        let parts = parts.iter().map(|part| match part {
+            MessagePart::Text(text) => quote!(Part::Text(#text)),
+            MessagePart::Value { scalar, decimals } => {
+                let (value, decimals) = (self.read(*scalar), word::small(*decimals));
+                quote!(Part::Number(#value, #decimals))
             }
-        }
+        });
+        quote!(cx.message(&Message(&[#(#parts),*]));)
+    }
+}
+
+fn text(part: &MessagePart) -> Option<&str> {
+    match part {
+        MessagePart::Text(text) => Some(text),
+        MessagePart::Value { .. } => None,
     }
 }

@@ -149,17 +149,23 @@ impl Emitter<'_> {
             }
         };
         let after = quote! {
-            fn after(&mut self, done: Result<(), Fault>, step: u32) -> Result<Flow, Fault> {
+            fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
                 done?;
                 self.go(step)
             }
         };
         let branch = quote! {
-            fn branch(&mut self, passes: Result<bool, Fault>, yes: u32, no: u32) -> Result<Flow, Fault> {
+            fn branch(&mut self, passes: Result<bool, Domain>, yes: u32, no: u32) -> Result<Flow, Fault> {
                 self.go(if passes? { yes } else { no })
             }
         };
-        let behind = [("after", after), ("branch", branch)]
+        let call = quote! {
+            fn call(&mut self, step: u32, back: u32) -> Result<Flow, Fault> {
+                self.calls.push(back)?;
+                self.go(step)
+            }
+        };
+        let behind = [("after", after), ("branch", branch), ("call", call)]
             .map(|(name, function)| mentioned.contains(name).then_some(function));
         let skip = mentioned.contains("skip").then_some(skip);
         quote! { #go #skip #(#behind)* }

@@ -177,7 +177,8 @@ impl Emitter<'_> {
             }
             Action::AdIn { port, into } => {
                 let (place, port) = (values.place(*into), word::port(*port));
-                self.after(quote!(#place.assign(cx.analog(#port))), next)
+                let go = self.go(next);
+                quote!(#place.set(cx.analog(#port)?); #go)
             }
             Action::KeyIn { into } => {
                 let place = values.place(*into);
@@ -221,8 +222,8 @@ impl Emitter<'_> {
     }
 
     fn call(&self, to: StepId, back: StepId) -> TokenStream {
-        let back = self.step_number(back);
-        self.after(quote!(self.calls.push(#back)), to)
+        let (to, back) = (self.step_number(to), self.step_number(back));
+        quote!(self.call(#to, #back))
     }
 
     /// On to a step after what may fail: one `?` for all steps, since compiling one takes longer than

@@ -85,7 +85,11 @@ impl Emitter<'_> {
             &["Ask", "Go", "Run"],
         );
         let ops = import(runtime.clone(), words, &["ops"]);
-        let scalar = import(quote!(#runtime::ops), words, &["Scalar"]);
+        let values = import(
+            quote!(#runtime::ops),
+            words,
+            &["Domain", "Message", "Part", "Scalar"],
+        );
         let program = import(
             quote!(#runtime::program),
             words,
@@ -94,7 +98,7 @@ impl Emitter<'_> {
         quote! {
             #option #result #ok #command #fault
             use #runtime::generated::Step;
-            #row #ops #scalar #program
+            #row #ops #values #program
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Interpreter;
 use tip_runtime::command::MAX;
 use tip_runtime::fault::Fault;
-use tip_runtime::ops;
+use tip_runtime::ops::{self, Domain};
 use tip_runtime::program::Context;
 use tipc::program::{
     Arithmetic, Axis, Condition, Operand, Relation, Scalar, ScalarExpression, StructExpression,
@@ -50,7 +50,7 @@ impl Interpreter {
         let value = self.scalar_expression(value)?;
         match update {
             None => Ok(value),
-            Some(operation) => combine(operation, self.read(target)?, value),
+            Some(operation) => Ok(combine(operation, self.read(target)?, value)?),
         }
     }
 
@@ -64,15 +64,15 @@ impl Interpreter {
             } => {
                 let left = self.operand(left)?;
                 let right = self.operand(right)?;
-                combine(operation, left, right)
+                Ok(combine(operation, left, right)?)
             }
             ScalarExpression::Function { function, operand } => {
-                function.call(self.operand(operand)?)
+                Ok(function.call(self.operand(operand)?)?)
             }
             ScalarExpression::Atan2 { y, x } => {
                 let y = self.operand(y)?;
                 let x = self.operand(x)?;
-                ops::atan2(y, x)
+                Ok(ops::atan2(y, x)?)
             }
             ScalarExpression::Norm(variable) => {
                 // Members beyond the struct's own count as zeros, which change no sum of squares.
@@ -80,7 +80,7 @@ impl Interpreter {
                 for (place, value) in members.iter_mut().zip(self.read_struct(variable)?) {
                     *place = value;
                 }
-                ops::norm(members)
+                Ok(ops::norm(members)?)
             }
         }
     }
@@ -94,7 +94,7 @@ impl Interpreter {
         let value = self.struct_expression(value)?;
         match update {
             None => Ok(value),
-            Some(operation) => combine_each(operation, &self.read_struct(target)?, &value),
+            Some(operation) => Ok(combine_each(operation, &self.read_struct(target)?, &value)?),
         }
     }
 
@@ -108,7 +108,7 @@ impl Interpreter {
             } => {
                 let left = self.read_struct(left)?;
                 let right = self.read_struct(right)?;
-                combine_each(operation, &left, &right)
+                Ok(combine_each(operation, &left, &right)?)
             }
             StructExpression::UnitVect(variable) => {
                 Ok(ops::unit_vect(self.read_vector(variable)?)?.to_vec())
@@ -153,7 +153,7 @@ impl Interpreter {
     }
 }
 
-fn combine(operation: Arithmetic, left: f64, right: f64) -> Result<f64, Fault> {
+fn combine(operation: Arithmetic, left: f64, right: f64) -> Result<f64, Domain> {
     match operation {
         Arithmetic::Add => ops::add(left, right),
         Arithmetic::Sub => ops::sub(left, right),
@@ -162,7 +162,7 @@ fn combine(operation: Arithmetic, left: f64, right: f64) -> Result<f64, Fault> {
     }
 }
 
-fn combine_each(operation: Arithmetic, left: &[f64], right: &[f64]) -> Result<Vec<f64>, Fault> {
+fn combine_each(operation: Arithmetic, left: &[f64], right: &[f64]) -> Result<Vec<f64>, Domain> {
     left.iter()
         .zip(right)
         .map(|(left, right)| combine(operation, *left, *right))
