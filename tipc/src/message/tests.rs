@@ -1,6 +1,8 @@
+#[cfg(feature = "robot-files")]
+use super::Describing;
 use super::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
 use super::phrase::*;
-use super::{Describing, Message, Parsing, ROWS};
+use super::{Message, Parsing, ROWS};
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
@@ -43,6 +45,7 @@ fn holes_take_the_arguments_that_bear_their_names() {
         },
         "a name has at most 32 bytes, this one 33",
     );
+    #[cfg(feature = "robot-files")]
     check(
         Describing::InitialOutside {
             angle: 90.5,

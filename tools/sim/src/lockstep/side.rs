@@ -24,6 +24,17 @@ enum Tape {
     Hash(Notes),
 }
 
+impl Tape {
+    /// What a cycle is written to.
+    fn sink(&mut self) -> &mut dyn Sink {
+        match self {
+            #[cfg(feature = "std")]
+            Tape::Record(record) => record.as_mut(),
+            Tape::Hash(notes) => notes,
+        }
+    }
+}
+
 impl Side {
     /// A run before its first cycle.
     pub(super) fn new(run: Run, evidence: Evidence) -> Self {
@@ -54,12 +65,7 @@ impl Side {
         self.ending = if self.run.cycles() >= limit {
             Some(Ending::Limit)
         } else {
-            let tape: &mut dyn Sink = match &mut self.tape {
-                #[cfg(feature = "std")]
-                Tape::Record(record) => record.as_mut(),
-                Tape::Hash(notes) => notes,
-            };
-            both(Some(tape), sink, |sink| self.run.advance(sink));
+            both(Some(self.tape.sink()), sink, |sink| self.run.advance(sink));
             self.run.ending()
         };
         #[cfg(feature = "std")]
