@@ -124,12 +124,12 @@ impl Resolver<'_> {
             let robot = self.robot.name();
             let reason = Commanding::NoInput { robot };
             let inventory = inventory(self.robot);
-            let others: &[&str] = match family {
-                Family::Titan => &["PAW1…PAW4", "ANTENNA"],
-                Family::Hand => &["ANTENNA"],
-                Family::Generic => &[],
+            let soles = || format!("{}…{}", Port::Paw(1), Port::Paw(4));
+            let others = match family {
+                Family::Titan => vec![soles(), Port::Antenna.to_string()],
+                Family::Hand => vec![Port::Antenna.to_string()],
+                Family::Generic => Vec::new(),
             };
-            let others: Vec<String> = others.iter().map(|&other| other.to_owned()).collect();
             let help = match others.is_empty() {
                 true => Commanding::Inputs { inventory },
                 false => Commanding::InputsWith {
