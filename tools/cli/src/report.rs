@@ -91,7 +91,7 @@ pub(super) fn plural(count: usize, what: &str) -> String {
     format!("{count} {what}{end}")
 }
 
-/// Colour is for terminals, and for people who did not refuse it (https://no-color.org).
+/// Colour is for terminals, and for people who did not refuse it (<https://no-color.org>).
 fn wants_colour() -> bool {
     let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
