@@ -1,7 +1,7 @@
 //! What is said of robots from URDF files.
 
 use super::list::{Faults, List};
-use super::phrase::JointKind;
+use super::phrase::{JointKind, Place};
 
 messages! {
     /// What the import of a URDF file says.
@@ -10,6 +10,20 @@ messages! {
     // Why a file is refused.
     NoUrdf { error: String } "this is no URDF: {error}";
     TooDeep { element: String, most: u32 } "element `{element}` is nested deeper than {most} levels: no robot needs that";
+    Doctype "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for";
+    NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`";
+    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: `{attribute}` stands in element `{element}` as an element: write it as an attribute, as `{attribute}=\"{example}\"`";
+    NoElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` holds no element `{child}`: write it, as `{example}`";
+    AttributeForElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` has `{child}` as an attribute: write it as an element in it, as `{example}`";
+    ElementTwice { at: Place, element: String, child: &'static str } "{at}: element `{element}` holds element `{child}` twice: leave one out";
+    NotOneShape { at: Place, element: String, known: List } "{at}: element `{element}` holds one shape and nothing else: write one of the elements {known}";
+    NotAKindOfJoint { at: Place, element: String, attribute: &'static str, value: String, known: List } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a kind of joint: write one of {known}";
+    NotANumber { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a number: write one, as `{attribute}=\"{example}\"`";
+    NotSoManyNumbers { at: Place, element: String, attribute: &'static str, value: String, wanted: usize, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not {wanted} numbers: write them with blanks between, as `{attribute}=\"{example}\"`";
+    NotALength { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes lengths above 0: write such, as `{attribute}=\"{example}\"`";
+    Negative { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes 0 or more: write such, as `{attribute}=\"{example}\"`";
+    BoundsSwapped { at: Place, lower: f64, upper: f64 } "{at}: attribute `upper` of element `limit` is {upper}, less than attribute `lower`, {lower}: write the smaller as `lower`";
+    TwoTurns { at: Place } "{at}: attributes `rpy` and `quat_xyzw` of element `origin` both say how it is turned: leave one out";
     NoTurningJoint { link: String } "no joint turns on link `{link}`: a robot needs one chain of revolute joints at least";
     NoRobot { faults: Faults } "its numbers describe no robot: {faults}";
     TooManyChains { chains: usize, most: usize } "{chains} chains begin on the body, and a robot has {most} legs at most: make joints that are no leg fixed";

@@ -80,6 +80,13 @@ messages! {
 }
 
 messages! {
+    /// A place in a file: line and column, from 1.
+    Place;
+
+    At { line: u32, column: u32 } "line {line}, column {column}";
+}
+
+messages! {
     /// A kind of joint that URDF knows and no leg has.
     JointKind;
 

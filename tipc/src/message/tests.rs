@@ -16,6 +16,7 @@ const PHRASES: &[&[(&str, &str, &str)]] = &[
     Joints::ROWS,
     Table::ROWS,
     Kind::ROWS,
+    Place::ROWS,
     JointKind::ROWS,
     Changes::ROWS,
     Questions::ROWS,

@@ -4,9 +4,16 @@
 //! what it needs and URDF lacks is assumed. The report lists both.
 
 mod chain;
-mod depth;
+mod check;
+mod given;
+mod node;
 mod pose;
+mod read;
+mod robot;
+mod schema;
 mod tree;
+mod values;
+mod version;
 mod write;
 
 use chain::Chain;
@@ -27,7 +34,7 @@ pub struct Import {
     pub report: Vec<Importing>,
 }
 
-/// Why a URDF file is not a robot with legs; it names the link or joint, and says a way out.
+/// Why a URDF file is not a robot with legs; it names the link, the joint or the place, and says a way out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportError(Importing);
 
@@ -51,12 +58,7 @@ impl ImportError {
 /// Text that is not URDF, or nested too deep; joints that are not a tree; a leg that branches or has a joint that does not turn; legs
 /// that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
-    depth::check(text)?;
-    let robot = urdf_rs::read_from_string(text).map_err(|error| {
-        ImportError::new(Importing::NoUrdf {
-            error: error.to_string(),
-        })
-    })?;
+    let robot = read::robot(text)?;
     let tree = Tree::new(&robot)?;
     let body = tree.rigid(tree.root(), Pose::ROBOT_FRAME);
     let first_joints = tree.movable(&body);
@@ -70,7 +72,7 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
         .map(|(joint, pose)| Chain::follow(&tree, joint, pose))
         .collect::<Result<Vec<_>, _>>()?;
     check_sizes(&legs)?;
-    let mass = body.iter().map(|(link, _)| link.inertial.mass.value).sum();
+    let mass = body.iter().map(|(link, _)| link.mass).sum();
     let (toml, report) = write::description(source_name, &robot.name, mass, &legs);
     match description::parse(source_name, toml.as_bytes()) {
         Ok(_) => Ok(Import { toml, report }),

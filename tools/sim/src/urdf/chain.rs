@@ -2,10 +2,10 @@
 
 use super::ImportError;
 use super::pose::Pose;
+use super::robot::{Joint, Kind, Link};
 use super::tree::Tree;
 use tipc::message::Importing;
 use tipc::message::phrase::JointKind;
-use urdf_rs::{Joint, JointType, Link};
 
 /// A leg. All of it is seen from the robot frame while every joint stands at 0: there the axes of all joints
 /// are those of a description, whose frames are parallel at 0, however URDF has turned its own frames.
@@ -43,14 +43,14 @@ impl<'a> Chain<'a> {
         loop {
             let (joint, pose) = next;
             check_kind(joint)?;
-            let links = tree.rigid(&joint.child.link, pose);
+            let links = tree.rigid(&joint.child, pose);
             let movable = tree.movable(&links);
             let is_last = movable.is_empty();
             joints.push(Turning {
                 joint,
-                axis: pose.direction(*joint.axis.xyz),
+                axis: pose.direction(joint.axis),
                 at: pose.origin(),
-                mass: links.iter().map(|(link, _)| link.inertial.mass.value).sum(),
+                mass: links.iter().map(|(link, _)| link.mass).sum(),
                 merged: merged(&links).filter(|_| !is_last).collect(),
             });
             match movable.as_slice() {
@@ -62,7 +62,7 @@ impl<'a> Chain<'a> {
                 [(one, _), (other, _), ..] => {
                     return Err(ImportError::new(Importing::Branches {
                         leg: first.name.clone(),
-                        link: joint.child.link.clone(),
+                        link: joint.child.clone(),
                         one: one.name.clone(),
                         other: other.name.clone(),
                     }));
@@ -82,15 +82,15 @@ fn merged<'a>(links: &[(&'a Link, Pose)]) -> impl Iterator<Item = &'a str> {
 }
 
 fn check_kind(joint: &Joint) -> Result<(), ImportError> {
-    let kind = match joint.joint_type {
-        JointType::Revolute | JointType::Continuous => None,
-        JointType::Fixed => Some(JointKind::Fixed),
-        JointType::Prismatic => Some(JointKind::Prismatic),
-        JointType::Floating => Some(JointKind::Floating),
-        JointType::Planar => Some(JointKind::Planar),
-        JointType::Spherical => Some(JointKind::Spherical),
+    let kind = match joint.kind {
+        Kind::Revolute | Kind::Continuous => None,
+        Kind::Fixed => Some(JointKind::Fixed),
+        Kind::Prismatic => Some(JointKind::Prismatic),
+        Kind::Floating => Some(JointKind::Floating),
+        Kind::Planar => Some(JointKind::Planar),
+        Kind::Spherical => Some(JointKind::Spherical),
     };
-    let (name, link) = (joint.name.clone(), joint.parent.link.clone());
+    let (name, link) = (joint.name.clone(), joint.parent.clone());
     if let Some(kind) = kind {
         return Err(ImportError::new(Importing::DoesNotTurn {
             joint: name,
@@ -102,10 +102,10 @@ fn check_kind(joint: &Joint) -> Result<(), ImportError> {
         return Err(ImportError::new(Importing::Mimics {
             joint: name,
             link,
-            other: mimic.joint.clone(),
+            other: mimic.clone(),
         }));
     }
-    if joint.axis.xyz.iter().all(|part| *part == 0.0) {
+    if joint.axis.iter().all(|part| *part == 0.0) {
         return Err(ImportError::new(Importing::NoAxis { joint: name, link }));
     }
     Ok(())
@@ -119,7 +119,7 @@ fn foot<'a>(
 ) -> Result<(&'a str, [f64; 3]), ImportError> {
     let behind = links.iter().skip(1);
     let ends: Vec<&(&Link, Pose)> = behind.filter(|(link, _)| tree.is_leaf(link)).collect();
-    let (link, joint) = (last.child.link.clone(), last.name.clone());
+    let (link, joint) = (last.child.clone(), last.name.clone());
     match ends.as_slice() {
         [(end, pose)] => Ok((&end.name, pose.origin())),
         [] => Err(ImportError::new(Importing::NoFoot { link, joint })),

@@ -1,5 +1,7 @@
 //! Where a frame stands in another one.
 
+use super::robot::Origin;
+
 /// A rotation, and the origin in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pose {
@@ -15,11 +17,11 @@ impl Pose {
     };
 
     /// A frame that stands at `origin` in this one.
-    pub(super) fn then(&self, origin: &urdf_rs::Pose) -> Pose {
-        let inner = rotation(*origin.rpy);
+    pub(super) fn then(&self, origin: &Origin) -> Pose {
+        let inner = rotation(origin.rpy);
         let column = |j: usize| inner.map(|row| row[j]);
         let columns = [0, 1, 2].map(|j| self.direction(column(j)));
-        let shift = self.direction(*origin.xyz);
+        let shift = self.direction(origin.xyz);
         Pose {
             rotation: [0, 1, 2].map(|i| columns.map(|column| column[i])),
             at: [0, 1, 2].map(|i| self.at[i] + shift[i]),

@@ -2,9 +2,9 @@
 
 use super::ImportError;
 use super::pose::Pose;
+use super::robot::{Joint, Kind, Link, Robot};
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::message::Importing;
-use urdf_rs::{Joint, JointType, Link, Robot};
 
 /// The robot's links, and the joints that hang on each.
 pub(super) struct Tree<'a> {
@@ -26,17 +26,17 @@ impl<'a> Tree<'a> {
         let mut joints: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
         let mut held = BTreeSet::new();
         for joint in &robot.joints {
-            for link in [&joint.parent.link, &joint.child.link] {
+            for link in [&joint.parent, &joint.child] {
                 if !links.contains_key(link.as_str()) {
                     let (joint, link) = (joint.name.clone(), link.clone());
                     return Err(ImportError::new(Importing::NoSuchLink { joint, link }));
                 }
             }
-            if !held.insert(joint.child.link.as_str()) {
-                let link = joint.child.link.clone();
+            if !held.insert(joint.child.as_str()) {
+                let link = joint.child.clone();
                 return Err(ImportError::new(Importing::OnTwoJoints { link }));
             }
-            joints.entry(&joint.parent.link).or_default().push(joint);
+            joints.entry(&joint.parent).or_default().push(joint);
         }
         let roots: Vec<&str> = links
             .keys()
@@ -67,10 +67,7 @@ impl<'a> Tree<'a> {
         let mut reached = BTreeSet::from([self.root]);
         let mut open = vec![self.root];
         while let Some(link) = open.pop() {
-            let children = self
-                .joints(link)
-                .iter()
-                .map(|joint| joint.child.link.as_str());
+            let children = self.joints(link).iter().map(|joint| joint.child.as_str());
             for child in children {
                 reached.insert(child);
                 open.push(child);
@@ -101,7 +98,7 @@ impl<'a> Tree<'a> {
         while let Some((name, pose)) = open.pop() {
             found.extend(self.links.get(name).map(|link| (*link, pose)));
             let fixed = self.joints(name).iter().filter(|joint| is_fixed(joint));
-            open.extend(fixed.map(|joint| (joint.child.link.as_str(), pose.then(&joint.origin))));
+            open.extend(fixed.map(|joint| (joint.child.as_str(), pose.then(&joint.origin))));
         }
         found
     }
@@ -126,5 +123,5 @@ impl<'a> Tree<'a> {
 }
 
 fn is_fixed(joint: &Joint) -> bool {
-    joint.joint_type == JointType::Fixed
+    joint.kind == Kind::Fixed
 }

@@ -1,11 +1,11 @@
 //! The description as text, and the report.
 
 use super::chain::{Chain, Turning};
+use super::robot::Kind;
 use std::fmt::Write as _;
 use tipc::Robot;
 use tipc::message::Importing;
 use tipc::message::list::List;
-use urdf_rs::JointType;
 
 /// The longest name of a robot, in characters.
 const LONGEST: usize = 40;
@@ -85,7 +85,7 @@ fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
     let mut text = String::new();
     let ends = [limit.lower, limit.upper];
     let has_ends = ends.iter().all(|end| end.is_finite()) && limit.lower < limit.upper;
-    if joint.joint_type == JointType::Revolute && has_ends {
+    if joint.kind == Kind::Revolute && has_ends {
         let ends = ends.map(|end| measure(end.to_degrees()));
         let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
     } else {
@@ -102,7 +102,7 @@ fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
     if !turning.merged.is_empty() {
         let merged: Vec<String> = turning.merged.iter().map(|link| comment(link)).collect();
         report.push(Importing::TookIn {
-            link: comment(&joint.child.link),
+            link: comment(&joint.child),
             merged: List(merged),
         });
     }

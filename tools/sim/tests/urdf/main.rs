@@ -1,6 +1,7 @@
 //! Robots from URDF files. Forward kinematics of the results are compared with the URDF's own frames, put together
 //! here from the numbers in the file, one homogeneous transform after the other.
 
+mod broken;
 mod frames;
 mod refusals;
 mod robots;

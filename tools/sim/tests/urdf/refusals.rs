@@ -144,7 +144,7 @@ fn text_that_is_no_urdf_is_refused() {
     }
 }
 
-/// Before it was refused, it overflowed the stack.
+/// A reader that calls itself for each level overflows its stack.
 #[test]
 fn elements_nested_without_end_are_refused() {
     let nested = |depth: usize| {

@@ -1,0 +1,102 @@
+//! A robot from the text of a URDF file.
+
+use super::ImportError;
+use super::check;
+use super::node::elements;
+use super::robot::{Joint, Kind, Limit, Link, Origin, Robot};
+use super::schema::ROBOT;
+use super::values::{number, quaternion, roll_pitch_yaw, vector};
+use super::version::Version;
+use roxmltree::{Document, Error, Node};
+use tipc::message::Importing;
+
+/// Refuses what is not URDF. Once it is checked, only what may be left out is missing.
+pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
+    let document = Document::parse(text).map_err(|error| {
+        ImportError::new(match error {
+            Error::DtdDetected => Importing::Doctype,
+            error => Importing::NoUrdf {
+                error: error.to_string(),
+            },
+        })
+    })?;
+    check::depth(&document)?;
+    let node = document.root_element();
+    let version = Version::from_attribute(node.attribute("version"));
+    check::element(node, &ROBOT, version)?;
+    Ok(Robot {
+        name: string(node, "name"),
+        links: elements(node, "link").map(link).collect(),
+        joints: elements(node, "joint")
+            .map(|node| joint(node, version))
+            .collect(),
+    })
+}
+
+fn link(node: Node<'_, '_>) -> Link {
+    let inertial = elements(node, "inertial").next();
+    let mass = inertial.and_then(|inertial| elements(inertial, "mass").next());
+    Link {
+        name: string(node, "name"),
+        mass: mass
+            .and_then(|mass| value(mass, "value"))
+            .unwrap_or_default(),
+    }
+}
+
+fn joint(node: Node<'_, '_>, version: Version) -> Joint {
+    let child = |name| elements(node, name).next();
+    let link = |name| child(name).map_or_else(String::new, |node| string(node, "link"));
+    Joint {
+        name: string(node, "name"),
+        kind: node
+            .attribute("type")
+            .and_then(Kind::from_word)
+            .unwrap_or(Kind::Fixed),
+        parent: link("parent"),
+        child: link("child"),
+        origin: child("origin").map_or_else(Origin::default, |node| origin(node, version)),
+        axis: child("axis")
+            .and_then(|axis| axis.attribute("xyz"))
+            .and_then(vector)
+            .unwrap_or([1.0, 0.0, 0.0]),
+        limit: child("limit").map_or_else(Limit::default, |node| limit(node, version)),
+        mimic: child("mimic").map(|mimic| string(mimic, "joint")),
+    }
+}
+
+fn origin(node: Node<'_, '_>, version: Version) -> Origin {
+    let turns = node.attribute("quat_xyzw");
+    let turns = turns.filter(|_| version >= Version::V1_1);
+    let rpy = match turns.and_then(quaternion) {
+        Some(quaternion) => Some(roll_pitch_yaw(quaternion)),
+        None => node.attribute("rpy").and_then(vector),
+    };
+    let xyz = node.attribute("xyz").and_then(vector);
+    Origin {
+        xyz: xyz.unwrap_or_default(),
+        rpy: rpy.unwrap_or_default(),
+    }
+}
+
+/// What a limit leaves out is 0, and without limit since 1.2.
+fn limit(node: Node<'_, '_>, version: Version) -> Limit {
+    let most = match version >= Version::V1_2 {
+        true => f64::INFINITY,
+        false => 0.0,
+    };
+    Limit {
+        lower: value(node, "lower").unwrap_or(-most),
+        upper: value(node, "upper").unwrap_or(most),
+        effort: value(node, "effort").unwrap_or(most),
+        velocity: value(node, "velocity").unwrap_or(most),
+    }
+}
+
+fn string(node: Node<'_, '_>, attribute: &str) -> String {
+    node.attribute(attribute).unwrap_or_default().to_owned()
+}
+
+fn value(node: Node<'_, '_>, attribute: &str) -> Option<f64> {
+    node.attribute(attribute).and_then(number)
+}

@@ -1,0 +1,87 @@
+//! A URDF file as values: what becomes part of a description, and nothing else.
+
+/// The robot, its links and joints in the order of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Robot {
+    /// Empty where the file gives none.
+    pub(super) name: String,
+    pub(super) links: Vec<Link>,
+    pub(super) joints: Vec<Joint>,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Link {
+    pub(super) name: String,
+    /// kg; 0 without `<inertial>`.
+    pub(super) mass: f64,
+}
+
+/// What holds a link to another one.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Joint {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) parent: String,
+    pub(super) child: String,
+    pub(super) origin: Origin,
+    /// In the frame of the joint, of any length; `1 0 0` without `<axis>`.
+    pub(super) axis: [f64; 3],
+    pub(super) limit: Limit,
+    /// The joint that this one mimics.
+    pub(super) mimic: Option<String>,
+}
+
+/// How a joint moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Revolute,
+    Continuous,
+    Prismatic,
+    Fixed,
+    Floating,
+    Planar,
+    Spherical,
+}
+
+impl Kind {
+    /// Each kind and its word.
+    const WORDS: [(&'static str, Kind); 7] = [
+        ("revolute", Kind::Revolute),
+        ("continuous", Kind::Continuous),
+        ("prismatic", Kind::Prismatic),
+        ("fixed", Kind::Fixed),
+        ("floating", Kind::Floating),
+        ("planar", Kind::Planar),
+        ("spherical", Kind::Spherical),
+    ];
+
+    /// The kind of this name.
+    pub(super) fn from_word(word: &str) -> Option<Self> {
+        let row = Kind::WORDS.iter().find(|(known, _)| *known == word)?;
+        Some(row.1)
+    }
+
+    /// The names of all kinds.
+    pub(super) fn words() -> Vec<String> {
+        Kind::WORDS.map(|(word, _)| word.to_owned()).to_vec()
+    }
+}
+
+/// Where a joint's frame stands in its parent's.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Origin {
+    /// m.
+    pub(super) xyz: [f64; 3],
+    /// Turns about the fixed axes x, y and z, one after the other: rad.
+    pub(super) rpy: [f64; 3],
+}
+
+/// How far, strong and fast a joint moves: rad, N·m, rad/s. All 0 without `<limit>`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Limit {
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+    pub(super) effort: f64,
+    pub(super) velocity: f64,
+}

@@ -1,0 +1,50 @@
+//! What texts of attributes stand for.
+
+/// One number, and nothing else.
+pub(super) fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok()
+}
+
+/// The numbers among the words of a text.
+pub(super) fn numbers(text: &str) -> impl Iterator<Item = f64> {
+    text.split_whitespace().filter_map(|word| word.parse().ok())
+}
+
+/// Three numbers.
+pub(super) fn vector(text: &str) -> Option<[f64; 3]> {
+    numbers(text).collect::<Vec<_>>().try_into().ok()
+}
+
+/// Four numbers, and nothing else.
+pub(super) fn quaternion(text: &str) -> Option<[f64; 4]> {
+    let words: Option<Vec<f64>> = text.split_whitespace().map(number).collect();
+    words?.try_into().ok()
+}
+
+/// Roll, pitch and yaw of a quaternion (x, y, z, w) of any length, as urdfdom has them.
+pub(super) fn roll_pitch_yaw(quaternion: [f64; 4]) -> [f64; 3] {
+    /// The sine of a pitch that leaves roll and yaw about the same axis.
+    const UPRIGHT: f64 = 0.99999;
+    let length = quaternion
+        .iter()
+        .map(|part| part * part)
+        .sum::<f64>()
+        .sqrt();
+    let [x, y, z, w] = match length > 0.0 {
+        true => quaternion.map(|part| part / length),
+        false => [0.0, 0.0, 0.0, 1.0],
+    };
+    let sin_pitch = -2.0 * (x * z - w * y);
+    if sin_pitch <= -UPRIGHT {
+        [0.0, -std::f64::consts::FRAC_PI_2, 2.0 * libm::atan2(x, -y)]
+    } else if sin_pitch >= UPRIGHT {
+        [0.0, std::f64::consts::FRAC_PI_2, 2.0 * libm::atan2(-x, y)]
+    } else {
+        let [xx, yy, zz, ww] = [x, y, z, w].map(|part| part * part);
+        [
+            libm::atan2(2.0 * (y * z + w * x), ww - xx - yy + zz),
+            libm::asin(sin_pitch),
+            libm::atan2(2.0 * (x * y + w * z), ww + xx - yy - zz),
+        ]
+    }
+}
