@@ -88,7 +88,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
         let robot = Whole::of(model);
-        let core = Core::new(robot, [LegState::new(Leg::BLANK, &robot); L]);
+        let core = Core::resting(robot).with([LegState::new(Leg::BLANK, &robot); L]);
         let mut controller = Controller { model, core };
         controller.put_legs(&model.legs);
         controller
@@ -132,8 +132,9 @@ impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
     }
 }
 
-impl<'m, S> Core<'m, S> {
-    fn new(robot: Whole<'m>, legs: S) -> Self {
+impl<'m> Core<'m, ()> {
+    /// What a controller keeps of the robot as a whole, with nothing controlled.
+    fn resting(robot: Whole<'m>) -> Self {
         let slider = robot.slider.map_or([0.0; 3], |slider| slider.initial);
         Core {
             robot,
@@ -144,6 +145,21 @@ impl<'m, S> Core<'m, S> {
             hold: Hold::Off,
             task: Task::Idle,
             pending: None,
+            legs: (),
+        }
+    }
+
+    /// The same with legs; only this is compiled for each number of them.
+    fn with<S>(self, legs: S) -> Core<'m, S> {
+        Core {
+            robot: self.robot,
+            params: self.params,
+            slider: self.slider,
+            slider_at: self.slider_at,
+            sensed: self.sensed,
+            hold: self.hold,
+            task: self.task,
+            pending: self.pending,
             legs,
         }
     }

@@ -37,15 +37,56 @@ use wires::Wired;
 /// again and again.
 #[derive(Clone, Debug)]
 pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
+    crew: Crew<P, C, S>,
+    body: Body<'m, H, L, J>,
+}
+
+/// What a machine has whatever its robot, so that it is compiled once for all sizes.
+#[derive(Clone, Debug)]
+struct Crew<P, C, S> {
     program: P,
-    hardware: H,
     console: C,
     special: S,
+    state: State,
+}
+
+impl<P, C, S> Crew<P, C, S> {
+    /// A program before its first cycle.
+    fn new(program: P, console: C, special: S) -> Self {
+        Crew {
+            program,
+            console,
+            special,
+            state: State::new(),
+        }
+    }
+}
+
+/// What a machine has of a robot's size.
+#[derive(Clone, Debug)]
+struct Body<'m, H, const L: usize, const J: usize> {
+    hardware: H,
     controller: Controller<'m, L, J>,
     sensors: Sensors<L, J>,
     /// What was sent last.
     outputs: Outputs<L, J>,
-    state: State,
+}
+
+impl<'m, H, const L: usize, const J: usize> Body<'m, H, L, J> {
+    /// A robot before its first cycle.
+    fn new(hardware: H, model: &'m Model<L, J>) -> Self {
+        Body {
+            hardware,
+            controller: Controller::new(model),
+            sensors: Sensors::ZERO,
+            outputs: Outputs {
+                joints: [[JointCommand::at(0.0); J]; L],
+                slider: [0.0; 3],
+                lamps: [0; 8],
+                period: model.standards.period,
+            },
+        }
+    }
 }
 
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J>
@@ -66,27 +107,10 @@ where
         console: C,
         special: S,
     ) -> Result<Self, Mismatch> {
-        Mismatch::check(program.signature(), model.signature())?;
-        Ok(Self::at_start(program, model, hardware, console, special))
-    }
-
-    /// A program on the robot that it was checked for, before its first cycle.
-    fn at_start(program: P, model: &'m Model<L, J>, hardware: H, console: C, special: S) -> Self {
-        Machine {
-            program,
-            hardware,
-            console,
-            special,
-            controller: Controller::new(model),
-            sensors: Sensors::ZERO,
-            outputs: Outputs {
-                joints: [[JointCommand::at(0.0); J]; L],
-                slider: [0.0; 3],
-                lamps: [0; 8],
-                period: model.standards.period,
-            },
-            state: State::new(),
-        }
+        let crew = Crew::new(program, console, special);
+        Mismatch::check(&crew.program, model.signature())?;
+        let body = Body::new(hardware, model);
+        Ok(Machine { crew, body })
     }
 
     /// Starts the program again on the robot as it is: after its end, after an emergency, or in
@@ -94,9 +118,9 @@ where
     /// where it was measured, as in an emergency stop. Cycles and time count from 0. Native
     /// code of SPECIAL keeps what it remembers.
     pub fn restart(&mut self) {
-        self.program.reset();
-        self.controller.restart();
-        self.state = State::new();
+        self.crew.program.reset();
+        self.body.controller.restart();
+        self.crew.state = State::new();
     }
 
     /// Runs one control cycle.
@@ -111,17 +135,17 @@ where
 
     fn control(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         let mut robot = Wired {
-            hardware: &mut self.hardware,
-            sensors: &mut self.sensors,
-            outputs: &mut self.outputs,
+            hardware: &mut self.body.hardware,
+            sensors: &mut self.body.sensors,
+            outputs: &mut self.body.outputs,
         };
         let mut cycle = ControlCycle {
-            program: &mut self.program,
+            program: &mut self.crew.program,
             robot: &mut robot,
-            console: &mut self.console,
-            special: &mut self.special,
-            controller: &mut self.controller,
-            state: &mut self.state,
+            console: &mut self.crew.console,
+            special: &mut self.crew.special,
+            controller: &mut self.body.controller,
+            state: &mut self.crew.state,
         };
         cycle.run(sink)
     }
@@ -131,28 +155,28 @@ impl<P, H, C, S, const L: usize, const J: usize> Machine<'_, P, H, C, S, L, J> {
     /// A byte was typed: RETURN stops the robot in the next cycle, ESC requests a halt, any other
     /// goes to the keyboard buffer, which keeps 64.
     pub fn key(&mut self, byte: u8) {
-        self.state.key(byte);
+        self.crew.state.key(byte);
     }
 
     /// Asks the program to stop at its next good moment: `HALT_REQUEST` is true from now on.
     pub fn request_halt(&mut self) {
-        self.state.board.halt_requested = true;
+        self.crew.state.board.halt_requested = true;
     }
 
     /// Stops the robot in the next cycle, as the RETURN key does.
     pub fn emergency_stop(&mut self) {
-        self.state.stop_requested = true;
+        self.crew.state.stop_requested = true;
     }
 
     /// Runs no step and holds the robot until [`resume`](Self::resume), as `ALL_STOP` does. Paused
     /// cycles do not count.
     pub fn pause(&mut self) {
-        self.state.pause(&mut self.controller);
+        self.crew.state.pause(&mut self.body.controller);
     }
 
     /// Goes on after [`pause`](Self::pause).
     pub fn resume(&mut self) {
-        self.state.resume(&mut self.controller);
+        self.crew.state.resume(&mut self.body.controller);
     }
 }
 

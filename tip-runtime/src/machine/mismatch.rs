@@ -1,6 +1,6 @@
 //! A program on the wrong robot.
 
-use crate::program::Signature;
+use crate::program::{Program, Signature};
 use core::fmt;
 
 /// The program was checked for another robot than the one it was put on.
@@ -13,7 +13,10 @@ pub struct Mismatch {
 }
 
 impl Mismatch {
-    pub(super) fn check(program: Signature, robot: Signature) -> Result<(), Self> {
+    /// Compiled once, whatever the sizes of robots.
+    #[inline(never)]
+    pub(super) fn check(program: &dyn Program, robot: Signature) -> Result<(), Self> {
+        let program = program.signature();
         if program == robot {
             Ok(())
         } else {

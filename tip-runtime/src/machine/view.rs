@@ -7,71 +7,71 @@ use crate::hardware::{Outputs, Sensors};
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
     /// What became of the program.
     pub fn status(&self) -> Status {
-        self.state.status
+        self.crew.state.status
     }
 
     /// Why and where the robot stopped.
     pub fn emergency(&self) -> Option<&Emergency> {
-        self.state.emergency.as_ref()
+        self.crew.state.emergency.as_ref()
     }
 
     /// The program.
     pub fn program(&self) -> &P {
-        &self.program
+        &self.crew.program
     }
 
     /// The program.
     pub fn program_mut(&mut self) -> &mut P {
-        &mut self.program
+        &mut self.crew.program
     }
 
     /// The robot.
     pub fn hardware(&self) -> &H {
-        &self.hardware
+        &self.body.hardware
     }
 
     /// The robot.
     pub fn hardware_mut(&mut self) -> &mut H {
-        &mut self.hardware
+        &mut self.body.hardware
     }
 
     /// The console.
     pub fn console(&self) -> &C {
-        &self.console
+        &self.crew.console
     }
 
     /// The console.
     pub fn console_mut(&mut self) -> &mut C {
-        &mut self.console
+        &mut self.crew.console
     }
 
     /// The controller.
     pub fn controller(&self) -> &Controller<'m, L, J> {
-        &self.controller
+        &self.body.controller
     }
 
     /// What was measured in the last cycle.
     pub fn sensors(&self) -> &Sensors<L, J> {
-        &self.sensors
+        &self.body.sensors
     }
 
     /// What was sent in the last cycle.
     pub fn outputs(&self) -> &Outputs<L, J> {
-        &self.outputs
+        &self.body.outputs
     }
 
     /// Cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
-        self.state.cycles
+        self.crew.state.cycles
     }
 
     /// Time on the robot since the start, up to the end of the last cycle: ms.
     pub fn time(&self) -> f64 {
-        self.state.time
+        self.crew.state.time
     }
 
     /// The sampling time: ms.
     pub fn period(&self) -> f64 {
-        self.controller.period()
+        self.body.controller.period()
     }
 }

@@ -118,4 +118,23 @@ impl<const L: usize, const J: usize> Model<L, J> {
             vibration: None,
         }
     }
+
+    /// The same robot with these legs.
+    #[must_use]
+    pub const fn with_legs<const N: usize>(self, legs: [Leg<J>; N]) -> Model<N, J> {
+        Model {
+            legs,
+            name: self.name,
+            family: self.family,
+            inverse: self.inverse,
+            body: self.body,
+            standards: self.standards,
+            periods: self.periods,
+            contact: self.contact,
+            lamps: self.lamps,
+            forces: self.forces,
+            slider: self.slider,
+            vibration: self.vibration,
+        }
+    }
 }

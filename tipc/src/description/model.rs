@@ -48,7 +48,12 @@ impl Description {
 
     /// The robot that programs are checked for.
     pub fn robot(&self) -> Robot {
-        Robot::Described(Facts {
+        Robot::Described(self.facts())
+    }
+
+    /// All that checking needs of it.
+    pub fn facts(&self) -> Facts {
+        Facts {
             signature: Signature {
                 robot: self.name,
                 family: Family::Generic,
@@ -60,12 +65,19 @@ impl Description {
             lamps: self.lamps,
             has_forces: self.forces.is_some(),
             has_slider: self.slider.is_some(),
-        })
+        }
     }
 
     /// The robot as the runtime knows it; `None` unless it has `L` legs with `J` joints each.
     pub fn model<const L: usize, const J: usize>(&self) -> Option<Model<L, J>> {
-        let legs: Option<Vec<model::Leg<J>>> = self.legs.iter().map(Leg::sized).collect();
+        let one = self.with_one_leg::<J>()?;
+        let mut model = one.with_legs([one.legs[0]; L]);
+        self.put(&mut model.legs)?;
+        Some(model)
+    }
+
+    /// The robot as if it had its first leg alone: what does not depend on their number is compiled once for all.
+    fn with_one_leg<const J: usize>(&self) -> Option<Model<1, J>> {
         Some(Model {
             inverse: self.inverse,
             body: self.body,
@@ -75,8 +87,19 @@ impl Description {
             lamps: self.lamps,
             forces: self.forces,
             slider: self.slider,
-            ..Model::generic(self.name, legs?.try_into().ok()?)
+            ..Model::generic(self.name, [self.legs.first()?.sized()?])
         })
+    }
+
+    /// Fills in the legs of a model, if it has as many.
+    fn put<const J: usize>(&self, legs: &mut [model::Leg<J>]) -> Option<()> {
+        if legs.len() != self.legs.len() {
+            return None;
+        }
+        for (leg, described) in legs.iter_mut().zip(&self.legs) {
+            *leg = described.sized()?;
+        }
+        Some(())
     }
 
     /// Does something with the model, which has 1 to 9 legs of 1 to 9 joints.

@@ -7,10 +7,7 @@ use clap::{Args, Subcommand};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
-use tip_runtime::kinematics::Chain;
-use tip_runtime::model::Model;
-use tip_sim::urdf;
-use tipc::description::WithModel;
+use tip_sim::{Anatomy, Robot, urdf};
 
 /// What to do with a robot's description.
 #[derive(Debug, Subcommand)]
@@ -71,7 +68,7 @@ fn check(arguments: &CheckRobot) -> Result<Status, Error> {
     match input::describe(&arguments.file) {
         Ok(description) => {
             if arguments.message_format == Format::Human {
-                output::print(description.with_model(Summary))?;
+                output::print(summary(&Robot::described(&description)))?;
             }
             Ok(Status::Success)
         }
@@ -83,36 +80,37 @@ fn check(arguments: &CheckRobot) -> Result<Status, Error> {
 }
 
 /// What a robot has, in words.
-struct Summary;
-
-impl WithModel for Summary {
-    type Output = String;
-
-    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> String {
-        let standing = match &model.body {
-            Some(body) => format!("body of {} kg", body.mass),
-            None => "bolted down".to_owned(),
-        };
-        let forces = match &model.forces {
-            Some(forces) => format!("torque up to {} {:?}", forces.torque_max, forces.unit),
-            None => "no commands of torque, force and compliance".to_owned(),
-        };
-        let (name, inverse) = (model.name, model.inverse);
-        let (legs, joints) = (report::plural(L, "leg"), report::plural(J, "joint"));
-        let mut text = format!(
-            "{name}: {legs} of {joints}, {standing}\n\
-             F1 to F{L}, J11 to J{L}{J}, members J1 to J{J}; {forces}\n\
-             inverse kinematics: {inverse:?}\n\
-             feet in the initial posture, in mm:\n"
-        );
-        for (number, leg) in (1..).zip(&model.legs) {
-            // Adding 0 makes of −0 a plain 0.
-            let [x, y, z] = Chain::new(leg, &leg.initial).foot().map(|at| at + 0.0);
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
-        }
-        text
+fn summary(robot: &Robot) -> String {
+    let Anatomy {
+        body,
+        forces,
+        inverse,
+        joints,
+        feet,
+        ..
+    } = robot.anatomy();
+    let standing = body.map_or("bolted down".to_owned(), |body| {
+        format!("body of {} kg", body.mass)
+    });
+    let forces = forces.map_or(
+        "no commands of torque, force and compliance".to_owned(),
+        |forces| format!("torque up to {} {:?}", forces.torque_max, forces.unit),
+    );
+    let (name, legs) = (robot.name(), feet.len());
+    let (of_legs, of_joints) = (report::plural(legs, "leg"), report::plural(joints, "joint"));
+    let mut text = format!(
+        "{name}: {of_legs} of {of_joints}, {standing}\n\
+         F1 to F{legs}, J11 to J{legs}{joints}, members J1 to J{joints}; {forces}\n\
+         inverse kinematics: {inverse:?}\n\
+         feet in the initial posture, in mm:\n"
+    );
+    for (number, foot) in (1..).zip(feet) {
+        // Adding 0 makes of −0 a plain 0.
+        let [x, y, z] = foot.map(|at| at + 0.0);
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
     }
+    text
 }
 
 /// Writes the description that a URDF file makes; the report goes to standard error.

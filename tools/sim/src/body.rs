@@ -1,4 +1,4 @@
-//! A robot of some size, ready to be simulated.
+//! What a robot of some size is made of, ready to be simulated.
 
 use crate::desk::Desk;
 use crate::echo::Echo;
@@ -8,41 +8,53 @@ use crate::plant::Plant;
 use crate::rig::Rig;
 use crate::shell::Shell;
 use tip_runtime::command::Port;
+use tip_runtime::kinematics::Chain;
 use tip_runtime::machine::{Machine, Mismatch};
-use tip_runtime::model::Model;
+use tip_runtime::model::{self, Forces, Inverse, Leg, Model};
 use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
-use tipc::Facts;
 
-/// What a robot is made of, whatever its size.
+/// A model, and what simulates it, whatever its size.
 pub(crate) trait Body {
-    fn boxed(&self) -> Box<dyn Body>;
-    fn facts(&self) -> Facts;
-    fn grasps(&self) -> bool;
-    fn has_input(&self, plant: Plant, scene: &Scene, port: Port) -> bool;
-    fn start(
-        &self,
-        plant: Plant,
-        scene: &Scene,
-        program: Engine,
-        desk: Desk,
-        special: Native,
-    ) -> Result<Box<dyn Shell>, Mismatch>;
+    fn anatomy(&self) -> Anatomy;
+    fn has_input(&self, around: &Around, port: Port) -> bool;
+    fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch>;
 }
 
-impl Clone for Box<dyn Body> {
-    fn clone(&self) -> Self {
-        (**self).boxed()
-    }
+/// What a robot has, whatever its size.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Anatomy {
+    /// Its body, if it walks.
+    pub body: Option<model::Body>,
+    /// What it can do with torques and forces, if anything.
+    pub forces: Option<Forces>,
+    /// Its inverse kinematics.
+    pub inverse: Inverse,
+    /// Joints of each leg.
+    pub joints: usize,
+    /// Where each foot is in the initial posture: mm.
+    pub feet: Vec<[f64; 3]>,
 }
 
-/// A model, and what simulates it.
-#[derive(Clone)]
+/// How a robot is simulated, and what is around it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Around {
+    pub(crate) plant: Plant,
+    pub(crate) scene: Scene,
+}
+
+/// What runs on a robot, whatever its size.
+pub(crate) struct Seats {
+    pub(crate) program: Engine,
+    pub(crate) desk: Desk,
+    pub(crate) special: Native,
+}
+
 pub(crate) struct Sized<const L: usize, const J: usize> {
     model: &'static Model<L, J>,
     hardware: Hardware<L, J>,
 }
 
-#[derive(Clone)]
 enum Hardware<const L: usize, const J: usize> {
     Walker,
     /// Made where its size is known, so that only hands of that size are compiled.
@@ -77,7 +89,7 @@ impl<const L: usize, const J: usize> Sized<L, J> {
         }
     }
 
-    fn rig(&self, plant: Plant, scene: &Scene) -> Rig<L, J> {
+    fn rig(&self, Around { plant, scene }: &Around) -> Rig<L, J> {
         match (plant, &self.hardware) {
             (_, Hardware::Own(rig)) => rig.clone(),
             (Plant::Echo, _) => Rig::new(Echo::new(self.model)),
@@ -89,33 +101,35 @@ impl<const L: usize, const J: usize> Sized<L, J> {
     }
 }
 
+/// Where each foot is in the initial posture: mm.
+fn feet<const J: usize>(legs: &[Leg<J>]) -> Vec<[f64; 3]> {
+    let foot = |leg: &Leg<J>| Chain::new(leg, &leg.initial).foot();
+    legs.iter().map(foot).collect()
+}
+
 impl<const L: usize, const J: usize> Body for Sized<L, J> {
-    fn boxed(&self) -> Box<dyn Body> {
-        Box::new(self.clone())
+    fn anatomy(&self) -> Anatomy {
+        Anatomy {
+            body: self.model.body,
+            forces: self.model.forces,
+            inverse: self.model.inverse,
+            joints: J,
+            feet: feet(&self.model.legs),
+        }
     }
 
-    fn facts(&self) -> Facts {
-        Facts::of(self.model)
+    fn has_input(&self, around: &Around, port: Port) -> bool {
+        plant::Plant::set_sensor(&mut self.rig(around), port, 0.0)
     }
 
-    fn grasps(&self) -> bool {
-        !matches!(self.hardware, Hardware::Walker)
-    }
-
-    fn has_input(&self, plant: Plant, scene: &Scene, port: Port) -> bool {
-        plant::Plant::set_sensor(&mut self.rig(plant, scene), port, 0.0)
-    }
-
-    fn start(
-        &self,
-        plant: Plant,
-        scene: &Scene,
-        program: Engine,
-        desk: Desk,
-        special: Native,
-    ) -> Result<Box<dyn Shell>, Mismatch> {
-        let rig = self.rig(plant, scene);
-        let machine = Machine::new(program, self.model, rig, desk, special)?;
+    fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch> {
+        let (rig, model) = (self.rig(around), self.model);
+        let Seats {
+            program,
+            desk,
+            special,
+        } = seats;
+        let machine = Machine::new(program, model, rig, desk, special)?;
         Ok(Box::new(machine))
     }
 }

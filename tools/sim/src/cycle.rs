@@ -63,7 +63,7 @@ pub(crate) struct Collector {
 impl Collector {
     /// The cycle that a robot is in now; `number` and `time` are those of its beginning.
     pub(crate) fn finish(self, shell: &dyn Shell, number: u64, time: f64, status: Status) -> Cycle {
-        let (commands, angles) = shell.joints();
+        let seen = shell.seen();
         Cycle {
             number,
             time,
@@ -74,7 +74,7 @@ impl Collector {
             lamp: self.lamp,
             command: self.command,
             pose: shell.motion().map(|motion| motion.pose),
-            state: state_hash(commands, angles),
+            state: state_hash(seen.commands, seen.angles),
             status,
         }
     }

@@ -4,9 +4,10 @@ use crate::body::Sized;
 use crate::findings;
 use crate::robot::Robot;
 use std::fmt;
+use std::rc::Rc;
 use tip_runtime::model::Model;
-use tipc::Loaded;
 use tipc::description::{self, Description, WithModel};
+use tipc::{Facts, Loaded};
 
 impl Robot {
     /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
@@ -22,18 +23,19 @@ impl Robot {
 
     /// A walking robot from a description that was read. It stays in memory for good.
     pub fn described(description: &Description) -> Self {
-        description.with_model(Made)
+        description.with_model(Made(description.facts()))
     }
 }
 
-/// Makes a robot of a model of any size.
-struct Made;
+/// Makes a robot of a model of any size, for which programs are checked by these facts.
+struct Made(Facts);
 
 impl WithModel for Made {
     type Output = Robot;
 
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
-        Robot::new(Box::new(Sized::walker(Box::leak(Box::new(*model)))))
+        let body = Sized::walker(Box::leak(Box::new(*model)));
+        Robot::new(Rc::new(body), self.0, false)
     }
 }
 

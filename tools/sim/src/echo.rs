@@ -1,96 +1,138 @@
 //! A robot that is cheap to simulate: joints are at once where they are commanded to be.
 
-use tip_runtime::command::Port;
+use tip_runtime::command::{KNOBS, Port};
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
-use tip_runtime::model::Model;
+use tip_runtime::model::{self, Forces, Leg, Model, Range, Slider};
 use tip_runtime::plant::Plant;
 
 /// How far a joint with all its torque turns in a cycle: deg.
 const DRIFT: f64 = 0.3;
 
+/// A robot of any size, leg by leg.
 #[derive(Clone, Debug)]
-pub(crate) struct Echo<const L: usize, const J: usize> {
-    model: &'static Model<L, J>,
-    sensors: Sensors<L, J>,
-    /// What a joint drives its link with while something is touched.
+pub(crate) struct Echo {
+    joints: Vec<Joint>,
+    /// V.
+    paws: Vec<f64>,
+    /// V.
+    knobs: [f64; KNOBS],
+    /// V.
+    antenna: f64,
+    /// mm.
+    slider: [f64; 3],
+    /// What a joint drives its link with while something is touched, in the robot's torque unit.
     resistance: f64,
+    /// The most that a joint can do, in the same unit.
+    torque_max: f64,
+    touches: bool,
 }
 
-impl<const L: usize, const J: usize> Echo<L, J> {
-    pub(crate) fn new(model: &'static Model<L, J>) -> Self {
-        let mut sensors = Sensors::ZERO;
-        for (angles, leg) in sensors.angles.iter_mut().zip(&model.legs) {
-            *angles = leg.initial;
-        }
-        if let Some(slider) = model.slider {
-            sensors.slider = slider.initial;
-        }
-        Echo {
-            model,
-            sensors,
-            resistance: 0.0,
-        }
+#[derive(Clone, Copy, Debug)]
+struct Joint {
+    limits: Range,
+    /// deg.
+    angle: f64,
+    /// In the robot's torque unit.
+    torque: f64,
+}
+
+impl Echo {
+    pub(crate) fn new<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
+        Self::of(&model.legs, model.forces.as_ref(), model.slider.as_ref())
     }
 
-    pub(crate) fn touch(&mut self, on: bool) {
-        let Some(forces) = &self.model.forces else {
-            return;
+    fn of<const J: usize>(
+        legs: &[Leg<J>],
+        forces: Option<&Forces>,
+        slider: Option<&Slider>,
+    ) -> Self {
+        let resting = |(joint, angle): (&model::Joint, &f64)| Joint {
+            limits: joint.limits,
+            angle: *angle,
+            torque: 0.0,
         };
-        self.resistance = if on { 2.0 * forces.search_torque } else { 0.0 };
+        let joints = legs
+            .iter()
+            .flat_map(|leg| leg.joints.iter().zip(&leg.initial));
+        Echo {
+            joints: joints.map(resting).collect(),
+            paws: vec![0.0; legs.len()],
+            knobs: [0.0; KNOBS],
+            antenna: 0.0,
+            slider: slider.map_or([0.0; 3], |slider| slider.initial),
+            resistance: forces.map_or(0.0, |forces| 2.0 * forces.search_torque),
+            torque_max: forces.map_or(1.0, |forces| forces.torque_max),
+            touches: false,
+        }
+    }
+
+    /// Every foot or finger begins to feel something, or ceases to.
+    pub(crate) fn touch(&mut self, on: bool) {
+        self.touches = on;
+    }
+
+    /// What joints and soles read, leg by leg.
+    fn measure(&self, angles: &mut [f64], torques: &mut [f64], paws: &mut [f64]) {
+        for (joint, (angle, torque)) in self.joints.iter().zip(angles.iter_mut().zip(torques)) {
+            (*angle, *torque) = (joint.angle, joint.torque);
+        }
+        for (read, paw) in paws.iter_mut().zip(&self.paws) {
+            *read = *paw;
+        }
+    }
+
+    fn drive(&mut self, commands: &[JointCommand]) {
+        let resistance = if self.touches { self.resistance } else { 0.0 };
+        for (joint, command) in self.joints.iter_mut().zip(commands) {
+            match *command {
+                JointCommand::Angle { angle, .. } => {
+                    joint.torque = resistance + (angle - joint.angle);
+                    joint.angle = angle;
+                }
+                JointCommand::Torque(torque) => {
+                    joint.torque = torque;
+                    // What it touches stops it.
+                    let drift = if resistance > 0.0 { 0.0 } else { DRIFT };
+                    let turned = joint.angle + drift * torque / self.torque_max;
+                    joint.angle = turned.clamp(joint.limits.min, joint.limits.max);
+                }
+            }
+        }
+    }
+
+    fn set(&mut self, port: Port, volts: f64) -> bool {
+        let input = match port {
+            Port::Knob(n) => self.knobs.get_mut(usize::from(n).wrapping_sub(1)),
+            Port::Paw(n) => self.paws.get_mut(usize::from(n).wrapping_sub(1)),
+            Port::Antenna => Some(&mut self.antenna),
+            Port::Channel(_) | Port::Joint(..) => None,
+        };
+        input.map(|input| *input = volts).is_some()
     }
 }
 
-impl<const L: usize, const J: usize> Hardware<L, J> for Echo<L, J> {
+impl<const L: usize, const J: usize> Hardware<L, J> for Echo {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        *into = self.sensors;
+        let angles = into.angles.as_flattened_mut();
+        self.measure(angles, into.torques.as_flattened_mut(), &mut into.paws);
+        into.knobs = self.knobs;
+        into.antenna = self.antenna;
+        into.slider = self.slider;
         Ok(())
     }
 
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        let angles = self.sensors.angles.as_flattened_mut().iter_mut();
-        let torques = self.sensors.torques.as_flattened_mut().iter_mut();
-        let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
-        let commands = outputs.joints.as_flattened();
-        for (((angle, torque), joint), command) in angles.zip(torques).zip(joints).zip(commands) {
-            match *command {
-                JointCommand::Angle {
-                    angle: commanded, ..
-                } => {
-                    *torque = self.resistance + (commanded - *angle);
-                    *angle = commanded;
-                }
-                JointCommand::Torque(commanded) => {
-                    *torque = commanded;
-                    let most = self.model.forces.map_or(1.0, |forces| forces.torque_max);
-                    // What it touches stops it.
-                    let way = if self.resistance > 0.0 { 0.0 } else { DRIFT };
-                    let turned = *angle + way * commanded / most;
-                    *angle = turned.clamp(joint.limits.min, joint.limits.max);
-                }
-            }
-        }
-        self.sensors.slider = outputs.slider;
+        self.drive(outputs.joints.as_flattened());
+        self.slider = outputs.slider;
         Ok(())
     }
 
     fn stop(&mut self, _why: &Fault) {}
 }
 
-impl<const L: usize, const J: usize> Plant<L, J> for Echo<L, J> {
+impl<const L: usize, const J: usize> Plant<L, J> for Echo {
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        let Sensors {
-            knobs,
-            paws,
-            antenna,
-            ..
-        } = &mut self.sensors;
-        let input = match port {
-            Port::Knob(n) => knobs.get_mut(usize::from(n).wrapping_sub(1)),
-            Port::Paw(n) => paws.get_mut(usize::from(n).wrapping_sub(1)),
-            Port::Antenna => Some(antenna),
-            Port::Channel(_) | Port::Joint(..) => None,
-        };
-        input.map(|input| *input = volts).is_some()
+        self.set(port, volts)
     }
 }

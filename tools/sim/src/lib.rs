@@ -30,6 +30,7 @@ mod transcript;
 #[cfg(feature = "urdf")]
 pub mod urdf;
 
+pub use body::Anatomy;
 pub use cycle::{Asked, Cycle};
 #[cfg(feature = "robot-files")]
 pub use described::NotDescribed;

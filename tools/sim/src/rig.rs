@@ -1,6 +1,5 @@
-//! The simulated hardware of a run under one type for each size, to which things happen.
+//! The simulated hardware of a run under one type for each size, which may fail.
 
-use crate::echo::Echo;
 use std::any::Any;
 use std::fmt;
 use tip_runtime::command::Port;
@@ -8,14 +7,19 @@ use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use tip_runtime::plant::{Motion, Plant};
 
-/// What a sole's sensor reads on the ground: V.
-const PRESSED: f64 = 2.0;
-
 /// A plant that may fail.
 pub(crate) struct Rig<const L: usize, const J: usize> {
     plant: Box<dyn AnyPlant<L, J>>,
-    read_fails: bool,
-    write_fails: bool,
+    pub(crate) failures: Failures,
+}
+
+/// What is to fail.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Failures {
+    /// The next reading.
+    pub(crate) read: bool,
+    /// Every writing from now on.
+    pub(crate) write: bool,
 }
 
 trait AnyPlant<const L: usize, const J: usize>: Plant<L, J> {
@@ -42,8 +46,7 @@ impl<const L: usize, const J: usize> Rig<L, J> {
     pub(crate) fn new(plant: impl Plant<L, J> + Clone + 'static) -> Self {
         Rig {
             plant: Box::new(plant),
-            read_fails: false,
-            write_fails: false,
+            failures: Failures::default(),
         }
     }
 
@@ -51,26 +54,8 @@ impl<const L: usize, const J: usize> Rig<L, J> {
         self.plant.any()
     }
 
-    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; only soles
-    /// can be told.
-    pub(crate) fn touch(&mut self, on: bool) {
-        let volts = if on { PRESSED } else { 0.0 };
-        for leg in (1..).take(L) {
-            self.set_sensor(Port::Paw(leg), volts);
-        }
-        if let Some(echo) = self.plant.any_mut().downcast_mut::<Echo<L, J>>() {
-            echo.touch(on);
-        }
-    }
-
-    /// The next reading fails.
-    pub(crate) fn fail_to_read(&mut self) {
-        self.read_fails = true;
-    }
-
-    /// Every writing from now on fails.
-    pub(crate) fn fail_to_write(&mut self) {
-        self.write_fails = true;
+    pub(crate) fn plant_mut(&mut self) -> &mut dyn Any {
+        self.plant.any_mut()
     }
 }
 
@@ -78,7 +63,7 @@ impl<const L: usize, const J: usize> Clone for Rig<L, J> {
     fn clone(&self) -> Self {
         Rig {
             plant: self.plant.boxed(),
-            ..*self
+            failures: self.failures,
         }
     }
 }
@@ -91,14 +76,14 @@ impl<const L: usize, const J: usize> fmt::Debug for Rig<L, J> {
 
 impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        match std::mem::take(&mut self.read_fails) {
+        match std::mem::take(&mut self.failures.read) {
             true => Err(HardwareFault("read")),
             false => self.plant.read(into),
         }
     }
 
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        match self.write_fails {
+        match self.failures.write {
             true => Err(HardwareFault("write")),
             false => self.plant.write(outputs),
         }

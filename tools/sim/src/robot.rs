@@ -1,12 +1,13 @@
 //! Simulated robots, whatever their size.
 
-use crate::body::{Body, Sized};
+use crate::body::{Anatomy, Around, Body, Seats, Sized};
 use crate::desk::Desk;
 use crate::engine::Engine;
 use crate::native::Native;
 use crate::plant::Plant;
 use crate::shell::Shell;
 use std::fmt;
+use std::rc::Rc;
 use tip_runtime::command::Port;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
@@ -18,9 +19,10 @@ use tipc::{Facts, Options};
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
 #[derive(Clone)]
 pub struct Robot {
-    body: Box<dyn Body>,
-    plant: Plant,
-    scene: Scene,
+    body: Rc<dyn Body>,
+    facts: Facts,
+    grasps: bool,
+    around: Around,
     special: Native,
 }
 
@@ -35,8 +37,9 @@ impl Robot {
             _ if name == titan8::MODEL.name => walker(&titan8::MODEL),
             _ if name == generic::MODEL.name => walker(&generic::MODEL),
             _ if name == hand::MODEL.name => {
-                let body = Box::new(Sized::hand(&hand::MODEL));
-                Ok(Self::new(body).with_special(HandSpecials::new()))
+                let body = Rc::new(Sized::hand(&hand::MODEL));
+                let hand = Self::new(body, Facts::of(&hand::MODEL), true);
+                Ok(hand.with_special(HandSpecials::new()))
             }
             _ => Err(UnknownRobot(name.to_owned())),
         }
@@ -44,7 +47,7 @@ impl Robot {
 
     /// A walking robot of a model, such as `include_robot!` makes.
     pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
-        Self::new(Box::new(Sized::walker(model)))
+        Self::new(Rc::new(Sized::walker(model)), Facts::of(model), false)
     }
 
     /// A robot of a model with a plant of its own.
@@ -52,14 +55,19 @@ impl Robot {
         model: &'static Model<L, J>,
         plant: impl plant::Plant<L, J> + Clone + 'static,
     ) -> Self {
-        Self::new(Box::new(Sized::own(model, plant)))
+        let body = Rc::new(Sized::own(model, plant));
+        Self::new(body, Facts::of(model), true)
     }
 
-    pub(crate) fn new(body: Box<dyn Body>) -> Self {
+    pub(crate) fn new(body: Rc<dyn Body>, facts: Facts, grasps: bool) -> Self {
         Robot {
             body,
-            plant: Plant::default(),
-            scene: Scene::EMPTY,
+            facts,
+            grasps,
+            around: Around {
+                plant: Plant::default(),
+                scene: Scene::EMPTY,
+            },
             special: Native::new(()),
         }
     }
@@ -67,7 +75,7 @@ impl Robot {
     /// Chooses how it is simulated. A robot with a plant of its own keeps it.
     #[must_use]
     pub fn with_plant(mut self, plant: Plant) -> Self {
-        self.plant = plant;
+        self.around.plant = plant;
         self
     }
 
@@ -78,10 +86,10 @@ impl Robot {
     /// There are objects, and the robot cannot grasp.
     pub fn with_scene(mut self, scene: &Scene) -> Result<Self, GraspsNothing> {
         let has_objects = scene.objects.iter().any(Option::is_some);
-        if has_objects && !self.body.grasps() {
+        if has_objects && !self.grasps {
             return Err(GraspsNothing(self.name()));
         }
-        self.scene = *scene;
+        self.around.scene = *scene;
         Ok(self)
     }
 
@@ -95,32 +103,40 @@ impl Robot {
 
     /// What it is called.
     pub fn name(&self) -> &'static str {
-        self.facts().signature.robot
+        self.facts.signature.robot
     }
 
     /// What programs for it are checked for.
     pub fn facts(&self) -> Facts {
-        self.body.facts()
+        self.facts
+    }
+
+    /// What it has.
+    pub fn anatomy(&self) -> Anatomy {
+        self.body.anatomy()
     }
 
     /// How programs for it are loaded.
     pub fn options(&self) -> Options {
         Options {
-            robot: tipc::Robot::Described(self.facts()),
+            robot: tipc::Robot::Described(self.facts),
             ..Options::default()
         }
     }
 
     /// Whether it has this input.
     pub fn has_input(&self, port: Port) -> bool {
-        self.body.has_input(self.plant, &self.scene, port)
+        self.body.has_input(&self.around, port)
     }
 
     /// Puts a program on it.
     pub(crate) fn start(&self, program: Engine, desk: Desk) -> Result<Box<dyn Shell>, Mismatch> {
-        let special = self.special.clone();
-        self.body
-            .start(self.plant, &self.scene, program, desk, special)
+        let seats = Seats {
+            program,
+            desk,
+            special: self.special.clone(),
+        };
+        self.body.start(&self.around, seats)
     }
 }
 
@@ -128,8 +144,7 @@ impl fmt::Debug for Robot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Robot")
             .field("name", &self.name())
-            .field("plant", &self.plant)
-            .field("scene", &self.scene)
+            .field("around", &self.around)
             .finish_non_exhaustive()
     }
 }

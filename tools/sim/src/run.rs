@@ -5,7 +5,7 @@ use crate::desk::{Desk, Listener};
 use crate::engine::Engine;
 use crate::event::{Event, EventError, Events, Timed};
 use crate::robot::Robot;
-use crate::shell::{Clocks, Shell};
+use crate::shell::Shell;
 use crate::sink::both;
 #[cfg(feature = "std")]
 use crate::trace::Trace;
@@ -161,7 +161,7 @@ impl Run {
             return Err(Refused::NoInput(port));
         }
         if let Event::Set(name, value) = &event.event {
-            let mut engine = self.shell.engine().clone();
+            let mut engine = self.shell.seen().engine.clone();
             let refused = |error| Refused::Variable(name.clone(), error);
             engine.set(name, *value).map_err(refused)?;
         }
@@ -188,7 +188,7 @@ impl Run {
 
     /// The console, if it is one of type `C`.
     pub fn console<C: Console + 'static>(&self) -> Option<&C> {
-        self.shell.desk().listener()?.any().downcast_ref()
+        self.shell.seen().desk.listener()?.any().downcast_ref()
     }
 
     /// The console, if it is one of type `C`.
@@ -242,7 +242,7 @@ impl Run {
 
     /// Runs one cycle, and returns what happened in it. After the program's end the robot is still held.
     pub fn cycle(&mut self) -> Cycle {
-        let Clocks { cycles, time, .. } = self.shell.clocks();
+        let (cycles, time) = (self.cycles(), self.time());
         let mut collector = Collector::default();
         let status = self.advance(Some(&mut collector));
         collector.finish(self.shell.as_ref(), cycles, time, status)
@@ -261,7 +261,7 @@ impl Run {
         self.ending = match status {
             Status::Running => None,
             Status::Finished(end) => Some(Ending::Program(end)),
-            Status::Emergency => self.shell.emergency().map(Ending::Emergency),
+            Status::Emergency => self.emergency().map(Ending::Emergency),
         };
         status
     }
@@ -276,12 +276,15 @@ impl Run {
             match &due.event {
                 Event::Key(byte) => self.shell.desk_mut().press(*byte),
                 Event::Halt => self.shell.desk_mut().press(ESCAPE),
-                Event::Sensor(port, volts) => self.shell.set_sensor(*port, *volts),
+                // The robot was asked when it was added.
+                Event::Sensor(port, volts) => {
+                    self.shell.set_sensor(*port, *volts);
+                }
                 // It was tried when it was added.
                 Event::Set(name, value) => drop(self.shell.engine_mut().set(name, *value)),
                 Event::Touch(on) => self.shell.touch(*on),
-                Event::ReadFails => self.shell.fail_to_read(),
-                Event::WriteFails => self.shell.fail_to_write(),
+                Event::ReadFails => self.shell.failures_mut().read = true,
+                Event::WriteFails => self.shell.failures_mut().write = true,
             }
             self.happened += 1;
         }
@@ -299,38 +302,38 @@ impl Run {
 
     /// Why and where the robot stopped.
     pub fn emergency(&self) -> Option<Emergency> {
-        self.shell.emergency()
+        self.shell.seen().emergency.copied()
     }
 
     /// Cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
-        self.shell.clocks().cycles
+        self.shell.seen().cycles
     }
 
     /// Time on the robot: ms.
     pub fn time(&self) -> f64 {
-        self.shell.clocks().time
+        self.shell.seen().time
     }
 
     /// The sampling time: ms.
     pub fn period(&self) -> f64 {
-        self.shell.clocks().period
+        self.shell.seen().period
     }
 
     /// The program as the run has left it.
     pub fn program(&self) -> &dyn Program {
-        self.shell.engine()
+        self.shell.seen().engine
     }
 
     /// The program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
     pub fn engine<P: Program + 'static>(&self) -> Option<&P> {
-        self.shell.engine().get()
+        self.shell.seen().engine.get()
     }
 
     /// What is simulated, if it is one of type `H`, such as
     /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
     pub fn plant<H: 'static>(&self) -> Option<&H> {
-        self.shell.plant().downcast_ref()
+        self.shell.seen().plant.downcast_ref()
     }
 
     /// How the body moves; none for a robot that stays where it is.
@@ -340,20 +343,19 @@ impl Run {
 
     /// Joint angles as measured in the last cycle, leg by leg: deg.
     pub fn angles(&self) -> &[f64] {
-        self.shell.joints().1
+        self.shell.seen().angles
     }
 
     /// Whether a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let lamps = self.shell.lamps();
-        let word = lamps.get(usize::from(device / 32));
+        let word = self.shell.seen().lamps.get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
     }
 
     /// A hash of what each joint was sent and measured in the last cycle.
     pub fn state_hash(&self) -> u64 {
-        let (commands, angles) = self.shell.joints();
-        state_hash(commands, angles)
+        let seen = self.shell.seen();
+        state_hash(seen.commands, seen.angles)
     }
 }
 
@@ -373,7 +375,7 @@ impl Clone for Run {
 impl fmt::Debug for Run {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Run")
-            .field("program", self.shell.engine())
+            .field("program", self.shell.seen().engine)
             .field("cycles", &self.cycles())
             .field("ending", &self.ending)
             .finish_non_exhaustive()

@@ -1,47 +1,69 @@
 //! A program on a simulated robot, whatever the robot's size.
 
 use crate::desk::Desk;
+use crate::echo::Echo;
 use crate::engine::Engine;
 use crate::native::Native;
-use crate::rig::Rig;
+use crate::rig::{Failures, Rig};
 use std::any::Any;
-use tip_runtime::command::Port;
+use tip_runtime::command::{MAX, Port};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
 use tip_runtime::plant::{Motion, Plant as _};
 use tip_runtime::record::Sink;
 
+/// What a sole's sensor reads on the ground: V.
+const PRESSED: f64 = 2.0;
+
 /// The machine of a robot of some size. Each size has its own; logic stands outside.
 pub(crate) trait Shell {
     fn boxed(&self) -> Box<dyn Shell>;
     fn cycle(&mut self, sink: Option<&mut dyn Sink>) -> Status;
-    fn clocks(&self) -> Clocks;
-    fn emergency(&self) -> Option<Emergency>;
-    fn engine(&self) -> &Engine;
+    fn seen(&self) -> Seen<'_>;
     fn engine_mut(&mut self) -> &mut Engine;
-    fn desk(&self) -> &Desk;
     fn desk_mut(&mut self) -> &mut Desk;
-    fn plant(&self) -> &dyn Any;
+    fn failures_mut(&mut self) -> &mut Failures;
+    fn plant_mut(&mut self) -> &mut dyn Any;
     fn motion(&self) -> Option<Motion>;
-    /// What each joint was sent, and its angle as measured (deg), leg by leg.
-    fn joints(&self) -> (&[JointCommand], &[f64]);
-    fn lamps(&self) -> [u32; 8];
-    fn has_input(&self, port: Port) -> bool;
-    fn set_sensor(&mut self, port: Port, volts: f64);
-    fn touch(&mut self, on: bool);
-    fn fail_to_read(&mut self);
-    fn fail_to_write(&mut self);
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn pause(&mut self, on: bool);
 }
 
-/// How far a run has come.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Clocks {
+/// What a run shows of itself.
+pub(crate) struct Seen<'a> {
     pub(crate) cycles: u64,
     /// ms.
     pub(crate) time: f64,
     /// ms.
     pub(crate) period: f64,
+    pub(crate) emergency: Option<&'a Emergency>,
+    pub(crate) engine: &'a Engine,
+    pub(crate) desk: &'a Desk,
+    pub(crate) plant: &'a dyn Any,
+    /// What each joint was sent, leg by leg.
+    pub(crate) commands: &'a [JointCommand],
+    /// What each joint was measured at, leg by leg: deg.
+    pub(crate) angles: &'a [f64],
+    pub(crate) lamps: &'a [u32; 8],
+}
+
+impl dyn Shell {
+    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; only soles
+    /// can be told.
+    pub(crate) fn touch(&mut self, on: bool) {
+        let volts = if on { PRESSED } else { 0.0 };
+        for leg in (1..).take(MAX) {
+            self.set_sensor(Port::Paw(leg), volts);
+        }
+        if let Some(echo) = self.plant_mut().downcast_mut::<Echo>() {
+            echo.touch(on);
+        }
+    }
+
+    /// Whether the robot has this input.
+    pub(crate) fn has_input(&self, port: Port) -> bool {
+        self.boxed().set_sensor(port, 0.0)
+    }
 }
 
 pub(crate) type Sized<const L: usize, const J: usize> =
@@ -59,69 +81,43 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
         }
     }
 
-    fn clocks(&self) -> Clocks {
-        Clocks {
+    fn seen(&self) -> Seen<'_> {
+        Seen {
             cycles: self.cycles(),
             time: self.time(),
             period: self.period(),
+            emergency: self.emergency(),
+            engine: self.program(),
+            desk: self.console(),
+            plant: self.hardware().plant(),
+            commands: self.outputs().joints.as_flattened(),
+            angles: self.sensors().angles.as_flattened(),
+            lamps: &self.outputs().lamps,
         }
-    }
-
-    fn emergency(&self) -> Option<Emergency> {
-        Machine::emergency(self).copied()
-    }
-
-    fn engine(&self) -> &Engine {
-        self.program()
     }
 
     fn engine_mut(&mut self) -> &mut Engine {
         self.program_mut()
     }
 
-    fn desk(&self) -> &Desk {
-        self.console()
-    }
-
     fn desk_mut(&mut self) -> &mut Desk {
         self.console_mut()
     }
 
-    fn plant(&self) -> &dyn Any {
-        self.hardware().plant()
+    fn failures_mut(&mut self) -> &mut Failures {
+        &mut self.hardware_mut().failures
+    }
+
+    fn plant_mut(&mut self) -> &mut dyn Any {
+        self.hardware_mut().plant_mut()
     }
 
     fn motion(&self) -> Option<Motion> {
         self.hardware().motion()
     }
 
-    fn joints(&self) -> (&[JointCommand], &[f64]) {
-        let commands = self.outputs().joints.as_flattened();
-        (commands, self.sensors().angles.as_flattened())
-    }
-
-    fn lamps(&self) -> [u32; 8] {
-        self.outputs().lamps
-    }
-
-    fn has_input(&self, port: Port) -> bool {
-        self.hardware().clone().set_sensor(port, 0.0)
-    }
-
-    fn set_sensor(&mut self, port: Port, volts: f64) {
-        self.hardware_mut().set_sensor(port, volts);
-    }
-
-    fn touch(&mut self, on: bool) {
-        self.hardware_mut().touch(on);
-    }
-
-    fn fail_to_read(&mut self) {
-        self.hardware_mut().fail_to_read();
-    }
-
-    fn fail_to_write(&mut self) {
-        self.hardware_mut().fail_to_write();
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        self.hardware_mut().set_sensor(port, volts)
     }
 
     fn pause(&mut self, on: bool) {

@@ -22,7 +22,7 @@ pub struct Snapshot {
 impl fmt::Debug for Snapshot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Snapshot")
-            .field("cycles", &self.shell.clocks().cycles)
+            .field("cycles", &self.shell.seen().cycles)
             .finish_non_exhaustive()
     }
 }
