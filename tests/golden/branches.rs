@@ -41,8 +41,7 @@ const _: () = {
     use ::core::result::Result::Ok;
     use ::tip_runtime::command::{Command, Flag, Op, Target, Value};
     use ::tip_runtime::fault::Fault;
-    use ::tip_runtime::generated::Step;
-    use ::tip_runtime::generated::Step::{Ask, Go, Run};
+    use ::tip_runtime::generated::{Row, State, Step};
     use ::tip_runtime::ops;
     use ::tip_runtime::ops::Domain;
     use ::tip_runtime::program::{Context, End, Flow};
@@ -50,22 +49,22 @@ const _: () = {
         #[allow(unused_doc_comments)]
         const STEPS: &'static [Step<Self>] = &[
             /// branches.prg:4: LOOP:
-            Go(1),
-            Run(Self::step_1),
-            Run(Self::step_2),
-            Run(Self::step_3),
-            Run(Self::step_4),
-            Run(Self::step_5),
-            Run(Self::step_6),
+            Step::go(1),
+            Step::run(Self::step_1),
+            Step::run(Self::step_2),
+            Step::run(Self::step_3),
+            Step::run(Self::step_4),
+            Step::run(Self::step_5),
+            Step::run(Self::step_6),
             /// branches.prg:11: REPEAT
-            Go(8),
-            Run(Self::step_8),
-            Run(Self::step_9),
+            Step::go(8),
+            Step::run(Self::step_8),
+            Step::run(Self::step_9),
             /// branches.prg:14: ENDIF
-            Go(11),
-            Run(Self::step_11),
+            Step::go(11),
+            Step::run(Self::step_11),
             /// branches.prg:16: SLEEP 20
-            Ask(
+            Step::ask(
                 &Command {
                     op: Op::Sleep,
                     hs: false,
@@ -75,14 +74,14 @@ const _: () = {
                 13,
             ),
             /// branches.prg:17: WEND
-            Go(11),
-            Run(Self::step_14),
-            Run(Self::step_15),
-            Run(Self::step_16),
+            Step::go(11),
+            Step::run(Self::step_14),
+            Step::run(Self::step_15),
+            Step::run(Self::step_16),
             /// branches.prg:21: SUBROUTINE STRETCH:
-            Go(18),
+            Step::go(18),
             /// branches.prg:22: STAND_UP 20
-            Ask(
+            Step::ask(
                 &Command {
                     op: Op::StandUp,
                     hs: false,
@@ -91,11 +90,11 @@ const _: () = {
                 },
                 19,
             ),
-            Run(Self::step_19),
+            Step::run(Self::step_19),
             /// branches.prg:24: TURN:
-            Go(21),
+            Step::go(21),
             /// branches.prg:24: LAMP_ON 1
-            Ask(
+            Step::ask(
                 &Command {
                     op: Op::LampOn,
                     hs: false,
@@ -104,11 +103,11 @@ const _: () = {
                 },
                 22,
             ),
-            Run(Self::step_22),
-            Run(Self::step_23),
+            Step::run(Self::step_22),
+            Step::run(Self::step_23),
         ];
         /// branches.prg:5: KEY_IN KEY
-        fn step_1(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_1(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if let Some(key) = cx.key() {
                 self.v_key.set(key as f64);
                 self.go(2)
@@ -117,15 +116,15 @@ const _: () = {
             }
         }
         /// branches.prg:6: IF KEY == CHAR_A THEN
-        fn step_2(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_2(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if self.v_key.value() == 65.0 { self.go(3) } else { self.skip(4) }
         }
         /// branches.prg:7: CALL STRETCH:
-        fn step_3(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_3(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.call(Self::L_STRETCH, 4)
         }
         /// branches.prg:8: ELSEIF KEY == CHAR_B THEN
-        fn step_4(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_4(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if !self.not_taken {
                 self.go(6)
             } else if self.v_key.value() == 66.0 {
@@ -135,56 +134,59 @@ const _: () = {
             }
         }
         /// branches.prg:9: GOSUB TURN:
-        fn step_5(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_5(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.call(Self::L_TURN, 6)
         }
         /// branches.prg:10: ELSE
-        fn step_6(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_6(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if self.not_taken { self.go(7) } else { self.go(10) }
         }
         /// branches.prg:12: KEY = KEY - 1
-        fn step_8(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_8(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let done = self.v_key.assign(ops::sub(self.v_key.value(), 1.0));
             self.after(done, 9)
         }
         /// branches.prg:13: UNTIL KEY < 64
-        fn step_9(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_9(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if self.v_key.value() < 64.0 { self.go(10) } else { self.go(7) }
         }
         /// branches.prg:15: WHILE !HALT_REQUEST
-        fn step_11(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_11(
+            &mut self,
+            cx: &mut dyn Context,
+            _: Row<Self>,
+        ) -> Result<Flow, Fault> {
             if !cx.flag(Flag::HaltRequest) { self.go(12) } else { self.go(14) }
         }
         /// branches.prg:18: IF KB_HIT GOSUB TURN:
-        fn step_14(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_14(
+            &mut self,
+            cx: &mut dyn Context,
+            _: Row<Self>,
+        ) -> Result<Flow, Fault> {
             if cx.flag(Flag::KbHit) { self.call(Self::L_TURN, 15) } else { self.go(15) }
         }
         /// branches.prg:19: IF KEY > 100 GOTO
-        fn step_15(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_15(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if self.v_key.value() > 100.0 { self.go(Self::L_LOOP) } else { self.go(16) }
         }
         /// branches.prg:20: EXIT
-        fn step_16(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_16(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             Ok(Flow::Finished(End::Exit))
         }
         /// branches.prg:23: SUBEND
-        fn step_19(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_19(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let back = self.calls.pop()?;
             self.go(back)
         }
         /// branches.prg:25: RETURN
-        fn step_22(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_22(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let back = self.calls.pop()?;
             self.go(back)
         }
         /// branches.prg:26: END
-        fn step_23(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_23(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             Ok(Flow::Finished(End::End))
-        }
-        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
-            self.at = step;
-            self.not_taken = false;
-            Ok(Flow::Next)
         }
         fn skip(&mut self, step: u32) -> Result<Flow, Fault> {
             self.at = step;
@@ -198,6 +200,16 @@ const _: () = {
         fn call(&mut self, step: u32, back: u32) -> Result<Flow, Fault> {
             self.calls.push(back)?;
             self.go(step)
+        }
+    }
+    impl State for Branches {
+        fn at_mut(&mut self) -> &mut u32 {
+            &mut self.at
+        }
+        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
+            self.at = step;
+            self.not_taken = false;
+            Ok(Flow::Next)
         }
     }
 };
@@ -234,14 +246,7 @@ impl ::tip_runtime::program::Program for Branches {
         ::tip_runtime::program::Flow,
         ::tip_runtime::fault::Fault,
     > {
-        use ::core::option::Option::{None, Some};
-        use ::tip_runtime::generated::Step;
-        match Self::STEPS.get(self.at as usize) {
-            Some(Step::Ask(command, next)) => cx.ask(command, &mut self.at, *next),
-            Some(Step::Go(next)) => self.go(*next),
-            Some(Step::Run(step)) => step(self, cx),
-            None => ::core::result::Result::Err(::tip_runtime::fault::Fault::WrongStep),
-        }
+        ::tip_runtime::generated::step(Self::STEPS, self, cx)
     }
     fn scalar(
         &self,

@@ -32,43 +32,42 @@ const _: () = {
     use ::core::result::Result;
     use ::core::result::Result::Ok;
     use ::tip_runtime::fault::Fault;
-    use ::tip_runtime::generated::Step;
-    use ::tip_runtime::generated::Step::{Go, Run};
+    use ::tip_runtime::generated::{Row, State, Step};
     use ::tip_runtime::ops;
     use ::tip_runtime::ops::{Domain, Message, Part};
     use ::tip_runtime::program::{Context, End, Flow};
     impl Counting {
         #[allow(unused_doc_comments)]
         const STEPS: &'static [Step<Self>] = &[
-            Run(Self::step_0),
-            Run(Self::step_1),
-            Run(Self::step_2),
-            Run(Self::step_3),
-            Run(Self::step_4),
-            Run(Self::step_5),
-            Run(Self::step_6),
+            Step::run(Self::step_0),
+            Step::run(Self::step_1),
+            Step::run(Self::step_2),
+            Step::run(Self::step_3),
+            Step::run(Self::step_4),
+            Step::run(Self::step_5),
+            Step::run(Self::step_6),
             /// counting.prg:11: DONE:
-            Go(8),
-            Run(Self::step_8),
+            Step::go(8),
+            Step::run(Self::step_8),
         ];
         /// counting.prg:4: SUM = 0
-        fn step_0(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_0(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_sum.set(0.0);
             self.go(1)
         }
         /// counting.prg:5: FOR N = 1 TO 3
-        fn step_1(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_1(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let passes = self.v_n.begin(1.0, 3.0, 1.0);
             self.branch(passes, 2, 5)
         }
         /// counting.prg:6: SUM += N
-        fn step_2(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_2(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let value = self.v_n.value();
             let done = self.v_sum.assign(ops::add(self.v_sum.value(), value));
             self.after(done, 3)
         }
         /// counting.prg:7: MESSAGE {%N%} makes %SUM.1%
-        fn step_3(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_3(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             cx.message(
                 &Message(
                     &[
@@ -82,26 +81,22 @@ const _: () = {
             self.go(4)
         }
         /// counting.prg:8: NEXT N
-        fn step_4(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_4(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let passes = self.v_n.advance(self.v_n.value(), 1.0, 3.0);
             self.branch(passes, 2, 5)
         }
         /// counting.prg:9: IF SUM == 6 GOTO DONE:
-        fn step_5(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_5(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             if self.v_sum.value() == 6.0 { self.go(Self::L_DONE) } else { self.go(6) }
         }
         /// counting.prg:10: SUM = -SUM
-        fn step_6(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_6(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_sum.set(-self.v_sum.value());
             self.go(Self::L_DONE)
         }
         /// counting.prg:11: END
-        fn step_8(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_8(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             Ok(Flow::Finished(End::End))
-        }
-        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
-            self.at = step;
-            Ok(Flow::Next)
         }
         fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
             done?;
@@ -114,6 +109,15 @@ const _: () = {
             no: u32,
         ) -> Result<Flow, Fault> {
             self.go(if passes? { yes } else { no })
+        }
+    }
+    impl State for Counting {
+        fn at_mut(&mut self) -> &mut u32 {
+            &mut self.at
+        }
+        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
+            self.at = step;
+            Ok(Flow::Next)
         }
     }
 };
@@ -150,14 +154,7 @@ impl ::tip_runtime::program::Program for Counting {
         ::tip_runtime::program::Flow,
         ::tip_runtime::fault::Fault,
     > {
-        use ::core::option::Option::{None, Some};
-        use ::tip_runtime::generated::Step;
-        match Self::STEPS.get(self.at as usize) {
-            Some(Step::Ask(command, next)) => cx.ask(command, &mut self.at, *next),
-            Some(Step::Go(next)) => self.go(*next),
-            Some(Step::Run(step)) => step(self, cx),
-            None => ::core::result::Result::Err(::tip_runtime::fault::Fault::WrongStep),
-        }
+        ::tip_runtime::generated::step(Self::STEPS, self, cx)
     }
     fn scalar(
         &self,

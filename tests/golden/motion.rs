@@ -38,24 +38,23 @@ const _: () = {
     use ::core::result::Result::Ok;
     use ::tip_runtime::command::{Command, Op, Port, Target, Teach, Value};
     use ::tip_runtime::fault::Fault;
-    use ::tip_runtime::generated::Step;
-    use ::tip_runtime::generated::Step::{Ask, Run};
+    use ::tip_runtime::generated::{Row, State, Step};
     use ::tip_runtime::ops;
     use ::tip_runtime::ops::{Domain, Scalar};
     use ::tip_runtime::program::{Context, End, Flow};
     impl Motion {
         #[allow(unused_doc_comments)]
         const STEPS: &'static [Step<Self>] = &[
-            Run(Self::step_0),
-            Run(Self::step_1),
-            Run(Self::step_2),
-            Run(Self::step_3),
-            Run(Self::step_4),
-            Run(Self::step_5),
-            Run(Self::step_6),
-            Run(Self::step_7),
+            Step::run(Self::step_0),
+            Step::run(Self::step_1),
+            Step::run(Self::step_2),
+            Step::run(Self::step_3),
+            Step::run(Self::step_4),
+            Step::run(Self::step_5),
+            Step::run(Self::step_6),
+            Step::run(Self::step_7),
             /// motion.prg:14: WAIT_INPOS ALL
-            Ask(
+            Step::ask(
                 &Command {
                     op: Op::WaitInpos,
                     hs: false,
@@ -64,11 +63,11 @@ const _: () = {
                 },
                 9,
             ),
-            Run(Self::step_9),
-            Run(Self::step_10),
-            Run(Self::step_11),
+            Step::run(Self::step_9),
+            Step::run(Self::step_10),
+            Step::run(Self::step_11),
             /// motion.prg:18: PTP_ANGLE J12 R 1.5
-            Ask(
+            Step::ask(
                 &Command {
                     op: Op::PtpAngle,
                     hs: false,
@@ -77,47 +76,47 @@ const _: () = {
                 },
                 13,
             ),
-            Run(Self::step_13),
-            Run(Self::step_14),
-            Run(Self::step_15),
-            Run(Self::step_16),
+            Step::run(Self::step_13),
+            Step::run(Self::step_14),
+            Step::run(Self::step_15),
+            Step::run(Self::step_16),
         ];
         /// motion.prg:6: Z = -190.5
-        fn step_0(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_0(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_z.set(-190.5);
             self.go(1)
         }
         /// motion.prg:7: TEACH_POSITION F1 HERE
-        fn step_1(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_1(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let [m1, m2, m3, ..] = cx.teach(Teach::Position, Target::Foot(1))?;
             self.v_here = [m1, m2, m3].map(Scalar::of);
             self.go(2)
         }
         /// motion.prg:8: THERE = HERE
-        fn step_2(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_2(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_there = self.v_here.map(Scalar::value).map(Scalar::of);
             self.go(3)
         }
         /// motion.prg:9: THERE.Z = Z
-        fn step_3(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_3(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_there[2].set(self.v_z.value());
             self.go(4)
         }
         /// motion.prg:10: THERE -= HERE
-        fn step_4(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_4(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let value = self.v_here.map(Scalar::value);
             self.v_there = ops::sub_each(self.v_there.map(Scalar::value), value)?
                 .map(Scalar::of);
             self.go(5)
         }
         /// motion.prg:11: THERE = ROT_Z THERE 90
-        fn step_5(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_5(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_there = ops::rot_z(self.v_there.map(Scalar::value), 90.0)?
                 .map(Scalar::of);
             self.go(6)
         }
         /// motion.prg:12: PTP HS F1 A -391 R 5 -Z
-        fn step_6(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_6(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let command = &Command {
                 op: Op::Ptp,
                 hs: true,
@@ -131,7 +130,7 @@ const _: () = {
             cx.ask(command, &mut self.at, 7)
         }
         /// motion.prg:13: REL_PTP F2 THERE
-        fn step_7(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_7(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let command = &Command {
                 op: Op::RelPtp,
                 hs: false,
@@ -141,13 +140,13 @@ const _: () = {
             cx.ask(command, &mut self.at, 8)
         }
         /// motion.prg:15: TEACH_ANGLE F1 POSE
-        fn step_9(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_9(&mut self, cx: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let [m1, m2, m3, ..] = cx.teach(Teach::Angle, Target::Foot(1))?;
             self.v_pose = [m1, m2, m3].map(Scalar::of);
             self.go(10)
         }
         /// motion.prg:16: POSE = POSE + POSE
-        fn step_10(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_10(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             self.v_pose = ops::add_each(
                     self.v_pose.map(Scalar::value),
                     self.v_pose.map(Scalar::value),
@@ -156,38 +155,51 @@ const _: () = {
             self.go(11)
         }
         /// motion.prg:17: TEACH_ANGLE J12 POSE.J2
-        fn step_11(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_11(
+            &mut self,
+            cx: &mut dyn Context,
+            _: Row<Self>,
+        ) -> Result<Flow, Fault> {
             let [measured, ..] = cx.teach(Teach::Angle, Target::Joint(1, 2))?;
             self.v_pose[1].set(measured);
             self.go(12)
         }
         /// motion.prg:19: AD_IN VR1 Z
-        fn step_13(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_13(
+            &mut self,
+            cx: &mut dyn Context,
+            _: Row<Self>,
+        ) -> Result<Flow, Fault> {
             self.v_z.set(cx.analog(Port::Knob(1))?);
             self.go(14)
         }
         /// motion.prg:20: Z = ATAN2 Z -1
-        fn step_14(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_14(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let done = self.v_z.assign(ops::atan2(self.v_z.value(), -1.0));
             self.after(done, 15)
         }
         /// motion.prg:21: Z /= NORM HERE
-        fn step_15(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_15(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             let value = ops::norm(self.v_here.map(Scalar::value))?;
             let done = self.v_z.assign(ops::div(self.v_z.value(), value));
             self.after(done, 16)
         }
         /// motion.prg:22: END
-        fn step_16(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        fn step_16(&mut self, _: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             Ok(Flow::Finished(End::End))
-        }
-        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
-            self.at = step;
-            Ok(Flow::Next)
         }
         fn after(&mut self, done: Result<(), Domain>, step: u32) -> Result<Flow, Fault> {
             done?;
             self.go(step)
+        }
+    }
+    impl State for Motion {
+        fn at_mut(&mut self) -> &mut u32 {
+            &mut self.at
+        }
+        fn go(&mut self, step: u32) -> Result<Flow, Fault> {
+            self.at = step;
+            Ok(Flow::Next)
         }
     }
 };
@@ -224,14 +236,7 @@ impl ::tip_runtime::program::Program for Motion {
         ::tip_runtime::program::Flow,
         ::tip_runtime::fault::Fault,
     > {
-        use ::core::option::Option::{None, Some};
-        use ::tip_runtime::generated::Step;
-        match Self::STEPS.get(self.at as usize) {
-            Some(Step::Ask(command, next)) => cx.ask(command, &mut self.at, *next),
-            Some(Step::Go(next)) => self.go(*next),
-            Some(Step::Run(step)) => step(self, cx),
-            None => ::core::result::Result::Err(::tip_runtime::fault::Fault::WrongStep),
-        }
+        ::tip_runtime::generated::step(Self::STEPS, self, cx)
     }
     fn scalar(
         &self,

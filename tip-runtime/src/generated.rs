@@ -1,20 +1,103 @@
 //! What generated code is made of. It is no part of the public API: [`version`](crate::version) ties generated
 //! code to this crate.
+//!
+//! Every row of a table of states starts with a function, also one that is data: [`step`] loads it and jumps
+//! there, without a branch on the kind of row and without keeping anything of its own.
 
-use crate::command::Command;
+use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::program::{Context, Flow};
 
-/// What a state does.
-pub type Run<P> = fn(&mut P, &mut dyn Context) -> Result<Flow, Fault>;
+/// What a state does; the row is its own.
+pub type Run<P> = fn(&mut P, &mut dyn Context, Row<P>) -> Result<Flow, Fault>;
 
-/// A row of a program's table of states. The number is the step that comes next.
+/// A row where it stands.
+pub type Row<P> = &'static Step<P>;
+
+/// A row of a program's table of states.
 #[derive(Clone, Copy, Debug)]
-pub enum Step<P: 'static> {
+pub struct Step<P: 'static> {
+    run: Run<P>,
+    /// What a row of a command asks for.
+    command: &'static Command<'static>,
+    /// Where a row without code leads.
+    next: u32,
+}
+
+/// A compiled program, as the rows of its table see it.
+pub trait State: 'static {
+    /// The step that runs next.
+    fn at_mut(&mut self) -> &mut u32;
+
+    /// On to a step, "taken"; never a fault.
+    fn go(&mut self, step: u32) -> Result<Flow, Fault>;
+}
+
+/// Fills the place of a command in rows that ask for none.
+const NOTHING: &Command<'static> = &Command {
+    op: Op::Sleep,
+    hs: false,
+    target: Target::None,
+    values: &[],
+};
+
+impl<P: State> Step<P> {
     /// Asks for a command of constants, and goes on when it is done.
-    Ask(&'static Command<'static>, u32),
+    pub const fn ask(command: &'static Command<'static>, next: u32) -> Self {
+        Step {
+            run: ask,
+            command,
+            next,
+        }
+    }
+
     /// Only goes on.
-    Go(u32),
+    pub const fn go(next: u32) -> Self {
+        Step {
+            run: go,
+            command: NOTHING,
+            next,
+        }
+    }
+
     /// Needs code.
-    Run(Run<P>),
+    pub const fn run(run: Run<P>) -> Self {
+        Step {
+            run,
+            command: NOTHING,
+            next: 0,
+        }
+    }
+
+    /// The row of a step that does not exist.
+    const WRONG: Row<P> = &Step::run(wrong);
+}
+
+fn ask<P: State>(program: &mut P, cx: &mut dyn Context, row: Row<P>) -> Result<Flow, Fault> {
+    cx.ask(row.command, program.at_mut(), row.next)
+}
+
+fn go<P: State>(program: &mut P, _: &mut dyn Context, row: Row<P>) -> Result<Flow, Fault> {
+    program.go(row.next)
+}
+
+fn wrong<P>(_: &mut P, _: &mut dyn Context, _: Row<P>) -> Result<Flow, Fault> {
+    Err(Fault::WrongStep)
+}
+
+/// Runs the step of the table that the program stands on.
+///
+/// # Errors
+/// The fault that the step found.
+#[inline]
+pub fn step<P: State>(
+    steps: &'static [Step<P>],
+    program: &mut P,
+    cx: &mut dyn Context,
+) -> Result<Flow, Fault> {
+    let row = match steps.get(*program.at_mut() as usize) {
+        Some(row) => row,
+        None => Step::WRONG,
+    };
+    (row.run)(program, cx, row)
 }

@@ -129,18 +129,27 @@ impl Emitter<'_> {
         }
     }
 
-    /// The paths from a state to the next one; beside that of the table, only those that a state takes.
-    pub(super) fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+    /// What rows need of a program that are data.
+    pub(super) fn state_impl(&self, name: &TokenStream) -> TokenStream {
         let taken = self
             .has_taken_state()
             .then(|| quote!(self.not_taken = false;));
-        let go = quote! {
-            fn go(&mut self, step: u32) -> Result<Flow, Fault> {
-                self.at = step;
-                #taken
-                Ok(Flow::Next)
+        quote! {
+            impl State for #name {
+                fn at_mut(&mut self) -> &mut u32 {
+                    &mut self.at
+                }
+                fn go(&mut self, step: u32) -> Result<Flow, Fault> {
+                    self.at = step;
+                    #taken
+                    Ok(Flow::Next)
+                }
             }
-        };
+        }
+    }
+
+    /// The other paths from a state to the next one; only those that a state takes.
+    pub(super) fn moves(&self, mentioned: &BTreeSet<String>) -> TokenStream {
         let skip = quote! {
             fn skip(&mut self, step: u32) -> Result<Flow, Fault> {
                 self.at = step;
@@ -168,7 +177,7 @@ impl Emitter<'_> {
         let behind = [("after", after), ("branch", branch), ("call", call)]
             .map(|(name, function)| mentioned.contains(name).then_some(function));
         let skip = mentioned.contains("skip").then_some(skip);
-        quote! { #go #skip #(#behind)* }
+        quote! { #skip #(#behind)* }
     }
 
     pub(super) fn default_impl(&self) -> TokenStream {
@@ -213,14 +222,7 @@ impl Emitter<'_> {
                     &mut self,
                     cx: &mut dyn #runtime::program::Context,
                 ) -> ::core::result::Result<#runtime::program::Flow, #runtime::fault::Fault> {
-                    use ::core::option::Option::{None, Some};
-                    use #runtime::generated::Step;
-                    match Self::STEPS.get(self.at as usize) {
-                        Some(Step::Ask(command, next)) => cx.ask(command, &mut self.at, *next),
-                        Some(Step::Go(next)) => self.go(*next),
-                        Some(Step::Run(step)) => step(self, cx),
-                        None => ::core::result::Result::Err(#runtime::fault::Fault::WrongStep),
-                    }
+                    #runtime::generated::step(Self::STEPS, self, cx)
                 }
                 fn scalar(&self, i: usize) -> ::core::option::Option<(&str, ::core::option::Option<f64>)> {
                     use ::core::option::Option::{None, Some};

@@ -144,7 +144,7 @@ impl Emitter<'_> {
                     quote!(&Command { op: #op, hs: #hs, target: #target, values: &#values });
                 let next = self.step_number(next);
                 if arguments.iter().all(is_constant) {
-                    return State::Row(quote!(Ask(#command, #next)));
+                    return State::Row(quote!(Step::ask(#command, #next)));
                 }
                 quote! {
                     let command = #command;
@@ -202,7 +202,7 @@ impl Emitter<'_> {
     /// Only on to a step.
     fn row_of_move(&self, to: StepId) -> State {
         let to = self.step_number(to);
-        State::Row(quote!(Go(#to)))
+        State::Row(quote!(Step::go(#to)))
     }
 
     /// On to a step, "taken".

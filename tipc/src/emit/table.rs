@@ -26,14 +26,15 @@ impl Emitter<'_> {
                 State::Row(row) => rows.extend(quote!(#[doc = #doc] #row,)),
                 State::Function(body) => {
                     let name = state(id);
-                    rows.extend(quote!(Run(Self::#name),));
+                    rows.extend(quote!(Step::run(Self::#name),));
                     functions.extend(function(&name, &doc, &body));
                 }
             }
         }
-        let mut mentioned = BTreeSet::new();
+        let mut mentioned = BTreeSet::from(["Step".to_owned()]);
         collect_words(&rows, &mut mentioned);
         collect_words(&functions, &mut mentioned);
+        collect_words(&self.state_impl(&TokenStream::new()), &mut mentioned);
         let moves = self.moves(&mentioned);
         collect_words(&moves, &mut mentioned);
         functions.extend(moves);
@@ -56,16 +57,21 @@ impl Emitter<'_> {
         // A type that has the name of an import can only be meant outside of this scope.
         let mut imported = BTreeSet::new();
         collect_words(&imports, &mut imported);
-        let outside = imported.contains(&name.to_string()).then(|| quote!(self::));
+        let name = match imported.contains(&name.to_string()) {
+            true => quote!(self::#name),
+            false => quote!(#name),
+        };
+        let state = self.state_impl(&name);
         quote! {
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
             const _: () = {
                 #imports
-                impl #outside #name {
+                impl #name {
                     #[allow(unused_doc_comments)]
                     const STEPS: &'static [Step<Self>] = &[#rows];
                     #functions
                 }
+                #state
             };
         }
     }
@@ -80,9 +86,9 @@ impl Emitter<'_> {
         let command = import(quote!(#runtime::command), words, &command);
         let fault = import(quote!(#runtime::fault), words, &["Fault"]);
         let row = import(
-            quote!(#runtime::generated::Step),
+            quote!(#runtime::generated),
             words,
-            &["Ask", "Go", "Run"],
+            &["Row", "State", "Step"],
         );
         let ops = import(runtime.clone(), words, &["ops"]);
         let values = import(
@@ -97,7 +103,6 @@ impl Emitter<'_> {
         );
         quote! {
             #option #result #ok #command #fault
-            use #runtime::generated::Step;
             #row #ops #values #program
         }
     }
@@ -113,7 +118,7 @@ fn function(name: &Ident, doc: &str, body: &TokenStream) -> TokenStream {
     };
     quote! {
         #[doc = #doc]
-        fn #name(&mut self, #context: &mut dyn Context) -> Result<Flow, Fault> {
+        fn #name(&mut self, #context: &mut dyn Context, _: Row<Self>) -> Result<Flow, Fault> {
             #body
         }
     }

@@ -176,8 +176,8 @@ fn the_same_program_gives_the_same_tokens() {
 #[test]
 fn each_step_has_a_row_in_its_place_of_the_table() {
     let text = text(&small());
-    let table = "& [# [doc = \" by_hand.prg:3: LINE 3\"] Go (1) , \
-                 Run (Self :: step_1) , Run (Self :: step_2) , Run (Self :: step_3) ,]";
+    let table = "& [# [doc = \" by_hand.prg:3: LINE 3\"] Step :: go (1) , \
+                 Step :: run (Self :: step_1) , Step :: run (Self :: step_2) , Step :: run (Self :: step_3) ,]";
     assert!(text.contains(table), "{text}");
     for (step, functions) in [(0, 0), (1, 1), (2, 1), (3, 1)] {
         let function = format!("fn step_{step} ");
@@ -204,7 +204,10 @@ fn a_command_of_constants_needs_no_function() {
     let command = "& Command { op : Op :: Sleep , hs : false , target : Target :: None , \
                    values : & [Value :: Absolute (";
     for (operand, spelled) in [
-        (constant(20.0), format!("Ask ({command}20.0)] }} , 2)")),
+        (
+            constant(20.0),
+            format!("Step :: ask ({command}20.0)] }} , 2)"),
+        ),
         (
             read(1),
             format!(
@@ -268,7 +271,7 @@ fn only_what_states_use_is_there() {
     for present in [
         "fn go",
         "fn skip",
-        "Ask (& Command",
+        "Step :: ask (& Command",
         "calls :",
         "not_taken : bool",
     ] {
