@@ -42,12 +42,18 @@ impl<const N: usize> Index<N> {
 
     /// The row of a word, whatever its case.
     pub(super) fn find(&self, word: &str) -> Option<usize> {
+        let first = word.bytes().next()?;
         let start = *self.starts.get(word.len())?;
         let end = *self.starts.get(word.len() + 1)?;
         let as_long = self.words.get(usize::from(start)..usize::from(end))?;
         as_long
             .iter()
-            .find(|(known, _)| known.eq_ignore_ascii_case(word))
+            .find(|(known, _)| {
+                let begins = known.bytes().next();
+                // Nearly all words are ruled out by their first letter.
+                begins.is_some_and(|known| known.eq_ignore_ascii_case(&first))
+                    && known.eq_ignore_ascii_case(word)
+            })
             .map(|(_, row)| usize::from(*row))
     }
 }

@@ -152,9 +152,12 @@ impl Row {
     /// Whether it says what this word is, and nothing may have the word as a name.
     fn reserves(&self, word: &str) -> bool {
         match self.kind {
-            Kind::Target(_) => word
-                .parse()
-                .is_ok_and(|target: Target| target.stem() == self.word),
+            Kind::Target(_) => {
+                word.starts_with(self.word)
+                    && word
+                        .parse()
+                        .is_ok_and(|target: Target| target.stem() == self.word)
+            }
             Kind::Variable | Kind::Constant(_) => word == self.word,
             Kind::Characters => character(word, self.word).is_some(),
             Kind::MotionFlag | Kind::Label | Kind::Member => false,

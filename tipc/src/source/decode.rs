@@ -96,9 +96,12 @@ fn decode_auto(bytes: &[u8]) -> Decoded {
 fn decode_utf8(bytes: &[u8]) -> Decoded {
     let body = bytes.strip_prefix(MARK).unwrap_or(bytes);
     let mark = bytes.len() - body.len();
-    let bad = std::str::from_utf8(body).err();
+    let (text, bad) = match std::str::from_utf8(body) {
+        Ok(text) => (text.to_owned(), None),
+        Err(bad) => (String::from_utf8_lossy(body).into_owned(), Some(bad)),
+    };
     Decoded {
-        text: String::from_utf8_lossy(body).into_owned(),
+        text,
         charset: Charset::Utf8,
         marked: mark > 0,
         bad: bad.map(|bad| {
