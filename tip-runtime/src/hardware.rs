@@ -38,7 +38,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
     pub(crate) torques: &'a [[f64; J]],
-    pub(crate) knobs: [f64; KNOBS],
+    pub(crate) knobs: &'a [f64; KNOBS],
     pub(crate) paws: &'a [f64],
     pub(crate) antenna: f64,
     pub(crate) slider: [f64; 3],
@@ -71,7 +71,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
         SensorsView {
             angles: &self.angles,
             torques: &self.torques,
-            knobs: self.knobs,
+            knobs: &self.knobs,
             paws: &self.paws,
             antenna: self.antenna,
             slider: self.slider,

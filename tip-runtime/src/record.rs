@@ -27,7 +27,6 @@ pub use titan_log::TitanLog;
 pub use whole_file::WholeFile;
 
 use crate::command::Command;
-use crate::hardware::JointCommand;
 use crate::program::Program;
 use core::fmt::Display;
 
@@ -35,18 +34,14 @@ use core::fmt::Display;
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub struct Cycle<'a> {
-    /// Its number, from 0.
-    pub number: u64,
     /// The step that ran.
     pub step: u32,
     /// The step of the next cycle; `None` after END and EXIT.
     pub next: Option<u32>,
     /// The program after the step, for its variables.
     pub program: &'a dyn Program,
-    /// The command that each joint was sent, leg by leg.
-    pub commands: &'a [JointCommand],
-    /// The angle that each joint measured, leg by leg: deg.
-    pub angles: &'a [f64],
+    /// Its number, its time, and what was measured and sent.
+    pub sample: Sample<'a>,
 }
 
 /// Takes notes of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step

@@ -159,36 +159,18 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
 
     /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
     fn log(&mut self) {
-        if !self.state.board.sampling.take() {
-            return;
+        if self.state.board.sampling.take() {
+            let sample = sample(&*self.robot, self.controller, self.state);
+            self.console.sample(&sample);
         }
-        let sensors = self.robot.sensors();
-        let senses_torque = !matches!(self.controller.robot().family, Family::Titan);
-        self.console.sample(&Sample {
-            cycle: self.state.cycles,
-            time: self.state.sampled_at,
-            joints_per_leg: J,
-            angles: sensors.angles.as_flattened(),
-            commands: self.robot.commands().as_flattened(),
-            torques: if senses_torque {
-                sensors.torques.as_flattened()
-            } else {
-                &[]
-            },
-            paws: sensors.paws,
-            knobs: &sensors.knobs,
-            antenna: sensors.antenna,
-        });
     }
 
     fn record(&self, sink: &mut dyn Sink, step: u32, next: Option<u32>) {
         sink.cycle(&record::Cycle {
-            number: self.state.cycles,
             step,
             next,
             program: self.program,
-            commands: self.robot.commands().as_flattened(),
-            angles: self.robot.sensors().angles.as_flattened(),
+            sample: sample(&*self.robot, self.controller, self.state),
         });
     }
 
@@ -216,4 +198,29 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
 
 fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
     Fault::Hardware(what)
+}
+
+/// What a cycle measured and sent.
+fn sample<'a, const J: usize>(
+    robot: &'a dyn Wires<J>,
+    controller: &ControllerView<'_, J>,
+    state: &State,
+) -> Sample<'a> {
+    let sensors = robot.sensors();
+    let senses_torque = !matches!(controller.robot().family, Family::Titan);
+    Sample {
+        cycle: state.cycles,
+        time: state.sampled_at,
+        joints_per_leg: J,
+        angles: sensors.angles.as_flattened(),
+        commands: robot.commands().as_flattened(),
+        torques: if senses_torque {
+            sensors.torques.as_flattened()
+        } else {
+            &[]
+        },
+        paws: sensors.paws,
+        knobs: sensors.knobs,
+        antenna: sensors.antenna,
+    }
 }

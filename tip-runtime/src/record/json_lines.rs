@@ -86,7 +86,7 @@ impl<W: Write> JsonLines<W> {
         write!(
             self.out,
             r#"{{"cycle":{},"step":{}"#,
-            cycle.number, cycle.step
+            cycle.sample.cycle, cycle.step
         )?;
         if let Some(next) = cycle.next {
             write!(self.out, r#","next":{next}"#)?;
@@ -104,7 +104,7 @@ impl<W: Write> JsonLines<W> {
             write!(out, r#","cmd":[{}]"#, self.command)?;
         }
         if self.with_state {
-            let hash = state_hash(cycle.commands, cycle.angles);
+            let hash = state_hash(cycle.sample.commands, cycle.sample.angles);
             write!(out, r#","state":"{hash:016x}""#)?;
         }
         out.write_str("}\n")

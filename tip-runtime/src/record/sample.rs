@@ -1,8 +1,8 @@
-//! One row of TITAN.LOG.
+//! What a cycle measured and sent: a row of TITAN.LOG, and of what is written down of each cycle.
 
 use crate::hardware::JointCommand;
 
-/// What a sampled cycle measured and sent. Joints come leg by leg.
+/// What a cycle measured and sent. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
     /// The program's cycle, from 0.

@@ -207,7 +207,7 @@ struct Counter {
 
 impl Sink for Counter {
     fn cycle(&mut self, cycle: &Cycle<'_>) {
-        self.told.push(cycle.number);
+        self.told.push(cycle.sample.cycle);
     }
 }
 

@@ -24,8 +24,12 @@ impl<'a, W: Write> Trace<'a, W> {
     }
 
     fn line(&mut self, cycle: &Cycle<'_>) -> fmt::Result {
-        let state = state_hash(cycle.commands, cycle.angles);
-        write!(self.out, "{} {} {state:016x}", cycle.number, cycle.step)?;
+        let state = state_hash(cycle.sample.commands, cycle.sample.angles);
+        write!(
+            self.out,
+            "{} {} {state:016x}",
+            cycle.sample.cycle, cycle.step
+        )?;
         for (_, value) in (0..).map_while(|index| cycle.program.scalar(index)) {
             match value {
                 Some(value) => write!(self.out, " {:016x}", value.to_bits())?,

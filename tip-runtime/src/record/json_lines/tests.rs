@@ -6,6 +6,7 @@ use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::model::titan8;
 use crate::program::{Context, Flow, Signature};
+use crate::record::Sample;
 
 struct Variables(Vec<(&'static str, Option<f64>)>);
 
@@ -39,12 +40,20 @@ impl Program for Variables {
 
 fn cycle(number: u64, step: u32, next: Option<u32>, program: &Variables) -> Cycle<'_> {
     Cycle {
-        number,
         step,
         next,
         program,
-        commands: const { &[JointCommand::at(0.0)] },
-        angles: &[0.0],
+        sample: Sample {
+            cycle: number,
+            time: 0.0,
+            joints_per_leg: 1,
+            angles: &[0.0],
+            commands: const { &[JointCommand::at(0.0)] },
+            torques: &[],
+            paws: &[],
+            knobs: &[],
+            antenna: 0.0,
+        },
     }
 }
 
@@ -186,8 +195,8 @@ fn state_ends_the_record_in_sixteen_digits() {
     let mut trace = JsonLines::new(String::new(), true);
     trace.begin(&program);
     let mut record = cycle(0, 0, Some(1), &program);
-    record.commands = &[];
-    record.angles = &[];
+    record.sample.commands = &[];
+    record.sample.angles = &[];
     trace.say(&"x");
     trace.cycle(&record);
     assert_eq!(

@@ -68,7 +68,13 @@ impl Notes {
 
     fn joints(&mut self, cycle: &Cycle<'_>) {
         let mut kinds = 0;
-        for (n, (command, angle)) in cycle.commands.iter().zip(cycle.angles).enumerate() {
+        for (n, (command, angle)) in cycle
+            .sample
+            .commands
+            .iter()
+            .zip(cycle.sample.angles)
+            .enumerate()
+        {
             kinds = kinds * 2 + u64::from(matches!(command, JointCommand::Torque(_)));
             self.hash.add(command.value().to_bits());
             self.hash.add(angle.to_bits());
@@ -112,7 +118,7 @@ impl Sink for Notes {
 
     fn cycle(&mut self, cycle: &Cycle<'_>) {
         let next = cycle.next.map_or(u64::MAX, u64::from);
-        self.hash.add(cycle.number);
+        self.hash.add(cycle.sample.cycle);
         self.hash.add(u64::from(cycle.step));
         self.hash.add(next);
         self.tell(format_args!("next {:?}", cycle.next));
