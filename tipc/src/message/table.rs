@@ -25,6 +25,22 @@ macro_rules! messages {
             /// Table, row and text of each message.
             pub(crate) const ROWS: &'static [(&'static str, &'static str, &'static str)] =
                 &[$( (stringify!($table), stringify!($name), $english), )*];
+
+            /// Each message once, with the arguments of a turn.
+            pub(crate) fn each(turn: usize) -> Vec<$table> {
+                let _ = turn;
+                vec![$( $table::$name $( { $(
+                    $argument: crate::message::tests::Sample::sample(turn),
+                )* } )?, )*]
+            }
+        }
+
+        #[cfg(test)]
+        impl crate::message::tests::Sample for $table {
+            fn sample(turn: usize) -> Self {
+                let mut each = $table::each(turn);
+                each.swap_remove(turn % each.len())
+            }
         }
 
         impl std::fmt::Display for $table {
@@ -73,5 +89,16 @@ macro_rules! tables {
         /// The rows of every table.
         #[cfg(test)]
         const ROWS: &[&[(&str, &str, &str)]] = &[$( $( #[$meta] )* $table::ROWS, )*];
+
+        /// The messages of every table, with the arguments of a turn.
+        #[cfg(test)]
+        fn each(turn: usize) -> Vec<Message> {
+            let mut messages = Vec::new();
+            $(
+                $( #[$meta] )*
+                messages.extend($table::each(turn).into_iter().map(Message::from));
+            )*
+            messages
+        }
     };
 }

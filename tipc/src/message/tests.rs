@@ -1,8 +1,12 @@
+mod sample;
+
+pub(crate) use sample::Sample;
+
 #[cfg(feature = "robot-files")]
 use super::Describing;
 use super::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
 use super::phrase::*;
-use super::{Message, Parsing, ROWS};
+use super::{Message, Parsing, ROWS, each};
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
@@ -99,6 +103,30 @@ fn of_a_long_path_the_ends_are_shown() {
         pieces(9),
         "10-15, 20-25, 30-35, 40-45, …, 60-65, 70-75, 80-85, 90-95",
     );
+}
+
+#[test]
+fn every_message_is_a_whole_text_with_plain_arguments() {
+    for message in (0..sample::PLAIN).flat_map(each) {
+        let text = message.to_string();
+        assert!(!text.trim().is_empty(), "{message:?}");
+        assert_eq!(text.trim_end(), text, "{message:?}");
+        assert!(!text.contains(['{', '}']), "{message:?}: {text:?}");
+        assert!(!text.contains("  "), "{message:?}: {text:?}");
+    }
+}
+
+#[test]
+fn every_message_shows_odd_arguments_as_they_are() {
+    for turn in sample::ODD {
+        let odd = String::sample(turn);
+        let quoted = format!("{odd:?}");
+        for message in each(turn) {
+            let text = message.to_string();
+            let has_odd = format!("{message:?}").contains(&quoted);
+            assert!(!has_odd || text.contains(&odd), "turn {turn}: {text:.200}");
+        }
+    }
 }
 
 #[test]

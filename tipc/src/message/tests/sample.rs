@@ -1,0 +1,141 @@
+//! Arguments to try messages with.
+
+use crate::language::Keyword;
+use crate::language::keywords::KEYWORDS;
+use crate::message::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
+use crate::message::{Message, Parsing};
+use smol_str::SmolStr;
+use std::ops::Range;
+use tip_runtime::command::Target;
+
+/// Turns with arguments as programs have them. As many as the largest table of phrases has rows, for each turn takes
+/// another row of it.
+pub(crate) const PLAIN: usize = 8;
+
+/// Turns with arguments that hardly any program has: nothing, very much, and signs that mean something to a formatter.
+pub(crate) const ODD: Range<usize> = PLAIN..PLAIN + 3;
+
+/// What can be an argument of a message. A type without it cannot be one, since its table does not compile.
+pub(crate) trait Sample: Sized {
+    /// The argument of a turn.
+    fn sample(turn: usize) -> Self;
+}
+
+/// The plain one, or the odd one of a turn.
+fn pick<T>(turn: usize, plain: T, odd: [T; ODD.end - ODD.start]) -> T {
+    match turn.checked_sub(ODD.start) {
+        Some(turn) => odd.into_iter().nth(turn).expect("an odd turn"),
+        None => plain,
+    }
+}
+
+impl Sample for String {
+    fn sample(turn: usize) -> Self {
+        let odd = [
+            "".into(),
+            "\u{6b69} ".repeat(1_000),
+            "{}{0}{x:?}\n\0`\"".into(),
+        ];
+        pick(turn, "WORD".into(), odd)
+    }
+}
+
+impl Sample for &'static str {
+    fn sample(turn: usize) -> Self {
+        String::sample(turn).leak()
+    }
+}
+
+impl Sample for SmolStr {
+    fn sample(turn: usize) -> Self {
+        String::sample(turn).into()
+    }
+}
+
+impl Sample for char {
+    fn sample(turn: usize) -> Self {
+        pick(turn, 'x', ['\0', '\u{10ffff}', '{'])
+    }
+}
+
+impl Sample for u32 {
+    fn sample(turn: usize) -> Self {
+        pick(turn, 7, [0, u32::MAX, 1])
+    }
+}
+
+impl Sample for usize {
+    fn sample(turn: usize) -> Self {
+        pick(turn, 7, [0, usize::MAX, 1])
+    }
+}
+
+impl Sample for f64 {
+    fn sample(turn: usize) -> Self {
+        pick(turn, -7.5, [f64::NAN, f64::MIN, f64::INFINITY])
+    }
+}
+
+impl Sample for Keyword {
+    fn sample(turn: usize) -> Self {
+        KEYWORDS[turn % KEYWORDS.len()].keyword
+    }
+}
+
+impl Sample for Target {
+    fn sample(turn: usize) -> Self {
+        pick(
+            turn,
+            Target::Foot(1),
+            [Target::Foot(0), Target::Foot(u8::MAX), Target::All],
+        )
+    }
+}
+
+/// No thing, very many, or a few.
+fn several<T>(turn: usize, thing: impl Fn(usize) -> T) -> Vec<T> {
+    let count = pick(turn, 2, [0, 20, 1]);
+    (0..count).map(|_| thing(turn)).collect()
+}
+
+impl Sample for List {
+    fn sample(turn: usize) -> Self {
+        List(several(turn, String::sample))
+    }
+}
+
+impl Sample for Quoted {
+    fn sample(turn: usize) -> Self {
+        Quoted(several(turn, String::sample))
+    }
+}
+
+impl Sample for Alternatives {
+    fn sample(turn: usize) -> Self {
+        Alternatives(several(turn, String::sample))
+    }
+}
+
+impl Sample for Both {
+    fn sample(turn: usize) -> Self {
+        Both(several(turn, |_| "hand"))
+    }
+}
+
+impl Sample for Pieces {
+    fn sample(turn: usize) -> Self {
+        Pieces(several(turn, |turn| (u32::sample(turn), 9)))
+    }
+}
+
+impl Sample for Faults {
+    fn sample(turn: usize) -> Self {
+        Faults(several(turn, |turn| Parsing::sample(turn).into()))
+    }
+}
+
+impl Sample for Box<Message> {
+    fn sample(turn: usize) -> Self {
+        Box::new(Parsing::sample(turn).into())
+    }
+}
