@@ -6,16 +6,35 @@ use crate::syntax::Shape;
 
 /// The shape of a statement that starts with `keyword`.
 pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> Shape {
+    let Some(keyword) = keyword else {
+        return Shape::Plain;
+    };
     match keyword {
-        Some(Keyword::If) if opens_block(text, tokens) => Shape::If,
-        Some(Keyword::ElseIf) => Shape::ElseIf,
-        Some(Keyword::While) => Shape::While,
-        Some(Keyword::Until) => Shape::Until,
-        Some(Keyword::For) => Shape::For,
-        Some(Keyword::Next) => Shape::Next,
-        Some(Keyword::Subroutine) => Shape::Subroutine,
-        Some(Keyword::SubEnd) => Shape::SubEnd,
-        _ => Shape::Plain,
+        Keyword::If if opens_block(text, tokens) => Shape::If,
+        Keyword::ElseIf => Shape::ElseIf,
+        Keyword::While => Shape::While,
+        Keyword::Until => Shape::Until,
+        Keyword::For => Shape::For,
+        Keyword::Next => Shape::Next,
+        Keyword::Subroutine => Shape::Subroutine,
+        Keyword::SubEnd => Shape::SubEnd,
+        Keyword::If
+        | Keyword::Then
+        | Keyword::To
+        | Keyword::Step
+        | Keyword::DefVar
+        | Keyword::DefPos
+        | Keyword::DefJoint
+        | Keyword::Call
+        | Keyword::Gosub
+        | Keyword::Goto
+        | Keyword::Return
+        | Keyword::Message
+        | Keyword::Rem
+        | Keyword::End
+        | Keyword::Exit => Shape::Plain,
+        // These are never broken: they keep their meaning whatever follows them.
+        Keyword::Else | Keyword::EndIf | Keyword::Wend | Keyword::Repeat => Shape::Plain,
     }
 }
 

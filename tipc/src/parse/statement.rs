@@ -58,14 +58,15 @@ impl Parser<'_> {
         tokens: &[Token],
         reported: bool,
     ) -> StatementKind {
-        if let Some(kind) = self.lone_statement(keyword, tokens, reported) {
-            return kind;
-        }
-        if let Some(kind) = keyword
-            .and_then(variable_kind)
-            .filter(|_| !equation::looks_like_one(tokens))
-        {
-            return self.define(kind, word, tokens, reported);
+        match keyword.map(|keyword| (keyword, Start::of(keyword))) {
+            Some((keyword, Start::Lone(kind))) => {
+                self.check_alone(keyword, tokens, reported);
+                return kind;
+            }
+            Some((_, Start::Define(kind))) if !equation::looks_like_one(tokens) => {
+                return self.define(kind, word, tokens, reported);
+            }
+            Some((_, Start::Define(_) | Start::Other)) | None => {}
         }
         if reported {
             return StatementKind::Broken(shape(keyword, self.text, tokens));
@@ -93,25 +94,11 @@ impl Parser<'_> {
         }
     }
 
-    /// ELSE, ENDIF, WEND and REPEAT keep their meaning even if something follows them.
-    fn lone_statement(
-        &mut self,
-        keyword: Option<Keyword>,
-        tokens: &[Token],
-        reported: bool,
-    ) -> Option<StatementKind> {
-        let keyword = keyword?;
-        let kind = match keyword {
-            Keyword::Else => StatementKind::Else,
-            Keyword::EndIf => StatementKind::EndIf,
-            Keyword::Wend => StatementKind::Wend,
-            Keyword::Repeat => StatementKind::Repeat,
-            _ => return None,
-        };
+    /// Reports what follows a word that stands alone on its line.
+    fn check_alone(&mut self, keyword: Keyword, tokens: &[Token], reported: bool) {
         if let ([word, next, ..], [.., last], false) = (tokens, tokens, reported) {
             self.report(not_alone(keyword, word.span, next.span.to(last.span)));
         }
-        Some(kind)
     }
 
     fn control(&self, keyword: Keyword, word: Span, tokens: &[Token]) -> Option<Read> {
@@ -182,11 +169,45 @@ impl Parser<'_> {
     }
 }
 
-fn variable_kind(keyword: Keyword) -> Option<VariableKind> {
-    match keyword {
-        Keyword::DefVar => Some(VariableKind::Var),
-        Keyword::DefPos => Some(VariableKind::Pos),
-        Keyword::DefJoint => Some(VariableKind::Joint),
-        _ => None,
+/// What is known of a statement from its keyword alone.
+enum Start {
+    /// It is this one, even if something follows its keyword.
+    Lone(StatementKind),
+    /// It declares variables, unless it is an equation.
+    Define(VariableKind),
+    /// It depends on what follows.
+    Other,
+}
+
+impl Start {
+    fn of(keyword: Keyword) -> Start {
+        match keyword {
+            Keyword::Else => Start::Lone(StatementKind::Else),
+            Keyword::EndIf => Start::Lone(StatementKind::EndIf),
+            Keyword::Wend => Start::Lone(StatementKind::Wend),
+            Keyword::Repeat => Start::Lone(StatementKind::Repeat),
+            Keyword::DefVar => Start::Define(VariableKind::Var),
+            Keyword::DefPos => Start::Define(VariableKind::Pos),
+            Keyword::DefJoint => Start::Define(VariableKind::Joint),
+            Keyword::If
+            | Keyword::Then
+            | Keyword::ElseIf
+            | Keyword::While
+            | Keyword::Until
+            | Keyword::For
+            | Keyword::To
+            | Keyword::Step
+            | Keyword::Next
+            | Keyword::Subroutine
+            | Keyword::SubEnd
+            | Keyword::Call
+            | Keyword::Goto
+            | Keyword::Gosub
+            | Keyword::Return
+            | Keyword::Message
+            | Keyword::Rem
+            | Keyword::End
+            | Keyword::Exit => Start::Other,
+        }
     }
 }
