@@ -5,6 +5,7 @@
 pub mod compile;
 pub mod description;
 pub mod load;
+mod lossless;
 pub mod migrate;
 pub mod run;
 pub mod scene;

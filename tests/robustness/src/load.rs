@@ -1,5 +1,6 @@
-//! Decoder, parser and checker: places inside the text, a program exactly when nothing is wrong.
+//! Decoder, parser and checker: every byte given back, places inside the text, a program exactly when nothing is wrong.
 
+use crate::lossless::given_back;
 use tipc::code::Level;
 use tipc::render;
 use tipc::{Options, Robot, listing, load};
@@ -17,6 +18,7 @@ pub fn examine(bytes: &[u8]) {
         let loaded = load("random.prg", bytes, &options);
         let text = loaded.source.text();
         let seen = String::from_utf8_lossy(bytes);
+        assert!(given_back(&loaded.source) == bytes, "{seen}");
         let mut last = 0;
         for diagnostic in &loaded.diagnostics {
             assert!(diagnostic.span.start >= last, "order: {seen}");

@@ -1,14 +1,17 @@
-//! Older programs: a result or questions, and a result that needs no second migration.
+//! Older programs: every byte given back, a result or questions, and a result that needs no second migration.
 
+use crate::lossless::given_back;
 use tipc::migrate::{migrate, render_human, render_json, render_short};
-use tipc::source::Encoding;
+use tipc::source::{Encoding, Source};
 
 /// Migrates the bytes in each encoding.
 ///
 /// # Panics
-/// There is neither a result nor a question, or the result is not of the present version.
+/// Bytes are lost, there is neither a result nor a question, or the result is not of the present version.
 pub fn examine(bytes: &[u8]) {
     for encoding in [Encoding::Auto, Encoding::Utf8, Encoding::ShiftJis] {
+        let (source, _) = Source::decode("old.prg", bytes, encoding);
+        assert!(given_back(&source) == bytes, "{bytes:x?}");
         let Ok(migration) = migrate("old.prg", bytes, encoding) else {
             continue;
         };
