@@ -87,7 +87,7 @@ where
                 Expected::GoesOn | Expected::GoesOnWithIt | Expected::StopsWhereRead(_) => STRIDE,
                 _ => 1,
             };
-            // Behind the first cycle, so that a sensor has something to be stuck at.
+            // After the first cycle, so that a sensor has something to be stuck at.
             for (cycle, before) in self.before.iter().skip(1 + n % stride).step_by(stride) {
                 let to_be_read = !before.console().inputs_read;
                 let outcome = trial(before.clone(), defect, &self.sent[*cycle..]);

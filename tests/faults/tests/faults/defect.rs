@@ -45,7 +45,7 @@ pub(crate) enum Defect {
     /// Keys arrive faster than they can be taken, from then on.
     KeyFlood,
     /// RETURN after a thousand other keys.
-    ReturnBehindKeys,
+    ReturnAfterKeys,
     /// TITAN.LOG takes no more rows.
     LogFull,
     /// ESC, or a host's request.
@@ -64,7 +64,7 @@ impl Defect {
         Defect::LateCycles,
         Defect::Jitter,
         Defect::KeyFlood,
-        Defect::ReturnBehindKeys,
+        Defect::ReturnAfterKeys,
         Defect::LogFull,
         Defect::Halt,
         Defect::ReturnKey,
@@ -81,7 +81,7 @@ impl Defect {
             Defect::LateCycles => ("time", "each cycle takes twice its time"),
             Defect::Jitter => ("time", "cycles take 50 % to 150 % of their time"),
             Defect::KeyFlood => ("keyboard", "1000 keys in every cycle"),
-            Defect::ReturnBehindKeys => ("keyboard", "RETURN behind 1000 keys"),
+            Defect::ReturnAfterKeys => ("keyboard", "RETURN after 1000 keys"),
             Defect::LogFull => ("TITAN.LOG", "buffer is full"),
             Defect::Halt => ("keyboard or host", "halt request"),
             Defect::ReturnKey => ("keyboard", "RETURN"),

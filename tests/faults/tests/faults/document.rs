@@ -5,24 +5,24 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 const HEAD: &str = "\
-# What comes of a fault
+# What a fault does
 
-What goes wrong with sensors, hardware, keys and time, where, and what becomes of the program. Each fault broke into a run of a short
-program with motion, waits, inputs and, where the robot has them, torques, forces and springs: one that stops the robot at once in every
-cycle but the first, the others in every fifth, each place from another cycle on. A broken sensor stays broken. The same faults broke into
-[compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and vibration, in every eleventh cycle and
-in every fifty-fifth.
+How a program ends, or goes on, after a fault of sensors, hardware, keys or timing. Each fault was injected into runs of a short program
+with motion, waits, inputs and, where the robot has them, torques, forces and springs. A fault that stops the robot at once was injected
+in every cycle but the first; the others in every fifth cycle, starting at a different cycle for each place. A broken sensor stays broken.
+The same faults were injected into [compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and
+vibration, in every eleventh cycle and in every fifty-fifth.
 
-In every cycle of every run the joint commands were numbers, angles within the working limits, torques within TORQUE_MAX, the slider
-within its travel. In every emergency stop the hardware was stopped in each cycle and told nothing more, and people were told once.
-Behind every END the robot came to rest; every wait that did not end was ended by a stop.
+In every cycle of every run the joint commands were numbers: angles within the working limits, torques within TORQUE_MAX, the slider
+within its travel. In every emergency stop the hardware was stopped in each cycle and received no other command, and the emergency was
+reported once. After every END the robot came to rest. Every wait that did not end by itself was ended by a stop.
 
-Where a cell has several outcomes, each was seen: which one comes depends on the step that runs, and on which joint it is. *Goes on to its
-end* means with other commands than without the fault: no program can tell a wrong measurement from a true one if it is a possible one.
-A robot measures what its model has: a torque, a slider or a sole that it lacks is not looked at.
+Where a cell lists several outcomes, each was seen. Which one occurs depends on the step that runs and on the joint. *Goes on to its
+end* means with other commands than without the fault: no program can tell a wrong measurement from a right one if it is plausible.
+A robot reads only the sensors that its model has: a fault of a torque, slider or sole sensor that it lacks changes nothing.
 
-`cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it writes it
-anew. [Files and Ctrl-C](#files-and-ctrl-c) are the other half.
+`cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it rewrites
+it. [Files and Ctrl-C](#files-and-ctrl-c) are the other half.
 
 ";
 

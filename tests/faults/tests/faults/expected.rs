@@ -14,7 +14,7 @@ pub(crate) enum Expected {
     /// One in the cycle after: phase 3 failed.
     StopsInNextCycle(Fault),
     /// One as soon as the 256 keys of each cycle let the byte through.
-    StopsBehindKeys(Fault),
+    StopsAfterKeys(Fault),
     /// One in a step that reads the input; the program goes on where none does.
     StopsWhereRead(Fault),
     /// END where the program asks next; a script asks in every cycle.
@@ -34,7 +34,7 @@ impl Expected {
             Defect::WriteError => Expected::StopsInNextCycle(Fault::Hardware("bus")),
             Defect::LostCommand | Defect::LateCycles | Defect::Jitter => Expected::GoesOnWithIt,
             Defect::KeyFlood | Defect::LogFull => Expected::GoesOn,
-            Defect::ReturnBehindKeys => Expected::StopsBehindKeys(Fault::EmergencyKey),
+            Defect::ReturnAfterKeys => Expected::StopsAfterKeys(Fault::EmergencyKey),
             Defect::Halt => Expected::EndsWhereAsked,
             Defect::ReturnKey | Defect::HostStop => Expected::StopsAtOnce(Fault::EmergencyKey),
         }
@@ -88,10 +88,10 @@ impl Expected {
             }
             // The last cycle of a program writes as any other; what fails there stops the robot at rest.
             (Expected::StopsInNextCycle(_), Ends { after, same }) => (after, same) == (0, true),
-            (Expected::StopsBehindKeys(wanted), Stops { after, fault }) => {
+            (Expected::StopsAfterKeys(wanted), Stops { after, fault }) => {
                 (after, fault) == (3, wanted)
             }
-            (Expected::StopsBehindKeys(_), Ends { after, same }) => after < 3 && same,
+            (Expected::StopsAfterKeys(_), Ends { after, same }) => after < 3 && same,
             (Expected::StopsWhereRead(wanted), Stops { fault, .. }) => fault == wanted,
             (Expected::StopsWhereRead(_), Ends { same, .. }) => same && !to_be_read,
             (Expected::GoesOn, Ends { same, .. }) => same,
@@ -120,10 +120,10 @@ impl Expected {
             (Expected::StopsInNextCycle(_), Outcome::Stops { .. }) => {
                 Some(format!("stops in the next cycle: {fault}"))
             }
-            (Expected::StopsBehindKeys(_), Outcome::Stops { .. }) => {
+            (Expected::StopsAfterKeys(_), Outcome::Stops { .. }) => {
                 Some(format!("stops 3 cycles later, 256 keys a cycle: {fault}"))
             }
-            (Expected::StopsInNextCycle(_) | Expected::StopsBehindKeys(_), _) => None,
+            (Expected::StopsInNextCycle(_) | Expected::StopsAfterKeys(_), _) => None,
             (Expected::StopsWhereRead(_), Outcome::Stops { .. }) => {
                 Some(format!("stops in a step that reads it: {fault}"))
             }

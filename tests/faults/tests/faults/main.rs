@@ -1,5 +1,5 @@
-//! The fault campaign: what goes wrong with sensors, hardware, keys and time, in every place and at
-//! cycles throughout a program, has a defined outcome. The first half of `docs/faults.md` is generated here.
+//! The fault campaign: faults of sensors, hardware, keys and timing, in every place and at
+//! cycles throughout a program, have a defined outcome. The first half of `docs/faults.md` is generated here.
 
 mod campaign;
 mod defect;
@@ -85,6 +85,6 @@ fn every_fault_in_every_place_has_its_outcome_and_the_table_says_which() {
     }
     assert!(
         half == text,
-        "docs/faults.md differs; TIP_BLESS=1 writes it anew"
+        "docs/faults.md differs; TIP_BLESS=1 rewrites it"
     );
 }

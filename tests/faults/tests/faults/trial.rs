@@ -72,7 +72,7 @@ fn break_in<P, H, S, const L: usize, const J: usize>(
     let keys = &mut machine.console_mut().keys;
     match defect {
         Defect::ReturnKey => keys.push_back(b'\r'),
-        Defect::ReturnBehindKeys => {
+        Defect::ReturnAfterKeys => {
             keys.extend([b'y'; 1000]);
             keys.push_back(b'\r');
         }
@@ -83,8 +83,8 @@ fn break_in<P, H, S, const L: usize, const J: usize>(
     }
 }
 
-/// What holds of every emergency stop: the robot is stopped in each cycle, and told no more; people
-/// are told once; joints are to stay where they can be.
+/// What holds for every emergency stop: the robot is stopped in each cycle and receives no other command; it is
+/// reported once; joints stay where they can.
 fn stopped<P, H, S, const L: usize, const J: usize>(
     mut machine: Bench<P, H, S, L, J>,
     after: usize,
@@ -120,7 +120,7 @@ where
     Outcome::Stops { after, fault }
 }
 
-/// Behind the end of its program a robot comes to rest, and is stopped if something fails then.
+/// After the end of its program a robot comes to rest, and is stopped if something fails then.
 fn require_rest<P, H, S, const L: usize, const J: usize>(
     mut machine: Bench<P, H, S, L, J>,
     defect: Defect,
@@ -135,7 +135,7 @@ fn require_rest<P, H, S, const L: usize, const J: usize>(
             stopped(machine, 0);
             return;
         }
-        assert_ne!(defect, Defect::WriteError, "it fails behind END too");
+        assert_ne!(defect, Defect::WriteError, "it fails after END too");
         if told == *machine.outputs() {
             return;
         }

@@ -1,4 +1,4 @@
-//! The fault campaign of the files that a run writes, and of Ctrl-C: the second half of docs/faults.md.
+//! The fault campaign for the files that a run writes and for Ctrl-C: the second half of docs/faults.md.
 
 mod bench;
 mod files;
@@ -8,7 +8,7 @@ mod terminal;
 use std::path::Path;
 use std::{env, fs};
 
-/// What went wrong, where, and what became of it.
+/// A fault, where it was, and its outcome.
 struct Row {
     place: &'static str,
     fault: &'static str,
@@ -19,24 +19,26 @@ struct Row {
 const HEADING: &str = "\n## Files and Ctrl-C\n";
 
 const HEAD: &str = "
-What `tipc run PROGRAM --out-dir FOLDER --trace FILE` does where its files cannot be written, and when it is interrupted. An earlier run of the
-same program had written all five files. In every case each file is the earlier one or the new one, whole; nothing half written is left.
+What `tipc run PROGRAM --out-dir FOLDER --trace FILE` does if its files cannot be written, or if it is interrupted. An earlier run of the
+same program had written all five files. In every case each file is either the complete earlier one or the complete new one; no partial file is
+left.
 
 | where | fault | outcome | runs |
 |---|---|---|---|
 ";
 
 const TAIL: &str = "
-A read-only file is one that nobody may write, as `chmod a-w` makes it; it is refused to the system's administrator too. *Refused*: the run stops before the first cycle with `TIP_ERR:File can not write(…) (PreprocessError)`, status 1, and all earlier files stay.
-*Told at the end*: the program runs to its end, what can be written is new, then the same error with status 1. *Interrupted*: status 130; the
-trace ends with `INTERRUPTED`, and the logs hold all cycles until then.
+A read-only file is one that nobody may write, as after `chmod a-w`; it is refused to the system administrator too. *Refused*: the run stops before
+the first cycle with `TIP_ERR:File can not write(…) (PreprocessError)`, status 1, and all earlier files stay. *Reported at the end*: the program runs
+to its end, every file that can be written is new, then the run ends with the same error and status 1. *Interrupted*: status 130; the trace ends with
+`INTERRUPTED`, and the logs hold all cycles up to that point.
 
-A compiled program writes its logs by the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot as RETURN
-does. The signal ends it as any process, unless its host catches it; then earlier files stay, and what was being written is left beside them
-as `.NAME.PROCESS.part`. `cargo test -p walk --test interrupt` tries both.
+A compiled program writes its logs with the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot like
+RETURN. The signal ends it like any process, unless its host catches it; then the earlier files stay, and partial files are left next to them
+as `.NAME.PROCESS.part`. `cargo test -p walk --test interrupt` tests both.
 
 `cargo test -p tipc-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
-writes it anew.
+rewrites it.
 ";
 
 #[test]
@@ -61,6 +63,6 @@ fn whatever_happens_to_files_and_runs_has_its_outcome_and_the_table_says_which()
     }
     assert!(
         half == text,
-        "docs/faults.md differs; TIP_BLESS=1 writes it anew"
+        "docs/faults.md differs; TIP_BLESS=1 rewrites it"
     );
 }

@@ -65,7 +65,7 @@ const FOLDER: Fault = Fault {
 };
 
 const FOREIGN: Fault = Fault {
-    name: "is of another program, or no log",
+    name: "is from another program, or not a log",
     arrange: |path| replace(path, |path| fs::write(path, "# TITAN.LOG of b.prg\n")),
     expected: Expected::Refused,
     told: REFUSED,
@@ -157,7 +157,7 @@ fn folder((place, fault, [option, path]): (&'static str, &'static str, [&str; 2]
     }
 }
 
-const VANISHES: &str = "goes away during the run";
+const VANISHES: &str = "is removed during the run";
 
 fn logs_vanish() -> Row {
     let bench = signals::folder_vanishes("logs");
@@ -166,7 +166,7 @@ fn logs_vanish() -> Row {
     Row {
         place: "the folder of the logs",
         fault: VANISHES,
-        outcome: "told at the end; the trace is new",
+        outcome: "reported at the end; the trace is new",
         runs: 1,
     }
 }
@@ -179,7 +179,7 @@ fn trace_vanishes() -> Row {
     Row {
         place: "the folder of the trace",
         fault: VANISHES,
-        outcome: "told at the end; the logs are new",
+        outcome: "reported at the end; the logs are new",
         runs: 1,
     }
 }
@@ -236,8 +236,8 @@ fn disk_full() -> Row {
     }
     Row {
         place: "any file",
-        fault: "the disk is full, behind 0, 512, 1024 … bytes of each",
-        outcome: "WARNING.LOG does not fit: refused; any other: told at the end, the earlier file stays",
+        fault: "the disk is full after 0, 512, 1024 … bytes of each",
+        outcome: "WARNING.LOG does not fit: refused; any other: reported at the end, the earlier file stays",
         runs: most + 1,
     }
 }
@@ -257,8 +257,8 @@ fn trace_full() -> Row {
     bench.require_no_parts();
     Row {
         place: TRACE,
-        fault: "the disk is full in the midst of the run",
-        outcome: "the run ends there; the earlier trace stays, the logs are new; told at the end",
+        fault: "the disk fills up during the run",
+        outcome: "the run ends there; the earlier trace stays, the logs are new; reported at the end",
         runs: 1,
     }
 }
@@ -274,8 +274,8 @@ fn device_full() -> Row {
     bench.require_no_parts();
     Row {
         place: TRACE,
-        fault: "is a device that takes nothing",
-        outcome: "told at the end; the logs are new",
+        fault: "is a device that accepts no data",
+        outcome: "reported at the end; the logs are new",
         runs: 1,
     }
 }

@@ -32,18 +32,18 @@ pub(super) fn rows() -> Vec<Row> {
     vec![
         row(
             "while the run begins",
-            "ends as any process if it has not begun, all earlier files stay; else interrupted",
+            "ends like any process if the run has not begun, all earlier files stay; else interrupted",
             times(20, at_the_start),
         ),
         row("in a wait", INTERRUPTED, times(5, |n| under_way(WAITS, n))),
         row("in motion", INTERRUPTED, times(5, |n| under_way(MOVES, n))),
         row(
-            "again and again while the logs are written",
+            "repeatedly while the logs are written",
             INTERRUPTED,
             times(3, while_logs_are_written),
         ),
         row(
-            "twice, while it is stuck in a full pipe",
+            "twice, while it is blocked on a full pipe",
             "ends at once with status 130; the earlier trace and logs stay",
             times(1, |_| stuck(Stdio::null())),
         ),
@@ -58,7 +58,7 @@ pub(super) fn rows() -> Vec<Row> {
             times(2, |n| at_a_terminal(n, |_, child| interrupt(child))),
         ),
         row(
-            "at a terminal, twice, while it is stuck in a full pipe",
+            "at a terminal, twice, while it is blocked on a full pipe",
             "ends at once with status 130; the earlier trace and logs stay; the terminal behaves as before",
             times(1, |_| stuck_at_a_terminal()),
         ),
@@ -210,7 +210,7 @@ fn require_complete(bench: &Bench, status: ExitStatus) {
     require_logs(bench, require_trace(bench));
 }
 
-/// The trace is whole; tells its cycles.
+/// The trace is complete; returns its number of cycles.
 pub(super) fn require_trace(bench: &Bench) -> usize {
     let [.., trace] = bench.texts();
     let trace = trace.expect("a trace");
