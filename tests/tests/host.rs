@@ -107,7 +107,7 @@ fn the_host_is_refused_alike_by_both_engines() {
     }
 }
 
-/// `set` tells what steps assign.
+/// `set` lists what steps assign.
 #[test]
 fn a_trace_does_not_tell_what_the_host_sets() {
     let mut machine = Machine::simulated(Stride::new());

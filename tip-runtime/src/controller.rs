@@ -262,7 +262,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
         Ok(Poll::Done)
     }
 
-    /// Moves every joint command on by one sampling time. What goes wrong is reported by the next
+    /// Moves every joint command on by one sampling time. A fault is reported by the next
     /// [`sense`](Controller::sense).
     pub fn advance(&mut self) {
         let dt = self.params.period / 1000.0;

@@ -25,7 +25,7 @@ pub struct Motion {
     pub slip: f64,
 }
 
-/// Hardware that is simulated, so that its inputs can be told what to read.
+/// Hardware that is simulated, so that the readings of its inputs can be set.
 pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;

@@ -103,7 +103,7 @@ codes! {
     EntersFor "W105" None, "this jump enters a FOR loop from outside";
     /// A SUBROUTINE reached from the step above it.
     RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above";
-    /// A constant that its command refuses at run time.
+    /// A constant that its command refuses at runtime.
     OutOfRange "W107" None, "this constant is out of range and stops the program when it runs";
     /// A read for which no path assigns a value.
     Unassigned "W108" None, "variable \"{}\" is read before it is assigned";

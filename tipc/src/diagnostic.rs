@@ -31,7 +31,7 @@ pub struct Diagnostic {
     pub reason: Message,
     /// Other places that matter.
     pub labels: Vec<Label>,
-    /// The way out.
+    /// The help: what to do about it.
     pub help: Option<Message>,
     /// Whose rules it is judged by.
     pub edition: Edition,
@@ -68,7 +68,7 @@ impl Diagnostic {
         self
     }
 
-    /// Says the way out.
+    /// Adds the help: what to do about it.
     #[must_use]
     pub fn help(mut self, help: impl Into<Message>) -> Self {
         self.help = Some(help.into());

@@ -280,7 +280,7 @@ struct Report {
 }
 
 impl Report {
-    #[expect(clippy::disallowed_macros, reason = "this is how Cargo is told")]
+    #[expect(clippy::disallowed_macros, reason = "this is how Cargo is informed")]
     fn tell_cargo(&self) {
         for line in &self.lines {
             println!("cargo::{line}");

@@ -94,7 +94,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     };
     judge(&mut diagnostics, module.edition);
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
-    // One mistake is told once, however many passes stumble over it.
+    // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)

@@ -41,7 +41,7 @@ pub enum DefinitionKind {
 /// A place that names a definition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
-    /// The name alone, without sign, member and colon. It is empty where the name is left out, behind KEY_IN, NEXT and GOTO.
+    /// The name alone, without sign, member and colon. It is empty where the name is left out, after KEY_IN, NEXT and GOTO.
     pub place: Span,
     /// What it names.
     pub definition: DefinitionId,
@@ -85,7 +85,7 @@ impl DefinitionId {
         DefinitionId(variable as u32)
     }
 
-    /// The definition of a label, by its place among all labels. They stand behind so many variables.
+    /// The definition of a label, by its place among all labels. They come after all variables.
     pub(crate) const fn of_label(label: usize, variables: usize) -> Self {
         DefinitionId((variables + label) as u32)
     }
@@ -123,7 +123,7 @@ impl Symbols {
         self.uses.iter().filter(move |it| it.definition == id)
     }
 
-    /// What is named at a byte of the text, in the name, in the member behind it, or right behind them.
+    /// What is named at a byte of the text, in the name, in the member after it, or right after them.
     pub fn at(&self, offset: usize) -> Option<&Use> {
         let behind = self.uses.partition_point(|it| it.place.start <= offset);
         let last = self.uses[..behind].last()?;

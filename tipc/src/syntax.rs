@@ -63,7 +63,7 @@ pub enum OperandKind {
     Number(f64),
     /// A word.
     Name(SmolStr),
-    /// The words before and behind a point; boxed, since most operands are none.
+    /// The words before and after a point; boxed, since few operands are members.
     Member(Box<(SmolStr, SmolStr)>),
 }
 

@@ -29,7 +29,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Understands the words behind the program's name.
+    /// Understands the words after the program's name.
     ///
     /// # Errors
     /// What is wrong with them.

@@ -17,7 +17,7 @@ pub enum Instruction {
     Target,
     /// All servos set off to their targets together.
     Go,
-    /// Tell where you are.
+    /// Report the position.
     Ask,
     /// The answer to [`Ask`](Self::Ask): counts.
     Position,

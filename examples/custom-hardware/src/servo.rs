@@ -53,7 +53,7 @@ impl Servo {
         self.position += ((self.target - self.position) * share).clamp(-most, most);
     }
 
-    /// Tells where it stands, as exactly as its encoder can.
+    /// Reports its position, as exactly as its encoder can.
     pub(crate) fn answer(&self) -> Frame {
         Frame {
             servo: self.id,

@@ -70,7 +70,7 @@ struct Messages;
 
 impl Console for Messages {
     fn message(&mut self, text: &dyn Display) {
-        // A closed output is told by the next line of progress.
+        // A closed output is reported by the next line of progress.
         let _ = writeln!(io::stdout(), "         {text}");
     }
 }

@@ -1,4 +1,4 @@
-//! A difference as it is told, and as a case of the language.
+//! A difference as it is reported, and as a case of the language.
 
 use lockstep::{Script, Subject};
 use tip_sim::lockstep::Divergence;

@@ -21,7 +21,7 @@ pub struct Settings {
     pub description: Option<Description>,
     /// What happens around it while it runs, as `tip_sim::Inputs` reads it.
     pub inputs: String,
-    /// What stands around the robot, by its name.
+    /// What surrounds the robot, by its name.
     pub scene: Option<String>,
 }
 

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Import {
     /// The other module.
     pub module: Vec<String>,
-    /// The first name behind the module's path.
+    /// The first name after the module's path.
     pub name: String,
 }
 
@@ -80,7 +80,7 @@ fn collect(stream: TokenStream, paths: &mut Vec<Vec<String>>) {
     }
 }
 
-/// Whether what stands before makes the next word a field, a method, or a part of a foreign path.
+/// Whether what comes before makes the next word a field, a method, or a part of a foreign path.
 fn follows_a_path(before: &[TokenTree]) -> bool {
     matches!(before.last(), Some(TokenTree::Punct(sign)) if sign.as_char() == '.')
         || (before.len() >= 2 && before[before.len() - 2..].iter().all(is_colon))
@@ -90,7 +90,7 @@ fn is_colon(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Punct(sign) if sign.as_char() == ':')
 }
 
-/// Reads `a::b::{c, d::e}` and adds each path of it behind `head`; returns how many tokens it took.
+/// Reads `a::b::{c, d::e}` and adds each of its paths after `head`; returns how many tokens it took.
 fn tree(tokens: &[TokenTree], head: &[String], paths: &mut Vec<Vec<String>>) -> usize {
     let mut path = head.to_vec();
     let mut at = 0;

@@ -12,7 +12,7 @@ pub fn root() -> &'static Path {
     here.ancestors().nth(2).expect("tests/house is in a root")
 }
 
-/// Every `.rs` file under `folder`, in order of paths, without what builds leave behind.
+/// Every `.rs` file under `folder`, in order of paths, without the output of builds.
 pub fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     collect(folder, &mut found);

@@ -1,8 +1,8 @@
-//! Equations. Those of calm programs take only from variables behind the one they fill, so that no value feeds on itself.
+//! Equations. Those of calm programs take only from variables after the one they fill, so that no value feeds on itself.
 
 use crate::writer::{JOINTS, POSITIONS, Writer};
 
-/// Where a calm program's values flow: each from those behind it.
+/// Where a calm program's values flow: each from those after it.
 const FLOW: &[&str] = &[
     "D", "P.X", "S.J1", "B", "P.Y", "S.J2", "C", "P.Z", "S.J3", "Q.X", "T.J1", "Q.Y", "T.J2",
     "Q.Z", "T.J3",

@@ -9,7 +9,7 @@ use tipc::{Options, emit};
 /// A change of the generated code of a program, by which tests see that a wrong one is found.
 pub type Tamper = fn(String) -> String;
 
-/// Modules that hold the compiled programs, and behind them `SUBJECTS`: seed, robot, text and a maker of each.
+/// Modules that hold the compiled programs, and after them `SUBJECTS`: seed, robot, text and a maker of each.
 ///
 /// # Errors
 /// The first program that does not load, and why.

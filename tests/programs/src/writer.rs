@@ -48,7 +48,7 @@ impl Writer {
         self.declarations();
         self.first_values();
         self.stays();
-        // Behind REM the program runs into its first subroutine.
+        // After REM the program runs into its first subroutine.
         let leaves = self.dice.pick(&["EXIT", "EXIT", "GOTO LAST:", "REM"]);
         self.line(leaves);
         for n in 0..self.subroutines {

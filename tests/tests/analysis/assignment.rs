@@ -12,7 +12,7 @@ fn no_run_contradicts_what_is_proved() {
     assert!(seen[&Assigned::Never] > 5, "{seen:?}");
 }
 
-/// The tests at run time that the generated code of all these programs does without.
+/// The tests at runtime that the generated code of all these programs does without.
 #[test]
 fn nearly_all_reads_are_proved() {
     let (mut proved, mut reads) = (0, 0);

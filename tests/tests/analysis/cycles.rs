@@ -142,7 +142,7 @@ fn waits(action: &Action) -> bool {
     }
 }
 
-/// An IF … GOSUB to the step behind it cannot be followed in a trace.
+/// An IF … GOSUB to the step after it cannot be followed in a trace.
 fn is_plain(program: &Program) -> bool {
     (1..)
         .zip(program.steps())

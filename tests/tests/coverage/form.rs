@@ -196,7 +196,7 @@ impl Form {
         self.arguments().is_some_and(|arguments| arguments.motion)
     }
 
-    /// Whether the command refuses some values at run time.
+    /// Whether the command refuses some values at runtime.
     pub fn has_limit(&self) -> bool {
         let limited = |arguments: Arguments| arguments.limit != Limit::Any;
         self.arguments().is_some_and(limited)
@@ -231,7 +231,7 @@ fn heads(targets: Targets) -> Vec<Option<Head>> {
     sorts.into_iter().flatten().map(Some).collect()
 }
 
-/// The lists of values behind a head; every named robot has three joints a leg.
+/// The lists of values after a head; every named robot has three joints a leg.
 fn value_lists(values: Values, head: Option<Head>) -> Vec<Vec<Slot>> {
     let scalars = vec![Slot::Scalar; 3];
     let single = matches!(head, Some(Head::Joint(_)));

@@ -106,7 +106,7 @@ fn has(kind: VariableKind, member: &str) -> bool {
     }
 }
 
-/// A command as written; flags that stand where they may are taken out.
+/// A command as written; flags in the places where they are allowed are taken out.
 #[derive(Clone, Debug)]
 pub struct Written {
     /// `HS` comes first.
@@ -115,7 +115,7 @@ pub struct Written {
     pub pieces: Vec<Piece>,
     /// `R` and `A` before values.
     pub flags: BTreeSet<String>,
-    /// Whether something behind the pieces is not an argument at all.
+    /// Whether something after the pieces is not an argument at all.
     pub malformed: bool,
 }
 

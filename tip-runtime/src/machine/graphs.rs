@@ -19,7 +19,7 @@ enum Graph {
     Off,
     /// It is to be taken away.
     Leaving,
-    /// It is shown, and drawn anew at this time: ms.
+    /// It is shown, and redrawn at this time: ms.
     On(f64),
 }
 

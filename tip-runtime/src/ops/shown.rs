@@ -39,7 +39,7 @@ impl fmt::Display for Shown {
 pub enum Part<'a> {
     /// Text as it stands.
     Text(&'a str),
-    /// A value, and the digits behind its point.
+    /// A value, and the digits after its point.
     Number(f64, u8),
 }
 

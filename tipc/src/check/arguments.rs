@@ -33,7 +33,7 @@ impl Resolver<'_> {
         action
     }
 
-    /// Gives the faults of a command that say no way out its usage.
+    /// Adds the usage of a command to its faults that have no help.
     fn say_usage(&mut self, told: usize, command: &Command) {
         let edition = self.names.edition;
         let silent = |fault: &&mut Diagnostic| {
@@ -88,7 +88,7 @@ impl Resolver<'_> {
         Some(command)
     }
 
-    /// The way to a command that the robot lacks.
+    /// What to use instead of a command that the robot lacks.
     fn who_has(&self, command: &Command) -> Commanding {
         let name = command.name;
         match self.robot {

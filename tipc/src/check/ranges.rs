@@ -1,4 +1,4 @@
-//! Constants that a command or an equation refuses at run time.
+//! Constants that a command or an equation refuses at runtime.
 
 use super::resolve::Resolver;
 use crate::code::Code;

@@ -79,11 +79,11 @@ pub(crate) enum Resolved {
     Command {
         /// Which one.
         op: Op,
-        /// `HS` stands behind its name.
+        /// Whether `HS` follows its name.
         hs: bool,
         /// Its target.
         target: Target,
-        /// Its arguments behind the target.
+        /// Its arguments after the target.
         arguments: Arguments,
     },
     /// SPECIAL: the number of the native command, and its values.
@@ -126,7 +126,7 @@ pub(crate) struct Counting {
     pub(crate) step: Option<Operand>,
 }
 
-/// The arguments of a command behind its target.
+/// The arguments of a command after its target.
 #[derive(Debug)]
 pub(crate) enum Arguments {
     /// One by one.
@@ -135,7 +135,7 @@ pub(crate) enum Arguments {
     Whole {
         /// The variable.
         variable: VariableId,
-        /// `R` stands before it.
+        /// Whether `R` precedes it.
         relative: bool,
     },
 }

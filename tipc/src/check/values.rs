@@ -113,7 +113,7 @@ impl Resolver<'_> {
             rest = &rest[usize::from(flag.is_some())..];
             let Some((operand, behind)) = rest.split_first() else {
                 if values.contains(&None) {
-                    // An unknown name may stand for a struct.
+                    // An unknown name may be meant as a struct.
                     return None;
                 }
                 let place = flag.map_or(name.span, |flag| flag.span);
@@ -199,7 +199,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Refuses what stands behind the last argument.
+    /// Refuses anything after the last argument.
     pub(super) fn no_more(&mut self, name: &Word, extra: &[Operand]) -> Option<()> {
         match extra.first() {
             None => Some(()),
@@ -240,7 +240,7 @@ fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
 }
 
-/// The flag that stands in the place of a number, be it behind a sign.
+/// The flag in the place of a number, even after a sign.
 fn flag_name(form: Arguments, operand: &Operand) -> Option<&str> {
     match &operand.kind {
         OperandKind::Name(name) if is_flag(form, name) => Some(name),

@@ -1,4 +1,4 @@
-//! What becomes of a description: what programs are checked for, and a model of the runtime.
+//! What a description is turned into: what programs are checked for, and a model of the runtime.
 
 use super::section::{Found, Section};
 use super::{Description, Leg};
@@ -16,7 +16,7 @@ pub trait WithModel {
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output;
 }
 
-/// Chooses the size of a model at run time: one arm for each number of legs and joints.
+/// Chooses the size of a model at runtime: one arm for each number of legs and joints.
 macro_rules! any_size {
     ($description:expr, $with:expr; $($legs:literal)*) => {
         any_size!(@legs $description, $with; $($legs)*; [1 2 3 4 5 6 7 8 9])

@@ -10,7 +10,7 @@ use crate::source::Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// No measure of a robot is larger, be it mm, deg or anything else: arithmetic stays far from infinity.
+/// No measure of a robot is larger, in mm, deg or any other unit: arithmetic stays far from infinity.
 const LARGEST: f64 = 1e6;
 
 /// What a number must be.

@@ -201,7 +201,7 @@ keywords! {
         since: Edition::V3_1,
         section: "§7-7-3",
         clause: "7.20",
-        description: "Returns behind the call.",
+        description: "Returns to the step after the call.",
     }
     Message {
         word: "MESSAGE",

@@ -83,14 +83,14 @@ pub const RESERVED: &[Row] = &[
         Kind::MotionFlag,
         "§7-1",
         "3.2",
-        "The value behind it counts from where the foot or joint is.",
+        "The value after it counts from where the foot or joint is.",
     ),
     Row::new(
         command::ABSOLUTE,
         Kind::MotionFlag,
         "§7-1",
         "3.2",
-        "The value behind it is taken as it is.",
+        "The value after it is taken as it is.",
     ),
     Row::new(
         command::FAST,

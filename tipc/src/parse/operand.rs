@@ -55,7 +55,7 @@ impl Reader<'_> {
 
     /// Operands up to the end; at the first bad one, those before it and what is wrong.
     ///
-    /// Behind an operand a sign belongs to the next one and needs a delimiter before it.
+    /// After an operand a sign belongs to the next one and needs a delimiter before it.
     pub(super) fn operands(&mut self) -> (Vec<Operand>, Parsed<()>) {
         let mut operands = Vec::with_capacity(self.left());
         while let Some(token) = self.peek() {

@@ -103,7 +103,7 @@ impl<'a> Reader<'a> {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
-    /// A fault of this statement at `span`, with the way out.
+    /// A fault of this statement at `span`, with a help.
     pub(super) fn fault_with_help(&self, span: Span, reason: Parsing, help: Parsing) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }

@@ -10,7 +10,7 @@ mod header;
 mod lines;
 mod robustness;
 
-/// Parses `body` behind a good version line and title, END added, and compares what comes out.
+/// Parses `body` after a good version line and title, END added, and compares what comes out.
 ///
 /// One line for each statement but END, as [`dump`] writes it, then one for each diagnostic: `LINE:COLUMN: message`,
 /// lines counted from 1 in `body`.

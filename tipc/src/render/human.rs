@@ -1,4 +1,4 @@
-//! A diagnostic as people read it: the lines, carets under the place, the reason, the way out.
+//! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
@@ -11,7 +11,7 @@ const NEAR: u32 = 30;
 /// The most bytes of a line that are shown.
 const SHOWN: usize = 4096;
 
-/// Some lines, with a line end after each, and where they are. Lines are put together anew, so that an old
+/// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
 /// carriage return does not blur them, and that a far place or an endless line does not drag the whole file along.
 struct Window {
     first: u32,

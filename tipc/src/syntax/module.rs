@@ -23,7 +23,7 @@ impl Module {
 
     /// The index of the statement that is a step.
     pub fn statement_of(&self, step: StepId) -> Option<usize> {
-        // Behind declarations stands the statement whose number they share.
+        // After declarations comes the statement whose number they share.
         let behind = self.statements.partition_point(|it| it.step <= step);
         let index = behind.checked_sub(1)?;
         let statement = &self.statements[index];
@@ -49,7 +49,7 @@ pub struct Statement {
     pub span: Span,
     /// Its source line, from 1.
     pub line: u32,
-    /// Its step; of a declaration, which is none, the one behind it.
+    /// Its step; of a declaration, which is not one, the step after it.
     pub step: StepId,
 }
 

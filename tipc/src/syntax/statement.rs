@@ -106,7 +106,7 @@ pub enum StatementKind {
         name: Word,
         /// Its arguments, up to the first malformed one.
         arguments: Vec<Operand>,
-        /// What is malformed behind `arguments`, not yet reported: it counts only if the command exists.
+        /// What is malformed after `arguments`, not yet reported: it counts only if the command exists.
         malformed: Option<Box<Diagnostic>>,
     },
     /// A statement that the parser has already reported; it still takes its step.
@@ -317,7 +317,7 @@ impl StatementKind {
         }
     }
 
-    /// Whether the statement behind it may be the next; of a broken one nobody knows.
+    /// Whether the statement after it may run next; a broken one, of which this is unknown, counts as no.
     pub const fn goes_on(&self) -> bool {
         match self {
             StatementKind::Goto(_)

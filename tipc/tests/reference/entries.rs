@@ -111,7 +111,7 @@ fn example_of(line: &str) -> Option<&str> {
     file.ends_with(".prg").then_some(file)
 }
 
-/// The document with what stands between `<!-- name.prg -->` and `<!-- end -->` made anew.
+/// The document with the text between `<!-- name.prg -->` and `<!-- end -->` generated again.
 fn rewritten(text: &str) -> String {
     let mut fresh = String::new();
     let mut names = Vec::new();

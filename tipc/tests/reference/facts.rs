@@ -143,7 +143,7 @@ fn wrong_arguments(command: &Command) -> Vec<String> {
             "a receiver other than a VAR".to_owned(),
         ],
         Form::KeyIn => vec!["a receiver other than a VAR".to_owned()],
-        Form::Words("") => vec!["words behind it".to_owned()],
+        Form::Words("") => vec!["words after it".to_owned()],
         Form::Words(_) => Vec::new(),
     }
 }
@@ -155,8 +155,8 @@ fn wrong_operands(arguments: Arguments) -> Vec<String> {
         _ => ", for J other than one scalar",
     };
     let values = match arguments.values {
-        Values::None if has_target => "words behind the target".to_owned(),
-        Values::None => "words behind it".to_owned(),
+        Values::None if has_target => "words after the target".to_owned(),
+        Values::None => "words after it".to_owned(),
         Values::One => "other than one constant or VAR".to_owned(),
         Values::Three => "other than three constants or VARs".to_owned(),
         Values::Position => "other than three scalars or one POS".to_owned(),

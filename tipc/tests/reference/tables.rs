@@ -70,7 +70,7 @@ fn clause_of<'a>(text: &'a str, clause: &str) -> &'a str {
     &text[..end]
 }
 
-/// Whether a clause names a command, be it as `…_SLOW` for a family that shares its endings.
+/// Whether a clause names a command, possibly as `…_SLOW` for a family that shares its endings.
 fn describes(clause: &str, name: &str) -> bool {
     let endings = [
         "_SLOW",

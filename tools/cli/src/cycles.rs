@@ -14,7 +14,7 @@ use tipc::analysis::cycles::{self, Sampling};
 #[command(
     after_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the
 most control cycles, and the time at the robot's standard sampling time. One step is one cycle. A step that
-waits counts as the least that it can take, and its part 'waits'. 'or more' stands where nothing bounds a part.
+waits counts as the least that it can take, and its part is marked 'waits'. 'or more' marks a part without a bound.
 
 Examples:
   tipc cycles walk.prg

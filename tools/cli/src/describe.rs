@@ -38,7 +38,7 @@ pub(super) struct CheckRobot {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
-foot is the link at the end, on a fixed joint. A report on standard error tells what was assumed and what was dropped.
+foot is the link at the end, on a fixed joint. A report on standard error lists what was assumed and what was dropped.
 
 Example:
   tipc robot import quadruped.urdf -o quadruped.toml

@@ -56,7 +56,7 @@ fn unreadable(name: String, error: &io::Error) -> Loaded {
     Loaded::refused(source, vec![finding.about(name)])
 }
 
-/// Whether there was a file to load, be it good or bad.
+/// Whether there was a file to load, good or bad.
 pub(super) fn was_read(loaded: &Loaded) -> bool {
     let mut codes = loaded.diagnostics.iter().map(|diagnostic| diagnostic.code);
     codes.all(|code| code != Code::FileNotFound)

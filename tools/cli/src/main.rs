@@ -29,15 +29,15 @@ use std::process::ExitCode;
     version,
     arg_required_else_help = true,
     after_help = "A first session:
-  tipc check walk.prg                 what is wrong with it, all at once
+  tipc check walk.prg                 report all its errors at once
   tipc run walk.prg                   run it on the simulated TITAN VIII
-  tipc emit rust walk.prg -o walk.rs  the same program as Rust source
-  tipc cycles walk.prg                how many control cycles its parts take
-  tipc verify walk.prg                that its compiled code does what the interpreter does
-  tipc migrate old.prg -o walk.prg    an older program as one of version 3.1
-  tipc robot check hexapod.toml       what a robot of your own has
+  tipc emit rust walk.prg -o walk.rs  write it as Rust source
+  tipc cycles walk.prg                count the control cycles of its parts
+  tipc verify walk.prg                compare its compiled code with the interpreter
+  tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
+  tipc robot check hexapod.toml       check the description of your robot
 
-'tipc help run' and its like show examples of each command.
+'tipc help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load or does not verify, or a file cannot be written,
 2 wrong usage, 3 emergency stop, 130 interrupted."
 )]

@@ -12,7 +12,7 @@ use tipc::migrate::{self, Migration};
 #[command(
     after_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
 renamed commands, changed forms. Comments, layout, encoding and the order of the steps are kept.
-Every change is reported with its line. What the text does not decide is asked; then nothing is written.
+Every change is reported with its line. If the text leaves a choice open, the report asks a question and nothing is written.
 
 Examples:
   tipc migrate old.prg -o new.prg

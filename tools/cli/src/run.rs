@@ -35,7 +35,7 @@ use trace::Trace;
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
-program sets another. On a terminal keys reach the program as they are pressed, RETURN is the
+program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the
 emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
 a second one ends a run that is stuck.
 
@@ -55,7 +55,7 @@ pub(super) struct Run {
     #[arg(long, value_name = "OUT.jsonl|-")]
     pub(super) trace: Option<PathBuf>,
 
-    /// End each record of the trace with a hash of what the robot was told and measured
+    /// End each record of the trace with a hash of the robot's commands and measurements
     #[arg(long)]
     pub(super) trace_state: bool,
 

@@ -1,4 +1,4 @@
-//! `--scene`: what stands around the robot.
+//! `--scene`: what surrounds the robot.
 
 use super::choices::Format;
 use super::error::Error;

@@ -24,8 +24,8 @@ use tip_sim::search::{self, Failed};
 #[command(
     after_help = "The program is compiled by tipc and cargo, in release mode, with the tip-runtime of your project. Compiled code and
 interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
-many runs are made: keys, sensors and halt requests are searched that lead to steps and branches not reached yet,
-always the same ones. What is left is listed. Where the engines differ, the shortest inputs are shown.
+tipc makes many runs: it searches for keys, sensor readings and halt requests that lead to new steps and branches,
+and always tries the same ones. What no run reached is listed. If the engines differ, the shortest inputs are shown.
 
 Examples:
   tipc verify walk.prg

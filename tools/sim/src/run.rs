@@ -95,7 +95,7 @@ impl From<Mismatch> for Refused {
 /// A program on a simulated robot, cycle by cycle.
 ///
 /// A run is a value: it is copied with [`Clone`], marked with [`snapshot`](Self::snapshot) and taken back with
-/// [`restore`](Self::restore). Who listens to it stands outside, and is not copied.
+/// [`restore`](Self::restore). Its listeners are outside, and are not copied.
 pub struct Run {
     pub(crate) shell: Box<dyn Shell>,
     pub(crate) events: Events,

@@ -15,7 +15,7 @@ use tip_runtime::record::Sink;
 /// What a sole's sensor reads on the ground: V.
 const PRESSED: f64 = 2.0;
 
-/// The machine of a robot of some size. Each size has its own; logic stands outside.
+/// The machine of a robot of some size. Each size has its own; logic is outside.
 pub(crate) trait Shell {
     fn boxed(&self) -> Box<dyn Shell>;
     fn cycle(&mut self, sink: Option<&mut dyn Sink>) -> Status;
@@ -48,8 +48,8 @@ pub(crate) struct Seen<'a> {
 }
 
 impl dyn Shell {
-    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; only soles
-    /// can be told.
+    /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; only the
+    /// readings of soles can be set.
     pub(crate) fn touch(&mut self, on: bool) {
         let volts = if on { PRESSED } else { 0.0 };
         for leg in (1..).take(MAX) {

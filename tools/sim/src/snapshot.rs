@@ -28,7 +28,7 @@ impl fmt::Debug for Snapshot {
 }
 
 impl Run {
-    /// Marks where the run stands.
+    /// Marks where the run is.
     pub fn snapshot(&self) -> Snapshot {
         Snapshot {
             shell: self.shell.boxed(),

@@ -34,7 +34,7 @@ pub struct Import {
     pub report: Vec<Importing>,
 }
 
-/// Why a URDF file is not a robot with legs; it names the link, the joint or the place, and says a way out.
+/// Why a URDF file is not a robot with legs; it names the link, the joint or the place, and says what to do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportError(Importing);
 

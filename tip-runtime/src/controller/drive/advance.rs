@@ -236,7 +236,7 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// Tells joint `m` (from 0) a torque. A joint at its limit is not pushed farther, but held there.
+    /// Commands joint `m` (from 0) a torque. A joint at its limit is not pushed farther, but held there.
     fn push(
         &mut self,
         m: usize,

@@ -42,7 +42,7 @@ pub(in crate::controller) fn reach<const J: usize>(
 
 /// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
 /// before it for every direction goes along the line or surface that it has: as near to a set point on
-/// its way as it comes, and all the way to the target.
+/// its path as it comes, and all the way to the target.
 ///
 /// # Errors
 /// As [`reach`].

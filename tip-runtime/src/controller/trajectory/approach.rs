@@ -1,5 +1,5 @@
 //! The time-optimal move to a point on a line, at rest there (the "trapezoidal" profile; Biagiotti
-//! and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, ch. 3), planned anew
+//! and Melchiorri, *Trajectory Planning for Automatic Machines and Robots*, ch. 3), planned again
 //! from the present state in each cycle, so that limits may change during the move.
 
 use super::{INSTANT, Limits};

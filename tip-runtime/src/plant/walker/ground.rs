@@ -66,7 +66,7 @@ impl<const L: usize> Ground<L> {
         }
     }
 
-    /// Another floor, on which the body stands anew.
+    /// Another floor, on which the body is placed again.
     pub(super) fn replace(&mut self, floor: Floor) {
         self.floor = floor;
         self.gravity = floor.gravity();

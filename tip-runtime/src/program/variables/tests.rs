@@ -3,7 +3,7 @@ use crate::fault::Fault;
 use crate::model::Family;
 use crate::program::{Context, Flow, Program, Signature};
 
-/// `DEF_VAR STRIDE` and `DEF_POS P`, behind the variable that every program has.
+/// `DEF_VAR STRIDE` and `DEF_POS P`, after the variable that every program has.
 struct Walk([Option<f64>; 5]);
 
 const NAMES: [&str; 5] = ["VAR_KEY", "STRIDE", "P.X", "P.Y", "P.Z"];

@@ -100,7 +100,7 @@ impl FrictionControl {
         Ok(())
     }
 
-    /// SPECIAL 11 to 13: mode and amplitude of finger `n`, from 1. Its wave begins anew.
+    /// SPECIAL 11 to 13: mode and amplitude of finger `n`, from 1. Its wave starts again.
     pub(super) fn switch(
         &mut self,
         n: u8,
@@ -144,7 +144,7 @@ impl FrictionControl {
 }
 
 impl Finger {
-    /// Tells the joints of finger `n` how to vibrate.
+    /// Commands the vibration of finger `n`'s joints.
     fn shake(&self, n: u8, robot: &mut dyn Robot) -> Result<(), Fault> {
         for (m, wave) in (1..).zip(self.mode.waves(n)) {
             let vibration = wave.map(|(waveform, share)| Vibration {

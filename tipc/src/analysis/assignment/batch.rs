@@ -5,7 +5,7 @@ use super::touches::{Scalars, Touch, UNTOUCHED};
 use super::worklist::{Order, Worklist};
 use crate::analysis::flow::NodeId;
 
-/// What becomes of unassigned scalars on the path through something.
+/// What happens to unassigned scalars on the path through something.
 #[derive(Clone, Copy, PartialEq)]
 struct Effect {
     /// The scalars that it neither reads nor assigns.
@@ -36,7 +36,7 @@ impl Effect {
     }
 }
 
-/// What becomes of unassigned scalars on the paths from a block to the return of the call that it is in:
+/// What happens to unassigned scalars on the paths from a block to the return of the call that it is in:
 /// a scalar is in a set if some path belongs there. `None` if there is no path.
 type Passage = Option<Effect>;
 
@@ -60,7 +60,7 @@ struct State {
 }
 
 impl State {
-    /// Behind something with an effect. An unassigned scalar that it reads first: that run is over.
+    /// After something with an effect. If that first reads an unassigned scalar, the run is over.
     fn behind(self, effect: Effect) -> State {
         State {
             unassigned: self.unassigned & effect.untouched,

@@ -19,7 +19,7 @@ pub(super) struct Counted {
     pub(super) nodes: Range<NodeId>,
     /// NEXT, the last node of the body.
     pub(super) next: NodeId,
-    /// Behind NEXT.
+    /// After NEXT.
     pub(super) exit: NodeId,
     /// How often the body runs.
     pub(super) turns: u64,

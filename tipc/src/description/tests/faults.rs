@@ -1,4 +1,4 @@
-//! Every fault at its place, with its reason and the way out.
+//! Every fault at its place, with its reason and its help.
 
 use crate::code::Code;
 use crate::description::parse;

@@ -185,7 +185,7 @@ pub enum Values {
     TorqueLimits,
 }
 
-/// What the values of a command must be at run time.
+/// What the values of a command must be at runtime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
     /// Anything.

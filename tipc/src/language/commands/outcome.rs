@@ -28,7 +28,7 @@ pub(super) const READS: &[Failure] = &[NO_VALUE];
 
 pub(super) const REACH: &[Failure] = &[(
     Fault::OutOfReach(Target::Foot(1)),
-    "the position, or the way to it, cannot be reached; under EMG_OFF the motion stops there",
+    "the position, or the path to it, cannot be reached; under EMG_OFF the motion stops there",
 )];
 
 pub(super) const TURN: &[Failure] = &[(
@@ -39,32 +39,32 @@ pub(super) const TURN: &[Failure] = &[(
 pub(super) const GLIDE: &[Failure] = &[
     (
         Fault::OutOfReach(Target::Foot(1)),
-        "the foot comes to the end of its reach; under EMG_OFF it stops there",
+        "the foot reaches the end of its reach; under EMG_OFF it stops there",
     ),
     (
         Fault::JointLimit(1, 1),
-        "a joint comes to its limit on the way; under EMG_OFF it stops there",
+        "a joint reaches its limit during the motion; under EMG_OFF it stops there",
     ),
 ];
 
 pub(super) const SPIN: &[Failure] = &[(
     Fault::JointLimit(1, 1),
-    "the joint comes to its limit; under EMG_OFF it stops there",
+    "the joint reaches its limit; under EMG_OFF it stops there",
 )];
 
 pub(super) const UNCONTROLLED: &[Failure] = &[(
     Fault::InvalidMode,
-    "nothing of the foot or joint is under position or angle control",
+    "no part of the foot or joint is under position or angle control",
 )];
 
 pub(super) const STAND: &[Failure] = &[
     (
         Fault::InvalidMode,
-        "a torque, force or spring decides about a joint",
+        "a torque, force or spring controls a joint",
     ),
     (
         Fault::OutOfReach(Target::Foot(1)),
-        "a foot cannot go so far; under EMG_OFF it stops there",
+        "a foot cannot reach that far; under EMG_OFF it stops there",
     ),
 ];
 
@@ -80,7 +80,7 @@ pub(super) const FLOOR: &[Failure] = &[
     ),
     (
         Fault::OutOfReach(Target::Foot(1)),
-        "a foot comes to the end of its reach before it feels the floor",
+        "a foot reaches the end of its reach before it feels the floor",
     ),
     NOTHING_THERE,
 ];
@@ -89,7 +89,7 @@ pub(super) const OBJECT: &[Failure] = &[NOTHING_THERE];
 
 const NOTHING_THERE: Failure = (
     Fault::JointLimit(1, 1),
-    "a joint comes to its limit, since nothing is there to be felt",
+    "a joint reaches its limit because nothing is there to touch",
 );
 
 pub(super) const INPUT: &[Failure] = &[(Fault::Sensor(Port::Knob(1)), "the input reads nonsense")];
@@ -113,7 +113,7 @@ pub(super) const RETURNS: &[Failure] = &[(Fault::InvalidReturn, "no call is open
 
 pub(super) const NATIVE: &[Failure] = &[(
     Fault::Domain,
-    "no native code answers to the number, or it refuses the values",
+    "no native code has this number, or it refuses the values",
 )];
 
 impl Command {

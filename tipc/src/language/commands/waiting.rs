@@ -9,7 +9,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Waits for a time.")
         .takes(Arguments::setting(Targets::NONE, Values::One, Limit::NotNegative))
         .unit("ms")
-        .until("the time is over: V by the sampling time, rounded up"),
+        .until("the time is over: V divided by the sampling time, rounded up"),
     Command::robot(Op::WaitInpos)
         .alias("WAIT_IN_POS")
         .place("§7-4-2", "7.15")

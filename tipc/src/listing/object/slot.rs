@@ -30,7 +30,7 @@ impl Slot {
         Slot::new("CONSTANT", value)
     }
 
-    /// The same, behind `R` if that is so.
+    /// The same, after `R` if it is relative.
     pub(super) fn relative(self, relative: bool) -> Self {
         if !relative {
             return self;

@@ -23,11 +23,11 @@ pub(crate) struct InputArguments {
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     sensors: Vec<SensorAt>,
 
-    /// Whatever happens before the step of a cycle, such as '10:key F, 300:VR1=8, 900:halt'
+    /// Events before the step of a cycle, such as '10:key F, 300:VR1=8, 900:halt'
     #[arg(long, value_name = "CYCLE:EVENT,...")]
     events: Option<Events>,
 
-    /// What stands around the robot: cylinder, an object under a hand, or a scene of your own
+    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(crate) scene: Option<SceneChoice>,
 }

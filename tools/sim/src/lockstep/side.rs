@@ -18,7 +18,7 @@ pub(super) struct Side {
 }
 
 enum Tape {
-    /// What the last cycle left behind.
+    /// What the last cycle left.
     #[cfg(feature = "std")]
     Record(Box<JsonLines<String>>),
     Hash(Notes),

@@ -1,4 +1,4 @@
-//! What cannot be imported: by name, with a way out.
+//! What cannot be imported: by name, and what to do about it.
 
 use crate::robots::{ARM, Joint, PLAIN, TIP, fixed, revolute, urdf};
 use tip_sim::urdf::import;
