@@ -90,7 +90,7 @@ impl Failure {
     }
 }
 
-/// What becomes of a file that a macro names.
+/// What a macro makes of the file that it names.
 fn included(
     path: &Text,
     invoking: Option<&Path>,

@@ -1,4 +1,4 @@
-//! The values of literals, without a parser for the whole of Rust.
+//! The values of literals, without a parser for all of Rust.
 
 use proc_macro2::{Span, TokenTree};
 

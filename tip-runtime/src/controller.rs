@@ -112,7 +112,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     ///
     /// # Errors
     /// A joint sensor that reads nonsense; a joint beyond its potentiometer's limits, or under
-    /// EMG_ON beyond its working limits; what went wrong in the last advance.
+    /// EMG_ON beyond its working limits; the fault of the last advance.
     pub fn sense(&mut self, sensors: &Sensors<L, J>) -> Result<(), Fault> {
         (**self).take_in(&sensors.view())
     }

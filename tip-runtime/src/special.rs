@@ -82,7 +82,7 @@ pub trait Special {
     /// running program, after its step.
     ///
     /// # Errors
-    /// What went wrong: an emergency stop, found at the start of the next cycle.
+    /// The fault: an emergency stop, found at the start of the next cycle.
     fn cycle(&mut self, robot: &mut dyn Robot) -> Result<(), Fault> {
         let _ = robot;
         Ok(())

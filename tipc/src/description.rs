@@ -1,6 +1,6 @@
 //! Robots from descriptions: the text of a TOML file becomes a [`Description`], and that whatever is needed of it.
 //!
-//! A description says where the legs stand and what their joints are; everything else has a default.
+//! A description says where the legs are and what joints they have; everything else has a default.
 //! All keys are in the table [`KEYS`]; `docs/robots.md` shows them with an example.
 //!
 //! ```

@@ -31,7 +31,7 @@ pub(crate) struct Token {
     pub(crate) kind: Kind,
     /// Where it is.
     pub(crate) span: Span,
-    /// A delimiter stands before it.
+    /// A delimiter precedes it.
     pub(crate) spaced: bool,
 }
 
@@ -77,7 +77,7 @@ pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// How long the delimiter at `at` is; 0 if none stands there.
+/// How long the delimiter at `at` is; 0 if there is none.
 pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
     match bytes.get(at) {
         Some(b' ' | b'\t' | b',') => 1,

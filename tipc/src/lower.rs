@@ -66,7 +66,7 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// What a statement does; a declaration is no step.
+    /// What a statement does; a declaration is not a step.
     fn action(&self, resolved: Resolved) -> Option<Action> {
         Some(match resolved {
             Resolved::Define => return None,
@@ -153,7 +153,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A struct stands as its members.
+    /// A struct is given as its members.
     fn members(&self, variable: VariableId, relative: bool) -> Vec<Argument> {
         let members = 0..self.variables[variable].size();
         let argument = |member| Argument {
@@ -199,7 +199,7 @@ fn increment(counting: Counting) -> Operand {
     counting.step.unwrap_or(Operand::Constant(1.0))
 }
 
-/// The number of the native command stands before its values.
+/// The number of the native command comes before its values.
 fn special(number: f64, values: Vec<Operand>) -> Action {
     let operands = std::iter::once(Operand::Constant(number)).chain(values);
     let argument = |operand| Argument {

@@ -116,13 +116,13 @@ impl Source {
         self.text.get(span.start..span.end).unwrap_or_default()
     }
 
-    /// The byte order mark that stands before the text in the file, if one does.
+    /// The byte order mark before the text of the file, if there is one.
     pub fn mark(&self) -> &[u8] {
         self.mark
     }
 
     /// The bytes of the file that spell the text at `span`, even if they spell it badly. Spans that follow each other
-    /// give bytes that follow each other; characters that begin in a span are spelled whole.
+    /// give bytes that follow each other; characters that begin in a span are given back completely.
     pub fn original(&self, span: Span) -> &[u8] {
         let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
         self.original.get(&self.text, at(span.start), at(span.end))

@@ -49,7 +49,7 @@ pub struct Use {
     pub access: Access,
     /// The member of a POS or JOINT that is meant, from 0; none means the whole.
     pub member: Option<u8>,
-    /// A minus stands before it.
+    /// A minus precedes it.
     pub negative: bool,
 }
 

@@ -16,7 +16,7 @@ use smol_str::{SmolStr, StrExt};
 pub struct Spanned<T> {
     /// The thing.
     pub node: T,
-    /// Where it stands.
+    /// Where it is.
     pub span: Span,
 }
 
@@ -26,7 +26,7 @@ pub type StepId = u32;
 /// A word, upper-cased.
 pub type Word = Spanned<SmolStr>;
 
-/// A piece of the source in capital letters, as it mostly stands there.
+/// A piece of the source in capital letters, as it is usually written.
 pub(crate) fn upper_case(text: &str) -> SmolStr {
     match text.bytes().any(|byte| byte.is_ascii_lowercase()) {
         true => text.to_ascii_uppercase_smolstr(),
@@ -50,7 +50,7 @@ pub enum VariableKind {
 pub struct Operand {
     /// What it is.
     pub kind: OperandKind,
-    /// A minus stands before a name (a constant holds its own sign).
+    /// A minus precedes a name (a constant holds its own sign).
     pub negative: bool,
     /// The operand with its sign.
     pub span: Span,
@@ -83,7 +83,7 @@ pub enum Condition {
     Flag {
         /// The flag's name without `!`.
         name: Word,
-        /// `!` stands before it.
+        /// `!` precedes it.
         negated: bool,
     },
 }
@@ -158,7 +158,7 @@ pub enum Expression {
         /// The right operand.
         right: Operand,
     },
-    /// A function word and its operands, however many stand there.
+    /// A function word and its operands, however many there are.
     Function {
         /// The function's name.
         name: Word,

@@ -54,7 +54,7 @@ pub struct JointDescription {
     pub servo: u8,
     /// +1 or −1: which way the motor turns when the joint's angle grows.
     pub sign: i8,
-    /// The motor angle when the joint stands at 0: deg.
+    /// The motor angle when the joint is at 0: deg.
     pub offset: f64,
     /// Working limits of the joint: deg.
     pub limits: [f64; 2],

@@ -1,4 +1,4 @@
-//! A workshop without a robot: simulated servos that stand where a robot at rest would hold them.
+//! A workshop without a robot: simulated servos that are where a robot at rest would hold them.
 
 use crate::bus::ServoBus;
 use crate::description::{Description, JOINTS, LEGS};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// The folder of the tests.
 ///
 /// # Panics
-/// Never: this package stands in it.
+/// Never: this package is in it.
 pub fn root() -> &'static Path {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     package.parent().expect("the package stands in a folder")

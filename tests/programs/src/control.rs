@@ -113,7 +113,7 @@ impl Writer {
         self.line(&format!("{label}:"));
     }
 
-    /// A loop over LOOP, entered by whatever stands above it.
+    /// A loop over LOOP, entered by whatever is above it.
     fn jump_back(&mut self) {
         let (counter, rounds) = (COUNTERS[self.depth], 1 + self.dice.below(3));
         self.line(&format!("{counter} = 0"));

@@ -1,4 +1,4 @@
-//! The files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written whole.
+//! The files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written completely or not at all.
 
 mod claim;
 
@@ -83,7 +83,7 @@ impl<C> LogFiles<C> {
         self.write(WARNING_LOG, text);
     }
 
-    /// Writes what was collected so far, and removes what an earlier run left beside it: for a host that
+    /// Writes what was collected so far, and removes what an earlier run left next to it: for a host that
     /// ends a run before the program does.
     pub fn flush(&mut self) {
         if !self.log.is_empty() {

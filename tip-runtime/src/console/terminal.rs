@@ -178,7 +178,7 @@ impl<W: Write> MessageLine<W> {
         self.silent = on;
     }
 
-    /// Several lines, shown in silence as well.
+    /// Several lines, shown even under SILENT_ON.
     fn report(&mut self, text: &dyn Display) {
         let start = if self.rewrites { CLEAR } else { "" };
         let _ = write!(self.output, "{start}{text}");

@@ -9,7 +9,7 @@ use super::{Point, resolve};
 use crate::command::MAX;
 use crate::model::{Axes, Leg};
 
-/// Postures to start from, beside the initial one. Of the reachable targets of random chains these
+/// Postures to start from, besides the initial one. Of the reachable targets of random chains these
 /// are enough for 99.9 %.
 const STARTS: u8 = 15;
 

@@ -1,4 +1,4 @@
-//! What a robot has beside legs, and what steps switch: keys, lamps, flags, logs, bar graphs.
+//! What a robot has besides legs, and what steps switch: keys, lamps, flags, logs, bar graphs.
 
 use super::graphs::Graphs;
 use super::keyboard::Keyboard;

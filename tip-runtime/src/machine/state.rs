@@ -33,7 +33,7 @@ impl Status {
 pub(super) struct State {
     pub(super) status: Status,
     pub(super) emergency: Option<Emergency>,
-    /// What went wrong after the last step, to be found in the next cycle.
+    /// A fault after the last step, which the next cycle reports.
     pub(super) pending: Option<Fault>,
     /// The last step waits, so that the next cycle continues it.
     pub(super) waiting: bool,

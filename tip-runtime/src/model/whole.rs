@@ -1,4 +1,4 @@
-//! What a model says of the robot as a whole, whatever the number of its legs.
+//! What a model says of the whole robot, for any number of legs.
 
 use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
 
@@ -39,7 +39,7 @@ impl<'m> Whole<'m> {
 }
 
 impl<const J: usize> Leg<J> {
-    /// What stands in an array until it is filled in over a slice, which compiles once for all of
+    /// What fills an array until it is filled in over a slice, which compiles once for all of
     /// its lengths; `map` of an array does not.
     pub(crate) const BLANK: &'static Self =
         &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);

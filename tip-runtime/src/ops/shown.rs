@@ -37,7 +37,7 @@ impl fmt::Display for Shown {
 /// A part of a line that MESSAGE shows.
 #[derive(Clone, Copy, Debug)]
 pub enum Part<'a> {
-    /// Text as it stands.
+    /// Text as it is.
     Text(&'a str),
     /// A value, and the digits after its point.
     Number(f64, u8),

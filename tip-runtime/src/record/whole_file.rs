@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Files that appear complete or not at all.
 #![allow(clippy::disallowed_methods, reason = "this is for writing files")]
 
 use std::ffi::OsString;
@@ -9,7 +9,7 @@ use std::process;
 
 /// A file that takes its place when [`commit`](Self::commit) says so; until then the earlier one stays as it was.
 ///
-/// It is written beside its place, as `.NAME.PROCESS.part`, and then renamed. Dropped without `commit` it leaves
+/// It is written next to its place, as `.NAME.PROCESS.part`, and then renamed. Dropped without `commit` it leaves
 /// nothing. A device or a pipe has no content to lose and is written straight.
 #[derive(Debug)]
 pub struct WholeFile {

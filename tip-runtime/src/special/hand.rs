@@ -17,7 +17,7 @@ const FINGERS: usize = 3;
 /// Of each finger.
 const JOINTS: usize = 3;
 
-/// The commands of the hand, beside those of a user.
+/// The commands of the hand, in addition to those of a user.
 ///
 /// | number | what |
 /// |---|---|

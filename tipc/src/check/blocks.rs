@@ -45,7 +45,7 @@ pub(crate) struct Block {
     pub(crate) routine: Option<usize>,
     /// The statement that closes it.
     pub(super) end: usize,
-    /// Its ends do not fit, which is reported: what crosses them is no news.
+    /// Its ends do not fit, which is reported: what crosses them is not reported again.
     pub(crate) broken: bool,
 }
 

@@ -7,7 +7,7 @@ use crate::symbols::Access;
 use crate::syntax::VariableKind;
 
 impl Resolver<'_> {
-    /// Splits a text as it stands in the source at `place` into what is shown as it is and the values between.
+    /// Splits a text of the source at `place` into what is shown as it is and the values between.
     pub(super) fn message(&mut self, text: &str, place: Span) -> Vec<MessagePart> {
         let mut parts = Vec::new();
         let mut plain = String::new();

@@ -23,7 +23,7 @@ pub(crate) struct Names {
     /// Where each variable is declared; `None` for VAR_KEY.
     pub(crate) declared: Vec<Option<Span>>,
     ids: HashMap<String, VariableId>,
-    /// Names whose declaration was refused: their uses are no news.
+    /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
     joints: usize,
     /// Whose words are reserved.

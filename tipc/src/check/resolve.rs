@@ -32,7 +32,7 @@ pub(super) struct Known<'a> {
 enum Unresolved {
     /// It is wrong in itself: reported when it was read, or here.
     Wrong,
-    /// The statement that it belongs to is missing, or is no good: reported by the passes before.
+    /// The statement that it belongs to is missing or broken: reported by the passes before.
     Untied,
 }
 

@@ -35,15 +35,15 @@ struct Open {
     first: usize,
     /// The latest branch of an IF, whose link is still to be set.
     branch: usize,
-    /// ELSE has stood.
+    /// Whether its ELSE was read.
     has_else: bool,
     /// The block of the current branch.
     block: usize,
-    /// The SUBROUTINEs that stand right inside, which none may.
+    /// The SUBROUTINEs directly inside, which are not allowed.
     nested: Vec<usize>,
 }
 
-/// A closer still to come of a construct that another one has cut off: it is no second mistake.
+/// A closer still to come of a construct that another one has cut off: it is not a second mistake.
 struct Owed {
     kind: BlockKind,
     /// The diagnostic of the construct.

@@ -21,7 +21,7 @@ pub(crate) fn nearest<'a>(
         .map(|(_, candidate)| candidate)
 }
 
-/// How many letters stand in only one of the words: a cheap lower bound of twice their distance.
+/// How many letters are in only one of the words: a cheap lower bound of twice their distance.
 fn differing(a: &str, b: &str) -> u32 {
     (letters(a) ^ letters(b)).count_ones()
 }

@@ -23,7 +23,7 @@ pub(super) fn word(operand: &Operand) -> Option<&str> {
 }
 
 impl Resolver<'_> {
-    /// The target that stands first among a command's arguments.
+    /// The target, which is the first of a command's arguments.
     pub(super) fn target(
         &mut self,
         command: &Word,

@@ -21,7 +21,7 @@ pub(super) struct Uses<'a> {
     dumped: bool,
 }
 
-/// What became of the names of a whole program.
+/// The names of a whole program, and what each is used for.
 pub(super) struct Named {
     pub(super) symbols: Symbols,
     /// The variables that a broken statement names: nothing can be said of them.

@@ -204,7 +204,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Whether the key stands there at all.
+    /// Whether the key is there at all.
     pub(super) fn has(self, key: &str) -> bool {
         self.table.contains_key(key)
     }

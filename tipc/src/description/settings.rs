@@ -1,4 +1,4 @@
-//! What a description says beside its legs; everything has a default.
+//! What a description says besides its legs; everything has a default.
 
 use super::Leg;
 use super::keys::Part;

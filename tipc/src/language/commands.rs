@@ -45,7 +45,7 @@ pub struct Command {
     pub unit: &'static str,
     /// How many control cycles it takes.
     pub cycles: Cycles,
-    /// The runtime errors of its own step, beside those of its operands.
+    /// The runtime errors of its own step, besides those of its operands.
     pub failures: &'static [Failure],
     /// One line for the reference.
     pub description: &'static str,
@@ -108,7 +108,7 @@ static ROWS: [Command; COUNT] = {
     rows
 };
 
-/// By name and alias; a command without alias stands there twice.
+/// By name and alias; a command without alias is there twice.
 static INDEX: Index<{ 2 * COUNT }> = {
     let mut words = [("", 0); 2 * COUNT];
     let mut row = 0;

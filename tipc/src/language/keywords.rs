@@ -239,7 +239,7 @@ impl Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// Whether it stands only after another one.
+    /// Whether it is allowed only after another one.
     pub const fn is_particle(self) -> bool {
         matches!(self, Keyword::Then | Keyword::To | Keyword::Step)
     }

@@ -114,7 +114,7 @@ impl Iterator for Pieces<'_> {
     }
 }
 
-/// Whether a text stands after the word instead of operands.
+/// Whether the word is followed by a text instead of operands.
 fn takes_text(word: &str) -> bool {
     let texts = [Keyword::Message, Keyword::Rem];
     texts

@@ -121,7 +121,7 @@ impl Migrator<'_> {
         }
     }
 
-    /// Whether one of these commands stands in the program followed by such a word.
+    /// Whether the program has one of these commands followed by such a word.
     fn moved(&self, commands: &[&str], pieces: &[Piece], word: impl Fn(&str) -> bool) -> bool {
         let mut statements = pieces.iter().filter_map(Piece::statement);
         statements.any(|statement| {
@@ -131,7 +131,7 @@ impl Migrator<'_> {
         })
     }
 
-    /// Whether one of these commands stands in the program.
+    /// Whether the program has one of these commands.
     fn runs(&self, commands: &[&str], pieces: &[Piece]) -> bool {
         let mut statements = pieces.iter().filter_map(Piece::statement);
         statements.any(|statement| commands.contains(&statement.keyword.as_str()))

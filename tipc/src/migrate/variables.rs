@@ -103,7 +103,7 @@ impl Variables {
         }
     }
 
-    /// How the variable that stands at `place` is spelt, now known if it was not.
+    /// How the variable at `place` is spelt, now known if it was not.
     fn name_of(&mut self, prefix: Prefix, digits: &str, place: Span) -> String {
         let entry = match self.spelling.entry(key(prefix, digits)) {
             Entry::Occupied(known) => return known.get().clone(),

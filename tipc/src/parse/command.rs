@@ -20,7 +20,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The command word; an operator that stands in its place is shown as one.
+    /// The command word; an operator in its place is shown as one.
     fn command_word(&self, keyword: Span, tokens: &[Token]) -> Word {
         let span = tokens.first().map(|token| token.span).unwrap_or_default();
         let node = match tokens.first() {

@@ -197,7 +197,7 @@ impl Reader<'_> {
         Ok((StatementKind::Goto(jump), self.expect_end(End::Label)))
     }
 
-    /// A word that stands alone in its statement.
+    /// A word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         Ok((kind, self.expect_end(End::Word { word: name.into() })))
     }

@@ -23,7 +23,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     ))
 }
 
-/// The place of the version number in line 1; blanks and a comment may stand beside it.
+/// The place of the version number in line 1; blanks and a comment may surround it.
 pub(crate) fn version_word(source: &Source) -> Span {
     let (code, _) = split_comment(source.text(), source.line(1).span);
     let word = source.slice(code).trim_end_matches(BLANKS);

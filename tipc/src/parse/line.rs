@@ -1,4 +1,4 @@
-//! One line: its comment, its statements, their labels, and the words that want a line of their own.
+//! One line: its comment, its statements, their labels, and the words that need a line of their own.
 
 use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
@@ -79,7 +79,7 @@ impl Parser<'_> {
         self.report(diagnostic);
     }
 
-    /// ELSE, ENDIF, WEND and REPEAT among the line's statements want no other beside them.
+    /// ELSE, ENDIF, WEND and REPEAT allow no other statement on their line.
     ///
     /// The line's statements start at `first`, its diagnostics at `reported`.
     fn check_lone_words(&mut self, first: usize, reported: usize) {
@@ -111,7 +111,7 @@ impl Parser<'_> {
     }
 }
 
-/// ELSE, ENDIF, WEND or REPEAT beside something else.
+/// ELSE, ENDIF, WEND or REPEAT on one line with something else.
 pub(super) fn not_alone(name: Keyword, place: Span, other: Span) -> Diagnostic {
     let reason = Parsing::NotAlone { word: name.into() };
     Diagnostic::new(Code::Format, place, reason)

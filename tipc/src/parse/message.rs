@@ -12,7 +12,7 @@ use crate::syntax::{Shape, Spanned, StatementKind};
 const TEXT_LIMIT: usize = 70;
 
 impl Parser<'_> {
-    /// MESSAGE, whose word stands at `keyword`, whose text may reach up to `end`.
+    /// MESSAGE, whose word is at `keyword` and whose text may reach up to `end`.
     pub(super) fn message(&mut self, keyword: Span, end: usize, comment: Option<Span>) {
         let first = delimiter(&self.text.as_bytes()[..end], keyword.end);
         let is_blank = |char: char| BLANKS.contains(&char);
@@ -70,7 +70,7 @@ impl Parser<'_> {
     }
 }
 
-/// Where `\n` stands; a backslash (or yen sign) and the character after it are read as one.
+/// Where `\n` is; a backslash (or yen sign) and the character after it are read as one.
 fn line_break(text: &str) -> Option<usize> {
     let mut chars = text.char_indices();
     while let Some((at, char)) = chars.next() {

@@ -15,7 +15,7 @@ use crate::syntax::{Shape, StatementKind, VariableKind, Word};
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
     ///
-    /// A text may go on up to `text_end`; `comment` stands there if one does.
+    /// A text may go on up to `text_end`, where `comment` begins if there is one.
     pub(super) fn statement(
         &mut self,
         word: Span,
@@ -94,7 +94,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports what follows a word that stands alone on its line.
+    /// Reports what follows a word that must be alone on its line.
     fn check_alone(&mut self, keyword: Keyword, tokens: &[Token], reported: bool) {
         if let ([word, next, ..], [.., last], false) = (tokens, tokens, reported) {
             self.report(not_alone(keyword, word.span, next.span.to(last.span)));

@@ -79,7 +79,7 @@ pub enum Action {
         /// The step after NEXT.
         exit: StepId,
     },
-    /// NEXT; limit and increment are FOR's, read anew.
+    /// NEXT; limit and increment are FOR's, read again.
     Next {
         /// The loop variable.
         variable: Scalar,
@@ -121,7 +121,7 @@ pub enum Action {
         hs: bool,
         /// Its target.
         target: Target,
-        /// Its operands; a struct stands as its members.
+        /// Its operands; a struct is given as its members.
         arguments: Vec<Argument>,
     },
     /// A TEACH_ command that fills a struct.
@@ -162,7 +162,7 @@ pub enum Action {
 }
 
 impl Action {
-    /// What decides where it leads, beside its variables.
+    /// What decides where it leads, besides its variables.
     pub fn condition(&self) -> Option<&Condition> {
         match self {
             Action::If { condition, .. }
@@ -223,7 +223,7 @@ impl Action {
 pub struct Argument {
     /// The number.
     pub operand: Operand,
-    /// `R` stands before it.
+    /// `R` precedes it.
     pub relative: bool,
 }
 

@@ -23,7 +23,7 @@ pub enum Operand {
     Scalar {
         /// Which scalar.
         scalar: Scalar,
-        /// `-` stands before it.
+        /// `-` precedes it.
         negative: bool,
     },
 }
@@ -44,7 +44,7 @@ pub enum Condition {
     Flag {
         /// Which one.
         flag: Flag,
-        /// `!` stands before it.
+        /// `!` precedes it.
         negated: bool,
     },
 }

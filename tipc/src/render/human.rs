@@ -36,7 +36,7 @@ impl Window {
         window
     }
 
-    /// Where a span of the source, cut to its first line, stands in the window; `None` if elsewhere.
+    /// Where a span of the source, cut to its first line, is in the window; `None` if elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
         let (line, _) = source.line_column(span.start);
         let shown = self.lines.get(line.checked_sub(self.first)? as usize)?;

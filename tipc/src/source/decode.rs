@@ -41,7 +41,7 @@ pub struct Undecodable {
     pub charset: Charset,
     /// Which byte of the file, from 0.
     pub byte: usize,
-    /// The replacement character that stands in the text instead.
+    /// The replacement character in the text instead.
     pub span: Span,
     /// If either charset was allowed: the other one, and the first byte that it lacks.
     pub other: Option<(Charset, usize)>,
@@ -54,7 +54,7 @@ pub(super) const MARK: &[u8] = b"\xEF\xBB\xBF";
 pub(super) struct Decoded {
     pub(super) text: String,
     pub(super) charset: Charset,
-    /// A byte order mark stands before the text and is not part of it.
+    /// A byte order mark precedes the text and is not part of it.
     pub(super) marked: bool,
     pub(super) bad: Option<Undecodable>,
 }
@@ -144,7 +144,7 @@ fn extend(text: &mut String, bytes: &[u8]) -> Option<usize> {
     }
 }
 
-/// How long the text of Shift_JIS can be: three bytes for each one that is not ASCII. The decoder wants some to spare.
+/// How long the text of Shift_JIS can be: three bytes for each one that is not ASCII. The decoder needs some spare room.
 fn room(bytes: &[u8]) -> usize {
     bytes.len() + 2 * bytes.iter().filter(|byte| !byte.is_ascii()).count() + 16
 }

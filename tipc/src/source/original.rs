@@ -40,7 +40,7 @@ impl Original {
         bytes.get(start..end).unwrap_or_default()
     }
 
-    /// How many bytes of the file spell `char`, which stands there at `at`.
+    /// How many bytes of the file spell `char`, which is at `at`.
     pub(super) fn length(&self, char: char, at: usize) -> usize {
         let Original::Bytes(charset, bytes) = self else {
             return char.len_utf8();

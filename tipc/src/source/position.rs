@@ -113,7 +113,7 @@ impl Source {
         at
     }
 
-    /// Line, and column in characters, of a byte of the text; both from 1. What stands after the last line, or in its
+    /// Line, and column in characters, of a byte of the text; both from 1. What comes after the last line, or in its
     /// end, is reported on that line.
     pub fn line_column(&self, offset: usize) -> (u32, u32) {
         (self.line_number(offset), self.column(offset))

@@ -54,7 +54,7 @@ fn bytes_that_are_no_text_are_named() {
     check_bad(b"3.1\n\x82\xA0\xFFA", Encoding::Auto, 6, (2, 2));
     check_bad(b"a\x82", Encoding::ShiftJis, 1, (1, 2));
     check_bad(b"\x82\x20\x82\xA0", Encoding::ShiftJis, 0, (1, 1));
-    // HIRAGANA A as UTF-8 (E3 81 82), LF, FF. As Shift_JIS the third byte wants a partner and LF is none: UTF-8 reads
+    // HIRAGANA A as UTF-8 (E3 81 82), LF, FF. As Shift_JIS the third byte needs a second one and LF is not valid there: UTF-8 reads
     // further, so its byte is the one that is named.
     check_bad(b"\xE3\x81\x82\n\xFF", Encoding::Auto, 4, (2, 1));
 }

@@ -1,4 +1,4 @@
-//! What can keep a command from its work, beside a program that does not load.
+//! Why a command can fail, besides a program that does not load.
 
 use super::Status;
 use std::fmt;

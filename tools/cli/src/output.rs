@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all, and standard output that may be closed.
+//! Files that appear complete or not at all, and standard output that may be closed.
 
 use super::error::{Error, is_closed};
 use std::fs;

@@ -132,7 +132,7 @@ fn simulate(
     Ok(status(&ending))
 }
 
-/// Writes the trace, and ends the run when someone wants that.
+/// Writes the trace, and ends the run when it is interrupted.
 struct Watch<'a> {
     trace: Option<&'a mut Trace>,
 }

@@ -25,7 +25,7 @@ impl<P: Program + Clone + 'static> AnyProgram for P {
 }
 
 impl Engine {
-    /// Takes a program as it stands.
+    /// Takes a program as it is.
     pub fn new(program: impl Program + Clone + 'static) -> Self {
         Engine(Box::new(program))
     }

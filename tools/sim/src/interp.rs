@@ -1,6 +1,6 @@
 //! The reference interpreter: a [`Program`](tipc::program::Program) run one step at a call.
 //!
-//! It says what a program means by reading it as it stands. With the emitter it shares the leaf
+//! It says what a program means by running it as written. With the emitter it shares the leaf
 //! arithmetic of [`tip_runtime::ops`] and nothing else, so that comparing the two proves something.
 
 mod evaluate;

@@ -40,7 +40,7 @@ impl From<Option<u64>> for Limit {
     }
 }
 
-/// Stands beside a run while it lasts.
+/// Accompanies a run while it lasts.
 pub trait Observer {
     /// Asked before each cycle; `false` interrupts the run.
     fn goes_on(&mut self) -> bool {
@@ -130,7 +130,7 @@ impl Run {
         })
     }
 
-    /// Lets events happen, besides those that are to happen already, from their text.
+    /// Adds events, given as text, to those that are to happen.
     ///
     /// # Errors
     /// The text is not a list of events, or the robot lacks an input.
@@ -139,7 +139,7 @@ impl Run {
         self.with_events(&events)
     }
 
-    /// Lets events happen, besides those that are to happen already.
+    /// Adds events to those that are to happen.
     ///
     /// # Errors
     /// The robot lacks an input.

@@ -1,4 +1,4 @@
-//! Files that belong to one program: whole or absent, and never over those of another.
+//! Files that belong to one program: complete or absent, and never replacing those of another.
 #![allow(
     clippy::disallowed_methods,
     reason = "this console is for writing files"

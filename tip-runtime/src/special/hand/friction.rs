@@ -16,7 +16,7 @@ const STANDARD_FREQUENCY: f64 = 30.0;
 /// What vibrates, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mode {
-    /// 0: nothing; 5 and 7 as well, which the language keeps without a function.
+    /// 0: nothing; so do 5 and 7, which the language reserves.
     Still,
     /// 1: the fingertip joint.
     Fingertip,

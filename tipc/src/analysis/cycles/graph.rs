@@ -21,7 +21,7 @@ pub(super) struct Graph<'a> {
     routines: BTreeMap<NodeId, Option<Count>>,
 }
 
-/// Where paths end, besides the end of their frame.
+/// Where paths end, apart from the end of their frame.
 struct Limits<'a> {
     /// A node that is not passed.
     stops: &'a dyn Fn(NodeId) -> bool,

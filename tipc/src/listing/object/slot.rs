@@ -39,7 +39,7 @@ impl Slot {
     }
 }
 
-/// Where each variable stands among those of its type.
+/// The place of each variable among those of its type.
 pub(super) struct Variables<'a> {
     program: &'a Program,
     places: Vec<u32>,

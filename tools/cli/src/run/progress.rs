@@ -6,7 +6,7 @@ use tip_runtime::console::Bars;
 
 /// A run that is over before this needs no sign of life.
 const FIRST: Duration = Duration::from_secs(1);
-/// How long a sign of life stands.
+/// How long a sign of life is shown.
 const EVERY: Duration = Duration::from_millis(200);
 /// The clock is asked once in so many cycles.
 const CYCLES: u64 = 64;

@@ -48,7 +48,7 @@ impl Screen {
         self.progress.at(cycle);
     }
 
-    /// Gives the terminal back, so that reports of the end stand where they should, and completes the log files.
+    /// Gives the terminal back, so that reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
         self.progress.clear();
         self.keyboard = None;

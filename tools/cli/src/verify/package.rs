@@ -72,7 +72,7 @@ impl Package {
     }
 }
 
-/// What may stand in a package's name.
+/// What a package's name may contain.
 fn crate_name(source: &str) -> String {
     let stem = source.rsplit_once('.').map_or(source, |(stem, _)| stem);
     let plain = stem

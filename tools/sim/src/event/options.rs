@@ -72,7 +72,7 @@ impl FromStr for Inputs {
     }
 }
 
-/// A word, or what stands between single quotes; and what follows.
+/// A word, or the text between single quotes; and what follows.
 fn value(text: &str) -> (&str, &str) {
     match text
         .strip_prefix('\'')

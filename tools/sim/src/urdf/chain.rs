@@ -7,7 +7,7 @@ use super::tree::Tree;
 use tipc::message::Importing;
 use tipc::message::phrase::JointKind;
 
-/// A leg. All of it is seen from the robot frame while every joint stands at 0: there the axes of all joints
+/// A leg. All of it is seen from the robot frame while every joint is at 0: there the axes of all joints
 /// are those of a description, whose frames are parallel at 0, however URDF has turned its own frames.
 #[derive(Clone, Debug)]
 pub(super) struct Chain<'a> {

@@ -91,7 +91,7 @@ fn missing(node: Node<'_, '_>, attribute: &Attribute, version: Version) -> Check
     }
 }
 
-/// How often an element stands in another one.
+/// How often an element occurs in another one.
 fn count(node: Node<'_, '_>, child: &Child) -> Checked {
     let (element, name) = (node.tag_name().name().to_owned(), child.element.name);
     if let Some(attribute) = node.attribute_node(name) {

@@ -1,4 +1,4 @@
-//! What is in an element, and where it stands in the file.
+//! What is in an element, and where it is in the file.
 
 use roxmltree::Node;
 use tipc::message::phrase::Place;

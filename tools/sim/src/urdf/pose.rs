@@ -1,4 +1,4 @@
-//! Where a frame stands in another one.
+//! The pose of a frame in another one.
 
 use super::robot::Origin;
 
@@ -16,7 +16,7 @@ impl Pose {
         at: [0.0; 3],
     };
 
-    /// A frame that stands at `origin` in this one.
+    /// A frame at `origin` in this one.
     pub(super) fn then(&self, origin: &Origin) -> Pose {
         let inner = rotation(origin.rpy);
         let column = |j: usize| inner.map(|row| row[j]);

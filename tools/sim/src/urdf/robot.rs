@@ -68,7 +68,7 @@ impl Kind {
     }
 }
 
-/// Where a joint's frame stands in its parent's.
+/// The pose of a joint's frame in its parent's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Origin {
     /// m.

@@ -19,7 +19,7 @@ pub(super) struct Attribute {
     pub(super) example: &'static str,
 }
 
-/// An element in another one, how often it stands there, and an example.
+/// An element in another one, how often it may be there, and an example.
 pub(super) struct Child {
     pub(super) element: &'static Element,
     pub(super) count: Count,
@@ -35,7 +35,7 @@ pub(super) enum Presence {
     Optional,
 }
 
-/// How often an element may stand in another one.
+/// How often an element may occur in another one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Count {
     One,

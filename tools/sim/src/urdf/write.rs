@@ -162,7 +162,7 @@ fn comment(name: &str) -> String {
     name.replace(char::is_control, "?")
 }
 
-/// The robot's name with blanks for what cannot stand in one.
+/// The robot's name with blanks for characters that are not allowed.
 fn robot_name(name: &str) -> String {
     let allowed = |c: char| c.is_alphanumeric() || " -_.".contains(c);
     let name: String = name
