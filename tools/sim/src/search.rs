@@ -1,5 +1,5 @@
 //! The search for inputs that lead where no run has been: runs that reached something new are varied, most often
-//! just before cycles in which a condition has only gone one way so far. Where the engines differ the inputs are shrunk.
+//! just before cycles in which a condition has had only one outcome so far. Where the engines differ the inputs are shrunk.
 
 mod levers;
 mod random;
