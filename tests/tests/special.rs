@@ -1,4 +1,4 @@
-//! SPECIAL commands of a user, written in Rust, behind a program that runs on either engine.
+//! SPECIAL commands of a user, written in Rust, called by a program that runs on either engine.
 
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
 use tip_runtime::console::{Bars, Console};

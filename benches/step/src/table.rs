@@ -1,4 +1,4 @@
-//! A table with a row for each entrant and a column for each motion; behind each number, how it compares
+//! A table with a row for each entrant and a column for each motion; after each number, how it compares
 //! with that of the compiled program.
 
 use native::motion::Motion;

@@ -76,11 +76,11 @@ A letter stands for a case in `tests/cases` that shows it, named below the table
 Every case that runs does so in both engines, and both give the same trace. What cannot occur says why, in italics; a column is left
 out where it could occur in no form of the command. The test `coverage`
 derives rows, columns and exceptions from the compiler's table of commands, finds what each case shows by loading and running
-it, and compares this page; `TIP_BLESS=1 cargo test -p tip-tests --test coverage` writes it anew.
+it, and compares this page; `TIP_BLESS=1 cargo test -p tip-tests --test coverage` rewrites it.
 
 S is a scalar operand, V a constant or VAR, F a foot or finger, J a joint; R and A stand before one value at least.
 
-| column | what comes of the statement |
+| column | the outcome of the statement |
 |---|---|
 ";
 

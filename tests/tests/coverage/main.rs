@@ -44,6 +44,6 @@ fn the_table_is_complete_and_up_to_date() {
     let page = fs::read_to_string(path).unwrap_or_default();
     assert!(
         page == text,
-        "docs/coverage.md differs; TIP_BLESS=1 writes it anew"
+        "docs/coverage.md differs; TIP_BLESS=1 rewrites it"
     );
 }

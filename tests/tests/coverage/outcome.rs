@@ -32,7 +32,7 @@ outcomes! {
     UnknownCommand "unknown command" "`Unknown command`: the robot lacks the command";
     Missing "missing" "`Wrong argument`: an argument is missing";
     Surplus "surplus" "`Wrong argument`: an argument too many";
-    Malformed "malformed" "`Wrong argument`: an argument is no constant, name or member";
+    Malformed "malformed" "`Wrong argument`: an argument is not a constant, name or member";
     WrongType "type" "`Wrong argument`: an operand of another type, a member that it lacks, or a constant that cannot stand there";
     WrongFlag "flag" "`Wrong argument`: R, A or HS where it cannot stand";
     WrongTarget "target" "`Wrong argument`: no target, or one that the command does not take";
@@ -50,8 +50,8 @@ outcomes! {
     OutOfRange "constant" "a warning: the constant is out of range";
     Unassigned "unassigned" "`Possible use of Variable before definition`, when the step runs";
     Domain "domain" "`Domain error`";
-    OutOfReach "reach" "`Out of reach …`, when the step runs, or on the way of what it set off";
-    JointLimit "limit" "`Joint limit …` on the way of what the step set off";
+    OutOfReach "reach" "`Out of reach …`, when the step runs, or during the motion that it started";
+    JointLimit "limit" "`Joint limit …` during the motion that the step started";
     Sensor "sensor" "`Sensor fault …`";
     Mode "mode" "`Invalid control mode`";
     Return "return" "`Invalid Return command`";
