@@ -24,7 +24,7 @@ dependency() {
 
 unpack() {
   need apt-get apt-cache dpkg
-  local library llvm version packages
+  local library llvm version packages archive
   version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: //p')
   case $version in
     '' | '(none)') skip "Debian's package rustc-web is not known here; apt-get update may help" ;;
@@ -37,8 +37,8 @@ unpack() {
   rm -rf "$unpacked" "$unpacked.part"
   mkdir -p "$unpacked.part/packages"
   (cd "$unpacked.part/packages" && apt-get -qq -o APT::Sandbox::User=root download "${packages[@]}") || skip "the packages cannot be downloaded"
-  for package in "$unpacked.part/packages"/*.deb; do
-    dpkg -x "$package" "$unpacked.part"
+  for archive in "$unpacked.part/packages"/*.deb; do
+    dpkg -x "$archive" "$unpacked.part"
   done
   rm -r "$unpacked.part/packages"
   mv "$unpacked.part" "$unpacked"

@@ -1,0 +1,142 @@
+//! The scripts, of which most run outside the gate.
+
+use house::root;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Every script of the shell: what names it in its first line, and what others read.
+fn scripts() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for folder in [".ci", "benches", "examples", "tests", "tools"] {
+        collect(&root().join(folder), &mut found);
+    }
+    assert!(found.len() > 6, "the scripts are found: {found:?}");
+    found
+}
+
+fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
+    let is_output = |path: &Path| path.ends_with("target") || path.ends_with("node_modules");
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries.map(|entry| entry.path()) {
+        if path.is_dir() {
+            if !is_output(&path) {
+                collect(&path, found);
+            }
+        } else if path.extension().is_none_or(|ending| ending == "sh")
+            && fs::read(&path).is_ok_and(|bytes| is_script(&path, &bytes))
+        {
+            found.push(path);
+        }
+    }
+}
+
+fn is_script(path: &Path, bytes: &[u8]) -> bool {
+    bytes.starts_with(b"#!") || path.extension().is_some()
+}
+
+/// The loop variables of functions that are not `local`: one that the caller declared under this name is overwritten.
+fn leaks(script: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut function = None;
+    for line in script.lines() {
+        if let Some(name) = line.strip_suffix("() {") {
+            function = Some((name, BTreeSet::new()));
+        } else if line == "}" {
+            function = None;
+        } else if let Some((name, own)) = &mut function {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            if let ["local", declared @ ..] = &words[..] {
+                let names = declared
+                    .iter()
+                    .map(|word| word.split('=').next().unwrap_or(word));
+                own.extend(names.map(str::to_owned));
+            }
+            let leaked = set(&words).into_iter().filter(|word| !own.contains(*word));
+            found.extend(leaked.map(|word| format!("{name}: {word}")));
+        }
+    }
+    found
+}
+
+/// The variables that a line sets as a loop.
+fn set<'l>(words: &[&'l str]) -> Vec<&'l str> {
+    match words {
+        ["for", head, ..] if head.starts_with("((") => {
+            let name = head.trim_start_matches('(').split('=').next();
+            name.into_iter().collect()
+        }
+        // A parenthesis makes it a loop of awk.
+        ["for" | "select", name, ..] if !name.starts_with('(') => vec![name],
+        ["while", rest @ ..] => {
+            let reads = rest.iter().skip_while(|word| **word != "read").skip(1);
+            let names = reads.map(|word| word.trim_end_matches(';'));
+            let names = names.take_while(|word| *word != "do" && !word.starts_with('<'));
+            names.filter(|word| !word.starts_with('-')).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn functions_of_scripts_keep_their_variables_to_themselves() {
+    let leaking = "f() {\n  local a b=1\n  for c in 1 2; do\n  for a in 1; do\n  while read -r b d; do\n}\n\
+                   for c in 1; do";
+    assert_eq!(leaks(leaking), ["f: c", "f: d"]);
+    for path in scripts() {
+        let text = fs::read_to_string(&path).expect("scripts are UTF-8");
+        assert_eq!(leaks(&text), [""; 0], "{}", path.display());
+    }
+}
+
+/// On a machine on which the compiler has still to be unpacked.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_first_run_of_a_bare_metal_script_builds_the_package_that_was_asked_for() {
+    use std::os::unix::fs::PermissionsExt;
+    use std::process::Command;
+
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("first-run");
+    let _ = fs::remove_dir_all(&folder);
+    let bin = folder.join("bin");
+    let linker = folder.join("lib/rustlib/here/bin");
+    for folder in [&bin, &linker] {
+        fs::create_dir_all(folder).expect("the target folder is writable");
+    }
+    let tool = |path: PathBuf, script: &str| {
+        fs::write(&path, format!("#!/bin/sh\n{script}\n")).expect("a script");
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).expect("it is ours");
+    };
+    tool(bin.join("apt-get"), "touch one.deb two.deb");
+    tool(
+        bin.join("apt-cache"),
+        "echo '  Candidate: 1.90'; echo '  Depends: lib'",
+    );
+    tool(bin.join("dpkg"), "exit 0");
+    tool(bin.join("cargo"), "echo \"$@\"");
+    let sysroot = folder.display();
+    tool(
+        bin.join("rustc"),
+        &format!("case $1 in -vV) echo host: here ;; *) echo {sysroot} ;; esac"),
+    );
+    tool(linker.join("rust-lld"), "exit 0");
+
+    let script = "set -euo pipefail\n. ./debian-rust.sh\nbuild_for wasm32-unknown-unknown wasm";
+    let path = std::env::var("PATH").unwrap_or_default();
+    let run = || {
+        let output = Command::new("bash")
+            .args(["-c", script])
+            .current_dir(root().join("examples/bare-metal"))
+            .env("PATH", format!("{}:{path}", bin.display()))
+            .env("CARGO_TARGET_DIR", folder.join("target"))
+            .output()
+            .expect("bash starts");
+        let told = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{told}");
+        told
+    };
+    for (run, is_first) in [(run(), true), (run(), false)] {
+        assert_eq!(run.contains("unpacking"), is_first, "{run}");
+        assert!(run.trim_end().ends_with("--package wasm"), "{run}");
+    }
+}
