@@ -83,7 +83,7 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     pub fn new(model: &Model<L, J>) -> Self {
         SimulatedHand {
             grip: Grip::new(model),
-            overrides: Overrides::new(&model.legs),
+            overrides: Overrides::new(model),
             lamps: [0; 8],
         }
     }

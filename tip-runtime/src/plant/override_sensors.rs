@@ -3,13 +3,15 @@
 use crate::analog::{self, Wire};
 use crate::command::{KNOBS, Port};
 use crate::hardware::SensorsMut;
-use crate::model::{Leg, Range};
+use crate::model::{Leg, Model, Range};
 
 /// Inputs of the robot as a whole, and of its legs: an array of them, or a slice.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overrides<S: ?Sized> {
     knobs: [f64; KNOBS],
     antenna: Option<f64>,
+    /// Only a body that stands on its legs has soles.
+    soles: bool,
     legs: S,
 }
 
@@ -34,14 +36,15 @@ impl<const J: usize> LegInputs<J> {
 
 impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
     /// Knobs read 0, everything else is measured.
-    pub(super) fn new(legs: &[Leg<J>; L]) -> Self {
+    pub(super) fn new(model: &Model<L, J>) -> Self {
         let mut overrides = Overrides {
             knobs: [0.0; KNOBS],
             antenna: None,
+            soles: model.body.is_some(),
             legs: [LegInputs::new(Leg::BLANK); L],
         };
         let view: &mut Overrides<[LegInputs<J>]> = &mut overrides;
-        view.put(legs);
+        view.put(&model.legs);
         overrides
     }
 }
@@ -66,7 +69,7 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
             Port::Knob(knob) => put(self.knobs.get_mut(index(knob)), volts),
             Port::Joint(leg, joint) => self.set_joint(index(leg), index(joint), volts),
             Port::Paw(leg) => {
-                let leg = self.legs.get_mut(index(leg));
+                let leg = self.legs.get_mut(index(leg)).filter(|_| self.soles);
                 put(leg.map(|leg| &mut leg.paw), Some(volts))
             }
             Port::Antenna => put(Some(&mut self.antenna), Some(volts)),

@@ -72,7 +72,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
                 each: [LegPlant::new(Leg::BLANK); L],
             },
             ground: Ground::new(model.body),
-            overrides: Overrides::new(&model.legs),
+            overrides: Overrides::new(model),
             lamps: [0; 8],
         };
         let legs: &mut Legs<[LegPlant<J>]> = &mut plant.legs;

@@ -4,7 +4,8 @@ use crate::rig::{Rig, WEIGHT, close};
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, Outputs};
-use tip_runtime::plant::Plant;
+use tip_runtime::model::hand;
+use tip_runtime::plant::{Plant, SimulatedHand};
 
 // clauses: 7.32
 #[test]
@@ -58,6 +59,7 @@ fn inputs_that_the_robot_lacks_cannot_be_set() {
     ] {
         assert!(!plant.set_sensor(port, 1.0), "{port:?}");
     }
+    assert!(!SimulatedHand::new(&hand::MODEL).set_sensor(Port::Paw(1), 1.0));
 }
 
 // clauses: 7.36

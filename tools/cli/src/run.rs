@@ -56,7 +56,7 @@ pub(super) struct Run {
     pub(super) trace: Option<PathBuf>,
 
     /// End each record of the trace with a hash of the robot's commands and measurements
-    #[arg(long)]
+    #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
     /// Write the log files of the language into this folder

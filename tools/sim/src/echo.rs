@@ -39,7 +39,12 @@ struct Joint {
 
 impl Echo {
     pub(crate) fn new<const L: usize, const J: usize>(model: &Model<L, J>) -> Self {
-        Self::of(&model.legs, model.forces.as_ref(), model.slider.as_ref())
+        let mut echo = Self::of(&model.legs, model.forces.as_ref(), model.slider.as_ref());
+        // Only a body that stands on its legs has soles.
+        if model.body.is_none() {
+            echo.paws.clear();
+        }
+        echo
     }
 
     fn of<const J: usize>(

@@ -113,6 +113,33 @@ fn states_are_hashed_on_request_only() {
 }
 
 #[test]
+fn states_without_a_trace_are_refused() {
+    let folder = Folder::new("run-state-alone").program("p.prg", "END");
+    let refused = folder.tipc(&["run", "p.prg", "--trace-state"]).expect(2);
+    assert!(refused.err.contains("--trace <"), "{refused:#?}");
+}
+
+// clauses: 7.32
+#[test]
+fn a_sole_that_the_robot_lacks_is_refused() {
+    let bolted = "name = \"bolted\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\nleg = [{ base = [0, 0, 0] }]\n";
+    let folder = Folder::new("run-soles")
+        .program("p.prg", "END")
+        .file("bolted.toml", bolted);
+    for (robot, status) in [
+        ("titan8", 0),
+        ("generic", 0),
+        ("hand", 2),
+        ("bolted.toml", 2),
+    ] {
+        let arguments = ["run", "p.prg", "--robot", robot, "--sensor", "PAW1=1@0"];
+        let outcome = folder.tipc(&arguments).expect(status);
+        let refused = outcome.err.contains("has no input PAW1");
+        assert_eq!(refused, status == 2, "{robot}: {outcome:#?}");
+    }
+}
+
+#[test]
 fn the_generic_robot_and_the_hand_run() {
     let folder = Folder::new("run-robots").program("p.prg", "END");
     for robot in ["generic", "hand"] {
