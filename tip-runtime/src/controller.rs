@@ -134,6 +134,8 @@ impl<const L: usize, const J: usize> DerefMut for Controller<'_, L, J> {
 
 impl<'m> Core<'m, ()> {
     /// What a controller keeps of the robot as a whole, with nothing controlled.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn resting(robot: Whole<'m>) -> Self {
         let slider = robot.slider.map_or([0.0; 3], |slider| slider.initial);
         Core {
@@ -167,6 +169,8 @@ impl<'m> Core<'m, ()> {
 
 impl<'m, const J: usize> ControllerView<'m, J> {
     /// Puts every leg in its initial posture.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn put_legs(&mut self, models: &'m [Leg<J>]) {
         for (leg, model) in self.legs.iter_mut().zip(models) {
             *leg = LegState::new(model, &self.robot);

@@ -30,6 +30,8 @@ pub struct LegState<'m, const J: usize> {
 
 impl<'m, const J: usize> LegState<'m, J> {
     /// A leg in its initial posture, not controlled, with standard parameters.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn new(model: &'m Leg<J>, robot: &Whole<'_>) -> Self {
         LegState {
             model,

@@ -25,6 +25,8 @@ pub(super) struct LegInputs<const J: usize> {
 }
 
 impl<const J: usize> LegInputs<J> {
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn new(leg: &Leg<J>) -> Self {
         LegInputs {
             ranges: leg.joints.map(|joint| joint.outer),
@@ -51,6 +53,8 @@ impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
 
 impl<const J: usize> Overrides<[LegInputs<J>]> {
     /// Takes what the potentiometers cover from the legs.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn put(&mut self, legs: &[Leg<J>]) {
         for (inputs, leg) in self.legs.iter_mut().zip(legs) {
             *inputs = LegInputs::new(leg);
@@ -86,6 +90,8 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     }
 
     /// Puts what was set in place of what was measured.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn apply(&self, sensors: &mut SensorsMut<'_, J>) {
         let measured = sensors.angles.iter_mut().zip(sensors.paws.iter_mut());
         for ((angles, paw), leg) in measured.zip(&self.legs) {

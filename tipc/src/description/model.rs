@@ -77,6 +77,8 @@ impl Description {
     }
 
     /// The robot as if it had its first leg alone: what does not depend on their number is compiled once for all.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn with_one_leg<const J: usize>(&self) -> Option<Model<1, J>> {
         Some(Model {
             inverse: self.inverse,
@@ -92,6 +94,8 @@ impl Description {
     }
 
     /// Fills in the legs of a model, if it has as many.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn put<const J: usize>(&self, legs: &mut [model::Leg<J>]) -> Option<()> {
         if legs.len() != self.legs.len() {
             return None;

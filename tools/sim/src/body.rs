@@ -92,7 +92,7 @@ impl<const L: usize, const J: usize> Sized<L, J> {
     fn rig(&self, Around { plant, scene }: &Around) -> Rig<L, J> {
         match (plant, &self.hardware) {
             (_, Hardware::Own(rig)) => rig.clone(),
-            (Plant::Echo, _) => Rig::new(Echo::new(self.model)),
+            (Plant::Echo, _) => Rig::echo(Echo::new(self.model)),
             (Plant::Simulated, Hardware::Hand(make)) => make(self.model, scene),
             (Plant::Simulated, Hardware::Walker) => {
                 Rig::new(SimulatedPlant::new(self.model).with_floor(scene.floor))
@@ -102,6 +102,8 @@ impl<const L: usize, const J: usize> Sized<L, J> {
 }
 
 /// Where each foot is in the initial posture: mm.
+// Out of line, or it would be copied for each number of legs.
+#[inline(never)]
 fn feet<const J: usize>(legs: &[Leg<J>]) -> Vec<[f64; 3]> {
     let foot = |leg: &Leg<J>| Chain::new(leg, &leg.initial).foot();
     legs.iter().map(foot).collect()

@@ -1,16 +1,14 @@
 //! A robot that is cheap to simulate: joints are at once where they are commanded to be.
 
 use tip_runtime::command::{KNOBS, Port};
-use tip_runtime::fault::Fault;
-use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+use tip_runtime::hardware::{JointCommand, Outputs, Sensors};
 use tip_runtime::model::{self, Forces, Leg, Model, Range, Slider};
-use tip_runtime::plant::Plant;
 
 /// How far a joint with all its torque turns in a cycle: deg.
 const DRIFT: f64 = 0.3;
 
 /// A robot of any size, leg by leg.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Echo {
     joints: Vec<Joint>,
     /// V.
@@ -47,6 +45,8 @@ impl Echo {
         echo
     }
 
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn of<const J: usize>(
         legs: &[Leg<J>],
         forces: Option<&Forces>,
@@ -77,7 +77,22 @@ impl Echo {
         self.touches = on;
     }
 
+    pub(crate) fn read<const L: usize, const J: usize>(&self, into: &mut Sensors<L, J>) {
+        let angles = into.angles.as_flattened_mut();
+        self.measure(angles, into.torques.as_flattened_mut(), &mut into.paws);
+        into.knobs = self.knobs;
+        into.antenna = self.antenna;
+        into.slider = self.slider;
+    }
+
+    pub(crate) fn write<const L: usize, const J: usize>(&mut self, outputs: &Outputs<L, J>) {
+        self.drive(outputs.joints.as_flattened());
+        self.slider = outputs.slider;
+    }
+
     /// What joints and soles read, leg by leg.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn measure(&self, angles: &mut [f64], torques: &mut [f64], paws: &mut [f64]) {
         for (joint, (angle, torque)) in self.joints.iter().zip(angles.iter_mut().zip(torques)) {
             (*angle, *torque) = (joint.angle, joint.torque);
@@ -87,6 +102,8 @@ impl Echo {
         }
     }
 
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     fn drive(&mut self, commands: &[JointCommand]) {
         let resistance = if self.touches { self.resistance } else { 0.0 };
         for (joint, command) in self.joints.iter_mut().zip(commands) {
@@ -106,7 +123,8 @@ impl Echo {
         }
     }
 
-    fn set(&mut self, port: Port, volts: f64) -> bool {
+    /// Makes an input read `volts` from now on; `false` if the robot lacks it.
+    pub(crate) fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         let input = match port {
             Port::Knob(n) => self.knobs.get_mut(usize::from(n).wrapping_sub(1)),
             Port::Paw(n) => self.paws.get_mut(usize::from(n).wrapping_sub(1)),
@@ -117,27 +135,14 @@ impl Echo {
     }
 }
 
-impl<const L: usize, const J: usize> Hardware<L, J> for Echo {
-    fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
-        let angles = into.angles.as_flattened_mut();
-        self.measure(angles, into.torques.as_flattened_mut(), &mut into.paws);
-        into.knobs = self.knobs;
-        into.antenna = self.antenna;
-        into.slider = self.slider;
-        Ok(())
-    }
-
-    fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
-        self.drive(outputs.joints.as_flattened());
-        self.slider = outputs.slider;
-        Ok(())
-    }
-
-    fn stop(&mut self, _why: &Fault) {}
-}
-
-impl<const L: usize, const J: usize> Plant<L, J> for Echo {
-    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        self.set(port, volts)
+impl Clone for Echo {
+    // Out of line, or it would be copied for each size of robot.
+    #[inline(never)]
+    fn clone(&self) -> Self {
+        Echo {
+            joints: self.joints.clone(),
+            paws: self.paws.clone(),
+            ..*self
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The simulated hardware of a run under one type for each size, which may fail.
 
+use crate::echo::Echo;
 use std::any::Any;
 use std::fmt;
 use tip_runtime::command::Port;
@@ -8,9 +9,16 @@ use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use tip_runtime::plant::{Motion, Plant};
 
 /// A plant that may fail.
+#[derive(Clone)]
 pub(crate) struct Rig<const L: usize, const J: usize> {
-    plant: Box<dyn AnyPlant<L, J>>,
+    simulated: Simulated<L, J>,
     pub(crate) failures: Failures,
+}
+
+enum Simulated<const L: usize, const J: usize> {
+    /// Of any size, so that it is compiled once.
+    Echo(Box<Echo>),
+    Plant(Box<dyn AnyPlant<L, J>>),
 }
 
 /// What is to fail.
@@ -25,7 +33,6 @@ pub(crate) struct Failures {
 trait AnyPlant<const L: usize, const J: usize>: Plant<L, J> {
     fn boxed(&self) -> Box<dyn AnyPlant<L, J>>;
     fn any(&self) -> &dyn Any;
-    fn any_mut(&mut self) -> &mut dyn Any;
 }
 
 impl<P: Plant<L, J> + Clone + 'static, const L: usize, const J: usize> AnyPlant<L, J> for P {
@@ -36,34 +43,44 @@ impl<P: Plant<L, J> + Clone + 'static, const L: usize, const J: usize> AnyPlant<
     fn any(&self) -> &dyn Any {
         self
     }
-
-    fn any_mut(&mut self) -> &mut dyn Any {
-        self
-    }
 }
 
 impl<const L: usize, const J: usize> Rig<L, J> {
     pub(crate) fn new(plant: impl Plant<L, J> + Clone + 'static) -> Self {
         Rig {
-            plant: Box::new(plant),
+            simulated: Simulated::Plant(Box::new(plant)),
+            failures: Failures::default(),
+        }
+    }
+
+    pub(crate) fn echo(echo: Echo) -> Self {
+        Rig {
+            simulated: Simulated::Echo(Box::new(echo)),
             failures: Failures::default(),
         }
     }
 
     pub(crate) fn plant(&self) -> &dyn Any {
-        self.plant.any()
+        match &self.simulated {
+            Simulated::Echo(echo) => echo.as_ref(),
+            Simulated::Plant(plant) => plant.any(),
+        }
     }
 
-    pub(crate) fn plant_mut(&mut self) -> &mut dyn Any {
-        self.plant.any_mut()
+    /// Joints that echo, where something is touched when an event says so.
+    pub(crate) fn touched(&mut self) -> Option<&mut Echo> {
+        match &mut self.simulated {
+            Simulated::Echo(echo) => Some(echo),
+            Simulated::Plant(_) => None,
+        }
     }
 }
 
-impl<const L: usize, const J: usize> Clone for Rig<L, J> {
+impl<const L: usize, const J: usize> Clone for Simulated<L, J> {
     fn clone(&self) -> Self {
-        Rig {
-            plant: self.plant.boxed(),
-            failures: self.failures,
+        match self {
+            Simulated::Echo(echo) => Simulated::Echo(echo.clone()),
+            Simulated::Plant(plant) => Simulated::Plant(plant.boxed()),
         }
     }
 }
@@ -78,28 +95,48 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         match std::mem::take(&mut self.failures.read) {
             true => Err(HardwareFault("read")),
-            false => self.plant.read(into),
+            false => match &mut self.simulated {
+                Simulated::Echo(echo) => {
+                    echo.read(into);
+                    Ok(())
+                }
+                Simulated::Plant(plant) => plant.read(into),
+            },
         }
     }
 
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
         match self.failures.write {
             true => Err(HardwareFault("write")),
-            false => self.plant.write(outputs),
+            false => match &mut self.simulated {
+                Simulated::Echo(echo) => {
+                    echo.write(outputs);
+                    Ok(())
+                }
+                Simulated::Plant(plant) => plant.write(outputs),
+            },
         }
     }
 
     fn stop(&mut self, why: &Fault) {
-        self.plant.stop(why);
+        if let Simulated::Plant(plant) = &mut self.simulated {
+            plant.stop(why);
+        }
     }
 }
 
 impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        self.plant.set_sensor(port, volts)
+        match &mut self.simulated {
+            Simulated::Echo(echo) => echo.set_sensor(port, volts),
+            Simulated::Plant(plant) => plant.set_sensor(port, volts),
+        }
     }
 
     fn motion(&self) -> Option<Motion> {
-        self.plant.motion()
+        match &self.simulated {
+            Simulated::Echo(_) => None,
+            Simulated::Plant(plant) => plant.motion(),
+        }
     }
 }

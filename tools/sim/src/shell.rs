@@ -23,7 +23,7 @@ pub(crate) trait Shell {
     fn engine_mut(&mut self) -> &mut Engine;
     fn desk_mut(&mut self) -> &mut Desk;
     fn failures_mut(&mut self) -> &mut Failures;
-    fn plant_mut(&mut self) -> &mut dyn Any;
+    fn touched(&mut self) -> Option<&mut Echo>;
     fn motion(&self) -> Option<Motion>;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn pause(&mut self, on: bool);
@@ -55,7 +55,7 @@ impl dyn Shell {
         for leg in (1..).take(MAX) {
             self.set_sensor(Port::Paw(leg), volts);
         }
-        if let Some(echo) = self.plant_mut().downcast_mut::<Echo>() {
+        if let Some(echo) = self.touched() {
             echo.touch(on);
         }
     }
@@ -108,8 +108,8 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
         &mut self.hardware_mut().failures
     }
 
-    fn plant_mut(&mut self) -> &mut dyn Any {
-        self.hardware_mut().plant_mut()
+    fn touched(&mut self) -> Option<&mut Echo> {
+        self.hardware_mut().touched()
     }
 
     fn motion(&self) -> Option<Motion> {

@@ -27,7 +27,7 @@ pub(super) trait Carrier {
 }
 
 /// The body of a robot of `L` legs, and the floor under it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Ground<const L: usize> {
     pub(super) floor: Floor,
     /// The direction of gravity in the floor's frame.
@@ -49,6 +49,8 @@ pub(super) struct Ground<const L: usize> {
 
 impl<const L: usize> Ground<L> {
     /// A level floor under a body that has not settled yet.
+    // Out of line, or it would be copied for each number of joints.
+    #[inline(never)]
     pub(super) fn new(model: Option<model::Body>) -> Self {
         Ground {
             floor: Floor::LEVEL,

@@ -30,6 +30,8 @@ pub(super) struct Legs<S: ?Sized> {
 
 impl<const J: usize> LegPlant<J> {
     /// In its initial posture.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn new(model: &Leg<J>) -> Self {
         LegPlant {
             model: *model,
@@ -69,6 +71,8 @@ impl<const J: usize> LegPlant<J> {
 
 impl<const J: usize> Legs<[LegPlant<J>]> {
     /// Puts every leg in its initial posture.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn put(&mut self, models: &[Leg<J>]) {
         for (leg, model) in self.each.iter_mut().zip(models) {
             *leg = LegPlant::new(model);
@@ -76,6 +80,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 
     /// One control cycle of `period` ms.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn advance(
         &mut self,
         commands: &[[JointCommand; J]],
@@ -103,6 +109,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 
     /// Places every leg whose joints have turned, and lets the body come to rest on them.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn settle(&mut self, ground: &mut dyn Carrier) {
         for leg in &mut self.each {
             leg.links
@@ -116,6 +124,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 
     /// What the sensors read.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
     pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>, ground: &dyn Carrier) {
         let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
         for ((angles, torques), leg) in joints.zip(&self.each) {
