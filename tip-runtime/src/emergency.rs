@@ -1,6 +1,7 @@
 //! What ended a program by emergency stop, and how that is reported.
 
 use crate::fault::Fault;
+use crate::printable::Printable;
 use crate::program::Program;
 use core::fmt;
 
@@ -23,7 +24,7 @@ impl fmt::Display for Emergency {
 
 /// An emergency stop with its place in the program. Shown, it is the text of EMG.log: the classical
 /// one-liner, then `program`, `title`, `step`, `line`, `cycle` and, if one is to blame, `variable`,
-/// one per line with a tab after the word.
+/// one per line with a tab after the word. What the program says is [`Printable`].
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
     /// What happened.
@@ -50,14 +51,14 @@ impl Report<'_> {
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Emergency { step, cycle, .. } = self.emergency;
-        writeln!(f, "{}", self.emergency)?;
-        writeln!(f, "program\t{}", self.program.name())?;
-        writeln!(f, "title\t{}", self.program.title())?;
+        writeln!(f, "{}", Printable::line(self.emergency))?;
+        writeln!(f, "program\t{}", Printable::line(self.program.name()))?;
+        writeln!(f, "title\t{}", Printable::line(self.program.title()))?;
         writeln!(f, "step\t{step}")?;
         writeln!(f, "line\t{}", self.line())?;
         writeln!(f, "cycle\t{cycle}")?;
         match self.variable() {
-            Some(name) => writeln!(f, "variable\t{name}"),
+            Some(name) => writeln!(f, "variable\t{}", Printable::line(name)),
             None => Ok(()),
         }
     }

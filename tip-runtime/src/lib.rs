@@ -34,6 +34,7 @@ pub mod model;
 pub mod ops;
 #[cfg(feature = "control")]
 pub mod plant;
+pub mod printable;
 pub mod program;
 #[cfg(feature = "std")]
 pub mod realtime;

@@ -8,6 +8,7 @@ pub use raw::TerminalState;
 
 use super::{Bars, Console};
 use crate::emergency::Report;
+use crate::printable::Printable;
 use core::fmt::Display;
 use std::io::{self, IsTerminal, Read, Stdout, Write};
 use std::string::{String, ToString};
@@ -136,6 +137,7 @@ impl<W: Write> MessageLine<W> {
         if self.silent {
             return;
         }
+        let text = Printable::message(text);
         if self.rewrites {
             self.text = text.to_string();
             self.rewrite();
@@ -230,6 +232,16 @@ mod tests {
             line.close();
         });
         assert_eq!(text, "one\ntwo\n");
+    }
+
+    // clauses: 7.34
+    #[test]
+    fn a_message_cannot_steer_the_terminal() {
+        let say =
+            |line: &mut MessageLine<Vec<u8>>| line.message(&"\x07a\tb\x1b[31m\n\u{9b}2J\u{202e}");
+        let shown_as = "\x07a\tb\\u{1b}[31m\\u{a}\\u{9b}2J\\u{202e}";
+        assert_eq!(shown(true, say), std::format!("{CLEAR}{shown_as}"));
+        assert_eq!(shown(false, say), std::format!("{shown_as}\n"));
     }
 
     // clauses: 7.35 7.48

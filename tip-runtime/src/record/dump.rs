@@ -1,5 +1,6 @@
 //! The text of OUTPUT_VARIABLES.
 
+use crate::printable::Printable;
 use crate::program::Program;
 use core::fmt;
 
@@ -25,10 +26,13 @@ impl fmt::Display for Dump<'_> {
         let line = program.line(*step);
         writeln!(f, "# cycle {cycle}, step {step}, line {line}")?;
         for index in 0.. {
-            match program.scalar(index) {
-                Some((name, Some(value))) => writeln!(f, "{name}\t{value:?}")?,
-                Some((name, None)) => writeln!(f, "{name}\tunassigned")?,
-                None => break,
+            let Some((name, value)) = program.scalar(index) else {
+                break;
+            };
+            let name = Printable::line(name);
+            match value {
+                Some(value) => writeln!(f, "{name}\t{value:?}")?,
+                None => writeln!(f, "{name}\tunassigned")?,
             }
         }
         Ok(())

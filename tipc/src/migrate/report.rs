@@ -6,6 +6,7 @@ use crate::message::list::List;
 use crate::message::phrase::Loads;
 use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
+use tip_runtime::printable::Printable;
 
 /// Every question with its line, or every change; one sentence at the end.
 pub fn render_human(migration: &Migration) -> String {
@@ -15,10 +16,11 @@ pub fn render_human(migration: &Migration) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{}", line(migration, note));
         if note.kind == NoteKind::Question {
-            let _ = writeln!(out, "    {}", source.line_text(note.line).trim());
+            let text = source.line_text(note.line).trim();
+            let _ = writeln!(out, "    {}", Printable::line(text));
         }
     }
-    let _ = writeln!(out, "{}", summary(migration));
+    let _ = writeln!(out, "{}", Printable::line(summary(migration)));
     out
 }
 
@@ -57,14 +59,10 @@ pub fn render_short(migration: &Migration) -> String {
 }
 
 fn line(migration: &Migration, note: &Note) -> String {
-    format!(
-        "{}:{}:{}: {}: {}",
-        migration.source.name(),
-        note.line,
-        note.column,
-        note.kind.name(),
-        note.text
-    )
+    let name = migration.source.name();
+    let (line, column, kind) = (note.line, note.column, note.kind.name());
+    let text = format_args!("{name}:{line}:{column}: {kind}: {}", note.text);
+    Printable::line(text).to_string()
 }
 
 /// One object a line: `level` (`change` or `question`), `message`, `file`, `line`, `column`.

@@ -4,7 +4,9 @@ use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
+use std::fmt::Display;
 use std::ops::Range;
+use tip_runtime::printable::Printable;
 
 /// The most lines between two places that are still shown as one snippet.
 const NEAR: u32 = 30;
@@ -27,9 +29,8 @@ impl Window {
             lines: Vec::new(),
         };
         for line in first..=last {
-            let text = source.line_text(line);
             let start = window.text.len();
-            window.text += shown(text);
+            window.text += &printable(shown(source.line_text(line)));
             window.lines.push(start..window.text.len());
             window.text.push('\n');
         }
@@ -41,8 +42,9 @@ impl Window {
         let (line, _) = source.line_column(span.start);
         let shown = self.lines.get(line.checked_sub(self.first)? as usize)?;
         let base = source.line(line).span.start;
-        let start = shown.start + span.start.saturating_sub(base);
-        let end = shown.start + span.end.saturating_sub(base);
+        let text = source.line_text(line);
+        let place = |offset: usize| shown.start + width(text, offset.saturating_sub(base));
+        let (start, end) = (place(span.start), place(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
 }
@@ -56,27 +58,42 @@ fn shown(line: &str) -> &str {
     &line[..end]
 }
 
+/// As it can be shown: what could act on a terminal is an escape.
+fn printable(text: impl Display) -> String {
+    Printable::line(text).to_string()
+}
+
+/// How many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.
+fn width(line: &str, bytes: usize) -> usize {
+    let line = shown(line);
+    match line.get(..bytes) {
+        Some(start) => printable(start).len(),
+        None => printable(line).len() + bytes.saturating_sub(line.len()),
+    }
+}
+
 /// The diagnostic in the style of rustc, with colours for a terminal if `colour`; it ends with a line end.
 pub fn human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
     let windows = windows(source, diagnostic);
+    let name = printable(source.name());
     let level = match diagnostic.level() {
         Level::Error => Title::ERROR,
         Level::Warning => Title::WARNING,
     };
     let title = level
-        .primary_title(diagnostic.title())
+        .primary_title(printable(diagnostic.title()))
         .id(diagnostic.code.id());
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
         group = group
-            .element(origin(source, diagnostic))
-            .element(Title::NOTE.message(diagnostic.reason.to_string()));
+            .element(origin(&name, source, diagnostic))
+            .element(Title::NOTE.message(printable(&diagnostic.reason)));
     }
     for window in &windows {
-        group = group.element(snippet(source, diagnostic, window));
+        group = group.element(snippet(&name, source, diagnostic, window));
     }
     if let Some(help) = &diagnostic.help {
-        group = group.element(Title::HELP.message(help.to_string()));
+        group = group.element(Title::HELP.message(printable(help)));
     }
     let renderer = if colour {
         Renderer::styled()
@@ -89,9 +106,9 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
 }
 
 /// The place alone, for one that cannot be shown.
-fn origin<'a>(source: &'a Source, diagnostic: &Diagnostic) -> Origin<'a> {
+fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin<'a> {
     let (line, column) = source.line_column(diagnostic.span.start);
-    Origin::path(source.name())
+    Origin::path(name)
         .line(line as usize)
         .char_column(column as usize)
 }
@@ -113,22 +130,23 @@ fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
 }
 
 fn snippet<'a>(
-    source: &'a Source,
-    diagnostic: &'a Diagnostic,
+    name: &'a str,
+    source: &Source,
+    diagnostic: &Diagnostic,
     window: &'a Window,
 ) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
     let primary = window.range(source, diagnostic.span).map(|range| {
         AnnotationKind::Primary
             .span(range)
-            .label(diagnostic.reason.to_string())
+            .label(printable(&diagnostic.reason))
     });
     let labels = diagnostic.labels.iter().filter_map(|label| {
         let range = window.range(source, label.span)?;
         let kind = AnnotationKind::Context;
-        Some(kind.span(range).label(label.text.to_string()))
+        Some(kind.span(range).label(printable(&label.text)))
     });
     Snippet::source(window.text.as_str())
         .line_start(window.first as usize)
-        .path(source.name())
+        .path(name)
         .annotations(primary.into_iter().chain(labels))
 }

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 use std::fmt::Write;
+use tip_runtime::printable::acts;
 
 /// An object on one line, without line end: `level`, `kind` (of errors), `message`, `code`, `file`, `line`, `column`
 /// (both from 1, the column in characters) and, if there is any, `help`.
@@ -45,7 +46,8 @@ pub(crate) fn push_string(out: &mut String, text: &str) {
     for char in text.chars() {
         match char {
             '"' | '\\' => out.extend(['\\', char]),
-            '\0'..='\u{1F}' => {
+            // All that could act on a terminal is below 0x10000.
+            _ if acts(char) => {
                 let _ = write!(out, "\\u{:04x}", u32::from(char));
             }
             _ => out.push(char),

@@ -169,3 +169,37 @@ fn json_is_one_object_on_one_line() {
         )
     );
 }
+
+// clauses: 8.1
+#[test]
+fn what_could_act_on_a_terminal_is_an_escape() {
+    let source = source(
+        "a\nb\u{9b}.prg",
+        "3.1\nt\nあ\u{1b}[2J\u{202e}\tX // \u{8}\u{7f}\nEND",
+    );
+    let error = at(&source, Code::UnknownVariable, "X", "no\u{1b}where").about("X\u{200f}");
+    let line =
+        r#"a\u{a}b\u{9b}.prg:3:8: error: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)"#;
+    assert_eq!(short(&source, &error), line);
+    let expected = r#"
+error[E206]: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)
+ --> a\u{a}b\u{9b}.prg:3:23
+  |
+3 | あ\u{1b}[2J\u{202e}    X // \u{8}\u{7f}
+  |                        ^ no\u{1b}where"#;
+    let expected = expected.replace(":3:23", &place(&human(&source, &error, false)));
+    check_human(&source, &error, &expected);
+    let object = json(&source, &error);
+    assert!(
+        object.contains(r#""file":"a\u000ab\u009b.prg""#),
+        "{object}"
+    );
+    assert!(object.contains(r#"X\u200f"#), "{object}");
+}
+
+/// `:LINE:COLUMN` of the first place: columns count what is shown.
+fn place(shown: &str) -> String {
+    let line = shown.lines().nth(1).unwrap_or_default();
+    let at = line.find(".prg").map_or(0, |at| at + ".prg".len());
+    line[at..].trim_end().to_owned()
+}

@@ -7,6 +7,7 @@ use clap::{Args, Subcommand};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
+use tip_runtime::printable::Printable;
 use tip_sim::{Anatomy, Robot, urdf};
 
 /// What to do with a robot's description.
@@ -116,7 +117,7 @@ fn summary(robot: &Robot) -> String {
 /// Writes the description that a URDF file makes; the report goes to standard error.
 fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
-    let name = path.display();
+    let name = Printable::line(path.display());
     let read = fs::read(path).map_err(|reason| reason.to_string());
     let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let imported = text.and_then(|text| {
@@ -126,7 +127,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
     let imported = match imported {
         Ok(imported) => imported,
         Err(reason) => {
-            report::complain(&format!("error: {name}: {reason}\n"));
+            report::complain(&format!("error: {name}: {}\n", Printable::line(reason)));
             return Ok(Status::Failure);
         }
     };
@@ -138,7 +139,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
         None => output::print(&imported.toml)?,
     }
     for line in &imported.report {
-        report::complain(&format!("{name}: {line}\n"));
+        report::complain(&format!("{name}: {}\n", Printable::line(line)));
     }
     Ok(Status::Success)
 }

@@ -86,8 +86,7 @@ fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // A closed output is no reason to fail over help.
-            let _ = error.print();
+            report::usage(&error);
             return exit(if error.use_stderr() {
                 Status::Usage
             } else {

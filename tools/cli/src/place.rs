@@ -1,5 +1,6 @@
 //! The place of a step in its source, as snippets show it.
 
+use tip_runtime::printable::Printable;
 use tipc::program::{Program, StepId};
 use tipc::source::Source;
 
@@ -10,7 +11,7 @@ pub(super) fn place(source: &Source, program: &Program, step: StepId) -> String 
     };
     let (line, column) = (step.line, step.column);
     let gutter = " ".repeat(line.to_string().len());
-    let statement = source.line_text(line);
-    let name = source.name();
+    let statement = Printable::line(source.line_text(line));
+    let name = Printable::line(source.name());
     format!("{gutter}--> {name}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n")
 }

@@ -4,7 +4,9 @@ use super::choices::Format;
 use super::error::Error;
 use super::output;
 use std::env;
+use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
+use tip_runtime::printable::{Printable, acts};
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
@@ -15,7 +17,7 @@ pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
     let text = render(loaded, format);
     match format {
         Format::Human => {
-            complain(&text);
+            shows(&text);
             complain(&summary(loaded));
             Ok(())
         }
@@ -25,16 +27,33 @@ pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
 
 /// The findings about a program that a command is going to use: all to standard error.
 pub(super) fn findings(loaded: &Loaded, format: Format) {
-    complain(&render(loaded, format));
+    shows(&render(loaded, format));
 }
 
 /// An error that is about no program.
 pub(super) fn error(error: &Error) {
-    complain(&format!("error: {error}\n"));
+    complain(&format!("error: {}\n", Printable::line(error)));
+}
+
+/// What is wrong with a command line, or the help that it asks for.
+pub(super) fn usage(error: &clap::Error) {
+    let acting = |word: OsString| word.to_string_lossy().chars().any(acts);
+    if error.use_stderr() && env::args_os().any(acting) {
+        // It repeats words of the command line, so that its colours have to go as well.
+        complain(&error.render().to_string());
+    } else {
+        // A closed output is no reason to fail over help.
+        let _ = error.print();
+    }
 }
 
 /// Writes to standard error; if that is closed, there is no one to report it to.
 pub(super) fn complain(text: &str) {
+    shows(&Printable::lines(text).to_string());
+}
+
+/// Writes to standard error what may have colours.
+fn shows(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
@@ -58,7 +77,8 @@ fn render(loaded: &Loaded, format: Format) -> String {
 
 /// A finding about a file that has no text.
 fn no_snippet(diagnostic: &Diagnostic) -> String {
-    format!("error: {}: {}", diagnostic.title(), diagnostic.reason)
+    let (title, reason) = (diagnostic.title(), &diagnostic.reason);
+    Printable::line(format_args!("error: {title}: {reason}")).to_string()
 }
 
 fn summary(loaded: &Loaded) -> String {
@@ -67,7 +87,7 @@ fn summary(loaded: &Loaded) -> String {
         of_level.count()
     };
     let (errors, warnings) = (count(Level::Error), count(Level::Warning));
-    let name = loaded.source.name();
+    let name = Printable::line(loaded.source.name());
     match &loaded.program {
         Some(program) => {
             let (steps, robot) = (program.steps().len(), program.signature().robot);

@@ -4,11 +4,12 @@
     reason = "this console is for writing files"
 )]
 
+use crate::printable::Printable;
 use crate::record::WholeFile;
 use core::fmt;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
-use std::string::String;
+use std::string::{String, ToString};
 use std::{format, fs, vec::Vec};
 
 /// No first line that we wrote is longer.
@@ -34,7 +35,8 @@ impl LogError {
 
 impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.reason)
+        let path = self.path.display();
+        write!(f, "{}: {}", Printable::line(path), self.reason)
     }
 }
 
@@ -51,8 +53,7 @@ impl Claim {
     pub(super) fn new(folder: PathBuf, program: &str) -> Self {
         Claim {
             folder,
-            // A line end would make a second line of the heading.
-            program: program.replace(['\r', '\n'], " "),
+            program: Printable::line(program).to_string(),
         }
     }
 

@@ -5,10 +5,11 @@ use crate::language::Keyword;
 use crate::program::{Action, Op, Program, StepId};
 use crate::render::{push_member, push_number, push_string};
 use std::fmt::Write;
+use tip_runtime::printable::Printable;
 
 /// A table: part, lines, cycles, ms at the robot's standard sampling time.
 pub fn human(program: &Program, parts: &[Part], sampling: Sampling) -> String {
-    let name = program.source_name();
+    let name = Printable::line(program.source_name());
     let robot = program.signature().robot;
     let mut out = format!("{name} for {robot}, {} ms a cycle\n", sampling.standard);
     if let Some(line) = sampling_set(program) {
@@ -41,7 +42,7 @@ pub fn short(program: &Program, parts: &[Part], sampling: Sampling) -> String {
         let [what, _, cycles, ms, waits] = row(program, part, sampling);
         let line = line_of(program, first_step(program, &part.span));
         let waits = if waits.is_empty() { "" } else { ", waits" };
-        let name = program.source_name();
+        let name = Printable::line(program.source_name());
         let plural = if cycles == "1" { "" } else { "s" };
         format!("{name}:{line}: {what}: {cycles} cycle{plural}, {ms} ms{waits}\n")
     });

@@ -9,6 +9,7 @@ use std::io::{self, IsTerminal, Sink, Write};
 use std::path::Path;
 use tip_runtime::console::{Bars, Console, LogFiles, Terminal};
 use tip_runtime::machine::Report;
+use tip_runtime::printable::Printable;
 use tip_runtime::record::{Dump, Sample};
 
 /// Messages go to standard output as a record of the run, one a line.
@@ -71,7 +72,7 @@ impl Console for Screen {
         if !self.shows_messages || self.silent {
             return;
         }
-        let text = text.to_string();
+        let text = Printable::message(text).to_string();
         if text.is_empty() {
             return;
         }

@@ -4,6 +4,7 @@ use super::super::checked::Checked;
 use super::super::scene::SceneChoice;
 use super::project::{Project, VERSION};
 use std::fmt::Write as _;
+use tip_runtime::printable::Printable;
 use tip_sim::search::Tally;
 use tipc::analysis::spots::Spot;
 use tipc::program::Step;
@@ -15,11 +16,13 @@ pub(super) fn certificate(
     scene: Option<&SceneChoice>,
     tally: &Tally,
 ) -> String {
-    let name = checked.source.name();
+    let name = Printable::line(checked.source.name());
     let hash = checked.program.source_hash();
     let robot = checked.program.signature();
     let (robot, legs, joints) = (robot.robot, robot.legs, robot.joints);
-    let scene = scene.map_or("level floor".to_owned(), |scene| format!("scene {scene}"));
+    let scene = scene.map_or("level floor".to_owned(), |scene| {
+        format!("scene {}", Printable::line(scene))
+    });
     let (rustc, cargo) = (
         project.version_of("RUSTC", "rustc"),
         project.version_of("CARGO", "cargo"),
@@ -71,7 +74,11 @@ pub(super) fn certificate(
         }) = checked.program.steps().get(step as usize)
         {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {name}:{line}: {what}: {statement}");
+            let _ = writeln!(
+                text,
+                "  {name}:{line}: {what}: {}",
+                Printable::line(statement)
+            );
         }
     }
     text

@@ -3,6 +3,7 @@
 use super::super::checked::Checked;
 use super::super::place::place;
 use std::env;
+use tip_runtime::printable::Printable;
 use tip_sim::lockstep::Divergence;
 use tip_sim::search::Diverging;
 
@@ -20,9 +21,9 @@ pub(super) fn finding(checked: &Checked, diverging: &Diverging) -> String {
         interpreted,
         compiled,
     } = divergence;
-    let name = checked.source.name();
+    let name = Printable::line(checked.source.name());
     let place = place(&checked.source, &checked.program, *step);
-    let command = without_inputs(env::args().skip(1));
+    let command = Printable::line(without_inputs(env::args().skip(1)));
     format!(
         "{name}: compiled code and interpreter DIFFER in cycle {cycle}, step {step}\n\
          {place}interpreter  {interpreted}\ncompiled     {compiled}\n\

@@ -7,6 +7,8 @@ mod emit;
 mod faults;
 mod logs;
 mod migrate;
+#[cfg(unix)]
+mod printable;
 mod readme;
 mod robot;
 mod run;
