@@ -194,17 +194,29 @@ pub fn atan2(a: f64, b: f64) -> Result<f64, Domain> {
     finite(libm::atan2(a, b) * DEGREES_PER_RADIAN)
 }
 
-/// `NORM`: the root of the sum of squares.
+/// `NORM`: the root of the sum of squares, also where the squares alone are beyond the largest number.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
 #[inline]
 pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Domain> {
+    let root = root_of_squares(a);
+    if root.is_finite() {
+        return Ok(root);
+    }
+    // Powers of two round nothing.
+    finite(root_of_squares(a.map(|a| a * SMALLER)) / SMALLER)
+}
+
+/// 2^−600: the largest number times this has a square.
+const SMALLER: f64 = f64::from_bits((1023 - 600) << 52);
+
+fn root_of_squares<const N: usize>(a: [f64; N]) -> f64 {
     let mut sum = 0.0;
     for a in a {
         sum += a * a;
     }
-    finite(libm::sqrt(sum))
+    libm::sqrt(sum)
 }
 
 /// `UNIT_VECT`.
@@ -264,5 +276,25 @@ pub fn for_test(value: f64, end: f64, step: f64) -> Result<bool, Domain> {
         Ok(value >= end)
     } else {
         Err(Domain)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Domain, norm};
+
+    // clauses: 4.6
+    #[test]
+    fn a_norm_is_finite_where_its_root_is() {
+        let far = 2.0_f64.powi(600);
+        assert_eq!(norm([3.0 * far, -4.0 * far, 0.0]), Ok(5.0 * far));
+        assert_eq!(norm([2.0 * far, -3.0 * far, 6.0 * far]), Ok(7.0 * far));
+        assert_eq!(norm([f64::MAX, 1.0, 0.0]), Ok(f64::MAX));
+        assert_eq!(norm([f64::MAX, f64::MAX, 0.0]), Err(Domain));
+        assert_eq!(norm([f64::NAN, 1.0]), Err(Domain));
+        assert_eq!(
+            norm([1e150, 1e150]),
+            Ok(libm::sqrt(1e150 * 1e150 + 1e150 * 1e150))
+        );
     }
 }
