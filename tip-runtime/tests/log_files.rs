@@ -4,8 +4,12 @@
 use std::fs;
 use std::path::PathBuf;
 use tip_runtime::console::{Console, LogFiles};
+use tip_runtime::fault::Fault;
 use tip_runtime::hardware::JointCommand;
-use tip_runtime::record::Sample;
+use tip_runtime::machine::{Emergency, Report};
+use tip_runtime::model::generic;
+use tip_runtime::program::{Context, Flow, Program, Signature};
+use tip_runtime::record::{Dump, Sample};
 
 fn folder(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
@@ -83,24 +87,80 @@ fn a_log_that_cannot_be_written_is_told_once_and_hurts_nothing_else() {
     assert!(console.take_error().is_none());
 }
 
-#[cfg(target_os = "linux")]
+#[cfg(unix)]
 #[test]
-fn a_full_disk_leaves_the_earlier_file_whole_and_no_part_of_the_new_one() {
-    use std::io::ErrorKind;
-    let folder = folder("full");
-    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
-    console.warnings("a warning\n");
-    let log = folder.join("WARNING.LOG");
-    let before = fs::read_to_string(&log).expect("it was written");
-    // What is written beside the log goes to a device that is always full.
-    let part = folder.join(format!(".WARNING.LOG.{}.part", std::process::id()));
-    std::os::unix::fs::symlink("/dev/full", part).expect("the folder is writable");
-    console.warnings("another warning\n");
-    let error = console.take_error().expect("the disk is full");
-    assert_eq!(error.reason.kind(), ErrorKind::StorageFull);
-    assert_eq!(fs::read_to_string(&log).expect("it is there"), before);
-    assert_eq!(fs::read_dir(&folder).expect("it exists").count(), 1);
-    console.warnings("another warning\n");
-    let after = fs::read_to_string(&log).expect("there is room again");
-    assert!(after.ends_with("\nanother warning\n"), "{after}");
+fn a_pipe_in_the_place_of_a_log_is_refused_at_once() {
+    let folder = folder("pipe");
+    fs::create_dir_all(&folder).expect("the target folder is writable");
+    let made = std::process::Command::new("mkfifo")
+        .arg(folder.join("TITAN.LOG"))
+        .status();
+    assert!(made.expect("mkfifo starts").success());
+    let refused = LogFiles::claim(&folder, "walk.prg", ()).expect_err("it is no log");
+    assert_eq!(refused.path, folder.join("TITAN.LOG"));
+}
+
+/// A program of one variable, which tells of itself what it likes.
+struct Talker(String);
+
+impl Program for Talker {
+    fn signature(&self) -> Signature {
+        generic::MODEL.signature()
+    }
+    fn name(&self) -> &str {
+        &self.0
+    }
+    fn title(&self) -> &str {
+        &self.0
+    }
+    fn at(&self) -> u32 {
+        0
+    }
+    fn step(&mut self, _: &mut dyn Context) -> Result<Flow, Fault> {
+        Err(Fault::Domain)
+    }
+    fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+        (i == 0).then_some((&*self.0, None))
+    }
+    fn set_scalar(&mut self, _: usize, _: f64) {}
+    fn line(&self, _: u32) -> u32 {
+        1
+    }
+    fn reset(&mut self) {}
+}
+
+fn dump(program: &Talker) -> Dump<'_> {
+    Dump {
+        program,
+        cycle: 7,
+        step: 0,
+    }
+}
+
+// clauses: 7.41
+#[test]
+fn logs_show_what_a_program_says_as_escapes() {
+    let folder = folder("escapes");
+    let program = Talker("a\nb\u{1b}[2J\u{202e}".to_owned());
+    let mut console = LogFiles::claim(&folder, program.name(), ()).expect("the folder is new");
+    console.variables(&dump(&program));
+    let emergency = Emergency {
+        fault: Fault::Unassigned(0),
+        step: 0,
+        cycle: 7,
+    };
+    let program = &program;
+    console.emergency(&Report { emergency, program });
+    console.ended();
+    let read = |name: &str| fs::read_to_string(folder.join(name)).expect("it was written");
+    let shown = r"a\u{a}b\u{1b}[2J\u{202e}";
+    assert_eq!(
+        read("VARIABLES.LOG"),
+        format!("# VARIABLES.LOG of {shown}\n# cycle 7, step 0, line 1\n{shown}\tunassigned\n")
+    );
+    let report = read("EMG.log");
+    let lines: Vec<_> = report.lines().skip(2).collect();
+    let [name, title] = ["program", "title"].map(|word| format!("{word}\t{shown}"));
+    assert_eq!(lines[..2], [name, title]);
+    assert_eq!(lines.last(), Some(&&*format!("variable\t{shown}")));
 }

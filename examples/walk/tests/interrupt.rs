@@ -39,15 +39,21 @@ fn the_key_stops_the_robot_and_the_terminal_behaves_as_before() {
 
 #[test]
 fn the_signal_ends_the_process_and_leaves_the_earlier_trace() {
-    let trace = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interrupted.jsonl");
+    let folder = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("interrupted");
+    let _ = fs::remove_dir_all(folder);
+    fs::create_dir_all(folder).expect("the target folder is writable");
+    let trace = folder.join("interrupted.jsonl");
     fs::write(&trace, "an earlier one\n").expect("the target folder is writable");
     let name = trace.to_string_lossy();
     let mut child = walk(&["--trace", &name], Stdio::null());
-    let part = format!(".interrupted.jsonl.{}.part", child.id());
-    let part = trace.with_file_name(part);
-    while !part.exists() {
+    let part = loop {
         require_running(&mut child);
-    }
+        let entries = fs::read_dir(folder).expect("the folder of the trace");
+        let mut paths = entries.flatten().map(|entry| entry.path());
+        if let Some(part) = paths.find(|path| path.extension() == Some("part".as_ref())) {
+            break part;
+        }
+    };
     // No one catches TERM here, nor INT, which is ignored in the background jobs of a shell.
     kill_process(Pid::from_child(&child), Signal::TERM).expect("it runs");
     let status = child.wait().expect("it ends");

@@ -42,6 +42,9 @@ pub struct LogFiles<C> {
 }
 
 impl<C> LogFiles<C> {
+    /// The names of the files.
+    pub const NAMES: [&'static str; 4] = [WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG];
+
     /// Takes `folder`, which is made if it is missing, for the files of `program`.
     ///
     /// # Errors
@@ -49,14 +52,13 @@ impl<C> LogFiles<C> {
     /// cannot be made.
     pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
         let claim = Claim::new(folder.into(), program);
-        let names = [WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG];
-        claim.take(&names)?;
+        claim.take(&Self::NAMES)?;
         Ok(LogFiles {
             inner,
             claim,
             log: TitanLog::default(),
             variables: String::new(),
-            earlier: Vec::from(names),
+            earlier: Vec::from(Self::NAMES),
             failed: None,
         })
     }

@@ -133,7 +133,7 @@ fn import(arguments: &Import) -> Result<Status, Error> {
     };
     match &arguments.out {
         Some(out) => {
-            output::refuse_source(out, path)?;
+            output::refuse_inputs(out, &[path])?;
             output::replace(out, &imported.toml)?;
         }
         None => output::print(&imported.toml)?,

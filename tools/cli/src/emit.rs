@@ -67,7 +67,9 @@ pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
     };
     match &arguments.out {
         Some(out) => {
-            output::refuse_source(out, &arguments.file)?;
+            let robot = arguments.source.robot.file();
+            let inputs: Vec<_> = robot.into_iter().chain([&*arguments.file]).collect();
+            output::refuse_inputs(out, &inputs)?;
             output::replace(out, &text)?;
         }
         None => output::print(&text)?,

@@ -55,7 +55,7 @@ pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
     };
     match &arguments.out {
         Some(out) => {
-            output::refuse_source(out, &arguments.file)?;
+            output::refuse_inputs(out, &[&arguments.file])?;
             output::replace(out, bytes)?;
         }
         None => output::print(bytes)?,

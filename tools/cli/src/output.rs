@@ -5,16 +5,46 @@ use std::borrow::Cow;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
+use std::thread;
+use std::time::Duration;
 use tip_runtime::printable::Printable;
 use tip_runtime::record::WholeFile;
 
 /// Gives the file at `path` a new content.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
-    let written = WholeFile::create(path).and_then(|mut file| {
+    let written = begin(path).and_then(|mut file| {
         file.write_all(content.as_ref())?;
         file.commit()
     });
     written.map_err(|error| Error::cannot_write(path, error))
+}
+
+/// Begins a file; at a pipe it waits for a reader, until a signal ends the process.
+pub(super) fn begin(path: &Path) -> io::Result<WholeFile> {
+    loop {
+        match WholeFile::create(path) {
+            Err(error) if is_pipe(path) && error.raw_os_error() == Some(NO_READER) => {
+                thread::sleep(PAUSE);
+            }
+            file => return file,
+        }
+    }
+}
+
+/// The error of a pipe that nobody reads: ENXIO.
+const NO_READER: i32 = 6;
+/// How often a pipe is tried.
+const PAUSE: Duration = Duration::from_millis(20);
+
+#[cfg(unix)]
+fn is_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    fs::metadata(path).is_ok_and(|found| found.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Path) -> bool {
+    false
 }
 
 /// Writes to standard output, to the byte unless it is a terminal; a reader that went away has seen enough.
@@ -38,13 +68,35 @@ fn on_terminal(content: &[u8]) -> Vec<u8> {
     Printable::lines(text).to_string().into_bytes()
 }
 
-/// Refuses to write over the program that is being read.
-pub(super) fn refuse_source(out: &Path, source: &Path) -> Result<(), Error> {
-    let same = fs::canonicalize(out)
-        .and_then(|out| Ok(out == fs::canonicalize(source)?))
-        .unwrap_or(false);
-    if same {
-        return Err(Error::cannot_write(out, "this is the program itself"));
+/// Refuses to write over what the command reads.
+pub(super) fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
+    match inputs.iter().find(|input| is_same(out, input)) {
+        Some(input) => {
+            let reason = format!("this is {}, which is being read", input.display());
+            Err(Error::cannot_write(out, reason))
+        }
+        None => Ok(()),
     }
-    Ok(())
+}
+
+/// Whether two paths lead to one file.
+pub(super) fn is_same(one: &Path, other: &Path) -> bool {
+    let is_one_path = fs::canonicalize(one)
+        .and_then(|one| Ok(one == fs::canonicalize(other)?))
+        .unwrap_or(false);
+    let is_file = || fs::metadata(one).is_ok_and(|found| found.is_file());
+    (is_one_path || is_linked(one, other)) && is_file()
+}
+
+/// Whether two paths are names of one file.
+#[cfg(unix)]
+fn is_linked(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
+    matches!((number(one), number(other)), (Ok(one), Ok(other)) if one == other)
+}
+
+#[cfg(not(unix))]
+fn is_linked(_: &Path, _: &Path) -> bool {
+    false
 }

@@ -39,6 +39,14 @@ pub(super) enum ChosenRobot {
 }
 
 impl RobotChoice {
+    /// The file that it is read from, if there is one.
+    pub(super) fn file(&self) -> Option<&Path> {
+        match self {
+            RobotChoice::Named(_) => None,
+            RobotChoice::File(path) => Some(path),
+        }
+    }
+
     /// Reads the description, if there is one.
     pub(super) fn load(&self) -> Result<ChosenRobot, Box<Loaded>> {
         match self {

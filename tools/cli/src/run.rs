@@ -5,6 +5,7 @@ mod interrupt;
 mod logs;
 mod progress;
 mod screen;
+mod targets;
 mod trace;
 
 use super::arguments::{InputArguments, SourceArguments};
@@ -86,9 +87,12 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         &arguments.source.options(robot.options().robot),
     );
     report::findings(&loaded, arguments.source.message_format);
+    if loaded.program.is_some() {
+        targets::check(arguments)?;
+    }
     // The trace first: it changes nothing before the end, and where it cannot be written no log is touched.
     let trace = match (&arguments.trace, &loaded.program) {
-        (Some(path), Some(_)) => Some(Trace::begin(path, arguments.trace_state, &arguments.file)?),
+        (Some(path), Some(_)) => Some(Trace::begin(path, arguments.trace_state)?),
         _ => None,
     };
     let logs = match &arguments.out_dir {
@@ -124,6 +128,9 @@ fn simulate(
     let ending = run.observed(inputs.cycles.into(), &mut watch);
     interrupt::hold();
     let logged = run.console_mut().map_or(Ok(()), Screen::close);
+    if trace.as_ref().is_some_and(Trace::is_straight) {
+        interrupt::release();
+    }
     let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
     if let (Ending::Emergency(emergency), Some(program)) = (&ending, run.engine()) {
         report::complain(&describe(emergency, source, program));

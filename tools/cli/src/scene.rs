@@ -16,6 +16,16 @@ pub(super) enum SceneChoice {
     File(PathBuf),
 }
 
+impl SceneChoice {
+    /// The file that it is read from, if there is one.
+    pub(super) fn file(&self) -> Option<&Path> {
+        match self {
+            SceneChoice::Named(_) => None,
+            SceneChoice::File(path) => Some(path),
+        }
+    }
+}
+
 impl fmt::Display for SceneChoice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

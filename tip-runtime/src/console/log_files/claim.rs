@@ -113,8 +113,13 @@ fn writable(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
+/// The first line of a file; of a device or a pipe, which may have none for ever, nothing.
 fn first_line(path: &Path) -> io::Result<Vec<u8>> {
     let mut line = Vec::new();
+    let found = fs::metadata(path)?;
+    if !found.is_file() && !found.is_dir() {
+        return Ok(line);
+    }
     let file = BufReader::new(fs::File::open(path)?);
     file.take(LONGEST_HEADING).read_until(b'\n', &mut line)?;
     if line.last() == Some(&b'\n') {

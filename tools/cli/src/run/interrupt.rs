@@ -3,13 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::{fs, process};
+use std::time::Duration;
+use std::{fs, process, thread};
 use tip_runtime::console::TerminalState;
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// What a second Ctrl-C leaves in order; none where it would only disturb the completion of files.
+/// What a process that ends at once leaves in order; none where it would only disturb the completion of files.
 static LAST: Mutex<Option<Last>> = Mutex::new(None);
+
+/// A run that does not end by itself so long after a signal is stuck: in a full pipe, or before one that nobody reads.
+const PATIENCE: Duration = Duration::from_secs(3);
 
 struct Last {
     terminal: TerminalState,
@@ -17,26 +21,34 @@ struct Last {
     part: Option<PathBuf>,
 }
 
-/// From now on a first Ctrl-C is a request, a second one ends the process at once: a run may be stuck, in a full
-/// pipe for example.
+/// From now on a first Ctrl-C is a request; a second one, or time, ends a run that is stuck.
 pub(super) fn catch() {
-    *last() = Some(Last {
-        terminal: TerminalState::now(),
-        part: None,
-    });
+    release();
     // Where handlers are not to be had, Ctrl-C keeps its usual meaning.
     let _ = ctrlc::set_handler(|| {
-        if REQUESTED.swap(true, Ordering::Relaxed)
-            && let Some(last) = last().as_ref()
-        {
-            last.terminal.restore();
-            if let Some(part) = &last.part {
-                // The process ends in any case.
-                let _ = fs::remove_file(part);
-            }
-            process::exit(130);
+        if REQUESTED.swap(true, Ordering::Relaxed) {
+            end();
+        } else {
+            thread::spawn(|| {
+                loop {
+                    thread::sleep(PATIENCE);
+                    end();
+                }
+            });
         }
     });
+}
+
+/// Ends the process unless its files are being completed.
+fn end() {
+    if let Some(last) = last().as_ref() {
+        last.terminal.restore();
+        if let Some(part) = &last.part {
+            // The process ends in any case.
+            let _ = fs::remove_file(part);
+        }
+        process::exit(130);
+    }
 }
 
 /// A process that ends at once does not leave this part of a file.
@@ -49,6 +61,14 @@ pub(super) fn discards(part: Option<&Path>) {
 /// The run is over: what it leaves is completed, whoever presses Ctrl-C.
 pub(super) fn hold() {
     *last() = None;
+}
+
+/// No file is left to complete: what is still written may never find a reader.
+pub(super) fn release() {
+    *last() = Some(Last {
+        terminal: TerminalState::now(),
+        part: None,
+    });
 }
 
 /// Ends the run as Ctrl-C does.

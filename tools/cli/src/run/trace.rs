@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use tip_runtime::record::{Ending, JsonLines, Sink, Stream, WholeFile};
 
 /// The name that stands for standard output.
-const STANDARD_OUTPUT: &str = "-";
+pub(super) const STANDARD_OUTPUT: &str = "-";
 
 /// A trace that is being written.
 pub(super) struct Trace {
     path: PathBuf,
     takes_standard_output: bool,
+    is_straight: bool,
     lines: JsonLines<Stream<BufWriter<Output>>>,
 }
 
@@ -24,19 +25,22 @@ enum Output {
 }
 
 impl Trace {
-    /// Begins a trace of the program in `source`.
-    pub(super) fn begin(path: &Path, with_state: bool, source: &Path) -> Result<Self, Error> {
+    /// Begins a trace.
+    pub(super) fn begin(path: &Path, with_state: bool) -> Result<Self, Error> {
         let out = if path.as_os_str() == STANDARD_OUTPUT {
             Output::Standard(io::stdout())
         } else {
-            output::refuse_source(path, source)?;
-            let file = WholeFile::create(path).map_err(|error| Error::cannot_write(path, error))?;
+            let file = output::begin(path).map_err(|error| Error::cannot_write(path, error))?;
             interrupt::discards(file.part());
             Output::File(file)
         };
         Ok(Trace {
             path: path.to_owned(),
             takes_standard_output: matches!(out, Output::Standard(_)),
+            is_straight: match &out {
+                Output::Standard(_) => true,
+                Output::File(file) => file.part().is_none(),
+            },
             lines: JsonLines::new(Stream::new(BufWriter::new(out)), with_state),
         })
     }
@@ -44,6 +48,11 @@ impl Trace {
     /// Whether it takes standard output for itself.
     pub(super) fn takes_standard_output(&self) -> bool {
         self.takes_standard_output
+    }
+
+    /// Whether it is written straight into what may not take it: a pipe, a device, standard output.
+    pub(super) fn is_straight(&self) -> bool {
+        self.is_straight
     }
 
     /// Takes the records of the cycles.

@@ -35,7 +35,7 @@ to its end, every file that can be written is new, then the run ends with the sa
 
 A compiled program writes its logs with the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot like
 RETURN. The signal ends it like any process, unless its host catches it; then the earlier files stay, and partial files are left next to them
-as `.NAME.PROCESS.part`. `cargo test -p walk --test interrupt` tests both.
+as `.tip-RANDOM.part`. `cargo test -p walk --test interrupt` tests both.
 
 `cargo test -p tipc-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
 rewrites it.

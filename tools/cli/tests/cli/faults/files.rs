@@ -43,6 +43,8 @@ pub(super) fn rows() -> Vec<Row> {
     of_each_file(FOREIGN, &[0, 1, 2, 3], false);
     of_each_file(READ_ONLY, &[0, 1, 2, 3], true);
     of_each_file(DANGLING, &[0, 1, 2, 3], true);
+    of_each_file(PIPE, &[0, 1, 2, 3], false);
+    rows.extend([inputs(), own_logs()]);
     rows.extend(FOLDERS.map(folder));
     rows.extend([logs_vanish(), trace_vanishes()]);
     rows.extend([disk_full(), trace_full(), device_full()]);
@@ -89,6 +91,83 @@ const DANGLING: Fault = Fault {
     expected: Expected::Whole,
     told: WHOLE,
 };
+
+/// Nobody writes into it: to read its first line would take for ever.
+const PIPE: Fault = Fault {
+    name: "is a pipe",
+    arrange: |path| {
+        replace(path, |path| {
+            let made = Command::new("mkfifo").arg(path).status()?;
+            assert!(made.success());
+            Ok(())
+        });
+    },
+    expected: Expected::Refused,
+    told: REFUSED,
+};
+
+const ROBOT: &str = "name = \"one\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\n\
+                     leg = [{ base = [0, 0, 0] }]\n";
+
+/// Each input as the trace: by its name, by a symbolic link and by a second name.
+fn inputs() -> Row {
+    let mut runs = 0;
+    for input in ["p.prg", "r.toml", "s.toml"] {
+        for link in [None, Some("-s"), Some("-P")] {
+            let mut bench = Bench::new("input");
+            bench.folder = bench.folder.file("r.toml", ROBOT).file("s.toml", "");
+            let mut arguments = RUN.to_vec();
+            arguments.extend(["--robot", "r.toml", "--scene", "s.toml"]);
+            arguments[5] = input;
+            if let Some(kind) = link {
+                let path = |name| bench.folder.path(name);
+                let made = Command::new("ln")
+                    .arg(kind)
+                    .arg(path(input))
+                    .arg(path("link"))
+                    .status();
+                assert!(made.expect("ln starts").success());
+                arguments[5] = "link";
+            }
+            let before = bench.folder.read(input);
+            let outcome = bench.folder.tipc(&arguments);
+            require_refused(&bench, outcome, &bench.earlier);
+            assert_eq!(bench.folder.read(input), before);
+            runs += 1;
+        }
+    }
+    Row {
+        place: TRACE,
+        fault: "is the program, the robot or the scene, or a link to it",
+        outcome: REFUSED,
+        runs,
+    }
+}
+
+/// Each log as the trace, there already or not.
+fn own_logs() -> Row {
+    let mut runs = 0;
+    for log in &FILES[..4] {
+        for is_there in [true, false] {
+            let mut bench = Bench::new("own-log");
+            if !is_there {
+                fs::remove_file(bench.folder.path(log)).expect("the earlier run wrote it");
+                bench.earlier = bench.texts();
+            }
+            let mut arguments = RUN;
+            arguments[5] = log;
+            let outcome = bench.folder.tipc(&arguments);
+            require_refused(&bench, outcome, &bench.earlier);
+            runs += 1;
+        }
+    }
+    Row {
+        place: TRACE,
+        fault: "is one of the run's own logs",
+        outcome: REFUSED,
+        runs,
+    }
+}
 
 fn one_file(file: usize, fault: &Fault) {
     let bench = Bench::new("file");

@@ -48,6 +48,11 @@ pub(super) fn rows() -> Vec<Row> {
             times(1, |_| stuck(Stdio::null())),
         ),
         row(
+            "once, while it is blocked on a full pipe, or before a pipe that nobody reads",
+            "ends within 3 s with status 130; the earlier trace and logs stay",
+            times(1, |_| stuck_once()) + times(1, |_| never_read()),
+        ),
+        row(
             "at a terminal, as a key",
             "interrupted; the terminal behaves as before",
             times(2, |n| at_a_terminal(n, |pty, _| pty.press(0x03))),
@@ -143,9 +148,15 @@ fn while_logs_are_written(_: u64) {
     first_message(&mut child);
     sleep(Duration::from_millis(100));
     interrupt(&child);
-    let part = format!("logs/.TITAN.LOG.{}.part", child.id());
-    let part = bench.folder.path(&part);
-    while !part.exists() && child.try_wait().expect("ours").is_none() {}
+    let logs = bench.folder.path("logs");
+    let is_part = |name: &str| name.ends_with(".part");
+    let has_part = || {
+        let entries = fs::read_dir(&logs).expect("the folder of the logs");
+        entries
+            .flatten()
+            .any(|entry| is_part(&entry.file_name().to_string_lossy()))
+    };
+    while !has_part() && child.try_wait().expect("ours").is_none() {}
     let status = interrupt_to_its_end(&mut child, Duration::from_micros(100));
     require_complete(&bench, status);
 }
@@ -171,6 +182,39 @@ fn stuck(input: Stdio) {
     // WARNING.LOG is written before the run.
     assert_eq!(bench.texts()[1..], bench.earlier[1..]);
     bench.require_no_parts();
+}
+
+/// One signal, and nothing else.
+fn stuck_once() {
+    let bench = Bench::endless("signal-stuck-once", TALKS);
+    let mut child = spawn(&bench, Stdio::null());
+    while !sleeps(&child) {
+        assert!(child.try_wait().expect("ours").is_none(), "it runs");
+    }
+    interrupt(&child);
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
+    assert_eq!(bench.texts()[1..], bench.earlier[1..]);
+    bench.require_no_parts();
+}
+
+/// The trace goes to a pipe that nobody reads.
+fn never_read() {
+    let bench = Bench::endless("signal-unread", WAITS);
+    let made = Command::new("mkfifo")
+        .arg(bench.folder.path("pipe"))
+        .status();
+    assert!(made.expect("mkfifo starts").success());
+    let mut arguments = RUN;
+    arguments[5] = "pipe";
+    let mut command = bench.folder.command(&arguments);
+    let mut child = command.stdout(Stdio::null()).spawn().expect("tipc starts");
+    // It catches the signal before it looks for a reader.
+    sleep(Duration::from_millis(500));
+    assert!(child.try_wait().expect("ours").is_none(), "it waits");
+    interrupt(&child);
+    let status = child.wait().expect("it ends");
+    assert!(matches!(status.code(), Some(130) | None), "{status}");
+    assert_eq!(bench.texts(), bench.earlier);
 }
 
 /// Whether the first thread sleeps, now and for a while.
