@@ -164,3 +164,18 @@ fn logs_show_what_a_program_says_as_escapes() {
     assert_eq!(lines[..2], [name, title]);
     assert_eq!(lines.last(), Some(&&*format!("variable\t{shown}")));
 }
+
+// clauses: 7.41
+#[test]
+fn the_log_of_variables_is_bounded() {
+    let folder = folder("bounded");
+    let program = Talker("V".repeat(1 << 20));
+    let mut console = LogFiles::claim(&folder, "walk.prg", ()).expect("the folder is new");
+    for _ in 0..40 {
+        console.variables(&dump(&program));
+    }
+    console.ended();
+    let text = fs::read_to_string(folder.join("VARIABLES.LOG")).expect("it was written");
+    assert_eq!(text.matches("# cycle").count(), 16);
+    assert!(text.ends_with("\tunassigned\n# full, later ones are left out\n"));
+}

@@ -23,11 +23,16 @@ const VARIABLES_LOG: &str = "VARIABLES.LOG";
 /// What the compiler warned of.
 const WARNING_LOG: &str = "WARNING.LOG";
 
+/// From so many bytes on VARIABLES.LOG takes no more.
+const MOST: usize = 16 << 20;
+/// What then ends it.
+const FULL: &str = "# full, later ones are left out";
+
 /// Writes the files of a run into one folder; keys and messages are the inner console's affair.
 ///
 /// Files appear only when there is something to write, and never half written. Each begins with a
 /// line that names its program; a file that does not name this program is never replaced.
-/// TITAN.LOG and VARIABLES.LOG are written when the program is over. What an earlier run of the same
+/// TITAN.LOG and VARIABLES.LOG are written when the program is over; VARIABLES.LOG takes no more from 16 MiB on. What an earlier run of the same
 /// program left stays until this one has something in its place, or is over without; where the new
 /// file cannot be written, the earlier one stays.
 #[derive(Debug)]
@@ -36,6 +41,8 @@ pub struct LogFiles<C> {
     claim: Claim,
     log: TitanLog,
     variables: String,
+    /// No more variables are kept.
+    is_full: bool,
     /// Files that may be of an earlier run.
     earlier: Vec<&'static str>,
     failed: Option<LogError>,
@@ -58,6 +65,7 @@ impl<C> LogFiles<C> {
             claim,
             log: TitanLog::default(),
             variables: String::new(),
+            is_full: false,
             earlier: Vec::from(Self::NAMES),
             failed: None,
         })
@@ -145,8 +153,14 @@ impl<C: Console> Console for LogFiles<C> {
     }
 
     fn variables(&mut self, dump: &Dump<'_>) {
-        // Writing to a String cannot fail.
-        let _ = write!(self.variables, "{dump}");
+        if !self.is_full {
+            self.is_full = self.variables.len() >= MOST;
+            // Writing to a String cannot fail.
+            let _ = match self.is_full {
+                true => writeln!(self.variables, "{FULL}"),
+                false => write!(self.variables, "{dump}"),
+            };
+        }
         self.inner.variables(dump);
     }
 
