@@ -137,6 +137,29 @@ fn a_rate_into_a_limit_is_an_emergency_or_a_stop_there() {
     }
 }
 
+// clauses: 7.42
+#[test]
+fn a_joint_does_not_creep_beyond_its_limit() {
+    // Each cycle of 1 ms asks for less than what rounding alone may put a joint beyond.
+    for (rate, limit) in [(0.000_99, 60.0), (-0.000_99, -60.0)] {
+        let mut rig = emg_off();
+        rig.done(Op::SetSamplingTime, Target::None, &[1.0]);
+        rig.done(Op::PtpAngle, J11, &[limit]);
+        rig.idle(2000);
+        rig.done(Op::OmegaControl, J11, &[rate]);
+        rig.idle(2000);
+        assert_eq!(rig.commanded()[0][0], limit);
+        assert_eq!(rig.sense(), Ok(()));
+    }
+    // With the emergency on it is one, as soon as the set point is farther out than rounding puts it.
+    let mut rig = Rig::titan();
+    rig.done(Op::PtpAngle, J11, &[60.0]);
+    rig.idle(200);
+    rig.done(Op::OmegaControl, J11, &[0.000_99]);
+    assert_eq!(idle_to_fault(&mut rig), Fault::JointLimit(1, 1));
+    assert_eq!(rig.commanded()[0][0], 60.0);
+}
+
 // clauses: 7.42 2.22
 #[test]
 fn under_emg_off_a_leg_goes_as_far_as_it_can() {

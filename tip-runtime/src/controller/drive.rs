@@ -82,12 +82,13 @@ impl<const J: usize> LegDrive<J> {
         outputs
     }
 
-    /// Joints that were commanded a torque are where it led them.
-    pub(super) fn follow(&mut self, measured: &[f64; J]) {
-        let states = self.torques.iter().zip(measured);
+    /// Joints that were commanded a torque are where it led them, or are to come back to the working
+    /// limit that they overshot.
+    pub(super) fn follow(&mut self, measured: &[f64; J], leg: &Leg<J>) {
+        let states = self.torques.iter().zip(leg.within_limits(measured));
         for (angle, (torque, measured)) in self.angles.iter_mut().zip(states) {
             if torque.is_some() {
-                *angle = *measured;
+                *angle = measured;
             }
         }
     }
@@ -176,44 +177,35 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// Puts a point under control. Joints after it keep their modes; those that served another
-    /// point hold the angles `measured`.
+    /// point hold the angles `stays`.
     pub(super) fn take_point(
         &mut self,
         point: Point,
         track: Track<3>,
         leg: &Leg<J>,
-        measured: &[f64; J],
+        stays: &[f64; J],
         inverse: Inverse,
     ) {
         self.own_stiffness = None;
         self.drive = match point {
             Point::Tip => Drive::Foot(track),
-            Point::Joint(_) => Drive::Third(track, self.joints(leg, measured, inverse)),
+            Point::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
         };
     }
 
     /// The joints' set points, in the motion that the leg is commanded now. Joints that served
-    /// a point are to stay at the angles `measured`.
-    pub(super) fn joints(
-        &self,
-        leg: &Leg<J>,
-        measured: &[f64; J],
-        inverse: Inverse,
-    ) -> [Track<1>; J] {
+    /// a point are to stay at the angles `stays`.
+    pub(super) fn joints(&self, leg: &Leg<J>, stays: &[f64; J], inverse: Inverse) -> [Track<1>; J] {
         let (served, own) = match &self.drive {
             Drive::Joints(joints) => return *joints,
             Drive::Foot(_) => (J, None),
             Drive::Third(_, joints) => (THIRD, Some(joints)),
         };
         let mut joints = self.angles.map(|angle| Track::resting([angle]));
-        let states = self
-            .angles
-            .iter()
-            .zip(self.rates(leg, inverse))
-            .zip(measured);
-        for (joint, ((angle, rate), measured)) in joints.iter_mut().zip(states).take(served) {
+        let states = self.angles.iter().zip(self.rates(leg, inverse)).zip(stays);
+        for (joint, ((angle, rate), stays)) in joints.iter_mut().zip(states).take(served) {
             *joint = Track::moving([*angle], [rate]).towards(Goal::Point {
-                target: [*measured],
+                target: [*stays],
                 hs: false,
             });
         }

@@ -64,7 +64,7 @@ impl<const J: usize> ControllerView<'_, J> {
     fn stop_where_felt(&mut self) {
         for leg in &mut self.legs {
             if leg.search.is_some() {
-                leg.drive.drive = Drive::Joints(leg.angles.map(held));
+                leg.drive.drive = Drive::Joints(leg.stays().map(held));
             }
         }
     }
@@ -83,7 +83,7 @@ impl<const J: usize> ControllerView<'_, J> {
         };
         self.mark_searching(command.target)?;
         for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
-            let mut tracks = leg.angles.map(held);
+            let mut tracks = leg.stays().map(held);
             for (track, share) in tracks.iter_mut().zip(SHARES).take(closing) {
                 *track = track.towards(Goal::Effort([share * forces.search_torque]));
             }

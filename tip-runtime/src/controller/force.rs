@@ -135,11 +135,11 @@ impl<const J: usize> ControllerView<'_, J> {
             Drive::Foot(track) if !track.goal().is_soft() => return Ok(()),
             _ => leg.joints(inverse),
         };
-        let chosen = tracks.iter_mut().zip(&leg.angles);
+        let chosen = tracks.iter_mut().zip(leg.stays());
         let chosen = chosen.skip(first).take(count);
         for (track, measured) in chosen {
             if track.goal().is_soft() {
-                let target = [*measured];
+                let target = [measured];
                 *track = Track::resting(target).towards(Goal::Point { target, hs: false });
             }
         }

@@ -80,10 +80,16 @@ impl<'m, const J: usize> LegState<'m, J> {
         }
     }
 
+    /// The angles at which its joints stay where they are: those measured, but within the working
+    /// limits.
+    pub(super) fn stays(&self) -> [f64; J] {
+        self.model.within_limits(&self.angles)
+    }
+
     /// The joints' set points, in the motion that the leg is commanded now. Joints that served
     /// a point are to stay where they are measured.
     pub(super) fn joints(&self, inverse: Inverse) -> [Track<1>; J] {
-        self.drive.joints(self.model, &self.angles, inverse)
+        self.drive.joints(self.model, &self.stays(), inverse)
     }
 
     /// What its joints are commanded, vibrations included.
@@ -99,8 +105,7 @@ impl<'m, const J: usize> LegState<'m, J> {
         {
             let state = Shaken {
                 per_volt,
-                torque_unit: robot.torque_unit(),
-                torque_max: params.torque_max,
+                most_torque: params.most_torque(joint, robot.torque_unit()),
                 measured: *measured,
             };
             *command = shaker.shaken(*command, joint, &state);

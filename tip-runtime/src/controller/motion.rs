@@ -85,7 +85,7 @@ impl<const J: usize> ControllerView<'_, J> {
                 _ => *measured,
             };
             if track.goal().is_soft() {
-                *track = Track::resting([*measured]);
+                *track = Track::resting([joint.limits.nearest(*measured)]);
             }
             let [target] = match base {
                 _ if stop => track.rest_point(params.limits()),
@@ -129,15 +129,15 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
         let mut tracks = leg.joints(inverse);
-        let states = leg.angles.iter().zip(&leg.rates);
+        let states = leg.stays().into_iter().zip(&leg.rates);
         let chosen = tracks.iter_mut().zip(states).skip(first).take(count);
-        for ((track, (measured, rate)), value) in chosen.zip(command.values) {
+        for ((track, (stays, rate)), value) in chosen.zip(command.values) {
             let current = match track.goal() {
                 Goal::Speed(velocity) => velocity,
                 _ => [*rate],
             };
             if track.goal().is_soft() {
-                *track = Track::resting([*measured]);
+                *track = Track::resting([stays]);
             }
             *track = track.towards(Goal::Speed(resolve(&[*value], current)?));
         }
@@ -149,8 +149,9 @@ impl<const J: usize> ControllerView<'_, J> {
     pub(super) fn take_point(&mut self, n: u8, point: Point, track: Track<3>) -> Result<(), Fault> {
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
+        let stays = leg.stays();
         leg.drive
-            .take_point(point, track, leg.model, &leg.angles, inverse);
+            .take_point(point, track, leg.model, &stays, inverse);
         Ok(())
     }
 

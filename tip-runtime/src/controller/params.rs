@@ -7,7 +7,7 @@ use super::{ControllerView, targets};
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
-use crate::model::{Forces, Standards, TorqueUnit, Whole};
+use crate::model::{Forces, Joint, Standards, TorqueUnit, Whole};
 
 /// Parameters of one foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +40,7 @@ pub(super) struct JointParams {
     pub(super) omega_dot_max: f64,
     pub(super) just: f64,
     pub(super) near: f64,
-    /// The most torque that it is commanded.
+    /// `TORQUE_MAX`.
     pub(super) torque_max: f64,
     /// Torque per degree.
     pub(super) stiffness: f64,
@@ -105,6 +105,11 @@ impl JointParams {
             stiffness: forces.angle_stiffness,
             limit: None,
         }
+    }
+
+    /// The most torque that `joint` is commanded: no more than its motor gives.
+    pub(super) const fn most_torque(&self, joint: &Joint, torque_unit: f64) -> f64 {
+        self.torque_max.min(joint.torque * torque_unit)
     }
 
     pub(super) const fn limits(&self) -> Limits {

@@ -20,10 +20,8 @@ pub(super) struct Shaker {
 /// What a vibration at a joint depends on.
 pub(super) struct Shaken {
     pub(super) per_volt: PerVolt,
-    /// How many of the robot's torque unit one N·m is.
-    pub(super) torque_unit: f64,
     /// The most torque that the joint is commanded.
-    pub(super) torque_max: f64,
+    pub(super) most_torque: f64,
     /// deg.
     pub(super) measured: f64,
 }
@@ -69,9 +67,7 @@ impl Shaker {
                 rate,
             },
             JointCommand::Torque(torque) => {
-                let motor = joint.torque * state.torque_unit;
-                let most = state.torque_max.min(motor).max(libm::fabs(torque));
-                let shaken = bounded(torque + per_volt.torque * volts, most);
+                let shaken = bounded(torque + per_volt.torque * volts, state.most_torque);
                 JointCommand::Torque(inward(shaken, state.measured, joint))
             }
         }

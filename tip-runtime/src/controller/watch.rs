@@ -10,7 +10,7 @@ impl<const J: usize> ControllerView<'_, J> {
     pub(crate) fn take_in(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let read = self.measure(sensors).and(self.check_sensors());
         for leg in &mut self.legs {
-            leg.drive.follow(&leg.angles);
+            leg.drive.follow(&leg.angles, leg.model);
         }
         read.and_then(|()| self.check_limits())?;
         self.pending.take().map_or(Ok(()), Err)

@@ -43,4 +43,13 @@ impl<const J: usize> Leg<J> {
     /// its lengths; `map` of an array does not.
     pub(crate) const BLANK: &'static Self =
         &Leg::at([0.0; 3], [Joint::revolute([0.0, 0.0, 1.0], [0.0; 3]); J]);
+
+    /// The nearest angles to these within the working limits: deg.
+    pub(crate) fn within_limits(&self, angles: &[f64; J]) -> [f64; J] {
+        let mut within = *angles;
+        for (angle, joint) in within.iter_mut().zip(&self.joints) {
+            *angle = joint.limits.nearest(*angle);
+        }
+        within
+    }
 }

@@ -119,6 +119,60 @@ fn a_joint_that_is_driven_to_its_limit_stops() {
     assert!(rig.sensors.angles[0][2] < 109.0);
 }
 
+/// A finger whose third joint, with a limit of 110 deg, overshot to 112 deg under torque.
+fn overshot() -> Hand {
+    let mut rig = Hand::new();
+    rig.done(Op::EmgOff, Target::None, &[]);
+    rig.done(Op::Torque, J13, &[60.0]);
+    rig.sensors.angles[0][2] = 112.0;
+    rig
+}
+
+// clauses: 7.5 7.9 7.13 7.42
+#[test]
+fn a_joint_that_overshot_is_commanded_no_angle_beyond_its_limit() {
+    let ends: [(Op, Target, &[f64]); 5] = [
+        (Op::AllStop, Target::None, &[]),
+        (Op::NoCompliance, J13, &[]),
+        (Op::PtpAngle, J13, &[110.0]),
+        (Op::OmegaControl, J13, &[-1.0]),
+        (Op::Ptp, F1, &[-60.0, -100.0, 0.0]),
+    ];
+    for (op, target, values) in ends {
+        let mut rig = overshot();
+        rig.done(op, target, values);
+        for _ in 0..100 {
+            // An angle is where the joint of this rig is at once.
+            assert!(rig.sensors.angles[0][2] <= 110.0, "{}", op.name());
+            assert_eq!(rig.told(1), [None; 3]);
+            rig.idle(1);
+        }
+    }
+    // What holds it there has arrived, and is no reason for an emergency.
+    let mut rig = overshot();
+    rig.done(Op::NoCompliance, J13, &[]);
+    rig.done(Op::EmgOn, Target::None, &[]);
+    rig.idle(10);
+    assert!(rig.controller.inpos(J13));
+    assert_eq!(rig.sensors.angles[0][2], 110.0);
+}
+
+// clauses: 7.9 7.26
+#[test]
+fn no_joint_is_told_more_than_its_motor_gives() {
+    // 1.5 N·m.
+    let mut rig = Hand::new();
+    rig.done(Op::SetTorqueMax, ALL, &[5000.0]);
+    rig.done(Op::Torque, F1, &[9000.0, -9000.0, 1499.0]);
+    assert_eq!(rig.told(1), [Some(1500.0), Some(-1500.0), Some(1499.0)]);
+    // Springs and forces are bounded alike.
+    let mut rig = Hand::new();
+    rig.done(Op::SetTorqueMax, ALL, &[5000.0]);
+    rig.done(Op::Force, F1, &[-1e6, 0.0, 0.0]);
+    let told = rig.told(1);
+    assert!(told.iter().flatten().all(|torque| torque.abs() == 1500.0));
+}
+
 // clauses: 2.22
 #[test]
 fn a_torque_sensor_that_reads_nonsense_is_a_fault() {

@@ -115,8 +115,9 @@ impl<const J: usize> LegDrive<J> {
         *angle = track.position().iter().sum();
         // A joint that is beyond its limits already may come back, not go on.
         let free = Range::new(joint.limits.min.min(from), joint.limits.max.max(from));
-        if !free.widened(ROUNDING).contains(*angle) {
-            *angle = angle.max(free.min).min(free.max);
+        let wanted = *angle;
+        *angle = free.nearest(wanted);
+        if !free.widened(ROUNDING).contains(wanted) {
             *track = track.stopped_at([*angle]);
             return Err(Fault::JointLimit(n, number(m)));
         }
@@ -251,11 +252,11 @@ impl<const J: usize> LegDrive<J> {
         if going.held {
             return;
         }
-        let torque = bounded(torque, params.torque_max);
+        let torque = bounded(torque, params.most_torque(joint, going.torque_unit));
         let outward = (torque > 0.0 && measured >= joint.limits.max)
             || (torque < 0.0 && measured <= joint.limits.min);
         if outward {
-            *angle = measured.max(joint.limits.min).min(joint.limits.max);
+            *angle = joint.limits.nearest(measured);
         } else {
             *slot = Some(torque);
         }

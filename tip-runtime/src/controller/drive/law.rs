@@ -2,10 +2,10 @@
 //!
 //! A joint's spring: `τ = k (θ_d − θ)`. A point's spring: `F = K (x_d − x)`, axis by axis. Either is
 //! bounded by the compliance limit, if one is set. A force acts through the joints as `τ = Jᵀ F`, and
-//! no joint is commanded more than `TORQUE_MAX`. This is stiffness control without an inner force loop
-//! (Salisbury, *Active Stiffness Control of a Manipulator in Cartesian Coordinates*, 1980), without
-//! damping of its own: that of the joints brings the robot to rest. Units: deg, mm, N, and torques in
-//! the robot's torque unit.
+//! no joint is commanded more than `TORQUE_MAX`, or than its motor gives. This is stiffness control
+//! without an inner force loop (Salisbury, *Active Stiffness Control of a Manipulator in Cartesian
+//! Coordinates*, 1980), without damping of its own: that of the joints brings the robot to rest. Units:
+//! deg, mm, N, and torques in the robot's torque unit.
 
 /// The pull of a spring, bounded by `limit` where there is one.
 pub(super) fn spring<const N: usize>(

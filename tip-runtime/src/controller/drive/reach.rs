@@ -35,7 +35,7 @@ pub(in crate::controller) fn reach<const J: usize>(
     }
     let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
     match kinematics::first_beyond_limits(leg, &angles) {
-        None => Ok(angles),
+        None => Ok(leg.within_limits(&angles)),
         Some(m) => Err(Fault::JointLimit(n, number(m))),
     }
 }
