@@ -12,8 +12,9 @@ mod statics;
 
 pub use chain::Chain;
 pub use inverse::inverse;
-pub use resolved_rate::{Point, nearest, resolve};
+pub use resolved_rate::{Point, nearest, resolve, resolve_towards};
 pub use search::search;
+pub(crate) use search::starts;
 
 use crate::model::Leg;
 

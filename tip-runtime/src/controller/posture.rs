@@ -1,7 +1,7 @@
 //! INITIAL_POSTURE (T.I.P. 3.1 §7-1-7).
 
 use super::ControllerView;
-use super::drive::Drive;
+use super::drive::{Drive, Guide};
 use super::task::Task;
 use super::trajectory::Goal;
 use crate::command::Poll;
@@ -22,6 +22,8 @@ impl<const J: usize> ControllerView<'_, J> {
             let initial = Chain::new(leg.model, &leg.model.initial);
             let target = inverse.flat(initial.foot());
             let foot = leg.drive.point(Point::Tip, leg.model, inverse);
+            let line = (foot.position(), target);
+            leg.drive.guide = Guide::to_initial(leg.model, inverse, &leg.drive.angles, line);
             leg.drive.drive = Drive::Foot(foot.towards(Goal::Point { target, hs: false }));
         }
         if let Some(slider) = self.robot.slider {

@@ -4,12 +4,20 @@
 //! Control of Manipulators and Human Prostheses*, 1969), again and again until it is closed. A
 //! damping in proportion to the gap keeps turns finite in singular postures and vanishes at the
 //! target (Sugihara, *Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt
-//! Method*, 2011). A joint that meets its limit stays there; the others go on.
+//! Method*, 2011; damped least squares: Nakamura and Hanafusa, *Inverse Kinematic Solutions with
+//! Singularity Robustness for Robot Manipulator Control*, 1986). A joint that meets its limit stays
+//! there; the others go on.
+//!
+//! Joints to spare turn towards a posture `p`, by the part of `p − q` that leaves the point where it
+//! is: `J# e + (1 − J# J) (p − q)` (Liégeois, *Automatic Supervisory Control of the Configuration and
+//! Behavior of Multibody Mechanisms*, 1977). In a singular posture, where a joint may bend to either
+//! side, `p` decides to which.
 
 use super::Chain;
 use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
+use super::statics::is_singular;
 use crate::model::{Axes, Joint, Leg, Range};
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 /// A point of a leg that can be put somewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +51,17 @@ const TURNS: usize = 60;
 /// The farthest that one turn goes: deg.
 const FARTHEST: f64 = 15.0;
 
+/// A Jacobian whose Gram determinant is smaller than this, against that of a sphere of the same
+/// trace, belongs to a leg that is straight, or as good as straight.
+const STRAIGHT: f64 = 1e-5;
+
+/// How far the joints of a straight leg bend at least to the side of their posture: deg. The gap itself
+/// bends them to neither side, or to either.
+const LEAST_BEND: f64 = 0.5;
+
+/// The share of the way to its posture that a leg with joints to spare takes at a time.
+const LEANING: f64 = 0.5;
+
 /// The joint angles (deg) near `from` that put `point` of `leg` at `target` (mm) along the axes that
 /// count; `None` if no angles within the limits are found. A joint that is beyond its limits already
 /// may stay there.
@@ -54,7 +73,21 @@ pub fn resolve<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
-    let (angles, left) = approach(leg, from, point, target, axes)?;
+    let (angles, left) = approach(leg, from, point, target, axes, None)?;
+    (left <= LEFT_OVER).then_some(angles)
+}
+
+/// As [`resolve`], with the joints to spare turning towards `posture` (deg).
+#[must_use]
+pub fn resolve_towards<const J: usize>(
+    leg: &Leg<J>,
+    from: &[f64; J],
+    point: Point,
+    target: [f64; 3],
+    axes: Axes,
+    posture: &[f64; J],
+) -> Option<[f64; J]> {
+    let (angles, left) = approach(leg, from, point, target, axes, Some(posture))?;
     (left <= LEFT_OVER).then_some(angles)
 }
 
@@ -67,31 +100,49 @@ pub fn nearest<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
-    approach(leg, from, point, target, axes).map(|(angles, _)| angles)
+    approach(leg, from, point, target, axes, None).map(|(angles, _)| angles)
 }
 
 /// The angles (deg) that put a point as near to its target as it comes, and the gap that is left (mm).
+/// The first turn leans towards a posture, if there is one.
 fn approach<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
     point: Point,
     target: [f64; 3],
     axes: Axes,
+    mut posture: Option<&[f64; J]>,
 ) -> Option<([f64; J], f64)> {
     let mut angles = *from;
     for _ in 0..TURNS {
         let chain = Chain::new(leg, &angles);
         let gap = gap(&chain, point, target, axes)?;
-        if gap.norm() <= CLOSED {
+        let posture = posture.take();
+        if gap.norm() <= CLOSED && posture.is_none() {
             return Some((angles, gap.norm()));
         }
         let jacobian = rows_that_count(chain.jacobian_of(point)?, axes);
-        let turns = turns_within_limits(leg, from, &angles, |free| turns(&jacobian, free, &gap))?;
+        let mut lean = posture.map_or([0.0; J], |posture| lean(&angles, posture));
+        if gap.norm() > CLOSED && is_singular(&jacobian, axes, STRAIGHT) {
+            bend(&mut lean);
+        }
+        let turns = turns_within_limits(leg, from, &angles, |free| {
+            turns(&jacobian, free, &gap, &lean)
+        })?;
         turn(&mut angles, &turns);
         clamp(leg, from, &mut angles);
     }
     let left = gap(&Chain::new(leg, &angles), point, target, axes)?;
     Some((angles, left.norm()))
+}
+
+/// How far joints would turn towards a posture: deg.
+fn lean<const J: usize>(angles: &[f64; J], posture: &[f64; J]) -> [f64; J] {
+    let mut lean = *posture;
+    for (lean, angle) in lean.iter_mut().zip(angles) {
+        *lean = (*lean - angle) * LEANING;
+    }
+    lean
 }
 
 fn gap<const J: usize>(
@@ -109,28 +160,47 @@ fn gap<const J: usize>(
     Some(gap)
 }
 
-/// `Jᵀ (J Jᵀ + λ)⁻¹ e` of the joints that are free: deg.
+/// Makes the largest part at least [`LEAST_BEND`], unless all are zero.
+fn bend<const J: usize>(lean: &mut [f64; J]) {
+    let largest = largest(lean);
+    if largest > 0.0 && largest < LEAST_BEND {
+        for lean in lean {
+            *lean *= LEAST_BEND / largest;
+        }
+    }
+}
+
+fn largest<const J: usize>(turns: &[f64; J]) -> f64 {
+    turns
+        .iter()
+        .fold(0.0_f64, |most, t| most.max(libm::fabs(*t)))
+}
+
+/// `n + Jᵀ (J Jᵀ + λ)⁻¹ (e − J n)` of the joints that are free, with `n` how far they lean: deg.
 fn turns<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     free: &[bool; J],
     gap: &Vector3<f64>,
+    lean: &[f64; J],
 ) -> Option<[f64; J]> {
     let mut jacobian = *jacobian;
-    for (mut column, free) in jacobian.column_iter_mut().zip(free) {
+    let mut lean = SVector::<f64, J>::from(*lean) * RADIANS_PER_DEGREE;
+    let joints = jacobian.column_iter_mut().zip(&mut lean);
+    for ((mut column, lean), free) in joints.zip(free) {
         if !free {
             column.iter_mut().for_each(|entry| *entry = 0.0);
+            *lean = 0.0;
         }
     }
-    let turns = least_norm(&jacobian, gap, gap.norm_squared())? / RADIANS_PER_DEGREE;
-    let turns: [f64; J] = turns.into();
+    let rest = gap - jacobian * lean;
+    let turns = lean + least_norm(&jacobian, &rest, gap.norm_squared())?;
+    let turns: [f64; J] = (turns / RADIANS_PER_DEGREE).into();
     turns.iter().all(|turn| turn.is_finite()).then_some(turns)
 }
 
 /// Adds the turns, all shortened alike if one goes too far.
 fn turn<const J: usize>(angles: &mut [f64; J], turns: &[f64; J]) {
-    let largest = turns
-        .iter()
-        .fold(0.0_f64, |most, t| most.max(libm::fabs(*t)));
+    let largest = largest(turns);
     let share = (FARTHEST / largest).min(1.0);
     for (angle, turn) in angles.iter_mut().zip(turns) {
         *angle += share * turn;

@@ -25,10 +25,13 @@ pub fn search<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
+    starts(leg).find_map(|from| resolve(leg, &from, point, target, axes))
+}
+
+/// Postures that are spread over the limits, the initial one first.
+pub(crate) fn starts<const J: usize>(leg: &Leg<J>) -> impl Iterator<Item = [f64; J]> + '_ {
     let spread = (0..STARTS).map(|number| start(leg, number));
-    core::iter::once(leg.initial)
-        .chain(spread)
-        .find_map(|from| resolve(leg, &from, point, target, axes))
+    core::iter::once(leg.initial).chain(spread)
 }
 
 /// The posture of that number; 0 is the middle of the limits.

@@ -47,6 +47,26 @@ fn of_enough_joints<const J: usize>(
     torques: &SVector<f64, J>,
     axes: Axes,
 ) -> Option<[f64; 3]> {
+    if is_singular(jacobian, axes, SINGULAR) {
+        return None;
+    }
+    let gram = filled_gram(jacobian, axes).0;
+    Some((gram.try_inverse()? * (jacobian * torques)).into())
+}
+
+/// Whether the Gram determinant of the axes that count is smaller than `share` of that of a sphere of
+/// the same trace.
+pub(super) fn is_singular<const J: usize>(
+    jacobian: &SMatrix<f64, 3, J>,
+    axes: Axes,
+    share: f64,
+) -> bool {
+    let (gram, size) = filled_gram(jacobian, axes);
+    gram.determinant() <= share * size * size * size
+}
+
+/// `J Jᵀ`, with the mean of the axes that count in place of those that do not; and that mean.
+fn filled_gram<const J: usize>(jacobian: &SMatrix<f64, 3, J>, axes: Axes) -> (Matrix3<f64>, f64) {
     let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
     let counting = axes.iter().filter(|counts| **counts).count();
     let size = gram.trace() / counting as f64;
@@ -55,10 +75,7 @@ fn of_enough_joints<const J: usize>(
             *entry = size;
         }
     }
-    if gram.determinant() <= SINGULAR * size * size * size {
-        return None;
-    }
-    Some((gram.try_inverse()? * (jacobian * torques)).into())
+    (gram, size)
 }
 
 /// `J (Jᵀ J)⁻¹ τ` of one joint, or two, that move the point: the least force that they feel so.

@@ -96,6 +96,38 @@ fn every_shape_goes_to_its_places_and_back() {
     every_shape!(goes);
 }
 
+// clauses: 7.6
+#[test]
+fn legs_with_joints_to_spare_return_to_their_initial_angles() {
+    fn returns<const L: usize, const J: usize>(model: &Model<L, J>) {
+        // To a posture at an angle of each joint, and by position to a place in another one.
+        let away = |leg: &Leg<J>| near(leg).to_vec();
+        let place = |leg: &Leg<J>| foot(leg, &leg.initial).map(|at| at + 10.0).to_vec();
+        for second in [
+            for_legs(model, Op::PtpAngle, away),
+            for_legs(model, Op::Ptp, place),
+        ] {
+            let mut steps = for_legs(model, Op::PtpAngle, away);
+            steps.push(wait());
+            steps.extend(second);
+            steps.push(wait());
+            steps.push((Op::InitialPosture, NONE, Vec::new()));
+            steps.push(wait());
+            steps.push((Op::Sleep, NONE, vec![1000.0]));
+            let (bench, fault) = run(model, steps);
+            assert_eq!(fault, None, "{}", model.name);
+            for (leg, angles) in model.legs.iter().zip(bench.hardware().angles()) {
+                for (angle, initial) in angles.iter().zip(leg.initial) {
+                    assert!((angle - initial).abs() <= 1.0, "{} {angles:?}", model.name);
+                }
+            }
+        }
+    }
+    returns(&TRIPOD);
+    returns(&ARM);
+    returns(&NINE);
+}
+
 // clauses: 2.22 7.2
 #[test]
 fn what_no_leg_reaches_is_an_emergency() {

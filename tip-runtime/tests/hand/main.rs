@@ -3,6 +3,7 @@
 
 mod forces;
 mod positions;
+mod postures;
 mod rig;
 mod searches;
 mod specials;

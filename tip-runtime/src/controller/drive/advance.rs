@@ -162,6 +162,9 @@ impl<const J: usize> LegDrive<J> {
         }
         let before = *track;
         track.advance(leg.params.foot.limits(), going.dt, going.held);
+        if let (Some(guide), Some(target)) = (&mut self.guide, track.goal().target()) {
+            guide.advance((track.position(), target), going.dt, going.held);
+        }
         match self.solve(point, track, leg, going) {
             Ok(angles) => {
                 let moving = self.angles.iter_mut().zip(angles);
@@ -196,7 +199,15 @@ impl<const J: usize> LegDrive<J> {
             return Ok(solved.angles);
         }
         let name = (point, leg.number);
-        let angles = follow(going.inverse, leg.model, name, &self.angles, track)?;
+        let guide = self.guide.zip(track.goal().target());
+        let posture = guide.map(|(guide, target)| guide.posture(foot, target));
+        let angles = follow(
+            going.inverse,
+            leg.model,
+            name,
+            &self.angles,
+            (track, posture),
+        )?;
         if is_closed {
             self.solved = Some(Solved { foot, angles });
         }

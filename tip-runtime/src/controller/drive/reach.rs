@@ -42,7 +42,7 @@ pub(in crate::controller) fn reach<const J: usize>(
 
 /// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
 /// before it for every direction goes along the line or surface that it has: as near to a set point on
-/// its path as it comes, and all the way to the target.
+/// its path as it comes, and all the way to the target. Joints to spare turn towards `posture`.
 ///
 /// # Errors
 /// As [`reach`].
@@ -51,13 +51,18 @@ pub(super) fn follow<const J: usize>(
     leg: &Leg<J>,
     (point, n): (Point, u8),
     from: &[f64; J],
-    track: &Track<3>,
+    (track, posture): (&Track<3>, Option<[f64; J]>),
 ) -> Result<[f64; J], Fault> {
     let at = track.position();
     let on_its_way = track.goal().target().is_some_and(|target| target != at);
     if on_its_way && has_few_joints::<J>(inverse, point) {
         let nearest = kinematics::nearest(leg, from, point, at, inverse.axes());
         return nearest.ok_or(Fault::OutOfReach(name(point, n)));
+    }
+    if let Some(posture) = posture {
+        let axes = inverse.axes();
+        let angles = kinematics::resolve_towards(leg, from, point, at, axes, &posture);
+        return angles.ok_or(Fault::OutOfReach(name(point, n)));
     }
     reach(inverse, leg, (point, n), from, at)
 }
@@ -80,7 +85,7 @@ pub(in crate::controller) fn nearest_place<const J: usize>(
 }
 
 /// Whether too few joints move a point for every direction that counts.
-fn has_few_joints<const J: usize>(inverse: Inverse, point: Point) -> bool {
+pub(super) fn has_few_joints<const J: usize>(inverse: Inverse, point: Point) -> bool {
     let directions = inverse.axes().iter().filter(|counts| **counts).count();
     point.moved_by(J) < directions
 }
