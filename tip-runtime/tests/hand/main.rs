@@ -2,6 +2,7 @@
 #![cfg(feature = "control")]
 
 mod forces;
+mod paths;
 mod positions;
 mod postures;
 mod rig;
