@@ -47,11 +47,6 @@ impl Range {
         value >= self.min && value <= self.max
     }
 
-    /// The place in the interval that is nearest to `value`.
-    pub(crate) const fn nearest(&self, value: f64) -> f64 {
-        value.max(self.min).min(self.max)
-    }
-
     /// The interval with both ends moved outwards by `margin`.
     #[must_use]
     pub const fn widened(&self, margin: f64) -> Self {

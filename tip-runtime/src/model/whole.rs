@@ -53,3 +53,10 @@ impl<const J: usize> Leg<J> {
         within
     }
 }
+
+impl Range {
+    /// The place in the interval that is nearest to `value`.
+    pub(crate) const fn nearest(&self, value: f64) -> f64 {
+        value.max(self.min).min(self.max)
+    }
+}
