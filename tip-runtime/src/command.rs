@@ -46,17 +46,19 @@ impl core::error::Error for UnknownWord {}
 /// One evaluated operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number as it is.
+    /// A number as it is; in a command that counts from the target, one that does.
     Absolute(f64),
     /// A number after `R`.
     Relative(f64),
+    /// A number after `A` in a command whose other numbers count from the target: it is taken as it is.
+    Fixed(f64),
 }
 
 impl Value {
     /// The number as the operand gave it.
     pub const fn number(self) -> f64 {
         match self {
-            Value::Absolute(number) | Value::Relative(number) => number,
+            Value::Absolute(number) | Value::Relative(number) | Value::Fixed(number) => number,
         }
     }
 }
@@ -64,7 +66,7 @@ impl Value {
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Value::Absolute(number) => write!(f, "{number:?}"),
+            Value::Absolute(number) | Value::Fixed(number) => write!(f, "{number:?}"),
             Value::Relative(number) => write!(f, "{RELATIVE}{number:?}"),
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::language::reserved::VAR_KEY;
 use crate::program::{
-    Action, Argument, Condition, Label, Operand, Program, Relation, Scalar, Step, StepId, Variable,
-    VariableKind,
+    Action, Argument, Condition, Label, Mark, Operand, Program, Relation, Scalar, Step, StepId,
+    Variable, VariableKind,
 };
 use tip_runtime::model::titan8;
 
@@ -81,7 +81,7 @@ pub(crate) fn constant(value: f64) -> Operand {
 pub(crate) fn argument(value: f64) -> Argument {
     Argument {
         operand: constant(value),
-        relative: false,
+        mark: Mark::None,
     }
 }
 

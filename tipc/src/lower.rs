@@ -4,8 +4,8 @@ use crate::check::{
     Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
 };
 use crate::program::{
-    Action, Argument, End, Label, Op, Operand, Program, Scalar, Step, StepId, Target, Variable,
-    VariableId,
+    Action, Argument, End, Label, Mark, Op, Operand, Program, Scalar, Step, StepId, Target,
+    Variable, VariableId,
 };
 use crate::robot::Robot;
 use crate::source::Source;
@@ -149,19 +149,19 @@ impl Lowering<'_> {
     fn arguments(&self, arguments: Arguments) -> Vec<Argument> {
         match arguments {
             Arguments::Each(arguments) => arguments,
-            Arguments::Whole { variable, relative } => self.members(variable, relative),
+            Arguments::Whole { variable, mark } => self.members(variable, mark),
         }
     }
 
     /// A struct is given as its members.
-    fn members(&self, variable: VariableId, relative: bool) -> Vec<Argument> {
+    fn members(&self, variable: VariableId, mark: Mark) -> Vec<Argument> {
         let members = 0..self.variables[variable].size();
         let argument = |member| Argument {
             operand: Operand::Scalar {
                 scalar: Scalar { variable, member },
                 negative: false,
             },
-            relative,
+            mark,
         };
         members.map(argument).collect()
     }
@@ -204,7 +204,7 @@ fn special(number: f64, values: Vec<Operand>) -> Action {
     let operands = std::iter::once(Operand::Constant(number)).chain(values);
     let argument = |operand| Argument {
         operand,
-        relative: false,
+        mark: Mark::None,
     };
     Action::Command {
         op: Op::Special,

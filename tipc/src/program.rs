@@ -13,7 +13,7 @@ use smol_str::SmolStr;
 mod action;
 mod operand;
 
-pub use action::{Action, Argument, MessagePart};
+pub use action::{Action, Argument, Mark, MessagePart};
 pub use operand::{Condition, Operand, Scalar, ScalarExpression, StructExpression, VariableId};
 
 /// A motion program.

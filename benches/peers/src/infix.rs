@@ -1,7 +1,7 @@
 //! What all peers write nearly alike: numbers, variables, operations, relations.
 
 use tipc::program::{
-    Action, Argument, Arithmetic, Condition, Operand, Program, Relation, Scalar, ScalarExpression,
+    Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar, ScalarExpression,
     StructExpression, Variable, VariableId, VariableKind,
 };
 
@@ -73,7 +73,7 @@ impl Infix<'_> {
 
     pub(crate) fn arguments(&self, arguments: &[Argument]) -> Vec<String> {
         let value = |argument: &Argument| {
-            assert!(!argument.relative, "R is beyond the peers");
+            assert!(argument.mark == Mark::None, "R is beyond the peers");
             self.operand(argument.operand)
         };
         arguments.iter().map(value).collect()

@@ -150,7 +150,10 @@ impl Writer {
         match home {
             _ if form.relative && self.dice.once_in(3) => format!("R {number}"),
             Some(home) => {
-                let flag = self.dice.pick(&["", "", "A "]);
+                let flag = match form.from_target {
+                    true => "A ",
+                    false => self.dice.pick(&["", "", "A "]),
+                };
                 let delta: f64 = number.parse().expect("a number");
                 format!("{flag}{}", home + delta)
             }

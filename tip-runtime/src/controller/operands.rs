@@ -8,7 +8,7 @@ use crate::fault::Fault;
 pub(super) enum Base {
     /// Each operand says for itself; relative ones count from the measured value.
     Operand,
-    /// All count from the current target, or else from the measured value; all zero stops a move.
+    /// All but those after `A` count from the current target, or else from the measured value; all zero stops a move.
     Target,
 }
 
@@ -24,16 +24,20 @@ pub(super) fn resolve<const N: usize>(
     let mut resolved = base;
     for (resolved, value) in resolved.iter_mut().zip(values) {
         *resolved = crate::ops::finite(match value {
-            Value::Absolute(number) => *number,
+            Value::Absolute(number) | Value::Fixed(number) => *number,
             Value::Relative(number) => *resolved + number,
         })?;
     }
     Ok(resolved)
 }
 
-/// The operands, all counted from `base`.
+/// The operands, all counted from `base` but those after `A`.
 pub(super) fn sum<const N: usize>(values: &[Value; N], base: [f64; N]) -> Result<[f64; N], Fault> {
-    resolve(&values.map(|value| Value::Relative(value.number())), base)
+    let counted = values.map(|value| match value {
+        Value::Absolute(number) => Value::Relative(number),
+        Value::Relative(_) | Value::Fixed(_) => value,
+    });
+    resolve(&counted, base)
 }
 
 /// The operands as the command reads them, counted from `from`.

@@ -178,7 +178,7 @@ fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     }
     for value in command.values {
         match value {
-            Value::Absolute(_) => write!(out, ",{value}")?,
+            Value::Absolute(_) | Value::Fixed(_) => write!(out, ",{value}")?,
             Value::Relative(_) => write!(out, r#","{value}""#)?,
         }
     }

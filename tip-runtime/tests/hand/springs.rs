@@ -250,6 +250,25 @@ fn relative_operands_count_from_the_measured_and_rel_forms_from_the_target() {
     }
 }
 
+// clauses: 7.12
+#[test]
+fn marks_of_a_rel_form_say_what_counts_from_the_target() {
+    let mut rig = Hand::new();
+    let [x, y, _] = rig.tip(1);
+    rig.done(Op::CompliancePosition, F1, &[x + 2.0, y + 2.0, 0.0]);
+    // From the target, which the fingertip has not reached.
+    let marks = [
+        Value::Relative(3.0),
+        Value::Fixed(y - 4.0),
+        Value::Absolute(0.0),
+    ];
+    let told = rig.command(Op::RelCompliancePosition, F1, &marks);
+    assert_eq!(told, Ok(Poll::Done));
+    rig.idle(5000);
+    let tip = rig.teach(Teach::Position, F1);
+    all_close(tip, [x + 5.0, y - 4.0, 0.0], 1e-3);
+}
+
 // clauses: 5.1 7.13 7.15
 #[test]
 fn compliance_counts_as_position_and_angle_control() {

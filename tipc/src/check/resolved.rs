@@ -2,8 +2,8 @@
 
 use super::labels::DeclaredLabel;
 use crate::program::{
-    Argument, Arithmetic, Condition, MessagePart, Op, Operand, Port, Scalar, ScalarExpression,
-    StructExpression, Target, Teach, Variable, VariableId,
+    Argument, Arithmetic, Condition, Mark, MessagePart, Op, Operand, Port, Scalar,
+    ScalarExpression, StructExpression, Target, Teach, Variable, VariableId,
 };
 
 /// The statements of a module, its variables and labels.
@@ -135,8 +135,8 @@ pub(crate) enum Arguments {
     Whole {
         /// The variable.
         variable: VariableId,
-        /// Whether `R` precedes it.
-        relative: bool,
+        /// What precedes it.
+        mark: Mark,
     },
 }
 

@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Arguments, Values};
 use crate::message::Commanding;
 use crate::message::phrase::Numbers;
-use crate::program::{self, Argument};
+use crate::program::{self, Argument, Mark};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, OperandKind, VariableKind, Word};
@@ -89,12 +89,9 @@ impl Resolver<'_> {
             }
         };
         self.no_more(name, &operands[flagged + 1..])?;
-        let relative = self.relative(form, operands)?;
+        let mark = self.mark(form, operands)?;
         self.uses.variable(operands[flagged].span, id, Access::Read);
-        Some(resolved::Arguments::Whole {
-            variable: id,
-            relative,
-        })
+        Some(resolved::Arguments::Whole { variable: id, mark })
     }
 
     /// So many scalars, each with its flag.
@@ -108,7 +105,7 @@ impl Resolver<'_> {
         let mut rest = operands;
         let mut values = Vec::with_capacity(count);
         for _ in 0..count {
-            let relative = self.relative(form, rest)?;
+            let mark = self.mark(form, rest)?;
             let flag = rest.first().filter(|_| self.flag_of(form, rest).is_some());
             rest = &rest[usize::from(flag.is_some())..];
             let Some((operand, behind)) = rest.split_first() else {
@@ -124,7 +121,7 @@ impl Resolver<'_> {
                 return self.refuse(Code::Argument, operand.span, reason);
             }
             let number = self.number(operand, Code::Argument);
-            values.push(number.map(|operand| Argument { operand, relative }));
+            values.push(number.map(|operand| Argument { operand, mark }));
             rest = behind;
         }
         self.no_more(name, rest)?;
@@ -145,7 +142,7 @@ impl Resolver<'_> {
                 let operand = self.variable_or_constant(operand, Code::Argument)?;
                 Some(Argument {
                     operand,
-                    relative: false,
+                    mark: Mark::None,
                 })
             })
             .collect();
@@ -222,11 +219,13 @@ impl Resolver<'_> {
         (form.motion && (name == RELATIVE || name == ABSOLUTE)).then_some(name)
     }
 
-    /// Whether the next operand is relative; refuses flags where the command takes none.
-    fn relative(&mut self, form: Arguments, operands: &[Operand]) -> Option<bool> {
+    /// What precedes the next operand; refuses flags where the command takes none.
+    fn mark(&mut self, form: Arguments, operands: &[Operand]) -> Option<Mark> {
         match self.flag_of(form, operands) {
-            None => Some(false),
-            Some(flag) if form.relative => Some(flag == RELATIVE),
+            None => Some(Mark::None),
+            Some(RELATIVE) if form.relative => Some(Mark::Relative),
+            Some(_) if form.from_target => Some(Mark::Absolute),
+            Some(_) if form.relative => Some(Mark::None),
             Some(flag) => {
                 let reason = Commanding::NoFlag { flag: flag.into() };
                 self.refuse(Code::Argument, operands[0].span, reason)

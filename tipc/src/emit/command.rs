@@ -2,7 +2,7 @@
 
 use super::expression::Values;
 use super::word;
-use crate::program::{Argument, MessagePart, Operand, Scalar, VariableKind};
+use crate::program::{Argument, Mark, MessagePart, Operand, Scalar, VariableKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -15,9 +15,10 @@ impl Values<'_> {
         }
         let values = arguments.iter().map(|argument| {
             let number = self.operand(argument.operand);
-            match argument.relative {
-                true => quote!(Value::Relative(#number)),
-                false => quote!(Value::Absolute(#number)),
+            match argument.mark {
+                Mark::None => quote!(Value::Absolute(#number)),
+                Mark::Relative => quote!(Value::Relative(#number)),
+                Mark::Absolute => quote!(Value::Fixed(#number)),
             }
         });
         quote!([#(#values),*])
@@ -34,7 +35,7 @@ impl Values<'_> {
                 scalar: Scalar { variable, member },
                 negative: false,
             },
-            relative: false,
+            mark: Mark::None,
         });
         let is_struct = self.program.variables[variable].kind != VariableKind::Var;
         let is_whole = arguments.iter().copied().eq(members);

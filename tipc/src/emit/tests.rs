@@ -5,8 +5,8 @@ use super::{Options, emit, skeleton, type_name, word};
 use crate::Robot;
 use crate::fixture::{argument, compare, constant, labelled, member, program, read, scalar};
 use crate::program::{
-    Action, Argument, Condition, End, Flag, Function, Op, Operand, Relation, ScalarExpression,
-    Target, VariableKind,
+    Action, Argument, Condition, End, Flag, Function, Mark, Op, Operand, Relation,
+    ScalarExpression, Target, VariableKind,
 };
 use quote::quote;
 
@@ -108,7 +108,7 @@ fn a_struct_is_read_at_once_where_all_of_it_is_asked_for_in_order() {
                 scalar: member(1, *index),
                 negative: false,
             },
-            relative: false,
+            mark: Mark::None,
         };
         let command = Action::Command {
             op: Op::Ptp,
@@ -193,7 +193,7 @@ fn a_command_of_constants_needs_no_function() {
         target: Target::None,
         arguments: vec![Argument {
             operand,
-            relative: false,
+            mark: Mark::None,
         }],
     };
     let set = Action::SetScalar {

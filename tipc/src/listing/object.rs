@@ -166,7 +166,7 @@ impl Listing<'_> {
         }
         let slot = |argument: &Argument| {
             let operand = self.variables.operand(argument.operand);
-            operand.relative(argument.relative)
+            operand.marked(argument.mark)
         };
         arguments.iter().map(slot).collect()
     }

@@ -223,8 +223,19 @@ impl Action {
 pub struct Argument {
     /// The number.
     pub operand: Operand,
-    /// `R` precedes it.
-    pub relative: bool,
+    /// What precedes it.
+    pub mark: Mark,
+}
+
+/// What precedes an operand of a motion, where it says something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Nothing; or `A` where a number without a mark is absolute.
+    None,
+    /// `R`
+    Relative,
+    /// `A` where a number without a mark counts from the target.
+    Absolute,
 }
 
 /// A piece of a MESSAGE.

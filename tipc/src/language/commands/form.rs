@@ -221,6 +221,8 @@ pub struct Arguments {
     pub motion: bool,
     /// Whether `R` and `A` may precede operands.
     pub relative: bool,
+    /// Whether operands without a flag count from the target.
+    pub from_target: bool,
     /// What the operands must be.
     pub limit: Limit,
 }
@@ -233,6 +235,7 @@ impl Arguments {
         values: Values::None,
         motion: false,
         relative: false,
+        from_target: false,
         limit: Limit::Any,
     };
 
@@ -269,6 +272,14 @@ impl Arguments {
     pub const fn plain(self) -> Self {
         Arguments {
             relative: false,
+            ..self
+        }
+    }
+
+    /// The same; what has no flag counts from the target, as after `R`.
+    pub const fn from_target(self) -> Self {
+        Arguments {
+            from_target: true,
             ..self
         }
     }
@@ -312,7 +323,11 @@ impl Form {
 
 impl Arguments {
     fn syntax(self) -> String {
-        let mark = if self.relative { "†" } else { "" };
+        let mark = match (self.relative, self.from_target) {
+            (false, _) => "",
+            (true, false) => "†",
+            (true, true) => "‡",
+        };
         let values = match self.values {
             Values::None => String::new(),
             Values::One => "V".to_owned(),

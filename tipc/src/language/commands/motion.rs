@@ -88,7 +88,7 @@ pub(super) const ROWS: &[Command] = &[
     Command::robot(Op::RelCompliancePosition)
         .place("§7-3-6", "7.12")
         .does("The same relative to their targets.")
-        .takes(Arguments::motion(Targets::TIPS, Values::Position).plain().fast())
+        .takes(Arguments::motion(Targets::TIPS, Values::Position).from_target().fast())
         .unit("mm")
         .only(Robots::FORCE)
         .fails(outcome::SWING),

@@ -33,6 +33,15 @@ fn teaching(meaning: Meaning, targets: Targets, robot: Robot) -> Vec<String> {
 }
 
 impl Arguments {
+    /// The flag that says what no flag does not say.
+    const fn flag(self) -> &'static str {
+        match (self.relative, self.from_target) {
+            (false, _) => "",
+            (true, false) => "[R] ",
+            (true, true) => "[A] ",
+        }
+    }
+
     fn usage(self, robot: Robot) -> Vec<String> {
         let hs = if self.hs { "[HS] " } else { "" };
         let all = self.targets.examples(robot);
@@ -41,7 +50,7 @@ impl Arguments {
             ..self.targets
         };
         let several = |targets: &str, names: &[String], whole: &str| {
-            let flag = if self.relative { "[R] " } else { "" };
+            let flag = self.flag();
             let names: Vec<String> = names.iter().map(|name| format!("{flag}{name}")).collect();
             vec![
                 format!("{hs}{targets} {}", names.join(" ")),
@@ -60,7 +69,7 @@ impl Arguments {
         };
         match self.values {
             Values::Angles if self.targets.joints != Joints::None => {
-                let flag = if self.relative { "[R] " } else { "" };
+                let flag = self.flag();
                 forms.push(format!("{hs}J11 {flag}number"));
             }
             Values::Tolerances => {

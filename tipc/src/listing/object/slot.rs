@@ -1,7 +1,7 @@
 //! One argument of a step, and the names of TIP.OBJ.
 
 use crate::language::reserved::POSITION;
-use crate::program::{Argument, Operand, Program, Scalar, VariableId, VariableKind};
+use crate::program::{Argument, Mark, Operand, Program, Scalar, VariableId, VariableKind};
 use std::borrow::Cow;
 use tip_runtime::command::{Port, Target};
 
@@ -30,12 +30,12 @@ impl Slot {
         Slot::new("CONSTANT", value)
     }
 
-    /// The same, after `R` if it is relative.
-    pub(super) fn relative(self, relative: bool) -> Self {
-        if !relative {
-            return self;
+    /// The same after a mark, of which `R` alone shows.
+    pub(super) fn marked(self, mark: Mark) -> Self {
+        match mark {
+            Mark::None | Mark::Absolute => self,
+            Mark::Relative => Slot::new(format!("REL_{}", self.kind), self.value),
         }
-        Slot::new(format!("REL_{}", self.kind), self.value)
     }
 }
 
@@ -97,7 +97,7 @@ impl<'a> Variables<'a> {
         };
         let variable = &self.program.variables()[scalar.variable];
         let is_struct = variable.kind != VariableKind::Var && variable.name == word;
-        is_struct.then(|| self.whole(scalar.variable).relative(first.relative))
+        is_struct.then(|| self.whole(scalar.variable).marked(first.mark))
     }
 }
 

@@ -6,7 +6,7 @@ use tip_runtime::command::{Command, MAX, Poll, Value};
 use tip_runtime::fault::Fault;
 use tip_runtime::ops::{self, Shown};
 use tip_runtime::program::{CallStack, Context, Flow};
-use tipc::program::{Action, Argument, End, MessagePart, Scalar, StepId, VariableId};
+use tipc::program::{Action, Argument, End, Mark, MessagePart, Scalar, StepId, VariableId};
 
 /// What a step came to.
 pub(super) struct Outcome {
@@ -231,9 +231,10 @@ impl Interpreter {
         let mut values = [Value::Absolute(0.0); MAX];
         for (place, argument) in values.iter_mut().zip(arguments) {
             let number = self.operand(argument.operand)?;
-            *place = match argument.relative {
-                true => Value::Relative(number),
-                false => Value::Absolute(number),
+            *place = match argument.mark {
+                Mark::None => Value::Absolute(number),
+                Mark::Relative => Value::Relative(number),
+                Mark::Absolute => Value::Fixed(number),
             };
         }
         Ok((values, arguments.len().min(MAX)))

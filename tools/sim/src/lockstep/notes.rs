@@ -100,8 +100,11 @@ impl Sink for Notes {
         write!(self.hash, "{}", command.target).expect("a hash takes every text");
         for value in command.values {
             self.hash.add(value.number().to_bits());
-            self.hash
-                .add(u64::from(matches!(value, Value::Relative(_))));
+            self.hash.add(match value {
+                Value::Absolute(_) => 0,
+                Value::Relative(_) => 1,
+                Value::Fixed(_) => 2,
+            });
         }
         self.tell(format_args!("{command:?}"));
     }
