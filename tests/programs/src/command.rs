@@ -79,13 +79,11 @@ impl Writer {
             Values::Three => self.plain(command, form, 3),
             Values::Position => self.several(command, form, target, POSITIONS, 3),
             Values::Angles if single => self.scalars(command, form, target, 1),
-            Values::Tolerances if target == "ALL" && self.dice.once_in(2) => {
-                self.dice.pick(JOINTS).to_owned()
-            }
-            Values::Tolerances | Values::TorqueLimits if single || target == "ALL" => {
+            Values::PerJoint if single => self.plain(command, form, 1),
+            Values::PerJoint if target == "ALL" && self.dice.once_in(2) => {
                 self.plain(command, form, 1)
             }
-            Values::Angles | Values::Tolerances | Values::TorqueLimits => {
+            Values::Angles | Values::PerJoint => {
                 self.several(command, form, target, JOINTS, joints)
             }
         }

@@ -241,14 +241,11 @@ fn value_lists(values: Values, head: Option<Head>) -> Vec<Vec<Slot>> {
         Values::Three => vec![vec![Slot::Plain; 3]],
         Values::Position => vec![scalars, vec![Slot::Pos]],
         Values::Angles if single => vec![vec![Slot::Scalar]],
-        Values::Tolerances | Values::TorqueLimits if single => vec![vec![Slot::Plain]],
-        Values::Tolerances if head == Some(Head::All) => {
-            vec![vec![Slot::Plain], vec![Slot::Joint]]
+        Values::PerJoint if single => vec![vec![Slot::Plain]],
+        Values::PerJoint if head == Some(Head::All) => {
+            vec![vec![Slot::Plain], scalars, vec![Slot::Joint]]
         }
-        Values::TorqueLimits if head == Some(Head::All) => vec![vec![Slot::Plain]],
-        Values::Angles | Values::Tolerances | Values::TorqueLimits => {
-            vec![scalars, vec![Slot::Joint]]
-        }
+        Values::Angles | Values::PerJoint => vec![scalars, vec![Slot::Joint]],
     }
 }
 

@@ -56,6 +56,22 @@ fn a_joint_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(strength(&rig), Some(4.0));
 }
 
+// clauses: 7.28
+#[test]
+fn a_limit_for_each_joint_of_all_fingers() {
+    let mut rig = Hand::new();
+    rig.done(Op::SetAngleStiffness, ALL, &[1e6]);
+    rig.done(Op::SetComplianceTorqueLimit, ALL, &[5.0, 6.0, 7.0]);
+    rig.done(Op::RelComplianceAngle, ALL, &[5.0; 3]);
+    for finger in 1..=3 {
+        assert_eq!(rig.told(finger), [5.0, 6.0, 7.0].map(Some), "F{finger}");
+    }
+    for operands in [&[1.0; 2][..], &[1.0; 4], &[1.0, 0.0, 1.0]] {
+        let fault = rig.fault(Op::SetComplianceTorqueLimit, ALL, operands);
+        assert_eq!(fault, Fault::Domain);
+    }
+}
+
 /// What F1 is commanded by the cycle in which a spring is set, with HS and without.
 fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
     [true, false].map(|hs| {

@@ -26,11 +26,8 @@ impl Resolver<'_> {
     ) -> Option<resolved::Arguments> {
         let joints = usize::from(self.robot.signature().joints);
         let single = matches!(target, Target::Joint(..));
-        let one_for_all = match (form.values, target) {
-            (Values::Tolerances, Target::All) => !self.is_joint(operands),
-            (Values::TorqueLimits, Target::All) => true,
-            _ => false,
-        };
+        let one_for_all =
+            target == Target::All && operands.len() < joints && !self.is_joint(operands);
         let each = match form.values {
             Values::None => {
                 self.no_more(name, operands)?;
@@ -39,11 +36,9 @@ impl Resolver<'_> {
             Values::One => self.plain_values(name, operands, 1),
             Values::Three => self.plain_values(name, operands, 3),
             Values::Angles if single => self.scalars(name, form, operands, 1),
-            Values::Tolerances | Values::TorqueLimits if single || one_for_all => {
-                self.plain_values(name, operands, 1)
-            }
+            Values::PerJoint if single || one_for_all => self.plain_values(name, operands, 1),
             Values::Position => return self.vector(name, form, operands, VariableKind::Pos, 3),
-            Values::Angles | Values::Tolerances | Values::TorqueLimits => {
+            Values::Angles | Values::PerJoint => {
                 return self.vector(name, form, operands, VariableKind::Joint, joints);
             }
         };
@@ -164,9 +159,7 @@ impl Resolver<'_> {
     ) -> Option<T> {
         let whole = match form.values {
             Values::Position => Some(VariableKind::Pos),
-            Values::Angles | Values::Tolerances | Values::TorqueLimits if wanted > 1 => {
-                Some(VariableKind::Joint)
-            }
+            Values::Angles | Values::PerJoint if wanted > 1 => Some(VariableKind::Joint),
             _ => None,
         };
         let reason = Commanding::TooFew {

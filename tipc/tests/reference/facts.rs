@@ -163,8 +163,7 @@ fn wrong_operands(arguments: Arguments) -> Vec<String> {
         Values::Angles => {
             format!("for F other than a scalar for each joint or one JOINT{joint}")
         }
-        Values::Tolerances => "for F other than a scalar for each joint or one JOINT, for J other than one constant or VAR, for ALL other than that or one JOINT".to_owned(),
-        Values::TorqueLimits => "for F other than a scalar for each joint or one JOINT, for J and ALL other than one constant or VAR".to_owned(),
+        Values::PerJoint => "for F other than a scalar for each joint or one JOINT, for J other than one constant or VAR, for ALL other than any of these".to_owned(),
     };
     let flags = match (arguments.motion, arguments.relative, arguments.hs) {
         (true, false, true) => Some("`R` or `A`"),

@@ -44,10 +44,11 @@ impl<const J: usize> ControllerView<'_, J> {
                     joint.limit = Some(limit.number());
                 }
             }
-            (Target::Foot(n), limits) if limits.len() == J => {
-                let leg = targets::leg_mut(&mut self.legs, n)?;
-                for (joint, limit) in leg.params.joints.iter_mut().zip(limits) {
-                    joint.limit = Some(limit.number());
+            (target @ (Target::Foot(_) | Target::All), limits) if limits.len() == J => {
+                for leg in targets::feet(&mut self.legs, target)? {
+                    for (joint, limit) in leg.params.joints.iter_mut().zip(limits) {
+                        joint.limit = Some(limit.number());
+                    }
                 }
             }
             _ => return Err(Fault::Domain),

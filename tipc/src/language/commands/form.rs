@@ -179,10 +179,8 @@ pub enum Values {
     Position,
     /// Angles or torques: a scalar for each joint, or one JOINT; one scalar for a single joint.
     Angles,
-    /// As `Angles`; one constant or VAR, or one JOINT, for ALL.
-    Tolerances,
-    /// As `Angles`; one constant or VAR for ALL.
-    TorqueLimits,
+    /// As `Angles`; one constant or VAR for a single joint, and perhaps for ALL.
+    PerJoint,
 }
 
 /// What the values of a command must be at runtime.
@@ -335,8 +333,7 @@ impl Arguments {
             Values::Position => format!("S³{mark}"),
             Values::Angles if self.targets.joints == Joints::None => format!("Sⁿ{mark}"),
             Values::Angles => format!("Sⁿ{mark}, one S{mark} for J"),
-            Values::Tolerances => "Sⁿ, one V for J, V or Q for ALL".to_owned(),
-            Values::TorqueLimits => "Sⁿ, one V for J and ALL".to_owned(),
+            Values::PerJoint => "Sⁿ, one V for J, V or Sⁿ for ALL".to_owned(),
         };
         let hs = if self.hs { "[HS]" } else { "" };
         let parts = [hs.to_owned(), self.targets.syntax(), values];

@@ -147,7 +147,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Sets the INPOS tolerance of joints.")
         .takes(Arguments::setting(
             Targets::ANY,
-            Values::Tolerances,
+            Values::PerJoint,
             Limit::NotNegative,
         ))
         .unit("deg"),
@@ -156,7 +156,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Sets the NEAR tolerance of joints.")
         .takes(Arguments::setting(
             Targets::ANY,
-            Values::Tolerances,
+            Values::PerJoint,
             Limit::NotNegative,
         ))
         .unit("deg"),
@@ -220,7 +220,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Bounds the torque of compliant joints.")
         .takes(Arguments::setting(
             Targets::ANY,
-            Values::TorqueLimits,
+            Values::PerJoint,
             Limit::Positive,
         ))
         .unit("torque")

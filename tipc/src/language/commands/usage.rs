@@ -65,18 +65,14 @@ impl Arguments {
             Values::Three => vec![format!("{all} x y z")],
             Values::Position => several(&all, &["x", "y", "z"].map(str::to_owned), "POS"),
             Values::Angles => several(&legs.examples(robot), &angles, "JOINT"),
-            Values::Tolerances | Values::TorqueLimits => several("F1", &angles, "JOINT"),
+            Values::PerJoint => several("F1|ALL", &angles, "JOINT"),
         };
         match self.values {
             Values::Angles if self.targets.joints != Joints::None => {
                 let flag = self.flag();
                 forms.push(format!("{hs}J11 {flag}number"));
             }
-            Values::Tolerances => {
-                forms.push("J11|ALL number".to_owned());
-                forms.push("ALL JOINT".to_owned());
-            }
-            Values::TorqueLimits => forms.push("J11|ALL number".to_owned()),
+            Values::PerJoint => forms.push("J11|ALL number".to_owned()),
             _ => {}
         }
         forms
