@@ -36,8 +36,8 @@ pub struct Piece {
 enum Sort {
     Number,
     Var,
-    /// A member; whether its type has it.
-    Member(bool),
+    /// A member; of which type, if that has it.
+    Member(Option<VariableKind>),
     Pos,
     Joint,
     Unknown,
@@ -59,7 +59,9 @@ impl Piece {
             }
             OperandKind::Member(words) => {
                 let kind = names.get(words.0.as_str());
-                let sort = kind.map_or(Sort::Unknown, |kind| Sort::Member(has(*kind, &words.1)));
+                let sort = kind.map_or(Sort::Unknown, |kind| {
+                    Sort::Member(has(*kind, &words.1).then_some(*kind))
+                });
                 (sort, None)
             }
         };
@@ -72,7 +74,7 @@ impl Piece {
 
     /// Whether it can stand where the slot is. An unknown name could be anything.
     pub fn fits(&self, slot: Slot) -> bool {
-        let scalar = matches!(self.sort, Sort::Number | Sort::Var | Sort::Member(true));
+        let scalar = matches!(self.sort, Sort::Number | Sort::Var | Sort::Member(Some(_)));
         match slot {
             _ if self.sort == Sort::Unknown => true,
             Slot::Scalar => scalar,
@@ -82,7 +84,7 @@ impl Piece {
             Slot::Pos | Slot::IntoPos => self.sort == Sort::Pos,
             Slot::Joint | Slot::IntoJoint => self.sort == Sort::Joint,
             Slot::IntoVar => self.sort == Sort::Var,
-            Slot::IntoMember => self.sort == Sort::Member(true),
+            Slot::IntoMember => self.sort == Sort::Member(Some(VariableKind::Joint)),
         }
     }
 

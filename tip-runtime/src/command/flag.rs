@@ -34,6 +34,14 @@ impl Flag {
         }
     }
 
+    /// What its word may begin with as well.
+    pub const fn other_stem(self) -> Option<&'static str> {
+        match self {
+            Flag::Inpos(_) => Some("IN_POS_"),
+            _ => None,
+        }
+    }
+
     /// The target that it awaits.
     pub const fn target(self) -> Option<Target> {
         match self {
@@ -57,9 +65,12 @@ impl fmt::Display for Flag {
 impl FromStr for Flag {
     type Err = UnknownWord;
 
-    /// Reads a name in capital letters. The slider is not awaited: it has no arrival.
+    /// Reads a name in capital letters, in either spelling. The slider is not awaited: it has no arrival.
     fn from_str(word: &str) -> Result<Self, UnknownWord> {
-        let behind = |of: Flag| word.strip_prefix(of.stem());
+        let behind = |of: Flag| {
+            let other = || word.strip_prefix(of.other_stem()?);
+            word.strip_prefix(of.stem()).or_else(other)
+        };
         let awaited = |word: &str| match word.parse()? {
             Target::Floor => Err(UnknownWord),
             target => Ok(target),

@@ -39,7 +39,7 @@ impl Resolver<'_> {
         let wanted = match kind {
             VariableKind::Pos => Commanding::PosVariable,
             VariableKind::Joint => Commanding::JointVariable,
-            VariableKind::Var => Commanding::VarOrMember,
+            VariableKind::Var => Commanding::VarOrJointMember,
         };
         let meant = self.meant(into, Code::Argument)?;
         match meant {
@@ -55,7 +55,9 @@ impl Resolver<'_> {
                 scalar,
                 negative: false,
                 ..
-            } if kind == VariableKind::Var => {
+            } if kind == VariableKind::Var
+                && self.names.variables[scalar.variable].kind != VariableKind::Pos =>
+            {
                 self.uses.operand(into, meant, Access::Assign);
                 Some(Resolved::Teach(what, target, Receiver::Scalar(scalar)))
             }

@@ -70,16 +70,9 @@ impl Names {
         names.insert(VAR_KEY, VariableKind::Var, None);
         for statement in &module.statements {
             if let StatementKind::Define {
-                kind,
-                keyword,
-                names: words,
+                kind, names: words, ..
             } = &statement.kind
             {
-                if words.is_empty() {
-                    let reason = Naming::NoNames;
-                    let help = Naming::WriteNames;
-                    found.push(Diagnostic::new(Code::Argument, *keyword, reason).help(help));
-                }
                 for word in words {
                     names.declare(*kind, word, found);
                 }

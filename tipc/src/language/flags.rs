@@ -132,6 +132,13 @@ mod tests {
             assert_eq!(flag.to_string(), word);
             assert!(word.starts_with(row.word()));
         }
-        assert!(find("INPOS_FLOOR", Edition::V3_1).is_none());
+        for word in ["INPOS_FLOOR", "IN_POS_FLOOR", "IN_POS", "IN_NEAR_F1"] {
+            assert!(find(word, Edition::V3_1).is_none(), "{word}");
+        }
+        for target in ["F1", "J43", "ALL"] {
+            let flag = |stem| find(&format!("{stem}{target}"), Edition::V3_1).map(|(flag, _)| flag);
+            assert!(flag("IN_POS_").is_some());
+            assert_eq!(flag("IN_POS_"), flag("INPOS_"), "{target}");
+        }
     }
 }

@@ -247,6 +247,7 @@ mod tests {
             "J99",
             "INPOS_ALL",
             "INPOS_F9",
+            "IN_POS_F9",
             "NEAR_J11",
             "SPECIAL_FLAG0",
             "SPECIAL_FLAG9",

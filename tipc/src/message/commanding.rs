@@ -45,7 +45,7 @@ messages! {
     // Variables to fill, inputs, native commands.
     PosVariable "a POS variable belongs here";
     JointVariable "a JOINT variable belongs here";
-    VarOrMember "a VAR or a member belongs here";
+    VarOrJointMember "a VAR or a member of a JOINT belongs here";
     VarBelongsHere "a VAR belongs here";
     ConstantBelongsHere "a constant belongs here";
     OneBoard "there is one A/D board: number 0";

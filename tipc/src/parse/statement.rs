@@ -6,9 +6,10 @@ use super::reader::Reader;
 use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::code::Code;
+use crate::diagnostic::Diagnostic;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::Parsing;
+use crate::message::{Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, VariableKind, Word};
 
@@ -142,6 +143,10 @@ impl Parser<'_> {
         tokens: &[Token],
         reported: bool,
     ) -> StatementKind {
+        if tokens.len() < 2 {
+            let missing = Diagnostic::new(Code::Argument, keyword, Naming::NoNames);
+            self.report(missing.help(Naming::WriteNames));
+        }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let is_word = |token: &&Token| token.kind == Kind::Word;
         if let Some(odd) = tokens

@@ -142,6 +142,7 @@ fn of_programs() {
     let inputs = inputs::named().map(|port| port.to_string());
     let particles = KEYWORDS.iter().filter(|row| row.keyword.is_particle());
     let rest = flags::families()
+        .chain(flags::FLAGS.iter().filter_map(|row| row.flag.other_stem()))
         .chain(flags::words())
         .chain(motion_flags())
         .chain(particles.map(|row| row.word))
