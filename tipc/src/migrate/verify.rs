@@ -1,13 +1,15 @@
 //! The last look: what is still no statement of version 3.1.
 
 use super::{Note, NoteKind};
+use crate::check::check;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::find;
 use crate::message::Migrating;
 use crate::parse::parse;
+use crate::robot::Robot;
 use crate::source::{Encoding, Source};
-use crate::syntax::StatementKind;
+use crate::syntax::{Module, Statement, StatementKind};
 use std::collections::HashSet;
 
 /// Questions about what the rules left, on lines that nothing is asked about yet.
@@ -27,7 +29,9 @@ pub(super) fn questions(
         .iter()
         .filter(|finding| finding.level() == Level::Error)
         .map(|finding| (finding.span.start, explained(finding)));
-    let unknown = module.statements.iter().filter_map(|statement| {
+    let refused = refused_by_all(&source, &module);
+    let unknown = module.statements.iter().zip(&refused);
+    let unknown = unknown.filter_map(|(statement, refused)| {
         let StatementKind::Command {
             name, malformed, ..
         } = &statement.kind
@@ -39,7 +43,7 @@ pub(super) fn questions(
                 word: name.node.to_string(),
             },
             Some(fault) => explained(fault),
-            None => return None,
+            None => explained(refused.as_ref()?),
         };
         Some((name.span.start, text))
     });
@@ -55,6 +59,35 @@ pub(super) fn questions(
     questions
         .filter(|note| !asked.contains(&note.line))
         .collect()
+}
+
+/// For each statement why its arguments are no robot's, if they are none's.
+fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
+    let mut refused: Vec<Option<Diagnostic>> = vec![None; module.statements.len()];
+    let mut robots = vec![0; module.statements.len()];
+    for robot in Robot::ALL {
+        let mut found = check(source, module, *robot).found;
+        found.retain(|one| matches!(one.code, Code::Argument | Code::UnknownCommand));
+        let mut seen = vec![false; module.statements.len()];
+        for fault in found {
+            let place = fault.span.start;
+            let before = |statement: &Statement| statement.span.start <= place;
+            let behind = module.statements.partition_point(before);
+            let Some(at) = behind.checked_sub(1) else {
+                continue;
+            };
+            robots[at] += usize::from(!seen[at]);
+            seen[at] = true;
+            // That a robot lacks the command says less than what is wrong with it on another.
+            if refused[at].is_none() || fault.code == Code::Argument {
+                refused[at] = Some(fault);
+            }
+        }
+    }
+    for (refused, robots) in refused.iter_mut().zip(robots) {
+        *refused = refused.take().filter(|_| robots == Robot::ALL.len());
+    }
+    refused
 }
 
 fn explained(finding: &Diagnostic) -> Migrating {

@@ -127,6 +127,25 @@ fn what_no_rule_knows() {
     assert!(text.contains("no END"), "{text}");
 }
 
+// clauses: 10.1 7.18 7.45
+#[test]
+fn a_command_with_arguments_of_no_version() {
+    for (line, wanted) in [
+        ("TEACH_ANGLE J11 AGL01", "a VAR or a member of a JOINT"),
+        ("TEACH_TORQUE J11 TRQ01", "a VAR or a member of a JOINT"),
+        // The generic robot has no such command at all.
+        ("DETECT_FLOOR 1", "target"),
+        ("STAND_UP", "STAND_UP wants"),
+    ] {
+        let (at, text) = about(&format!("SLEEP 1\n{line}"));
+        assert_eq!(at, 4, "{line}");
+        assert!(text.contains(wanted) && text.ends_with('?'), "{text}");
+    }
+    // Each of these is a command of some robot.
+    let each = "2.1\nt\nTEACH_ANGLE F1 AGL01\nTEACH_TORQUE F1 TRQ1\nPTP J13 1 2 3\nSTAND_UP 50\nDETECT_OBJECT 1\nEND\n";
+    assert!(result(each).contains("DETECT_OBJECT 1"));
+}
+
 // clauses: 1.2 10.1
 #[test]
 fn a_number_too_long_for_a_name_that_is_declared() {
