@@ -189,7 +189,7 @@ impl Config {
         let outputs = outputs(paths, &folder)?;
         let load = self.load(report)?;
         for (output, input) in outputs {
-            report.depends_on(input);
+            report.depends_on(input)?;
             let Some(program) = program(input, &load, report) else {
                 continue;
             };
@@ -204,7 +204,7 @@ impl Config {
     fn generate_robot(&self, path: &Path, report: &mut Report) -> Result<(), BuildError> {
         let spelling = self.spelling(1)?;
         let folder = files::out_dir(self.out_dir.as_deref())?;
-        if let Some(description) = describe(path, report) {
+        if let Some(description) = describe(path, report)? {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
                 let text = description
@@ -221,7 +221,7 @@ impl Config {
     fn load(&self, report: &mut Report) -> Result<load::Options, BuildError> {
         let mut load = self.load;
         if let Some(path) = &self.robot_file {
-            match describe(path, report) {
+            match describe(path, report)? {
                 Some(description) => load.robot = description.robot(),
                 None => report.outcome()?,
             }
@@ -261,14 +261,14 @@ fn program(input: &Path, options: &load::Options, report: &mut Report) -> Option
 }
 
 #[cfg(feature = "robot-files")]
-fn describe(path: &Path, report: &mut Report) -> Option<Description> {
-    report.depends_on(path);
+fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, BuildError> {
+    report.depends_on(path)?;
     let name = path.display().to_string();
     let described = match files::read(path) {
         Ok(bytes) => description::parse(&name, &bytes),
         Err(error) => Err(Box::new(not_found(&name, &error))),
     };
-    described.map_err(|loaded| report.add_all(&loaded)).ok()
+    Ok(described.map_err(|loaded| report.add_all(&loaded)).ok())
 }
 
 /// What is reported to Cargo.
@@ -287,9 +287,15 @@ impl Report {
         }
     }
 
-    fn depends_on(&mut self, input: &Path) {
-        self.lines
-            .push(format!("rerun-if-changed={}", input.display()));
+    /// Has Cargo watch a file. A line break in its path would be another line to Cargo.
+    fn depends_on(&mut self, input: &Path) -> Result<(), BuildError> {
+        let path = input.display().to_string();
+        if path.contains(['\n', '\r']) {
+            let path = emit::in_comment(&path);
+            return Err(BuildError::setting(Building::LineBreak { path }));
+        }
+        self.lines.push(format!("rerun-if-changed={path}"));
+        Ok(())
     }
 
     fn outcome(&self) -> Result<(), BuildError> {
@@ -313,7 +319,7 @@ impl Report {
                 "error"
             }
         };
-        let line = render::short(source, diagnostic);
+        let line = emit::in_comment(&render::short(source, diagnostic));
         self.lines.push(format!("{level}={line}"));
     }
 }
@@ -325,8 +331,9 @@ fn outputs<'a>(
 ) -> Result<BTreeMap<PathBuf, &'a Path>, BuildError> {
     let mut outputs = BTreeMap::new();
     for path in paths {
-        let stem = path.file_stem().ok_or_else(|| no_file(path))?;
-        let output = folder.join(stem).with_extension("rs");
+        let mut name = path.file_stem().ok_or_else(|| no_file(path))?.to_owned();
+        name.push(".rs");
+        let output = folder.join(name);
         if let Some(other) = outputs.insert(output, *path) {
             return Err(BuildError::setting(Building::SameOutput {
                 one: other.display().to_string(),

@@ -11,6 +11,7 @@ pub mod generated {
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/ok.rs"));
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/option.rs"));
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/some.rs"));
+    ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/hostile.rs"));
 }
 
 /// What the macros make.
@@ -54,9 +55,10 @@ pub const ROBOTS: [&::robot::model::Model<2, 1>; 3] =
     [&generated::SOME, &included::NOTHING, &hostile::SOME];
 
 /// The program types are programs, and constructible where nothing runs.
-pub const PROGRAMS: [&dyn ::robot::program::Program; 5] = [
+pub const PROGRAMS: [&dyn ::robot::program::Program; 6] = [
     &generated::Ok::new(),
     &generated::Option::new(),
+    &generated::HostileCompileErrorLive::new(),
     &included::Some::new(),
     &included::Flow::new(),
     &hostile::Walk::new(),

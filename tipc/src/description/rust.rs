@@ -3,7 +3,7 @@
 use super::{Description, Leg};
 #[cfg(feature = "build")]
 use crate::emit::under;
-use crate::emit::{Options, header_of, number};
+use crate::emit::{Options, header_of, in_comment, number};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use tip_runtime::model::{
@@ -25,8 +25,10 @@ impl Description {
         let legs = self.legs.iter().map(|leg| leg.to_rust(runtime));
         let (legs_count, joints_count) = (size(self.legs.len()), size(self.joints()));
         let (source, robot) = (self.source_name.replace('`', "'"), self.name);
-        let about =
-            format!(" The robot `{robot}`: {legs_count} × {joints_count} joints on its legs.");
+        let about = format!(
+            " The robot `{}`: {legs_count} × {joints_count} joints on its legs.",
+            in_comment(robot)
+        );
         let header = format!(" {}", header_of(&format!("`{source}`"), self.source_hash));
         let inverse = match self.inverse {
             Inverse::YawPitchPitch => quote!(YawPitchPitch),

@@ -1,6 +1,7 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
 use super::ident::field;
+use super::text::in_comment;
 use super::{Emitter, header_of, word};
 use crate::program::{Variable, VariableKind};
 use proc_macro2::{Literal, TokenStream};
@@ -29,7 +30,7 @@ impl Emitter<'_> {
             name,
             ..
         } = self;
-        let source = self.program.source_name.replace('`', "'");
+        let source = in_comment(&self.program.source_name).replace('`', "'");
         let header = format!(
             " {}",
             header_of(&format!("`{source}`"), self.program.source_hash)

@@ -3,6 +3,7 @@
 use super::Emitter;
 use super::ident::{identifier, state};
 use super::step::State;
+use super::text::in_comment;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
@@ -22,6 +23,7 @@ impl Emitter<'_> {
         let (mut rows, mut functions) = (TokenStream::new(), TokenStream::new());
         for (step, id) in self.program.steps.iter().zip(0..) {
             let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
+            let doc = in_comment(&doc);
             match self.state(id, &step.action) {
                 State::Row(row) => rows.extend(quote!(#[doc = #doc] #row,)),
                 State::Function(body) => {

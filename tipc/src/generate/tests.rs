@@ -84,6 +84,42 @@ fn a_missing_file_is_an_error_and_still_tracked() {
 }
 
 #[test]
+fn a_path_with_a_line_break_is_refused_before_cargo_hears_of_it() {
+    for name in ["a\ncargo::rustc-cfg=mine.prg", "a\r.prg"] {
+        let folder = folder("line-break", &[]);
+        let (outcome, lines) = generate(&Config::new(), &folder, &[name]);
+        let message = outcome.unwrap_err();
+        assert!(message.contains("a path with a line break"), "{message}");
+        assert!(!message.contains(['\n', '\r']), "{message:?}");
+        assert_eq!(lines, [""; 0]);
+    }
+}
+
+#[test]
+fn what_is_reported_is_one_line_whatever_a_name_holds() {
+    let folder = folder("one-line", &[("a\u{1b}[2J\u{202E}.prg", BAD)]);
+    let (_, lines) = generate(&Config::new(), &folder, &["a\u{1b}[2J\u{202E}.prg"]);
+    let told = lines
+        .iter()
+        .find(|line| line.starts_with("error="))
+        .unwrap();
+    assert!(told.contains("a\\u{1b}[2J\\u{202e}.prg:1:1"), "{told}");
+}
+
+#[test]
+fn a_program_compiles_to_a_file_of_its_whole_stem() {
+    let files = [("walk.prg", GOOD), ("walk.v2.prg", GOOD)];
+    let folder = folder("stem", &files);
+    generate(&Config::new(), &folder, &["walk.prg", "walk.v2.prg"])
+        .0
+        .unwrap();
+    for (file, name) in [("walk.rs", "Walk"), ("walk.v2.rs", "WalkV2")] {
+        let text = fs::read_to_string(folder.join(file)).unwrap();
+        assert!(text.contains(&format!("pub struct {name} {{")), "{text}");
+    }
+}
+
+#[test]
 fn settings_reach_the_code() {
     let folder = folder("settings", &[("good.prg", GOOD), ("bad.prg", BAD)]);
     let mut config = Config::new();
