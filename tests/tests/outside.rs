@@ -34,15 +34,26 @@ impl Outside {
     }
 
     fn cargo(&self, arguments: &str) -> String {
+        succeeded(&self.run(arguments), arguments)
+    }
+
+    /// What it says to a build that must fail.
+    fn refused(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success(), "{arguments}: {errors}");
+        errors
+    }
+
+    fn run(&self, arguments: &str) -> Output {
         let cargo = env::var_os("CARGO").expect("cargo runs tests");
-        let output = Command::new(cargo)
+        Command::new(cargo)
             .args(arguments.split_whitespace())
             .arg("--offline")
             .current_dir(&self.folder)
             .env("CARGO_TARGET_DIR", &self.target)
             .output()
-            .expect("cargo starts");
-        succeeded(&output, arguments)
+            .expect("cargo starts")
     }
 }
 
@@ -119,6 +130,16 @@ fn a_renamed_runtime_serves_every_form_of_program() {
 #[test]
 fn the_smallest_controller_runs() {
     users().cargo("run --quiet --package minimal");
+}
+
+/// A macro that is left out without its feature makes rustc itself panic.
+#[test]
+fn a_described_robot_without_the_feature_is_refused_with_a_hint() {
+    let errors = users().refused("check --package minimal --bin robot --features robot");
+    let hint = "error: robots from description files need the feature `robot-files` of tip-macros";
+    assert!(errors.contains(hint), "{errors}");
+    assert!(errors.contains("src/robot.rs:5:1"), "{errors}");
+    assert!(!errors.contains("panicked"), "{errors}");
 }
 
 #[test]

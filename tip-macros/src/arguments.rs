@@ -243,13 +243,17 @@ impl Input {
 
     /// Everything after path or program: any number of `, option = value`, and a last comma.
     fn options(&mut self) -> Result<Vec<(Ident, Vec<TokenTree>)>, Misuse> {
-        let mut options = Vec::new();
+        let mut options: Vec<(Ident, Vec<TokenTree>)> = Vec::new();
         while self.tokens.peek().is_some() {
             self.comma()?;
             if self.tokens.peek().is_none() {
                 break;
             }
             let option = self.name()?;
+            if options.iter().any(|(known, _)| *known == option) {
+                let message = format!("the option `{option}` is given twice");
+                return Err(Misuse::new(option.span(), message));
+            }
             if self.tokens.next_if(|token| is_punct(token, '=')).is_none() {
                 return self.misuse();
             }

@@ -68,6 +68,17 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
     }
 }
 
+/// What is said where a description is named and the feature that reads it is not chosen.
+#[cfg(not(feature = "robot-files"))]
+const NO_ROBOT_FILES: &str = "robots from description files need the feature `robot-files` of tip-macros: \
+                              `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
+
+/// The macro exists without its feature as well, so that a crate that uses it learns what is missing.
+#[cfg(not(feature = "robot-files"))]
+pub(crate) fn include_robot(_: TokenStream, _: Option<&Path>) -> TokenStream {
+    error(proc_macro2::Span::call_site(), NO_ROBOT_FILES)
+}
+
 /// Errors, and the literal that they belong to.
 struct Failure {
     span: proc_macro2::Span,
@@ -148,9 +159,7 @@ fn described(path: &Text, description: &[u8]) -> Result<tipc::Robot, Failure> {
 
 #[cfg(not(feature = "robot-files"))]
 fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
-    let refusal = "robots from description files need the feature `robot-files` of tip-macros: \
-                   `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
-    Err(Failure::at(path, vec![refusal.to_owned()]))
+    Err(Failure::at(path, vec![NO_ROBOT_FILES.to_owned()]))
 }
 
 fn complaint(misuse: &Misuse) -> TokenStream {
@@ -237,6 +246,29 @@ mod tests {
         assert!(items.contains("compile_error"), "{items}");
         assert!(items.contains("the feature `robot-files`"), "{items}");
         assert!(items.contains("struct Wave"), "{items}");
+    }
+
+    #[test]
+    #[cfg(not(feature = "robot-files"))]
+    fn a_robot_without_its_feature_is_refused_with_a_hint() {
+        let items = include_robot(tokens(&format!("\"{HEXAPOD}\"")), None).to_string();
+        assert!(items.contains("compile_error"), "{items}");
+        assert!(items.contains("the feature `robot-files`"), "{items}");
+    }
+
+    #[test]
+    fn an_option_given_twice_is_refused_alone() {
+        for (input, option) in [
+            ("robot = hand, robot = hand", "robot"),
+            ("runtime = ::a, encoding = utf8, runtime = ::b,", "runtime"),
+        ] {
+            let items = tip(tokens(&format!("Wave, \"{WAVE}\", {input}")), None).to_string();
+            assert!(
+                items.contains(&format!("`{option}` is given twice")),
+                "{items}"
+            );
+            assert!(!items.contains("struct"), "{items}");
+        }
     }
 
     #[test]

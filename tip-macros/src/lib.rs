@@ -34,8 +34,8 @@ pub fn tip(input: TokenStream) -> TokenStream {
 /// `include_robot!([visibility] "path" [as NAME] [, runtime = path])`.
 ///
 /// The path is looked up as [`include_tip!`] does. The constant is named after the file, in capitals, unless
-/// `as` names it; its type is `tip_runtime::model::Model<L, J>`, for L legs of J joints.
-#[cfg(feature = "robot-files")]
+/// `as` names it; its type is `tip_runtime::model::Model<L, J>`, for L legs of J joints. Needs the feature
+/// `robot-files`.
 #[proc_macro]
 pub fn include_robot(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();
