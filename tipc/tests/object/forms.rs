@@ -70,7 +70,7 @@ fn spelt(usage: &str, kinds: &[&str], turn: usize) -> Vec<String> {
         let number = kinds[(place + turn) % kinds.len()];
         let words = match word {
             "[HS]" => vec!["", "HS"],
-            "[R]" => vec!["", "R", "A"],
+            "[R]" | "[A]" => vec!["", "R", "A"],
             "[number]" => vec!["", number],
             "0…255" => vec!["14"],
             "VAR" => vec!["B"],

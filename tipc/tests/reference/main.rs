@@ -7,6 +7,7 @@ mod descriptions;
 mod entries;
 mod facts;
 mod links;
+mod originals;
 mod snippets;
 mod tables;
 

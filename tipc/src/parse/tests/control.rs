@@ -126,6 +126,6 @@ fn declarations_keep_the_names_as_written() {
     check("DEF_VAR A, b  C_1", &["define Var A B C_1"]);
     check("DEF_POS P", &["define Pos P"]);
     check("DEF_JOINT 5Q P.X", &["define Joint 5Q P.X"]);
-    check("DEF_VAR", &["define Var "]);
+    check("DEF_VAR", &["define Var ", "1:1: Wrong argument"]);
     check("DEF_VAR A = 5", &["define Var A 5", "1:11: Wrong argument"]);
 }
