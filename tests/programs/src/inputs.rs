@@ -20,7 +20,7 @@ impl Writer {
 
     fn scalar_target(&mut self) -> String {
         match self.dice.once_in(2) {
-            true => self.member(),
+            true => self.joint_member(),
             false => self.dice.pick(VARS).to_owned(),
         }
     }

@@ -38,9 +38,14 @@ impl Writer {
             let axis = self.dice.pick(&["X", "Y", "Z"]);
             format!("{}.{axis}", self.dice.pick(POSITIONS))
         } else {
-            let joint = 1 + self.dice.below(u64::from(self.robot.signature().joints));
-            format!("{}.J{joint}", self.dice.pick(JOINTS))
+            self.joint_member()
         }
+    }
+
+    /// A member of a JOINT.
+    pub(crate) fn joint_member(&mut self) -> String {
+        let joint = 1 + self.dice.below(u64::from(self.robot.signature().joints));
+        format!("{}.J{joint}", self.dice.pick(JOINTS))
     }
 
     /// Any scalar operand.
