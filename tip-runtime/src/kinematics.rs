@@ -9,6 +9,7 @@ mod inverse;
 mod resolved_rate;
 mod search;
 mod statics;
+mod two_joints;
 
 pub use chain::Chain;
 pub use inverse::inverse;

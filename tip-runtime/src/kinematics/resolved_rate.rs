@@ -16,6 +16,7 @@
 use super::Chain;
 use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
 use super::statics::is_singular;
+use super::two_joints::two_joints;
 use crate::model::{Axes, Joint, Leg, Range};
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -38,6 +39,9 @@ impl Point {
         }
     }
 }
+
+/// The axes that count where every joint turns about z.
+const PLANE: Axes = [true, true, false];
 
 /// A gap that counts as closed: mm.
 const CLOSED: f64 = 1e-9;
@@ -77,7 +81,8 @@ pub fn resolve<const J: usize>(
     (left <= LEFT_OVER).then_some(angles)
 }
 
-/// As [`resolve`], with the joints to spare turning towards `posture` (deg).
+/// As [`resolve`], with the joints to spare turning towards `posture` (deg). The third joint of a planar
+/// leg has none to spare; a closed form keeps the side to which joint 2 is bent.
 #[must_use]
 pub fn resolve_towards<const J: usize>(
     leg: &Leg<J>,
@@ -87,6 +92,9 @@ pub fn resolve_towards<const J: usize>(
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
+    if point == Point::Joint(2) && axes == PLANE {
+        return two_joints(leg, from, target, posture);
+    }
     let (angles, left) = approach(leg, from, point, target, axes, Some(posture))?;
     (left <= LEFT_OVER).then_some(angles)
 }

@@ -11,7 +11,7 @@ use tip_runtime::command::{Op, Target};
 use tip_runtime::model::hand;
 
 /// Lines of each point that must be possible, where PATHS says nothing else.
-const FEW: usize = 60;
+const FEW: usize = 20;
 
 /// Postures to start from besides the initial and the straight one.
 const POSTURES: usize = 100;
@@ -138,4 +138,35 @@ fn a_third_joint_follows_every_line_that_it_can() {
 #[test]
 fn a_fingertip_follows_every_line_that_it_can() {
     at_least_999_of_1000_arrive(false);
+}
+
+// clauses: 7.2
+#[test]
+fn a_straight_third_joint_bends_to_the_side_on_which_it_arrives() {
+    let starts = [[-40.0, 0.0, 80.0], [0.0; 3]];
+    let mut lines = 0;
+    for (start, x, y) in starts.iter().flat_map(|start| {
+        (-5..=5).flat_map(move |x| {
+            (-5..0).map(move |y| (start, 23.0 * f64::from(x), 23.0 * f64::from(y)))
+        })
+    }) {
+        if third_joint_goes(*start, [x, y]) {
+            assert_eq!(
+                go(1, Target::Joint(1, 3), *start, [x, y]),
+                End::Arrived,
+                "{x} {y}"
+            );
+            lines += 1;
+        }
+    }
+    assert!(lines > 20, "{lines}");
+    // What closes the gap would bend it to the other side.
+    for place in [
+        [61.595_57, -99.945_29],
+        [48.826_38, -107.732_13],
+        [20.533_75, -117.202_15],
+    ] {
+        let end = go(1, Target::Joint(1, 3), starts[0], place);
+        assert_eq!(end, End::Arrived, "{place:?}");
+    }
 }
