@@ -3,7 +3,7 @@
 use std::error::Error;
 use tipc::emit;
 
-/// What a file name may hold: line ends, code behind them, characters that turn text around, controls.
+/// What a file name may hold: line ends, code after them, characters that turn text around, controls.
 const NAME: &str =
     "hostile\ncompile_error!(\"live\");\r\u{202E}\u{2066}\u{2028}\u{1b}\u{85}*` \"#.prg";
 /// What a text may hold.
@@ -18,6 +18,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// A program of a hostile name, title and texts.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a build script of a test writes what it generates"
+)]
 fn hostile() -> Result<(), Box<dyn Error>> {
     let program = format!("3.1\n{TEXT}\nREM {TEXT}\nMESSAGE {TEXT}\nEND\n");
     let loaded = tipc::load(NAME, program.as_bytes(), &tipc::Options::default());
