@@ -12,7 +12,7 @@ messages! {
     TooDeep { element: String, most: u32 } "element `{element}` is nested deeper than {most} levels: no robot needs that";
     Doctype "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for";
     NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`";
-    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: `{attribute}` stands in element `{element}` as an element: write it as an attribute, as `{attribute}=\"{example}\"`";
+    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: `{attribute}` is an element in `{element}`: write it as an attribute, as `{attribute}=\"{example}\"`";
     NoElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` holds no element `{child}`: write it, as `{example}`";
     AttributeForElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` has `{child}` as an attribute: write it as an element in it, as `{example}`";
     ElementTwice { at: Place, element: String, child: &'static str } "{at}: element `{element}` holds element `{child}` twice: leave one out";

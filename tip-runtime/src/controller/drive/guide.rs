@@ -11,7 +11,7 @@ use crate::controller::trajectory::{Goal, Limits, Track};
 use crate::kinematics::{self, Point, resolve_towards};
 use crate::model::{Inverse, Leg};
 
-/// How long the way to the initial angles takes, at least: s.
+/// How long the return to the initial angles takes, at least: s.
 const RETURN: f64 = 0.8;
 
 /// It speeds up in the first half of that time and slows down in the second.
@@ -45,14 +45,14 @@ pub(in crate::controller) struct Guide<const J: usize> {
     to: [f64; J],
     /// From where the point was to its target: mm.
     length: f64,
-    /// What is left of the way to the posture, where time decides as well.
+    /// What is left of the path to the posture, where time decides as well.
     ease: Option<Track<1>>,
     /// The posture to be taken once the point is at its target, if it is not `to`.
     home: Option<[f64; J]>,
 }
 
 impl<const J: usize> Guide<J> {
-    /// Postures on the way of a point along `line`, for a leg at the angles `from`; `None` if none are
+    /// Postures on the path of a point along `line`, for a leg at the angles `from`; `None` if none are
     /// known that lead there, or the leg has no choice.
     pub(in crate::controller) fn to_place(
         leg: &Leg<J>,
@@ -77,7 +77,7 @@ impl<const J: usize> Guide<J> {
         guides.find(|guide| guide.leads(leg, inverse, point, line))
     }
 
-    /// Postures on the way of the foot along `line` to the initial posture, for a leg at the angles
+    /// Postures on the path of the foot along `line` to the initial posture, for a leg at the angles
     /// `from`; `None` if the leg has no choice.
     pub(in crate::controller) fn to_initial(
         leg: &Leg<J>,
@@ -122,7 +122,7 @@ impl<const J: usize> Guide<J> {
         }
     }
 
-    /// Moves on by `dt` seconds, with the point at `place` on its way to `target`; what is held waits.
+    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         if let Some(ease) = &mut self.ease {
             ease.advance(PACE, dt, held);
@@ -138,7 +138,7 @@ impl<const J: usize> Guide<J> {
         self.ease.as_ref().is_none_or(Track::is_at_rest)
     }
 
-    /// The posture for a point that is at `place` on its way to `target`.
+    /// The posture for a point that is at `place` and goes to `target`.
     pub(super) fn posture(&self, place: [f64; 3], target: [f64; 3]) -> [f64; J] {
         let line = if self.length > 0.0 {
             (distance(place, target) / self.length).min(1.0)

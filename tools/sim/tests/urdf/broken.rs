@@ -121,7 +121,7 @@ fn attributes_and_elements_are_not_mixed_up() {
         "1.0",
         "<axis xyz=\"0 1 0\"/>",
         "<axis><xyz>0 1 0</xyz></axis>",
-        "line 14, column 7: `xyz` stands in element `axis` as an element: write it as an attribute, as `xyz=\"1 0 0\"`",
+        "line 14, column 7: `xyz` is an element in `axis`: write it as an attribute, as `xyz=\"1 0 0\"`",
     );
     refused(
         "1.0",
