@@ -1,6 +1,16 @@
 //! What a step can ask of a robot: commands, targets, values, inputs and event flags.
 //!
 //! What a trace prints is spelled here and nowhere else: `Display` writes a word of the language, `FromStr` reads it.
+//!
+//! ```
+//! use tip_runtime::command::{Flag, Op, Port, Target, Value};
+//!
+//! assert_eq!("J23".parse(), Ok(Target::Joint(2, 3)));
+//! assert_eq!("PTP_ANGLE".parse(), Ok(Op::PtpAngle));
+//! assert_eq!(Port::Knob(1).to_string(), "VR1");
+//! assert_eq!(Flag::Inpos(Target::Foot(4)).to_string(), "INPOS_F4");
+//! assert_eq!(Value::Relative(10.0).to_string(), "R10.0");
+//! ```
 
 mod flag;
 mod op;

@@ -1,4 +1,33 @@
 //! Where a program meets people: keyboard, message line, logs, emergency report.
+//!
+//! ```
+//! use std::fmt::Display;
+//! use tip_runtime::console::Console;
+//!
+//! /// One key at cycle 3, and the last message.
+//! #[derive(Default)]
+//! struct Panel {
+//!     pressed: bool,
+//!     line: String,
+//! }
+//!
+//! impl Console for Panel {
+//!     fn key(&mut self, cycle: u64) -> Option<u8> {
+//!         let is_new = cycle >= 3 && !std::mem::replace(&mut self.pressed, cycle >= 3);
+//!         is_new.then_some(b'F')
+//!     }
+//!
+//!     fn message(&mut self, text: &dyn Display) {
+//!         self.line = text.to_string();
+//!     }
+//! }
+//!
+//! let mut panel = Panel::default();
+//! panel.message(&format_args!("leg {}", 2));
+//! assert_eq!(panel.line, "leg 2");
+//! let keys = (0..5).map(|cycle| panel.key(cycle));
+//! assert_eq!(keys.collect::<Vec<_>>(), [None, None, None, Some(b'F'), None]);
+//! ```
 
 mod bars;
 #[cfg(feature = "std")]

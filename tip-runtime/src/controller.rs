@@ -19,6 +19,37 @@
 //!
 //! Native code may let joints vibrate. The vibration is added to the final joint command: set points,
 //! and thus INPOS and NEAR, ignore it.
+//!
+//! A joint that has 10 deg to go with 360 deg/s² does not reach its 90 deg/s: it speeds up for half of the turn and slows
+//! down for the other half, √(4 · 10 / 360) = ⅓ s in all.
+//!
+//! ```
+//! use tip_runtime::command::{Command, Op, Poll, Target, Value};
+//! use tip_runtime::controller::Controller;
+//! use tip_runtime::hardware::Sensors;
+//! use tip_runtime::model::titan8;
+//!
+//! let mut controller = Controller::new(&titan8::MODEL);
+//! let angles = titan8::MODEL.legs.map(|leg| leg.initial);
+//! controller.sense(&Sensors { angles, ..Sensors::ZERO })?;
+//! let turn = Command {
+//!     op: Op::PtpAngle,
+//!     hs: false,
+//!     target: Target::Joint(1, 1),
+//!     values: &[Value::Absolute(10.0)],
+//! };
+//! assert_eq!(controller.command(&turn)?, Poll::Done);
+//!
+//! let mut commanded = [0.0; 17];
+//! for angle in &mut commanded {
+//!     controller.advance();
+//!     *angle = controller.outputs()[0][0].value();
+//! }
+//! // 20 ms a cycle: ½ · 360 · 0.16² after 8 of them, there after 17.
+//! assert!((commanded[7] - 4.608).abs() < 1e-9);
+//! assert!(commanded[15] < 10.0 && (commanded[16] - 10.0).abs() < 1e-9);
+//! # Ok::<(), tip_runtime::fault::Fault>(())
+//! ```
 
 mod arrival;
 mod detect;

@@ -1,4 +1,13 @@
 //! Every runtime error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
+//!
+//! ```
+//! use tip_runtime::command::Target;
+//! use tip_runtime::fault::{Fault, Kind};
+//!
+//! let fault = Fault::OutOfReach(Target::Foot(2));
+//! assert_eq!(fault.to_string(), "Out of reach F2");
+//! assert_eq!((fault.kind(), Fault::Domain.kind()), (Kind::Robot, Kind::Runtime));
+//! ```
 
 use crate::command::{Port, Target};
 use core::fmt;

@@ -1,4 +1,16 @@
 //! The functions of one number that equations have (T.I.P. 3.1 §5-2).
+//!
+//! ```
+//! use tip_runtime::function::Function;
+//!
+//! assert_eq!(Function::ALL[0].leaf(), "int");
+//! # #[cfg(feature = "ops")] {
+//! use tip_runtime::ops::Domain;
+//!
+//! assert_eq!(Function::Int.call(-2.5), Ok(-3.0));
+//! assert_eq!(Function::Sqrt.call(-2.5), Err(Domain));
+//! # }
+//! ```
 
 #[cfg(feature = "ops")]
 use crate::ops;

@@ -1,4 +1,48 @@
 //! The one trait that a real robot implements.
+//!
+//! Servos that are where they are commanded at once, for a robot of one leg with two joints:
+//!
+//! ```
+//! use tip_runtime::fault::Fault;
+//! use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+//!
+//! struct Servos([f64; 2]);
+//!
+//! impl Hardware<1, 2> for Servos {
+//!     fn read(&mut self, into: &mut Sensors<1, 2>) -> Result<(), HardwareFault> {
+//!         into.angles = [self.0];
+//!         Ok(())
+//!     }
+//!
+//!     fn write(&mut self, outputs: &Outputs<1, 2>) -> Result<(), HardwareFault> {
+//!         let [commands] = &outputs.joints;
+//!         for (angle, command) in self.0.iter_mut().zip(commands) {
+//!             match command {
+//!                 JointCommand::Angle { angle: to, .. } => *angle = *to,
+//!                 JointCommand::Torque(_) => return Err(HardwareFault("no torques")),
+//!             }
+//!         }
+//!         Ok(())
+//!     }
+//!
+//!     fn stop(&mut self, _why: &Fault) {}
+//! }
+//!
+//! let mut servos = Servos([0.0, 90.0]);
+//! let mut outputs = Outputs {
+//!     joints: [[JointCommand::at(5.0), JointCommand::at(80.0)]],
+//!     slider: [0.0; 3],
+//!     lamps: [0; 8],
+//!     period: 20.0,
+//! };
+//! let mut sensors = Sensors::ZERO;
+//! assert_eq!(servos.write(&outputs), Ok(()));
+//! assert_eq!(servos.read(&mut sensors), Ok(()));
+//! assert_eq!(sensors.angles, [[5.0, 80.0]]);
+//!
+//! outputs.joints[0][1] = JointCommand::Torque(2.0);
+//! assert!(servos.write(&outputs).is_err());
+//! ```
 
 use crate::command::KNOBS;
 use crate::fault::Fault;

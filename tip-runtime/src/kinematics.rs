@@ -3,6 +3,25 @@
 //!
 //! Positions are in mm in the robot frame. Angles are in degrees at this module's border and in
 //! radians inside; a Jacobian is in mm/rad.
+//!
+//! The front left leg of TITAN VIII: 50 mm and 240 mm outwards from its hip at (−101, 201, 0), then 200 mm down.
+//!
+//! ```
+//! use tip_runtime::kinematics::{Chain, inverse};
+//! use tip_runtime::model::titan8;
+//!
+//! let is_near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+//!
+//! let leg = &titan8::MODEL.legs[0];
+//! let chain = Chain::new(leg, &[0.0, 0.0, 90.0]);
+//! assert!(is_near(chain.foot(), [-101.0 - 290.0, 201.0, -200.0]));
+//!
+//! // The first joint turns the foot on a circle of 290 mm; on the left a positive angle is forwards.
+//! assert!(is_near(chain.foot_jacobian()[0], [0.0, 290.0, 0.0]));
+//!
+//! let angles = inverse(titan8::MODEL.inverse, leg, chain.foot()).expect("it is there");
+//! assert!(is_near(angles, [0.0, 0.0, 90.0]));
+//! ```
 
 mod chain;
 mod inverse;

@@ -3,6 +3,7 @@
     not(feature = "control"),
     doc = "The vocabulary that the compiler and the runtime of T.I.P. programs share."
 )]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]

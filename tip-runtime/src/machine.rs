@@ -1,4 +1,47 @@
 //! The control loop: sample sensors, run one step, advance the trajectories, write to the robot.
+//!
+//! `Written` is a program by hand that says `LAMP_ON 3` and `END`; macros and build scripts compile one from its text.
+//!
+//! ```
+//! use tip_runtime::machine::{Machine, Status};
+//! use tip_runtime::model::titan8;
+//! use tip_runtime::plant::SimulatedPlant;
+//! # use tip_runtime::command::{Command, Op, Target, Value};
+//! # use tip_runtime::fault::Fault;
+//! # use tip_runtime::program::{Context, End, Flow, Program, Signature};
+//! #
+//! # struct Written { at: u32 }
+//! #
+//! # impl Program for Written {
+//! #     fn signature(&self) -> Signature { titan8::MODEL.signature() }
+//! #     fn name(&self) -> &str { "written" }
+//! #     fn title(&self) -> &str { "" }
+//! #     fn at(&self) -> u32 { self.at }
+//! #     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+//! #         let lamp = Command { op: Op::LampOn, hs: false, target: Target::None, values: &[Value::Absolute(3.0)] };
+//! #         match self.at {
+//! #             0 => cx.ask(&lamp, &mut self.at, 1),
+//! #             _ => Ok(Flow::Finished(End::End)),
+//! #         }
+//! #     }
+//! #     fn scalar(&self, _: usize) -> Option<(&str, Option<f64>)> { None }
+//! #     fn set_scalar(&mut self, _: usize, _: f64) {}
+//! #     fn line(&self, step: u32) -> u32 { step + 3 }
+//! #     fn reset(&mut self) { self.at = 0; }
+//! # }
+//!
+//! let program = Written { at: 0 };
+//! let plant = SimulatedPlant::new(&titan8::MODEL);
+//! let mut machine = Machine::new(program, &titan8::MODEL, plant, (), ())?;
+//!
+//! assert_eq!(machine.cycle(), Status::Running);
+//! assert!(machine.hardware().lamp(3));
+//! assert_eq!(machine.cycle(), Status::Finished(End::End));
+//!
+//! // The loop goes on: a robot has to be held after END as well.
+//! assert_eq!(machine.cycle(), Status::Finished(End::End));
+//! # Ok::<(), tip_runtime::machine::Mismatch>(())
+//! ```
 
 mod board;
 mod context;

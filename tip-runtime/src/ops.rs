@@ -1,5 +1,15 @@
 //! Leaf arithmetic with its faults (T.I.P. 3.1 §5). Transcendentals come from `libm` on every
 //! target, so results are bit-identical everywhere.
+//!
+//! ```
+//! use tip_runtime::ops::{Domain, div, int, norm, sin};
+//!
+//! assert_eq!(div(1.0, 0.0), Err(Domain));
+//! assert_eq!(int(-2.5), Ok(-3.0));
+//! assert_eq!(norm([2.0, 3.0, 6.0]), Ok(7.0));
+//! assert!((sin(30.0)? - 0.5).abs() < 1e-15, "degrees");
+//! # Ok::<(), tip_runtime::fault::Fault>(())
+//! ```
 
 mod scalar;
 mod shown;

@@ -1,4 +1,22 @@
 //! Simulated hardware: a robot and what it stands on or holds, deterministic to the bit.
+//!
+//! ```
+//! use tip_runtime::command::Port;
+//! use tip_runtime::hardware::{Hardware, Sensors};
+//! use tip_runtime::model::{hand, titan8};
+//! use tip_runtime::plant::{Plant, SimulatedHand, SimulatedPlant};
+//!
+//! let mut titan = SimulatedPlant::new(&titan8::MODEL);
+//! assert!(titan.set_sensor(Port::Knob(1), 2.5));
+//! let mut sensors = Sensors::ZERO;
+//! assert_eq!(titan.read(&mut sensors), Ok(()));
+//! assert_eq!(sensors.knobs, [2.5, 0.0, 0.0]);
+//! assert_eq!(titan.motion().map(|motion| motion.falls), Some(0));
+//!
+//! let mut hand = SimulatedHand::new(&hand::MODEL);
+//! assert!(!hand.set_sensor(Port::Paw(1), 1.0), "it has no soles");
+//! assert_eq!(hand.motion(), None, "it is bolted down");
+//! ```
 
 pub mod hand;
 mod override_sensors;

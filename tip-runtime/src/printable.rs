@@ -1,4 +1,12 @@
 //! Texts of others on a terminal or in a log, where a control character could act and a line end could forge a line.
+//!
+//! ```
+//! use tip_runtime::printable::Printable;
+//!
+//! let name = "walk\u{1b}[31m.prg\n";
+//! assert_eq!(Printable::line(name).to_string(), r"walk\u{1b}[31m.prg\u{a}");
+//! assert_eq!(Printable::lines("two\nlines").to_string(), "two\nlines");
+//! ```
 
 use core::fmt::{self, Display, Write};
 

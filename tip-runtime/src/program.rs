@@ -1,4 +1,68 @@
 //! What a compiled or interpreted program is, and what a step of it can reach.
+//!
+//! Macros and build scripts make programs of text. One by hand shows what they have to answer:
+//!
+//! ```
+//! use tip_runtime::fault::Fault;
+//! use tip_runtime::model::titan8;
+//! use tip_runtime::program::{Context, End, Flow, Program, Signature, VariableError};
+//!
+//! /// `COUNT = COUNT + 1` in each cycle until it is 3.
+//! struct Counting {
+//!     at: u32,
+//!     count: Option<f64>,
+//! }
+//!
+//! impl Program for Counting {
+//!     fn signature(&self) -> Signature {
+//!         titan8::MODEL.signature()
+//!     }
+//!     fn name(&self) -> &str {
+//!         "counting"
+//!     }
+//!     fn title(&self) -> &str {
+//!         "Count to three"
+//!     }
+//!     fn at(&self) -> u32 {
+//!         self.at
+//!     }
+//!     fn step(&mut self, _cx: &mut dyn Context) -> Result<Flow, Fault> {
+//!         let count = self.count.ok_or(Fault::Unassigned(0))?;
+//!         if count >= 3.0 {
+//!             return Ok(Flow::Finished(End::End));
+//!         }
+//!         self.count = Some(count + 1.0);
+//!         Ok(Flow::Next)
+//!     }
+//!     fn scalar(&self, i: usize) -> Option<(&str, Option<f64>)> {
+//!         (i == 0).then_some(("COUNT", self.count))
+//!     }
+//!     fn set_scalar(&mut self, i: usize, value: f64) {
+//!         if i == 0 {
+//!             self.count = Some(value);
+//!         }
+//!     }
+//!     fn line(&self, step: u32) -> u32 {
+//!         if step == 0 { 3 } else { 0 }
+//!     }
+//!     fn reset(&mut self) {
+//!         (self.at, self.count) = (0, None);
+//!     }
+//! }
+//!
+//! let mut program = Counting { at: 0, count: None };
+//! assert_eq!(program.get("COUNT"), Ok(None));
+//! assert_eq!(program.set("COUNT", 2.0), Ok(()));
+//! assert_eq!(program.set("HEIGHT", 2.0), Err(VariableError::Unknown));
+//! # #[cfg(feature = "control")] {
+//! use tip_runtime::machine::{Machine, Status};
+//!
+//! let mut machine = Machine::simulated_on(&mut program, &titan8::MODEL).expect("it is for TITAN VIII");
+//! assert_eq!(machine.cycle(), Status::Running);
+//! assert_eq!(machine.cycle(), Status::Finished(End::End));
+//! assert_eq!(program.get("COUNT"), Ok(Some(3.0)));
+//! # }
+//! ```
 
 use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
 use crate::fault::Fault;

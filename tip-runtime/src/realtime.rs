@@ -1,4 +1,17 @@
 //! Running a machine in real time.
+//!
+//! ```
+//! use std::time::{Duration, Instant};
+//! use tip_runtime::realtime::Pacer;
+//!
+//! let begin = Instant::now();
+//! let mut pacer = Pacer::start();
+//! for _ in 0..3 {
+//!     pacer.wait(4.0);
+//! }
+//! assert_eq!(pacer.cycles(), 3);
+//! assert!(begin.elapsed() >= Duration::from_millis(12));
+//! ```
 
 use crate::console::Console;
 use crate::hardware::Hardware;

@@ -1,4 +1,23 @@
 //! What is written down about a run: the trace, TITAN.LOG, the dump of variables.
+//!
+//! ```
+//! use tip_runtime::hardware::JointCommand;
+//! use tip_runtime::record::{Ending, state_hash};
+//!
+//! // It shows the last bit of every joint.
+//! let commands = [JointCommand::at(90.0)];
+//! let hash = state_hash(&commands, &[90.0]);
+//! assert_eq!(hash, state_hash(&commands, &[90.0]));
+//! assert_ne!(hash, state_hash(&commands, &[90.0_f64.next_up()]));
+//! # #[cfg(feature = "std")] {
+//! use tip_runtime::record::JsonLines;
+//!
+//! let mut trace = JsonLines::new(String::new(), true);
+//! trace.end(Ending::Limit, 250);
+//! assert_eq!(trace.into_inner(), "{\"end\":\"LIMIT\",\"cycles\":250}\n");
+//! # }
+//! # let _ = Ending::Limit;
+//! ```
 
 mod dump;
 mod ending;

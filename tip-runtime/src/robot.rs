@@ -1,4 +1,19 @@
 //! The robots that a program can be compiled for by name, as types.
+//!
+//! ```
+//! use tip_runtime::robot::{For, Hand, Titan8};
+//!
+//! /// Takes what was compiled for TITAN VIII; with a program for another robot it does not compile.
+//! fn name_of(program: &impl For<Titan8>) -> &str {
+//!     program.name()
+//! }
+//! # #[cfg(feature = "control")] {
+//! use tip_runtime::machine::Simulated;
+//!
+//! assert_eq!(<Titan8 as Simulated<4, 3>>::MODEL.name, "titan8");
+//! assert_eq!(<Hand as Simulated<3, 3>>::MODEL.name, "hand");
+//! # }
+//! ```
 
 use crate::program::Program;
 

@@ -1,4 +1,23 @@
 //! What surrounds a simulated robot: a floor, and objects to grasp.
+//!
+//! ```
+//! use tip_runtime::scene::{Object, Scene, SceneError, Shape};
+//!
+//! let ball = Object {
+//!     shape: Shape::Disc { radius: 20.0 },
+//!     mass: 0.2,
+//!     friction: 0.8,
+//!     x: 0.0,
+//!     y: None,
+//!     angle: 0.0,
+//! };
+//! let scene = Scene::EMPTY.with_object(ball)?;
+//! assert_eq!(scene.objects[0], Some(ball));
+//!
+//! let grain = Object { shape: Shape::Disc { radius: 1.0 }, ..ball };
+//! assert_eq!(scene.with_object(grain), Err(SceneError::Size));
+//! # Ok::<(), SceneError>(())
+//! ```
 
 use core::fmt;
 

@@ -19,11 +19,7 @@
 //! }
 //! ```
 //!
-//! `lib.rs` takes it in; the program is the type `Walk`:
-//!
-//! ```ignore
-//! include!(concat!(env!("OUT_DIR"), "/walk.rs"));
-//! ```
+//! `lib.rs` takes it in, as the type `Walk`, by the line `include!(concat!(env!("OUT_DIR"), "/walk.rs"));`
 //!
 //! A program with errors fails the build, each error shown with its line. The script runs again
 //! when a `.prg` file changes, and only then.

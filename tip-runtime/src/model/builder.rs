@@ -1,39 +1,4 @@
 //! Descriptions in Rust: constants with a default for whatever they leave out.
-//!
-//! Other values than the defaults are one struct update away; [`Model::check`] reports what is inconsistent.
-//!
-//! ```
-//! use tip_runtime::model::{Body, Joint, Leg, Model, Range};
-//!
-//! /// Three legs around a small body, each of a yaw, a thigh and a knee.
-//! const TRIPOD: Model<3, 3> = Model {
-//!     body: Some(Body {
-//!         x: Range::new(-60.0, 60.0),
-//!         y: Range::new(-60.0, 60.0),
-//!         z: Range::new(-30.0, 30.0),
-//!         mass: 1.0,
-//!     }),
-//!     ..Model::generic("tripod", [leg(0.0, 1.0), leg(0.96, -0.28), leg(-0.96, -0.28)])
-//! };
-//!
-//! /// A leg that points to (x, y) from the middle.
-//! const fn leg(x: f64, y: f64) -> Leg<3> {
-//!     let across = [y, -x, 0.0];
-//!     let joints = [
-//!         Joint::revolute([0.0, 0.0, 1.0], [30.0 * x, 30.0 * y, 0.0]).limits(-45.0, 45.0),
-//!         Joint::revolute(across, [80.0 * x, 80.0 * y, 0.0]).limits(-60.0, 60.0),
-//!         Joint::revolute(across, [0.0, 0.0, -120.0]).limits(-60.0, 60.0),
-//!     ];
-//!     Leg::at([60.0 * x, 60.0 * y, 0.0], joints).initial([0.0, 20.0, -20.0])
-//! }
-//!
-//! assert_eq!(TRIPOD.check(), Ok(()));
-//!
-//! let mut bent = TRIPOD;
-//! bent.legs[1].joints[2].limits = Range::new(60.0, -60.0);
-//! let error = bent.check().unwrap_err();
-//! assert!(error.to_string().starts_with("J23: limits must be"));
-//! ```
 
 use super::{Inverse, Joint, Leg, Model, Range, generic};
 

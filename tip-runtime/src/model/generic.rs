@@ -1,4 +1,12 @@
 //! The generic robot when no description is given: TITAN VIII's geometry under another name.
+//!
+//! ```
+//! use tip_runtime::model::{Family, generic, titan8};
+//!
+//! assert_eq!(generic::MODEL.legs, titan8::MODEL.legs);
+//! assert_eq!(generic::MODEL.family, Family::Generic);
+//! assert!(generic::MODEL.forces.is_some(), "it takes torques as well");
+//! ```
 
 use super::{Family, Forces, Model, TorqueUnit, titan8};
 

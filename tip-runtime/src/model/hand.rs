@@ -5,6 +5,22 @@
 //!
 //! Link lengths, limits and masses are assumptions: no public figures exist. They are data, to be
 //! replaced by those of the robot at hand.
+//!
+//! ```
+//! use tip_runtime::model::hand;
+//!
+//! let [first, second, third] = &hand::MODEL.legs;
+//! assert_eq!((first.base[0], second.base[0], third.base[0]), (-60.0, 60.0, 60.0));
+//! # #[cfg(feature = "control")] {
+//! use tip_runtime::kinematics::Chain;
+//!
+//! // Straight down, then turned by 90 deg towards the centre: 70, 50 and 40 mm.
+//! let [x, y, _] = Chain::new(first, &[0.0; 3]).foot();
+//! assert!((x + 60.0).abs() < 1e-9 && (y + 160.0).abs() < 1e-9);
+//! let [x, y, _] = Chain::new(first, &[90.0, 0.0, 0.0]).foot();
+//! assert!((x - 100.0).abs() < 1e-9 && y.abs() < 1e-9);
+//! # }
+//! ```
 
 use super::{
     Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards, TorqueUnit,

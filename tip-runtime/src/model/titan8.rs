@@ -2,6 +2,18 @@
 //!
 //! Link lengths, limits and masses are assumptions: no public figures exist. They are data, to be
 //! replaced by those of the robot at hand.
+//!
+//! ```
+//! use tip_runtime::model::titan8::MODEL;
+//!
+//! let joints = MODEL.legs.iter().flat_map(|leg| &leg.joints);
+//! let legs: f64 = joints.map(|joint| joint.mass).sum();
+//! let body = MODEL.body.expect("it walks").mass;
+//! assert!((body + legs - 20.0).abs() < 1e-9, "kg");
+//!
+//! assert!(MODEL.legs[0].joints[2].limits.contains(90.0));
+//! assert_eq!(MODEL.check(), Ok(()));
+//! ```
 
 use super::{Body, Family, Inverse, Joint, Leg, Model, Range, Standards};
 

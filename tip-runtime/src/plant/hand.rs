@@ -13,6 +13,21 @@
 //! Links are lines and fingertips points, so that forces act exactly where kinematics has the
 //! fingertip. Fingers have no weight, since they are counterbalanced, and do not touch each other:
 //! those of one side are beside each other.
+//!
+//! ```
+//! use tip_runtime::model::hand;
+//! use tip_runtime::plant::{Scene, SimulatedHand};
+//!
+//! // The floor is at −130 mm; the cylinder is 60 mm high and stands under the palm's middle.
+//! let plant = SimulatedHand::new(&hand::MODEL).with_scene(&Scene::CYLINDER);
+//! let cylinder = plant.objects()[0].expect("it is there");
+//! let [x, y] = cylinder.position;
+//! assert!(x.abs() < 1e-9 && (y + 100.0).abs() < 1e-9);
+//!
+//! let [left, right, _] = plant.fingertips();
+//! assert!((left.position[0] + right.position[0]).abs() < 1e-9, "they oppose each other");
+//! assert_eq!(left.on_objects, [0.0; 3]);
+//! ```
 
 mod body;
 mod contact;

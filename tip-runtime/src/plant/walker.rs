@@ -4,6 +4,17 @@
 //! carries it, feet or belly, under gravity; it moves as its stance feet sweep. Nothing swings,
 //! bounces or flies: inertia is left out on purpose, so that a run says what the motion program
 //! does and not how a particular robot vibrates.
+//!
+//! ```
+//! use tip_runtime::model::titan8;
+//! use tip_runtime::plant::SimulatedPlant;
+//!
+//! // 12 kg of body and 2 kg a leg, on feet and belly.
+//! let plant = SimulatedPlant::new(&titan8::MODEL);
+//! let on_feet: f64 = plant.feet().iter().map(|foot| foot.load).sum();
+//! assert!((on_feet + plant.belly_load() - 20.0 * 9.80665).abs() < 1e-6);
+//! assert!(plant.margin() > 0.0, "its centre of mass is above what carries it");
+//! ```
 
 mod body;
 mod contacts;

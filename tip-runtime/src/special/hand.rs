@@ -1,4 +1,53 @@
 //! The SPECIAL commands of the Hiroshima Hand (T.I.P. 3.1 §8-2). Each takes one cycle.
+//!
+//! Commands of a user's own take the numbers that are left. `Written` is a program by hand that says `SPECIAL 30`, and
+//! ends by END if `SPECIAL_FLAG9` is set:
+//!
+//! ```
+//! use tip_runtime::command::{Flag, Poll};
+//! use tip_runtime::machine::{Machine, Status};
+//! use tip_runtime::model::hand;
+//! use tip_runtime::plant::SimulatedHand;
+//! use tip_runtime::program::Robot;
+//! use tip_runtime::special::{Call, hand::HandSpecials};
+//! # use tip_runtime::command::{Command, Op, Target, Value};
+//! # use tip_runtime::fault::Fault;
+//! # use tip_runtime::program::{Context, End, Flow, Program, Signature};
+//! #
+//! # struct Written { at: u32 }
+//! #
+//! # impl Program for Written {
+//! #     fn signature(&self) -> Signature { hand::MODEL.signature() }
+//! #     fn name(&self) -> &str { "written" }
+//! #     fn title(&self) -> &str { "" }
+//! #     fn at(&self) -> u32 { self.at }
+//! #     fn step(&mut self, cx: &mut dyn Context) -> Result<Flow, Fault> {
+//! #         let special = Command { op: Op::Special, hs: false, target: Target::None, values: &[Value::Absolute(30.0)] };
+//! #         match self.at {
+//! #             0 => cx.ask(&special, &mut self.at, 1),
+//! #             _ if cx.flag(Flag::Special(9)) => Ok(Flow::Finished(End::End)),
+//! #             _ => Ok(Flow::Finished(End::Exit)),
+//! #         }
+//! #     }
+//! #     fn scalar(&self, _: usize) -> Option<(&str, Option<f64>)> { None }
+//! #     fn set_scalar(&mut self, _: usize, _: f64) {}
+//! #     fn line(&self, step: u32) -> u32 { step + 3 }
+//! #     fn reset(&mut self) { self.at = 0; }
+//! # }
+//!
+//! let specials = HandSpecials::beside(|call: Call, robot: &mut dyn Robot| match call.number {
+//!     30 => {
+//!         robot.set_special_flag(9, true);
+//!         Ok(Poll::Done)
+//!     }
+//!     _ => Err(Fault::Domain),
+//! });
+//! let plant = SimulatedHand::new(&hand::MODEL);
+//! let mut machine = Machine::new(Written { at: 0 }, &hand::MODEL, plant, (), specials)?;
+//! assert_eq!(machine.cycle(), Status::Running);
+//! assert_eq!(machine.cycle(), Status::Finished(End::End));
+//! # Ok::<(), tip_runtime::machine::Mismatch>(())
+//! ```
 
 mod closure;
 mod friction;
@@ -29,22 +78,6 @@ const JOINTS: usize = 3;
 /// | 20 | bar graph 0 or 1 off or on |
 ///
 /// Wrong arguments are a `Domain` error; every other number is the user's.
-///
-/// ```
-/// use tip_runtime::command::Poll;
-/// use tip_runtime::fault::Fault;
-/// use tip_runtime::program::Robot;
-/// use tip_runtime::special::{Call, hand::HandSpecials};
-///
-/// let beside = HandSpecials::beside(|call: Call, robot: &mut dyn Robot| match call.number {
-///     30 => {
-///         robot.set_special_flag(9, true);
-///         Ok(Poll::Done)
-///     }
-///     _ => Err(Fault::Domain),
-/// });
-/// # let _ = (HandSpecials::new(), beside);
-/// ```
 #[derive(Clone, Debug, Default)]
 pub struct HandSpecials<U = ()> {
     lever: Lever,

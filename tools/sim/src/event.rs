@@ -1,4 +1,14 @@
 //! What happens to a robot from outside, and when.
+//!
+//! ```
+//! use tip_sim::event::{Event, Events};
+//!
+//! let events: Events = "900:halt, 10:key F, 300:VR1=8".parse()?;
+//! assert_eq!(events.to_string(), "10:key F, 300:VR1=8, 900:halt");
+//! assert_eq!(events.all()[2], Event::Halt.at(900));
+//! assert!("10:jump".parse::<Events>().is_err());
+//! # Ok::<(), tip_sim::event::EventError>(())
+//! ```
 
 mod options;
 mod text;

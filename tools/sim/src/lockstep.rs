@@ -2,6 +2,26 @@
 //!
 //! `tipc verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
 //! few lines, in a test of your own; the front page of this crate has an example.
+//!
+//! Here the compiled code is of another text, and differs in the cycle of the step that does:
+//!
+//! ```
+//! use tip_sim::lockstep::Lockstep;
+//! use tip_sim::{Inputs, Robot, load};
+//!
+//! tip_macros::tip!(Greet, "3.1\nGreet\nLAMP_ON 1\nMESSAGE hello\nEND");
+//!
+//! let robot = Robot::named("titan8")?;
+//! let program = load("Greet", "3.1\nGreet\nLAMP_ON 1\nMESSAGE Hello\nEND", &robot)?.program().clone();
+//! let lockstep = Lockstep::new(program, Greet::new(), &robot)?;
+//! assert_eq!(lockstep.unlike(), None, "name, title, lines and variables are the same");
+//!
+//! let compared = lockstep.run(&Inputs::default(), &mut ())?;
+//! let divergence = compared.divergence.expect("they differ");
+//! assert_eq!((divergence.cycle, divergence.step), (1, 1));
+//! assert!(divergence.interpreted.contains(r#""say":"Hello""#));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod answer;
 mod notes;

@@ -1,5 +1,27 @@
 //! The search for inputs that lead where no run has been: runs that reached something new are varied, most often
 //! just before cycles in which a condition has had only one outcome so far. Where the engines differ the inputs are shrunk.
+//!
+//! ```
+//! use tip_sim::event::{Event, Inputs};
+//! use tip_sim::lockstep::{Lockstep, Session};
+//! use tip_sim::{Interpreter, Robot, load, search};
+//!
+//! let robot = Robot::named("titan8")?;
+//! let text = "3.1\nGreet\nKEY_IN\nIF VAR_KEY == CHAR_H THEN\nMESSAGE hello\nENDIF\nEND";
+//! let program = load("greet.prg", text, &robot)?.program().clone();
+//!
+//! // What matters to it: the key that it asks for, and one that it does not.
+//! assert_eq!(search::levers(&program), [Event::Key(b'H'), Event::Key(b'Z')]);
+//!
+//! // Two interpreters agree; the search finds the key that leads to MESSAGE.
+//! let lockstep = Lockstep::new(program.clone(), Interpreter::new(program.clone()), &robot)?;
+//! let mut engines = Session::new(lockstep);
+//! let inputs = Inputs { cycles: Some(100), ..Inputs::default() };
+//! let (tally, diverging) = search::verify(&mut engines, &program, &inputs, 20)?;
+//! assert!(diverging.is_none());
+//! assert!((0..tally.reach.spots().all().len()).all(|spot| tally.reach.has(spot)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod levers;
 mod random;

@@ -2,6 +2,32 @@
 //!
 //! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
 //! what it needs and URDF lacks is assumed. The report lists both.
+//!
+//! ```
+//! let urdf = r#"<robot name="pendulum">
+//!   <link name="base"/>
+//!   <link name="arm"/>
+//!   <link name="tip"/>
+//!   <joint name="swing" type="revolute">
+//!     <parent link="base"/><child link="arm"/>
+//!     <axis xyz="0 0 1"/>
+//!     <limit lower="-1.5" upper="1.5" effort="2" velocity="1"/>
+//!   </joint>
+//!   <joint name="end" type="fixed">
+//!     <parent link="arm"/><child link="tip"/>
+//!     <origin xyz="0.25 0 0"/>
+//!   </joint>
+//! </robot>"#;
+//!
+//! let import = tip_sim::urdf::import("pendulum.urdf", urdf)?;
+//! let robot = tip_sim::Robot::description(&import.toml)?;
+//! assert_eq!(robot.name(), "pendulum");
+//! assert!(!import.report.is_empty(), "masses had to be assumed");
+//!
+//! let error = tip_sim::urdf::import("pendulum.urdf", "<robot/>").unwrap_err();
+//! assert!(!error.to_string().is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod chain;
 mod check;
