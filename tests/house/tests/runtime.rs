@@ -66,3 +66,56 @@ fn radians_stay_where_geometry_and_physics_are() {
     }
     assert!(found > 3, "the words are found");
 }
+
+/// Where time passes: what paces a robot.
+const WITH_A_CLOCK: &str = "realtime";
+
+#[test]
+fn no_wall_clock_is_read_but_to_pace() {
+    let is_clock = |_: Option<&TokenTree>, word: &str| word == "Instant" || word == "SystemTime";
+    let mut found = 0;
+    for module in runtime().into_values() {
+        let room = module.path.first().map_or("", String::as_str);
+        let has_one = holds(module.tokens, &is_clock);
+        assert!(
+            !has_one || room == WITH_A_CLOCK,
+            "{}",
+            module.path.join("::")
+        );
+        found += usize::from(has_one);
+    }
+    assert_eq!(found, 1, "the clock is found");
+}
+
+#[test]
+fn the_interpreter_takes_no_sequencing_from_the_emitter() {
+    let sim = modules(&root().join("tools/sim/src"));
+    let interpreter = sim
+        .into_values()
+        .filter(|module| module.path.first().is_some_and(|room| room == "interp"));
+    let mut found = 0;
+    for module in interpreter {
+        let names = |_: Option<&TokenTree>, word: &str| word == "emit" || word == "generated";
+        assert!(!holds(module.tokens, &names), "{}", module.path.join("::"));
+        found += 1;
+    }
+    assert!(found > 2, "the interpreter is found");
+}
+
+/// What the last table of ARCHITECTURE.md names stands where it says.
+#[test]
+fn the_tests_that_hold_the_invariants_exist() {
+    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("the page");
+    let (_, table) = text
+        .split_once("## What holds the invariants")
+        .expect("the table");
+    let table = table.split("\n## ").next().unwrap_or_default();
+    let named = table.split('`').skip(1).step_by(2);
+    let paths: Vec<&str> = named
+        .filter(|word| word.contains('/') && !word.contains('*'))
+        .collect();
+    assert!(paths.len() > 15, "{paths:?}");
+    for path in paths {
+        assert!(root().join(path).exists(), "{path}");
+    }
+}

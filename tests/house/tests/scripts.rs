@@ -140,3 +140,13 @@ fn the_first_run_of_a_bare_metal_script_builds_the_package_that_was_asked_for() 
         assert!(run.trim_end().ends_with("--package wasm"), "{run}");
     }
 }
+
+#[test]
+fn each_script_begins_with_what_it_does() {
+    for path in scripts() {
+        let text = fs::read_to_string(&path).expect("scripts are UTF-8");
+        let first = text.lines().find(|line| !line.starts_with("#!"));
+        let says = first.is_some_and(|line| line.starts_with("# ") && line.len() > 30);
+        assert!(says, "{}: {first:?}", path.display());
+    }
+}
