@@ -1,9 +1,14 @@
 3.1
 Interrupt a motion for half a second
+DEF_VAR Y
+DEF_POS P
 PTP F1 -391 301 -180
 SLEEP 100
 ALL_STOP
 SLEEP 500
+TEACH_POSITION F1 P
+Y = P.Y
+MESSAGE it waits at %Y% mm
 ALL_STOP_RELEASE
 WAIT_INPOS F1
 END

@@ -1,5 +1,5 @@
 3.1
-N value is set, then changed in each way
+A value is set, then changed in each way
 DEF_VAR N
 N = 8
 N += 2                       // 10

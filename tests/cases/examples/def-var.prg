@@ -1,5 +1,5 @@
 3.1
-A number, a way and a posture
+A number, a path and a posture
 DEF_VAR LIFT
 DEF_POS STRIDE
 DEF_JOINT LEG
@@ -12,4 +12,5 @@ LEG.J2 = 20
 LEG.J3 = 80
 REL_PTP F1 STRIDE
 PTP_ANGLE F2 LEG
+MESSAGE a step is %LIFT% mm high
 END

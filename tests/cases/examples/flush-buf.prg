@@ -4,4 +4,5 @@ SLEEP 100
 FLUSH_BUF
 MESSAGE go on?
 KEY_IN
+MESSAGE the answer is key %VAR_KEY%
 END

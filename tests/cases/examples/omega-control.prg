@@ -1,7 +1,10 @@
 3.1
 Turn a leg forward until somebody asks to halt
+DEF_VAR ANGLE
 OMEGA_CONTROL J11 15
 WHILE !HALT_REQUEST
 WEND
 OMEGA_CONTROL J11 0
+TEACH_ANGLE J11 ANGLE
+MESSAGE halted at %ANGLE% deg
 END

@@ -6,4 +6,5 @@ REPEAT
   WAIT_INPOS F1
   AD_IN VR1 V
 UNTIL V > 5
+MESSAGE enough: the knob says %V% V
 END

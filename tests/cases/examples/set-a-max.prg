@@ -1,6 +1,12 @@
 3.1
 Start and stop gently
+DEF_VAR Y
+DEF_POS P
 SET_A_MAX ALL 200
 PTP F1 -391 301 -180
+SLEEP 400
+TEACH_POSITION F1 P
+Y = P.Y - 201
+MESSAGE after 0.4 s it has come %Y% mm
 WAIT_INPOS F1
 END

@@ -1,8 +1,11 @@
 3.1
-A soft base and a stiff fingertip
-SET_ANGLE_STIFFNESS J11 5
+A soft base presses the floor gently, however far its target is
+DEF_VAR T
+SET_ANGLE_STIFFNESS J11 0.5
 SET_ANGLE_STIFFNESS J13 40
-COMPLIANCE_ANGLE F1 R 0 R 0 R 0
-SLEEP 200
+COMPLIANCE_ANGLE F1 0 0 60
+SLEEP 800
+TEACH_TORQUE J11 T
+MESSAGE it presses with %T.1% mN m
 NO_COMPLIANCE F1
 END

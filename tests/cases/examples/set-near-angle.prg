@@ -1,8 +1,11 @@
 3.1
 Turn back before the leg has quite arrived
+DEF_VAR ANGLE
 SET_NEAR_ANGLE ALL 10
 PTP_ANGLE J11 40
 WAIT_NEAR J11
+TEACH_ANGLE J11 ANGLE
+MESSAGE it turns back at %ANGLE% deg
 PTP_ANGLE J11 0
 WAIT_INPOS J11
 END

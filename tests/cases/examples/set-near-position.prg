@@ -1,8 +1,12 @@
 3.1
 Say when the foot has 15 mm left to go
+DEF_VAR Y
+DEF_POS P
 SET_NEAR_POSITION ALL 15
 PTP F1 -391 301 -180
 WAIT_NEAR F1
-MESSAGE nearly there
+TEACH_POSITION F1 P
+Y = 301 - P.Y
+MESSAGE %Y% mm to go
 WAIT_INPOS F1
 END

@@ -1,8 +1,15 @@
 3.1
 The hip gently, the knee briskly, then as usual
+DEF_JOINT LEG
+DEF_VAR HIP, KNEE
 SET_OMEGA_DOT_MAX_SLOW J11
 SET_OMEGA_DOT_MAX_FAST J13
 PTP_ANGLE F1 40 10 60
+SLEEP 300
+TEACH_ANGLE F1 LEG
+HIP = LEG.J1
+KNEE = 90 - LEG.J3
+MESSAGE after 0.3 s the hip has turned by %HIP% deg, the knee by %KNEE%
 WAIT_INPOS F1
 SET_OMEGA_DOT_MAX_NORMAL ALL
 END

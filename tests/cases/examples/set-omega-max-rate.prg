@@ -1,7 +1,11 @@
 3.1
 A careful knee: half the speed, a tenth of the acceleration
+DEF_VAR ANGLE
 SET_OMEGA_MAX_RATE J13 50
 SET_OMEGA_DOT_MAX_RATE J13 10
 PTP_ANGLE J13 60
+SLEEP 500
+TEACH_ANGLE J13 ANGLE
+MESSAGE after 0.5 s it is at %ANGLE% deg
 WAIT_INPOS J13
 END

@@ -1,6 +1,10 @@
 3.1
 Turn a leg at no more than 30 deg/s
+DEF_VAR ANGLE
 SET_OMEGA_MAX J11 30
 PTP_ANGLE J11 45
+SLEEP 1000
+TEACH_ANGLE J11 ANGLE
+MESSAGE after 1 s it is at %ANGLE% deg
 WAIT_INPOS J11
 END

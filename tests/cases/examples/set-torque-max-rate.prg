@@ -1,6 +1,10 @@
 3.1
 A tenth of the torque, so that a finger is easily stopped
+DEF_VAR T
 SET_TORQUE_MAX_RATE ALL 10
-REL_PTP_ANGLE F2 0 10 -10
-WAIT_INPOS F2
+TORQUE J21 200               // asks for more
+SLEEP 50
+TEACH_TORQUE J21 T
+MESSAGE J21 gives %T.1% mN m
+NO_COMPLIANCE F2
 END

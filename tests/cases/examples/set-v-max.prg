@@ -1,9 +1,15 @@
 3.1
 Fast through the air, slow on the way down
+DEF_VAR Z
+DEF_POS P
 SET_V_MAX F1 500
 PTP F1 -391 301 -150
 WAIT_INPOS F1
 SET_V_MAX F1 50
 PTP F1 -391 301 -200
+SLEEP 500
+TEACH_POSITION F1 P
+Z = P.Z + 200
+MESSAGE after 0.5 s it is still %Z% mm up
 WAIT_INPOS F1
 END

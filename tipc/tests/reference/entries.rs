@@ -134,14 +134,15 @@ fn rewritten(text: &str) -> String {
 fn generated(names: &[String], example: &str) -> String {
     let commands: Vec<&Command> = names.iter().filter_map(|name| find(name)).collect();
     let facts = facts(&commands);
-    let options = options(example);
+    let options = header(example, "# args:");
+    let shown = header(example, "# try:");
     let robot = match robot(&options) {
         Robot::Titan8 => String::new(),
         other => format!(" {}", other.name()),
     };
     let program = program(example);
     format!(
-        "{facts}- Try it: `tipc run {EXAMPLES}/{example}{options}`\n\n```tip{robot}\n{program}```\n"
+        "{facts}- Try it: `tipc run {EXAMPLES}/{example}{options}{shown}`\n\n```tip{robot}\n{program}```\n"
     )
 }
 
@@ -149,15 +150,13 @@ fn program(example: &str) -> String {
     read(&format!("{EXAMPLES}/{example}"))
 }
 
-/// The options that the case runs with, each after a blank.
-fn options(example: &str) -> String {
+/// What the case says after this word: `# args:` are the options that it runs with, `# try:` what a reader adds to see more.
+fn header(example: &str, word: &str) -> String {
     let case = workspace().join(EXAMPLES).join(example);
     let expectation = fs::read_to_string(case.with_extension("trace"));
     let expectation = expectation.unwrap_or_else(|error| panic!("{example}: {error}"));
     let lines = expectation.lines().take_while(|line| line.starts_with('#'));
-    lines
-        .filter_map(|line| line.strip_prefix("# args:"))
-        .collect()
+    lines.filter_map(|line| line.strip_prefix(word)).collect()
 }
 
 fn robot(options: &str) -> Robot {

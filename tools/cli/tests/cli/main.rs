@@ -1,6 +1,8 @@
 //! The command `tipc`, run as users run it.
 
 mod check;
+#[cfg(unix)]
+mod commands;
 mod cycles;
 mod emit;
 #[cfg(target_os = "linux")]
