@@ -25,9 +25,14 @@ fn read(path: &str) -> String {
 
 /// Every document for users, by its path in the workspace.
 fn documents() -> Vec<String> {
-    let mut paths = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"]
-        .map(str::to_owned)
-        .to_vec();
+    let mut paths = [
+        "README.md",
+        "README.ja.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+    ]
+    .map(str::to_owned)
+    .to_vec();
     for folder in ["docs", "examples"] {
         for entry in fs::read_dir(workspace().join(folder)).expect("a folder") {
             let name = entry.expect("an entry").file_name();

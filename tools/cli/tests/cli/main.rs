@@ -7,6 +7,8 @@ mod cycles;
 mod emit;
 #[cfg(target_os = "linux")]
 mod faults;
+#[cfg(unix)]
+mod guides;
 mod logs;
 mod migrate;
 #[cfg(unix)]

@@ -1,0 +1,208 @@
+//! The guides of docs/, followed to the letter: their files are written, their commands are run, and what these say is
+//! compared.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs};
+
+/// What is followed, each from an empty folder.
+const GUIDES: [&str; 2] = ["docs/tutorial.md", "docs/embedding.md"];
+
+/// The workspace, and what the guides call `tip`.
+fn workspace() -> PathBuf {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    path.canonicalize().expect("the workspace exists")
+}
+
+fn read(guide: &str) -> String {
+    let path = workspace().join(guide);
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{guide}: {error}"))
+}
+
+/// A code block, and the file that the line before it names.
+#[derive(Debug, PartialEq)]
+struct Block {
+    kind: String,
+    file: Option<String>,
+    text: String,
+}
+
+fn blocks(document: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut named = None;
+    let mut lines = document.lines();
+    while let Some(line) = lines.next() {
+        if let Some(kind) = line.strip_prefix("```") {
+            let inside = lines.by_ref().take_while(|line| *line != "```");
+            blocks.push(Block {
+                kind: kind.to_owned(),
+                file: named.take(),
+                text: inside.map(|line| format!("{line}\n")).collect(),
+            });
+        } else if !line.is_empty() {
+            let bold = line.strip_prefix("**").and_then(|l| l.strip_suffix("**"));
+            named = bold.map(str::to_owned);
+        }
+    }
+    blocks
+}
+
+/// The commands of a block, each with the lines that it is to print.
+fn commands(text: &str) -> Vec<(&str, Vec<&str>)> {
+    let mut commands: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in text.lines() {
+        match (line.strip_prefix("$ "), commands.last_mut()) {
+            (Some(command), _) => commands.push((command, Vec::new())),
+            (None, Some((_, expected))) => expected.push(line),
+            (None, None) => panic!("output without a command: {line}"),
+        }
+    }
+    commands
+}
+
+/// A line `…` stands for any number of lines, a `…` at the end of a line for its rest.
+fn is_as_expected(expected: &[&str], printed: &[&str]) -> bool {
+    match (expected, printed) {
+        ([], printed) => printed.is_empty(),
+        (["…", rest @ ..], printed) => {
+            (0..=printed.len()).any(|skipped| is_as_expected(rest, &printed[skipped..]))
+        }
+        ([line, rest @ ..], [other, others @ ..]) => {
+            let same = match line.strip_suffix('…') {
+                Some(start) => other.starts_with(start),
+                None => line == other,
+            };
+            same && is_as_expected(rest, others)
+        }
+        (_, []) => false,
+    }
+}
+
+/// A reader's terminal: a folder in which nothing but the project is at hand, as `tip`.
+struct Terminal {
+    start: PathBuf,
+    here: PathBuf,
+}
+
+impl Terminal {
+    /// Outside the workspace, of which a crate inside would be a part; always at the same place, so that cargo knows again
+    /// what it has built.
+    fn open() -> Self {
+        let mut hasher = DefaultHasher::new();
+        workspace().hash(&mut hasher);
+        let start = env::temp_dir().join(format!("tip-guides-{:x}", hasher.finish()));
+        let _ = fs::remove_dir_all(&start);
+        fs::create_dir_all(&start).expect("a folder for temporary files");
+        std::os::unix::fs::symlink(workspace(), start.join("tip")).expect("a link");
+        let here = start.clone();
+        Terminal { start, here }
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        fs::write(self.here.join(file), text).expect("its folder exists");
+        if file == "Cargo.toml" {
+            // The versions of the workspace, so that nothing is downloaded.
+            let lock = workspace().join("Cargo.lock");
+            fs::copy(lock, self.here.join("Cargo.lock")).expect("a lock file");
+        }
+    }
+
+    /// Everything that the command prints.
+    fn run(&mut self, command: &str) -> String {
+        if let Some(folder) = command.strip_prefix("cd ") {
+            self.here.push(folder);
+            return String::new();
+        }
+        let tipc = Path::new(env!("CARGO_BIN_EXE_tipc"));
+        let beside = tipc.parent().expect("a folder").to_owned();
+        let path = env::var_os("PATH").unwrap_or_default();
+        let path = [beside].into_iter().chain(env::split_paths(&path));
+        let output = Command::new("sh")
+            .args(["-c", &format!("exec 2>&1; {command}")])
+            .current_dir(&self.here)
+            .env("PATH", env::join_paths(path).expect("a search path"))
+            .env("CARGO_NET_OFFLINE", "true")
+            .env("CARGO_TERM_COLOR", "never")
+            .env(
+                "CARGO_TARGET_DIR",
+                Path::new(env!("CARGO_TARGET_TMPDIR")).join("guides"),
+            )
+            .stdin(Stdio::null())
+            .output()
+            .expect("a shell");
+        String::from_utf8(output.stdout).expect("output is UTF-8")
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.start);
+    }
+}
+
+#[test]
+fn what_the_guides_show_is_what_happens() {
+    let mut terminal = Terminal::open();
+    for guide in GUIDES {
+        terminal.here = terminal.start.clone();
+        let compared = follow(&mut terminal, guide);
+        assert!(compared > 10, "{guide}: {compared} commands");
+    }
+}
+
+/// Does what a guide says; returns how many commands it has run.
+fn follow(terminal: &mut Terminal, guide: &str) -> usize {
+    let mut compared = 0;
+    for block in blocks(&read(guide)) {
+        match (&*block.kind, &block.file) {
+            ("console", None) => {
+                for (command, expected) in commands(&block.text) {
+                    let printed = terminal.run(command);
+                    let lines: Vec<&str> = printed.lines().collect();
+                    assert!(
+                        is_as_expected(&expected, &lines),
+                        "{guide}:\n$ {command}\n{printed}\nexpected:\n{}",
+                        expected.join("\n")
+                    );
+                    compared += 1;
+                }
+            }
+            ("tip" | "toml" | "rust", Some(file)) => terminal.write(file, &block.text),
+            // How to get the project, and drawings.
+            ("sh" | "text", None) => {}
+            _ => panic!("{guide}: neither a file nor a command: {block:#?}"),
+        }
+    }
+    compared
+}
+
+/// A translation shows the same files and commands; drawings may hold words.
+#[test]
+fn the_japanese_pages_have_the_same_blocks() {
+    let shown = |page: &str| {
+        let mut blocks = blocks(&read(page));
+        blocks.retain(|block| block.kind != "text");
+        assert!(blocks.len() > 5, "{page}");
+        blocks
+    };
+    for (page, translation) in [
+        ("README.md", "README.ja.md"),
+        ("docs/tutorial.md", "docs/tutorial.ja.md"),
+    ] {
+        assert_eq!(shown(translation), shown(page));
+    }
+}
+
+#[test]
+fn left_out_lines_are_any_and_others_are_not() {
+    let matches = |expected: &str, printed: &str| {
+        let expected: Vec<_> = expected.lines().collect();
+        is_as_expected(&expected, &printed.lines().collect::<Vec<_>>())
+    };
+    assert!(matches("a\n…\nd 1…", "a\nb\nc\nd 12"));
+    assert!(matches("a\n…", "a"));
+    for printed in ["a\nd 2", "b\nd 1", "a\nd 1\ne", ""] {
+        assert!(!matches("a\n…\nd 1…", printed), "{printed}");
+    }
+}
