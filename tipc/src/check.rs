@@ -4,6 +4,7 @@
 
 mod arguments;
 mod blocks;
+mod causes;
 mod conditions;
 mod entries;
 mod equations;
@@ -22,6 +23,7 @@ mod usage;
 mod uses;
 mod values;
 
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::robot::Robot;
 use crate::source::Source;
@@ -64,8 +66,12 @@ pub(crate) fn check<'m>(source: &Source, module: &'m Module, robot: Robot) -> Ch
         jumps: &jumps,
     };
     let (statements, named) = resolve::statements(&known, &mut found);
-    usage::report(source, &names, &named, &mut found);
+    // What a variable is used for shows only where the blocks are whole.
+    if found.iter().all(|finding| finding.code != Code::Structure) {
+        usage::report(source, &names, &named, &mut found);
+    }
     entries::warn_of_entries(module, &mut found);
+    causes::join(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,
         labels: labels.all,

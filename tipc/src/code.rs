@@ -1,6 +1,7 @@
 //! The table of diagnostic codes: the classical message and level of each.
 
 use crate::language::Edition;
+use crate::message::Lang;
 use tip_runtime::fault::{Kind, UNASSIGNED};
 
 /// How grave a diagnostic is.
@@ -24,7 +25,7 @@ impl Level {
 }
 
 macro_rules! codes {
-    ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr; )*) => {
+    ($( $(#[$doc:meta])* $variant:ident $id:literal $kind:expr, $message:expr $(, $japanese:literal)?; )*) => {
         /// What a diagnostic is about. `{}` in a message stands for the diagnostic's subject.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
@@ -49,6 +50,14 @@ macro_rules! codes {
             /// The classical message (T.I.P. 3.1 §9); of a warning, ours.
             pub const fn template(self) -> &'static str {
                 match self { $( Code::$variant => $message, )* }
+            }
+
+            /// The message in a language; the classical ones are English.
+            pub(crate) const fn template_in(self, lang: Lang) -> &'static str {
+                match (self, lang) {
+                    $( $( (Code::$variant, Lang::Japanese) => $japanese, )? )*
+                    (_, _) => self.template(),
+                }
             }
         }
     };
@@ -92,23 +101,32 @@ codes! {
     /// A scene that cannot be used.
     Scene "E402" Some(Kind::Robot), "Wrong scene";
     /// A variable that nothing uses.
-    Unused "W101" None, "variable \"{}\" is declared but never used";
+    Unused "W101" None, "variable \"{}\" is declared but never used",
+        "変数 \"{}\" は宣言されていますが、使われていません";
     /// A variable that nothing reads.
-    NeverRead "W102" None, "variable \"{}\" is assigned but never read";
+    NeverRead "W102" None, "variable \"{}\" is assigned but never read",
+        "変数 \"{}\" は代入されますが、読まれません";
     /// `//` cuts a MESSAGE text.
-    CommentInMessage "W103" None, "the comment cuts this MESSAGE text";
+    CommentInMessage "W103" None, "the comment cuts this MESSAGE text",
+        "コメントがMESSAGEの文字列を途中で切っています";
     /// A variable named like a flag of motion commands.
-    FlagName "W104" None, "\"{}\" is always the flag, never the variable, in motion commands";
+    FlagName "W104" None, "\"{}\" is always the flag, never the variable, in motion commands",
+        "\"{}\" は移動系コマンドではいつもフラグと読まれ、変数にはなりません";
     /// A jump into a FOR loop.
-    EntersFor "W105" None, "this jump enters a FOR loop from outside";
+    EntersFor "W105" None, "this jump enters a FOR loop from outside",
+        "このジャンプは外からFORループに入ります";
     /// A SUBROUTINE reached from the step above it.
-    RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above";
+    RunsInto "W106" None, "the program can run into SUBROUTINE \"{}\" from above",
+        "上からSUBROUTINE \"{}\" に入ってしまうことがあります";
     /// A constant that its command refuses at runtime.
-    OutOfRange "W107" None, "this constant is out of range and stops the program when it runs";
+    OutOfRange "W107" None, "this constant is out of range and stops the program when it runs",
+        "この定数は範囲外で、実行すると緊急停止します";
     /// A read for which no path assigns a value.
-    Unassigned "W108" None, "variable \"{}\" is read before it is assigned";
+    Unassigned "W108" None, "variable \"{}\" is read before it is assigned",
+        "変数 \"{}\" が代入の前に読まれています";
     /// A read for which some path assigns no value.
-    PerhapsUnassigned "W109" None, "variable \"{}\" may be read before it is assigned";
+    PerhapsUnassigned "W109" None, "variable \"{}\" may be read before it is assigned",
+        "変数 \"{}\" が代入の前に読まれるおそれがあります";
 }
 
 impl Code {

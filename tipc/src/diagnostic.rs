@@ -4,7 +4,7 @@ mod undecodable;
 
 use crate::code::{Code, Level};
 use crate::language::Edition;
-use crate::message::Message;
+use crate::message::{Lang, Message};
 use crate::source::Span;
 
 /// A second place that a diagnostic points at.
@@ -27,7 +27,7 @@ pub struct Diagnostic {
     pub subject: Option<String>,
     /// Where.
     pub span: Span,
-    /// The reason, shown at the place.
+    /// The reason: of an error, its headline; of a warning, what is said at the place.
     pub reason: Message,
     /// Other places that matter.
     pub labels: Vec<Label>,
@@ -84,6 +84,17 @@ impl Diagnostic {
     pub fn message(&self) -> String {
         let subject = self.subject.as_deref().unwrap_or_default();
         self.code.template().replace("{}", subject)
+    }
+
+    /// What people read first: of an error its reason, of a warning its message.
+    pub fn headline(&self, lang: Lang) -> String {
+        match self.level() {
+            Level::Error => self.reason.in_lang(lang).to_string(),
+            Level::Warning => {
+                let subject = self.subject.as_deref().unwrap_or_default();
+                self.code.template_in(lang).replace("{}", subject)
+            }
+        }
     }
 
     /// What is printed of it in one line (T.I.P. 3.1 §9): `TIP_ERR:<message> (<kind>)`; of a warning, its message.

@@ -5,7 +5,7 @@ use crate::code::Level;
 use crate::description::{self, Description};
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};
-use crate::render;
+use crate::render::{self, Style};
 use proc_macro2::TokenStream;
 
 /// Compiles a source to the items that stand for it in a Rust crate.
@@ -38,7 +38,7 @@ fn errors(loaded: &Loaded) -> Vec<String> {
     let diagnostics = loaded.diagnostics.iter();
     diagnostics
         .filter(|diagnostic| diagnostic.level() == Level::Error)
-        .map(|diagnostic| render::human(&loaded.source, diagnostic, false))
+        .map(|diagnostic| render::human(&loaded.source, diagnostic, Style::default()))
         .collect()
 }
 

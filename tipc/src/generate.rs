@@ -38,8 +38,8 @@ use crate::code::{Code, Level};
 use crate::description::{self, Description};
 use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
-use crate::message::{Building, Reading};
-use crate::render;
+use crate::message::{Building, Lang, Reading};
+use crate::render::{self, Style};
 use crate::source::{Encoding, Source, Span};
 use crate::{emit, program::Program};
 use proc_macro2::TokenStream;
@@ -311,11 +311,12 @@ impl Report {
         let level = match diagnostic.level() {
             Level::Warning => "warning",
             Level::Error => {
-                self.errors.push(render::human(source, diagnostic, false));
+                self.errors
+                    .push(render::human(source, diagnostic, Style::default()));
                 "error"
             }
         };
-        let line = emit::in_comment(&render::short(source, diagnostic));
+        let line = emit::in_comment(&render::short(source, diagnostic, Lang::English));
         self.lines.push(format!("{level}={line}"));
     }
 }

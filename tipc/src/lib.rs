@@ -13,6 +13,7 @@ pub mod embed;
 pub mod emit;
 #[cfg(test)]
 pub(crate) mod fixture;
+mod foreign;
 #[cfg(feature = "build")]
 pub mod generate;
 pub mod language;

@@ -35,6 +35,6 @@ pub fn label(program: &Program) -> String {
 pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
     let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
     warnings
-        .map(|warning| render::short(source, warning) + "\n")
+        .map(|warning| render::classical(source, warning) + "\n")
         .collect()
 }

@@ -5,10 +5,11 @@ use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::lower::lower;
+use crate::message::{Habit, Message, Parsing};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::source::{Encoding, Source};
+use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 use crate::warn::warnings;
@@ -67,9 +68,12 @@ impl Loaded {
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     if let Some(fault) = undecodable {
-        return Loaded::refused(source, vec![fault.into()]);
+        let mut faults = vec![fault.into()];
+        name_encoding(&mut faults, bytes);
+        return Loaded::refused(source, faults);
     }
     let (module, mut diagnostics) = parse(&source, options.tip_version);
+    name_encoding(&mut diagnostics, bytes);
     let wrong_version = module.statements.is_empty()
         && diagnostics
             .iter()
@@ -105,6 +109,22 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         symbols,
         program,
         diagnostics,
+    }
+}
+
+/// Names the encoding of a file that the language does not know, where something in it cannot be read.
+fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
+    let mut unreadable = diagnostics.iter_mut().filter(|one| {
+        matches!(
+            one.reason,
+            Message::Reading(_)
+                | Message::Parsing(Parsing::ForeignCharacters | Parsing::ControlCharacter)
+        )
+    });
+    if let Some(first) = unreadable.next()
+        && let Some(encoding) = looks_like(bytes)
+    {
+        first.help = Some(Habit::OtherEncoding { encoding }.into());
     }
 }
 

@@ -1,7 +1,7 @@
 //! What findings say, as data: a reason, a help or a label is a row of a table and the arguments of its text.
 //!
 //! Each room that finds something has a table, and [`phrase`] one for each part of a sentence that
-//! varies. Nothing else spells a sentence, so that a text is changed in one place, and another language is a column.
+//! varies. Nothing else spells a sentence, so that a text is changed in one place. Each language is a column.
 
 #[macro_use]
 mod table;
@@ -12,6 +12,7 @@ mod calculating;
 mod commanding;
 #[cfg(feature = "robot-files")]
 mod describing;
+mod habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 mod importing;
 pub mod list;
@@ -21,6 +22,7 @@ mod naming;
 mod parsing;
 pub mod phrase;
 mod reading;
+pub(crate) mod say;
 mod structuring;
 mod suggesting;
 mod warning;
@@ -31,6 +33,7 @@ pub use calculating::Calculating;
 pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
+pub use habit::Habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
 #[cfg(feature = "tools")]
@@ -38,9 +41,12 @@ pub use migrating::Migrating;
 pub use naming::Naming;
 pub use parsing::Parsing;
 pub use reading::Reading;
+pub use say::{Decimal, Lang, Letter};
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
 pub use warning::Warning;
+
+use std::fmt::{self, Display, Formatter};
 
 tables! {
     Reading,
@@ -50,6 +56,7 @@ tables! {
     Naming,
     Structuring,
     Suggesting,
+    Habit,
     Warning,
     #[cfg(feature = "robot-files")]
     Describing,
@@ -59,6 +66,19 @@ tables! {
     Migrating,
     #[cfg(feature = "build")]
     Building,
+}
+
+impl Message {
+    /// Its text in a language.
+    pub fn in_lang(&self, lang: Lang) -> impl Display {
+        say::Said(self, lang)
+    }
+}
+
+impl Display for Message {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.in_lang(Lang::English).fmt(f)
+    }
 }
 
 #[cfg(test)]

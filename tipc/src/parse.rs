@@ -4,6 +4,7 @@ mod command;
 mod condition;
 mod control;
 mod equation;
+mod foreign;
 pub(crate) mod header;
 mod jump;
 mod line;
@@ -39,10 +40,12 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         line: source.line(1),
         step: 0,
         tokens: Vec::new(),
+        in_comment: false,
         module: Module {
             edition: Edition::of(tip_version),
             title: header::title(source),
             statements: Vec::new(),
+            after_end: None,
         },
         diagnostics: Vec::new(),
     };
@@ -55,6 +58,8 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
 enum Flow {
     /// The program goes on.
     Continue,
+    /// The rest of the line does not count.
+    NextLine,
     /// END: the rest of the file does not count.
     End,
 }
@@ -67,6 +72,8 @@ struct Parser<'a> {
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
+    /// A comment of another language has begun and not yet ended.
+    in_comment: bool,
     module: Module,
     diagnostics: Vec<Diagnostic>,
 }
@@ -76,11 +83,18 @@ impl Parser<'_> {
         for line in self.source.lines() {
             self.line = line;
             self.check_length();
-            if line.number > 2 && self.statements_of_line() == Flow::End {
+            if line.number > 2 && !self.is_in_comment() && self.statements_of_line() == Flow::End {
                 return;
             }
         }
         self.report_missing_end();
+    }
+
+    /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.
+    fn is_in_comment(&mut self) -> bool {
+        let is_in_comment = self.in_comment;
+        self.in_comment &= !self.source.slice(self.line.span).contains("*/");
+        is_in_comment
     }
 
     fn check_length(&mut self) {

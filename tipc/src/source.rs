@@ -17,6 +17,7 @@
 //! ```
 
 mod decode;
+mod guess;
 mod lines;
 mod original;
 mod position;
@@ -24,6 +25,7 @@ mod span;
 mod width;
 
 pub use decode::{Charset, Encoding, Undecodable};
+pub(crate) use guess::looks_like;
 pub use lines::{Line, Lines};
 pub use position::{Position, Unit};
 pub use span::Span;
@@ -126,6 +128,11 @@ impl Source {
     pub fn original(&self, span: Span) -> &[u8] {
         let at = |offset| self.units_before(next_boundary(&self.text, offset), Unit::Byte);
         self.original.get(&self.text, at(span.start), at(span.end))
+    }
+
+    /// The byte of the file at which a byte of the text is spelled.
+    pub fn file_offset(&self, offset: usize) -> usize {
+        self.mark.len() + self.units_before(offset, Unit::Byte)
     }
 
     /// The DOS end of file that follows the text in the file, if one does.

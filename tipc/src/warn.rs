@@ -82,7 +82,7 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
     let subject = if is_whole { &variable.name } else { &names[0] };
     let (code, lack) = match gap.assigned {
         Assigned::Never => (Code::Unassigned, Lack::Value),
-        _ => (Code::PerhapsUnassigned, Lack::ValueOnSomeWays),
+        _ => (Code::PerhapsUnassigned, Lack::ValueOnSomePaths),
     };
     let reason = match names.as_slice() {
         [_] => Warning::Has {
@@ -106,8 +106,8 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
             member: names[0].clone(),
         },
     };
-    let help = match way(program, &gap.way) {
-        Some(way) => Warning::NoValueOnWay { way, assign },
+    let help = match path(program, &gap.way) {
+        Some(path) => Warning::NoValueOnPath { path, assign },
         None => Warning::Assign { assign },
     };
     Diagnostic::new(code, place, reason)
@@ -116,7 +116,7 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
 }
 
 /// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
-fn way(program: &Program, steps: &[StepId]) -> Option<Stretch> {
+fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
     let line = |step: StepId| program.steps()[step as usize].line;
     let pieces: Vec<(u32, u32)> = steps
         .chunk_by(|a, b| a + 1 == *b)

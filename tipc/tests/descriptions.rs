@@ -64,13 +64,13 @@ fn a_robot_without_forces_has_no_commands_of_them() {
     assert_eq!(
         check("TORQUE J11 1"),
         [
-            "3: hexapod lacks this command (TORQUE needs a robot that senses and gives torque: its description has no `[forces]`)"
+            "3: hexapod has no TORQUE (TORQUE needs a robot that senses and gives torque: its description has no `[forces]`)"
         ]
     );
     assert_eq!(check("SILENT_ON"), [""; 0]);
     assert_eq!(
         check("STAND_UP 10"),
-        ["3: hexapod lacks this command (STAND_UP is a command of titan8)"]
+        ["3: hexapod has no STAND_UP (STAND_UP is a command of titan8)"]
     );
 }
 

@@ -186,16 +186,19 @@ fn missing_and_wrong_operands_are_named() {
     let reason = |statements| only(&check(statements, Robot::Titan8)).reason.to_string();
     assert_eq!(
         reason("PTP F1 1 2"),
-        "PTP wants 3 numbers or a POS; 2 stand here"
+        "PTP wants 3 numbers or a POS; there are 2 here"
     );
-    assert_eq!(reason("SLEEP"), "SLEEP wants one number; none stands here");
+    assert_eq!(
+        reason("SLEEP"),
+        "SLEEP wants one number; there is none here"
+    );
     assert_eq!(
         reason("PTP_ANGLE J11"),
-        "PTP_ANGLE wants one number; none stands here"
+        "PTP_ANGLE wants one number; there is none here"
     );
     assert_eq!(
         reason("PTP_ANGLE F1 1"),
-        "PTP_ANGLE wants 3 numbers or a JOINT; one stands here"
+        "PTP_ANGLE wants 3 numbers or a JOINT; there is one here"
     );
     assert_eq!(reason("SET_A_MAX"), "SET_A_MAX wants a target, as F1, ALL");
     assert_eq!(
@@ -203,7 +206,7 @@ fn missing_and_wrong_operands_are_named() {
         "a constant belongs here"
     );
     assert_eq!(reason("SET_A_MAX 5"), "a target belongs here, as F1, ALL");
-    let refused = "PTP takes no J13; its targets are such as F1";
+    let refused = "PTP is for feet; for a joint write PTP_ANGLE";
     assert_eq!(reason("PTP J13 1 2 3"), refused);
     let wrong = "DEF_JOINT Q\nTEACH_ANGLE F1 Q\nPTP F1 Q";
     assert_eq!(
@@ -300,12 +303,9 @@ fn a_name_without_a_value_is_told_why() {
     let titan = |statements| help(statements, Robot::Titan8);
     assert_eq!(
         titan("SLEEP KB_HIT"),
-        "`KB_HIT` is a word of the language and stands for no number"
+        "`KB_HIT` is a word of the language and does not stand for a number"
     );
-    assert_eq!(
-        titan("SLEEP TIME"),
-        "declare it: `DEF_VAR TIME`, `DEF_POS TIME` or `DEF_JOINT TIME`"
-    );
+    assert_eq!(titan("SLEEP TIME"), "declare it: `DEF_VAR TIME`");
 }
 
 // clauses: 5.1

@@ -8,6 +8,7 @@ use std::fmt::{Display, Write as _};
 use std::fs;
 use std::path::Path;
 use tipc::description::{self, Description};
+use tipc::message::Lang;
 use tipc::render;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
@@ -101,7 +102,7 @@ impl Settings {
         let description = description::parse(&name, &bytes).map_err(|loaded| {
             let told = loaded.diagnostics.iter();
             let told: Vec<String> = told
-                .map(|fault| render::short(&loaded.source, fault))
+                .map(|fault| render::short(&loaded.source, fault, Lang::English))
                 .collect();
             told.join("\n")
         })?;

@@ -10,7 +10,8 @@ use crate::stops::{self, Stop};
 use std::fs;
 use tip_runtime::program::Program;
 use tip_sim::{Engine, Interpreter};
-use tipc::code::Level;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::Diagnostic;
 use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.
@@ -78,10 +79,11 @@ pub fn checked(case: &str) {
     for settings in &expectation.settings {
         let loaded = expectation.load(case, settings);
         let prefix = format!("{}:", loaded.source.name());
-        let told: Vec<String> = loaded
-            .diagnostics
+        let mut places: Vec<Diagnostic> = loaded.diagnostics.iter().flat_map(each_use).collect();
+        places.sort_by_key(|place| (place.span, place.code));
+        let told: Vec<String> = places
             .iter()
-            .map(|diagnostic| render::short(&loaded.source, diagnostic))
+            .map(|diagnostic| render::classical(&loaded.source, diagnostic))
             .map(|line| line.strip_prefix(&prefix).unwrap_or(&line).to_owned())
             .collect();
         let expected = match expectation.body().as_slice() {
@@ -90,6 +92,21 @@ pub fn checked(case: &str) {
         };
         assert_eq!(told, expected, "{}", settings.load.robot.name());
     }
+}
+
+/// A finding; of a name that is not declared, one at each place that uses it.
+fn each_use(finding: &Diagnostic) -> Vec<Diagnostic> {
+    let uses = finding
+        .labels
+        .iter()
+        .filter(|_| finding.code == Code::UnknownVariable);
+    let mut places = vec![finding.clone()];
+    places.extend(uses.map(|label| {
+        let mut place = finding.clone();
+        place.span = label.span;
+        place
+    }));
+    places
 }
 
 fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Engine {
@@ -185,7 +202,7 @@ impl Expectation {
             .diagnostics
             .iter()
             .filter(|diagnostic| diagnostic.level() == Level::Error)
-            .map(|diagnostic| render::short(&loaded.source, diagnostic))
+            .map(|diagnostic| render::classical(&loaded.source, diagnostic))
             .collect();
         let told = told.join("\n");
         loaded

@@ -3,6 +3,7 @@
 use crate::Specimen;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use std::fmt::Write as _;
+use tipc::message::Lang;
 use tipc::render;
 use tipc::{Options, emit};
 
@@ -56,7 +57,7 @@ fn items(specimen: &Specimen) -> Result<String, String> {
         let told = loaded
             .diagnostics
             .iter()
-            .map(|one| render::short(&loaded.source, one));
+            .map(|one| render::short(&loaded.source, one, Lang::English));
         return Err(format!("{}\n{source}", told.collect::<Vec<_>>().join("\n")));
     };
     let spelling = emit::Options {

@@ -2,7 +2,8 @@
 
 use crate::lossless::given_back;
 use tipc::code::Level;
-use tipc::render;
+use tipc::message::Lang;
+use tipc::render::{self, Style};
 use tipc::{Options, Robot, listing, load};
 
 /// Loads the bytes for each robot.
@@ -27,9 +28,12 @@ pub fn examine(bytes: &[u8]) {
             for span in [diagnostic.span].into_iter().chain(labels) {
                 assert!(text.get(span.start..span.end).is_some(), "{span:?}: {seen}");
             }
-            assert!(!render::short(&loaded.source, diagnostic).is_empty());
-            assert!(!render::json(&loaded.source, diagnostic).is_empty());
-            assert!(!render::human(&loaded.source, diagnostic, false).is_empty());
+            for lang in Lang::ALL {
+                let style = Style::default().lang(*lang);
+                assert!(!render::short(&loaded.source, diagnostic, *lang).is_empty());
+                assert!(!render::json(&loaded.source, diagnostic, *lang).is_empty());
+                assert!(!render::human(&loaded.source, diagnostic, style).is_empty());
+            }
         }
         let wrong = loaded
             .diagnostics

@@ -1,6 +1,7 @@
 //! Older programs: every byte given back, a result or questions, and a result that needs no second migration.
 
 use crate::lossless::given_back;
+use tipc::message::Lang;
 use tipc::migrate::{migrate, render_human, render_json, render_short};
 use tipc::source::{Encoding, Source};
 
@@ -21,9 +22,11 @@ pub fn examine(bytes: &[u8]) {
         }
         let asks = migration.questions().next().is_some();
         assert_eq!(migration.bytes().is_none(), asks, "{seen}");
-        render_human(&migration);
-        render_json(&migration);
-        render_short(&migration);
+        for lang in Lang::ALL {
+            render_human(&migration, *lang);
+            render_json(&migration, *lang);
+            render_short(&migration, *lang);
+        }
         if let Some(new) = migration.bytes() {
             let again = migrate("new.prg", new, encoding).expect("text stays text");
             assert_eq!(again.notes(), [], "{seen}");

@@ -6,10 +6,11 @@ use super::suggest::nearest;
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
 use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, Message, Suggesting};
+use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{Operand, Word};
@@ -76,7 +77,10 @@ impl Resolver<'_> {
         };
         if !command.robots.contains(self.robot) {
             let robot = self.robot.name();
-            let reason = Commanding::RobotLacks { robot };
+            let reason = Commanding::RobotLacks {
+                robot,
+                command: command.name,
+            };
             let help = self.who_has(command);
             self.report(
                 Diagnostic::new(Code::UnknownCommand, name.span, reason)
@@ -107,10 +111,13 @@ impl Resolver<'_> {
         let (reason, help) = match self.names.find(word) {
             Some(_) => {
                 let name = name.node.clone();
-                let help = Commanding::OperatorBehindVariable { name };
-                (Commanding::VariableNotCommand, help.into())
+                let help = Commanding::OperatorBehindVariable { name: name.clone() };
+                (Commanding::VariableNotCommand { name }, help.into())
             }
-            None => (Commanding::NoCommand, meant_by(word)),
+            None => {
+                let command = name.node.clone();
+                (Commanding::NoCommand { word: command }, meant_by(word))
+            }
         };
         let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         self.report(fault.about(word).help(help));
@@ -152,10 +159,26 @@ impl Resolver<'_> {
     }
 }
 
+/// The command that a word begins with, if something else follows it without a blank: `PTP(F1`, `MESSAGE"…"`.
+fn glued(word: &str) -> Option<&'static str> {
+    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))?;
+    commands::find(&word[..end]).map(|command| command.name)
+}
+
 /// What an unknown word may have been meant to be.
 fn meant_by(word: &str) -> Message {
     if let Some(command) = commands::renamed(word) {
         return Commanding::CalledNow { command }.into();
+    }
+    if let Some(row) = foreign::statement(word) {
+        return row.habit.clone().into();
+    }
+    if let Ok(target) = word.parse::<Target>() {
+        let target = target.to_string().into();
+        return Habit::TargetFirst { target }.into();
+    }
+    if let Some(command) = glued(word) {
+        return Habit::Glued { command }.into();
     }
     match nearest(word, COMMANDS.iter().map(|command| command.name)) {
         Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),

@@ -11,7 +11,7 @@ use crate::message::{Calculating, Parsing};
 use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
-use crate::syntax::{Equation, Expression, Operand, VariableKind, Word};
+use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
 
 /// The right side of an equation with its type.
 enum Value {
@@ -21,7 +21,8 @@ enum Value {
 
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
-        let target = self.meant(&equation.target, Code::Equation);
+        let guess = has_numbers(&equation.value).then_some(VariableKind::Var);
+        let target = self.meant_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
             let access = match equation.update {
                 Some(_) => Access::Update,
@@ -260,6 +261,21 @@ pub(super) fn type_of(kind: Option<VariableKind>) -> Type {
         Some(VariableKind::Pos) => Type::Pos,
         Some(VariableKind::Joint) => Type::Joint,
         Some(VariableKind::Var) | None => Type::Number,
+    }
+}
+
+/// Whether a number stands on the right side, so that all of the equation is numbers.
+fn has_numbers(expression: &Expression) -> bool {
+    let is_number = |operand: &Operand| {
+        matches!(
+            operand.kind,
+            OperandKind::Number(_) | OperandKind::Member(_)
+        )
+    };
+    match expression {
+        Expression::Operand(operand) => is_number(operand),
+        Expression::Binary { left, right, .. } => is_number(left) || is_number(right),
+        Expression::Function { operands, .. } => operands.len() == 1 && is_number(&operands[0]),
     }
 }
 

@@ -41,7 +41,7 @@ impl Resolver<'_> {
             VariableKind::Joint => Commanding::JointVariable,
             VariableKind::Var => Commanding::VarOrJointMember,
         };
-        let meant = self.meant(into, Code::Argument)?;
+        let meant = self.meant_as(into, Code::Argument, Some(kind))?;
         match meant {
             Meant::Struct {
                 variable,
@@ -124,7 +124,10 @@ impl Resolver<'_> {
         let port = found.map(|(port, _)| port);
         if port.is_none() {
             let robot = self.robot.name();
-            let reason = Commanding::NoInput { robot };
+            let reason = Commanding::NoInput {
+                robot,
+                name: id.into(),
+            };
             let inventory = inventory(self.robot);
             let soles = || format!("{}…{}", Port::Paw(1), Port::Paw(4));
             let others = match family {
@@ -164,7 +167,7 @@ impl Resolver<'_> {
 
     /// A VAR without sign, which a command fills.
     fn receiver(&mut self, operand: &Operand) -> Option<Scalar> {
-        let meant = self.meant(operand, Code::Argument)?;
+        let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
             Meant::Scalar {
                 scalar,

@@ -59,7 +59,8 @@ impl Jumps<'_> {
                 Some(near) => Structuring::DidYouMean { near: near.into() },
                 None => Structuring::DeclareLabel { name: name.into() },
             };
-            let fault = Diagnostic::new(Code::UnknownLabel, place, Structuring::NoSuchLabel);
+            let reason = Structuring::NoSuchLabel { name: name.into() };
+            let fault = Diagnostic::new(Code::UnknownLabel, place, reason);
             self.found.push(fault.about(name).help(help));
             return None;
         };

@@ -3,9 +3,10 @@
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::Edition;
+use crate::foreign;
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
-use crate::message::{Message, Naming, Suggesting};
+use crate::language::{Edition, Keyword};
+use crate::message::{Habit, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -135,13 +136,15 @@ impl Names {
         self.ids.get(name).copied()
     }
 
-    /// What an operand stands for. `shape` is the code of a member that the variable lacks.
+    /// What an operand stands for. `shape` is the code of a member that the variable lacks, `guess` the type that an
+    /// unknown variable is used as.
     ///
     /// `None` if the name's declaration was refused, which is reported already.
     pub(crate) fn operand(
         &self,
         operand: &Operand,
         shape: Code,
+        guess: Option<VariableKind>,
     ) -> Result<Option<Meant>, Box<Diagnostic>> {
         let (name, member) = match &operand.kind {
             OperandKind::Number(value) => return Ok(Some(Meant::Constant(*value))),
@@ -158,7 +161,8 @@ impl Names {
             if self.refused.contains(name.as_str()) {
                 return Ok(None);
             }
-            return Err(Box::new(self.unknown(name, operand.span)));
+            let guess = member.map_or(guess, type_with);
+            return Err(Box::new(self.unknown(name, operand.span, guess)));
         };
         let Some(member) = member else {
             return Ok(Some(self.whole(variable, operand.negative)));
@@ -228,19 +232,49 @@ impl Names {
         Diagnostic::new(shape, span, reason).help(help)
     }
 
-    fn unknown(&self, name: &str, span: Span) -> Diagnostic {
+    fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
         let help: Message = match nearest(name, known) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => {
                 Naming::NoNumber { word: name.into() }.into()
             }
-            None => Naming::Declare { name: name.into() }.into(),
+            None => match foreign::constant(name) {
+                Some(value) => Habit::Number {
+                    word: name.into(),
+                    value,
+                }
+                .into(),
+                None => declare(name, guess).into(),
+            },
         };
-        Diagnostic::new(Code::UnknownVariable, span, Naming::NotDeclared)
+        let reason = Naming::NotDeclared { name: name.into() };
+        Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
             .help(help)
     }
+}
+
+/// The type that has a member of this name.
+fn type_with(member: &str) -> Option<VariableKind> {
+    let is_joint = |rest: &str| rest.parse::<u8>().is_ok();
+    if POSITION.contains(&member) {
+        return Some(VariableKind::Pos);
+    }
+    let joint = member.strip_prefix(JOINT).filter(|rest| is_joint(rest));
+    joint.map(|_| VariableKind::Joint)
+}
+
+/// How a variable is declared, of one type if that is known.
+fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
+    let keyword = match kind {
+        Some(VariableKind::Var) => Keyword::DefVar,
+        Some(VariableKind::Pos) => Keyword::DefPos,
+        Some(VariableKind::Joint) => Keyword::DefJoint,
+        None => return Naming::Declare { name: name.into() },
+    };
+    let declaration = format!("{keyword} {name}").into();
+    Naming::DeclareAs { declaration }
 }
 
 fn is_variable_name(name: &str) -> bool {

@@ -12,7 +12,9 @@ use crate::program::{self, Scalar};
 use crate::robot::Robot;
 use crate::source::{Source, Span};
 use crate::symbols::Access;
-use crate::syntax::{self, Condition, Jump, Module, Operand, Statement, StatementKind, Then};
+use crate::syntax::{
+    self, Condition, Jump, Module, Operand, Statement, StatementKind, Then, VariableKind,
+};
 use std::collections::HashMap;
 
 /// What the passes before know.
@@ -238,7 +240,7 @@ impl Resolver<'_> {
     }
 
     fn loop_variable(&mut self, operand: &Operand, access: Access) -> Option<Scalar> {
-        let meant = self.meant(operand, Code::Argument)?;
+        let meant = self.meant_as(operand, Code::Argument, Some(VariableKind::Var))?;
         match meant {
             Meant::Scalar {
                 scalar,
@@ -259,7 +261,17 @@ impl Resolver<'_> {
 
     /// What an operand stands for.
     pub(super) fn meant(&mut self, operand: &Operand, shape: Code) -> Option<Meant> {
-        match self.names.operand(operand, shape) {
+        self.meant_as(operand, shape, None)
+    }
+
+    /// What an operand stands for, which is used as a variable of this type.
+    pub(super) fn meant_as(
+        &mut self,
+        operand: &Operand,
+        shape: Code,
+        guess: Option<VariableKind>,
+    ) -> Option<Meant> {
+        match self.names.operand(operand, shape, guess) {
             Ok(meant) => meant,
             Err(fault) => {
                 self.report(*fault);
@@ -270,7 +282,7 @@ impl Resolver<'_> {
 
     /// A number that the statement reads. `shape` is the code of a struct in its place.
     pub(super) fn number(&mut self, operand: &Operand, shape: Code) -> Option<program::Operand> {
-        let meant = self.meant(operand, shape)?;
+        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         if let Some(number) = meant.number() {
             return Some(number);
@@ -279,6 +291,18 @@ impl Resolver<'_> {
         let fault = Diagnostic::new(shape, operand.span, reason);
         self.report(fault.help(Commanding::NameMember));
         None
+    }
+
+    /// The text at a place.
+    pub(super) fn slice(&self, span: Span) -> &str {
+        self.known.source.slice(span)
+    }
+
+    /// What stands before a place on its line.
+    pub(super) fn source_before(&self, span: Span) -> Option<&str> {
+        let (line, _) = self.known.source.line_column(span.start);
+        let start = self.known.source.line(line).span.start;
+        self.known.source.text().get(start..span.start)
     }
 
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {

@@ -4,7 +4,7 @@ use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
-use crate::message::{Parsing, Structuring};
+use crate::message::{Habit, Parsing, Structuring};
 use crate::source::Span;
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 
@@ -43,11 +43,11 @@ struct Open {
     nested: Vec<usize>,
 }
 
-/// A closer still to come of a construct that another one has cut off: it is not a second mistake.
+/// A closer that may still come of a construct that is reported already: it is not a second mistake.
 struct Owed {
     kind: BlockKind,
-    /// The diagnostic of the construct.
-    fault: usize,
+    /// The diagnostic of the construct, if it was cut off.
+    fault: Option<usize>,
 }
 
 struct Matcher<'a> {
@@ -63,6 +63,7 @@ impl Matcher<'_> {
         match self.module.statements[index].kind.shape() {
             Shape::Plain => self.result.around[index] = self.current(),
             Shape::If => self.open(BlockKind::If, index),
+            Shape::OneLineIf => self.one_line_if(index),
             Shape::ElseIf => self.branch(index, Keyword::ElseIf),
             Shape::Else => self.branch(index, Keyword::Else),
             Shape::EndIf => self.close(index, BlockKind::If, Keyword::EndIf),
@@ -75,6 +76,15 @@ impl Matcher<'_> {
             Shape::Subroutine => self.open(BlockKind::Subroutine, index),
             Shape::SubEnd => self.close(index, BlockKind::Subroutine, Keyword::SubEnd),
         }
+    }
+
+    /// Its statement should be a block; so its ENDIF may be there.
+    fn one_line_if(&mut self, index: usize) {
+        self.result.around[index] = self.current();
+        self.owed.push(Owed {
+            kind: BlockKind::If,
+            fault: None,
+        });
     }
 
     fn current(&self) -> Option<usize> {
@@ -213,7 +223,9 @@ impl Matcher<'_> {
                 span: self.place(index),
                 text: Structuring::StandsHere { word: name }.into(),
             };
-            self.found[owed.fault].labels.push(label);
+            if let Some(fault) = owed.fault {
+                self.found[fault].labels.push(label);
+            }
         }
         true
     }
@@ -245,13 +257,39 @@ impl Matcher<'_> {
         if met.is_some() {
             self.owed.push(Owed {
                 kind: open.kind,
-                fault: self.found.len(),
+                fault: Some(self.found.len()),
             });
         }
         self.found.push(fault);
     }
 
+    /// `END IF` ends the program, and whatever is open with it.
+    fn ended_in_two_words(&mut self) -> Option<()> {
+        let second = self.module.after_end.as_ref()?;
+        let innermost = self.open.last()?;
+        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
+        if second.node != opener.word() {
+            return None;
+        }
+        let end = self.module.statements.last()?.span;
+        let reason = Habit::EndInTwo {
+            word: opener.into(),
+        };
+        let help = Habit::InOneWord {
+            word: closer.into(),
+        };
+        let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
+            .label(self.place(innermost.first), Structuring::Open { opener })
+            .help(help);
+        self.found.push(fault);
+        for open in self.open.drain(..) {
+            self.result.blocks[open.block].broken = true;
+        }
+        Some(())
+    }
+
     fn close_rest(&mut self) {
+        self.ended_in_two_words();
         while !self.open.is_empty() {
             self.leave_open(None);
         }

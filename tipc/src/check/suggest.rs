@@ -8,8 +8,11 @@ pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    // A word of which every letter may differ is near to nothing.
-    let allowed = (1 + word.len() / 5).min(word.len().saturating_sub(1));
+    // Of one or two letters nearly every other name is near.
+    if word.len() < 3 {
+        return None;
+    }
+    let allowed = 1 + word.len() / 5;
     candidates
         .into_iter()
         .take(CANDIDATES)
@@ -61,7 +64,8 @@ mod tests {
         assert_eq!(nearest("PPT", known), Some("PTP"));
         assert_eq!(nearest("GRASP", known), None);
         assert_eq!(nearest("B", ["A", "C"]), None);
-        assert_eq!(nearest("N2", ["N1"]), Some("N1"));
+        assert_eq!(nearest("N2", ["N1"]), None);
+        assert_eq!(nearest("N12", ["N11"]), Some("N11"));
     }
 
     #[test]

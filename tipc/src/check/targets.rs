@@ -4,11 +4,12 @@ use super::resolve::Resolver;
 use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
 use crate::language::commands::{Joints, Targets};
-use crate::language::flags;
+use crate::language::{commands, flags};
 use crate::message::list::List;
 use crate::message::phrase::Inventory;
-use crate::message::{Commanding, Message, Suggesting};
+use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::syntax::{Operand, OperandKind, Word};
@@ -46,6 +47,15 @@ impl Resolver<'_> {
             let robot = self.robot.name();
             let reason = Commanding::RobotHasNo { robot, target };
             return self.refuse_target(first.span, reason);
+        }
+        if let (Target::Joint(..), Some(other)) = (target, commands::of_joints(&command.node)) {
+            let reason = Commanding::MovesFeet {
+                command: command.node.clone(),
+                other,
+            };
+            if !takes(targets, target, self.robot) {
+                return self.refuse(Code::Argument, first.span, reason);
+            }
         }
         if !takes(targets, target, self.robot) {
             let reason = Commanding::OtherTargets {
@@ -94,12 +104,21 @@ impl Resolver<'_> {
                 let reason = Commanding::VariableNoCondition { name: name.clone() };
                 (reason, help.into())
             }
-            None => (Commanding::NoEventFlag { robot }, self.flag_help(word)),
+            None => {
+                let name = name.node.clone();
+                (
+                    Commanding::NoEventFlag { robot, name },
+                    self.flag_help(word),
+                )
+            }
         };
         self.report(Diagnostic::new(Code::Argument, name.span, reason).help(help));
     }
 
     fn flag_help(&self, word: &str) -> Message {
+        if foreign::constant(word).is_some() {
+            return Habit::Forever.into();
+        }
         match nearest(word, flags::words()).filter(|near| *near != word) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None => flags_of(self.robot).into(),

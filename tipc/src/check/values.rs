@@ -8,8 +8,8 @@ use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::commands::{Arguments, Values};
-use crate::message::Commanding;
 use crate::message::phrase::Numbers;
+use crate::message::{Commanding, Habit};
 use crate::program::{self, Argument, Mark};
 use crate::source::Span;
 use crate::symbols::Access;
@@ -68,6 +68,10 @@ impl Resolver<'_> {
             .and_then(word)
             .filter(|name| !is_flag(form, name));
         let id = whole.and_then(|name| self.names.find(name));
+        if let (None, Some(_), [operand]) = (id, whole, &operands[flagged..]) {
+            // The only operand can only be meant as a struct.
+            self.meant_as(operand, Code::Argument, Some(kind))?;
+        }
         let id = match id.map(|id| (id, self.names.variables[id].kind)) {
             None | Some((_, VariableKind::Var)) => {
                 let each = self.scalars(name, form, operands, count);
@@ -176,7 +180,7 @@ impl Resolver<'_> {
         operand: &Operand,
         shape: Code,
     ) -> Option<program::Operand> {
-        let meant = self.meant(operand, shape)?;
+        let meant = self.meant_as(operand, shape, Some(VariableKind::Var))?;
         self.uses.operand(operand, meant, Access::Read);
         match meant {
             Meant::Constant(_) | Meant::Scalar { member: false, .. } => meant.number(),
@@ -194,6 +198,14 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
+                if let Some(habit) = self.comma_in_number(operand) {
+                    let reason = Commanding::TooMany {
+                        command: name.node.clone(),
+                    };
+                    let fault = Diagnostic::new(Code::Argument, operand.span, reason);
+                    self.report(fault.help(habit));
+                    return None;
+                }
                 let reason = match name.node.as_str() {
                     // Version 2 had one.
                     name if name == Op::WaitNear.name() => Commanding::ToleranceElsewhere,
@@ -204,6 +216,19 @@ impl Resolver<'_> {
                 self.refuse(Code::Argument, operand.span, reason)
             }
         }
+    }
+
+    /// `1,000` or `4,5`: digits right after a comma that digits precede.
+    fn comma_in_number(&self, operand: &Operand) -> Option<Habit> {
+        let text = self.source_before(operand.span)?.strip_suffix(',')?;
+        let digits = |c: char| c.is_ascii_digit();
+        let before = &text[text.trim_end_matches(digits).len()..];
+        let after = self.slice(operand.span);
+        let is_number = !before.is_empty() && after.chars().all(digits);
+        is_number.then(|| Habit::Comma {
+            whole: format!("{before}{after}").into(),
+            point: format!("{before}.{after}").into(),
+        })
     }
 
     /// `R` or `A` as the first of these operands.

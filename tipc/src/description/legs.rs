@@ -3,7 +3,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
-use crate::message::Describing;
+use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
 use tip_runtime::model::{Joint, Range};
@@ -182,7 +182,9 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
         match sign {
             Some(sign) if *sign > 0.0 => *sign = -1.0,
             _ => {
-                let reason = Describing::NoCoordinate { letter };
+                let reason = Describing::NoCoordinate {
+                    letter: Letter(letter),
+                };
                 return section.refuse("mirror", place, reason, found);
             }
         }

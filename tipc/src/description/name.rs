@@ -1,7 +1,7 @@
 //! What the robot is called.
 
 use super::section::{Found, Section};
-use crate::message::Describing;
+use crate::message::{Describing, Letter};
 use crate::robot::Robot;
 
 /// The longest name, in characters.
@@ -18,7 +18,9 @@ pub(super) fn read<'a>(robot: Section<'a>, found: &mut Found) -> Option<&'a str>
     } else if name.chars().count() > LONGEST {
         Describing::NameTooLong { most: LONGEST }
     } else if let Some(character) = name.chars().find(|c| !allowed(*c)) {
-        Describing::NotInName { character }
+        Describing::NotInName {
+            character: Letter(character),
+        }
     } else if Robot::from_name(name).is_some() {
         Describing::KnownRobot
     } else {

@@ -106,7 +106,7 @@ mod tests {
     fn told(text: &str) -> Vec<String> {
         let loaded = parse_scene("s.toml", text.as_bytes()).expect_err("it is wrong");
         let lines = loaded.diagnostics.iter();
-        let lines = lines.map(|one| render::short(&loaded.source, one));
+        let lines = lines.map(|one| render::classical(&loaded.source, one));
         lines.map(|line| line.trim_end().to_owned()).collect()
     }
 

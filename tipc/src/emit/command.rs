@@ -64,3 +64,31 @@ fn text(part: &MessagePart) -> Option<&str> {
         MessagePart::Value { .. } => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::{Options, emit};
+    use crate::fixture::{program, scalar};
+    use crate::program::{Action, MessagePart};
+
+    // clauses: 7.38
+    #[test]
+    fn a_message_without_values_is_shown_as_it_is() {
+        let text = || MessagePart::Text("Hello ".to_owned());
+        let value = MessagePart::Value {
+            scalar: scalar(0),
+            decimals: 1,
+        };
+        for (parts, shown) in [
+            (vec![text()], "message (& \"Hello \")"),
+            (
+                vec![text(), value],
+                "message (& Message (& [Part :: Text (\"Hello \") ,",
+            ),
+        ] {
+            let program = program(&[], vec![Action::Message { parts }]);
+            let emitted = emit(&program, &Options::default()).to_string();
+            assert!(emitted.contains(shown), "{emitted}");
+        }
+    }
+}

@@ -244,6 +244,26 @@ pub fn waits(op: Op) -> bool {
     })
 }
 
+/// The command that does to joints what this one does to feet.
+pub fn of_joints(word: &str) -> Option<&'static str> {
+    let op = Op::ALL.iter().find(|op| op.name() == word)?;
+    let other = match op {
+        Op::Ptp => Op::PtpAngle,
+        Op::RelPtp => Op::RelPtpAngle,
+        Op::VelControl => Op::OmegaControl,
+        Op::Force => Op::Torque,
+        Op::CompliancePosition => Op::ComplianceAngle,
+        Op::RelCompliancePosition => Op::RelComplianceAngle,
+        Op::SetVMax => Op::SetOmegaMax,
+        Op::SetAMax => Op::SetOmegaDotMax,
+        Op::SetJustPosition => Op::SetJustAngle,
+        Op::SetNearPosition => Op::SetNearAngle,
+        Op::SetPositionStiffness => Op::SetAngleStiffness,
+        _ => return None,
+    };
+    Some(other.name())
+}
+
 /// What an older version's command is called now (T.I.P. 3.1 §1-1).
 pub fn renamed(word: &str) -> Option<&'static str> {
     let name = match word {

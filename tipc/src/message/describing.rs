@@ -2,64 +2,153 @@
 
 use super::list::List;
 use super::phrase::{Joints, Kind, Table};
+use super::say::Letter;
 
 messages! {
     /// What the reader of descriptions and scenes says.
     Describing;
 
     // Any table of the file.
-    NotToml { error: String } "{error}";
-    DescriptionsAreToml "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`";
-    Lacks { table: Table, key: &'static str } "{table} lacks `{key}`";
-    KeyMeans { key: &'static str, form: &'static str, meaning: &'static str } "`{key}` is {form}: {meaning}";
-    KeyIs { key: String, form: &'static str } "`{key}` is {form}";
-    NoKey { table: Table, key: String } "{table} has no key `{key}`";
-    BelongsTo { key: String, table: Table } "`{key}` belongs to {table}";
-    KeysOf { table: Table, keys: List } "the keys of {table} are {keys}";
-    NumbersBelongHere { wanted: usize, found: usize } "{wanted} numbers belong here, and there are {found}";
-    Above { min: f64, max: f64 } "{min} is above {max}";
-    CannotBeThis { key: String } "`{key}` cannot be this";
-    OutOfReach { most: f64 } "a number from -{most} to {most} belongs here";
-    NotBelowZero "it cannot be below 0";
-    AboveZero "it must be above 0";
-    WrongKind { kind: Kind } "{kind} cannot stand here";
+    NotToml { error: String } "{error}", "{error}";
+    DescriptionsAreToml
+        "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`",
+        "記述はTOML形式です: `key = value`、`[table]`、`[[one of many tables]]`";
+    Lacks { table: Table, key: &'static str }
+        "{table} lacks `{key}`",
+        "{table}に `{key}` がありません";
+    KeyMeans { key: &'static str, form: &'static str, meaning: &'static str }
+        "`{key}` is {form}: {meaning}",
+        "`{key}` の形は{form}です: {meaning}";
+    KeyIs { key: String, form: &'static str }
+        "`{key}` is {form}",
+        "`{key}` の形は{form}です";
+    NoKey { table: Table, key: String }
+        "{table} has no key `{key}`",
+        "{table}に `{key}` というキーはありません";
+    BelongsTo { key: String, table: Table }
+        "`{key}` belongs to {table}",
+        "`{key}` は{table}のキーです";
+    KeysOf { table: Table, keys: List }
+        "the keys of {table} are {keys}",
+        "{table}のキーは{keys}です";
+    NumbersBelongHere { wanted: usize, found: usize }
+        "{wanted} numbers belong here, and there are {found}",
+        "ここには数値が{wanted}個必要ですが、{found}個あります";
+    Above { min: f64, max: f64 }
+        "{min} is above {max}",
+        "{min}が{max}より大きくなっています";
+    CannotBeThis { key: String }
+        "`{key}` cannot be this",
+        "`{key}` にこの値は使えません";
+    OutOfReach { most: f64 }
+        "a number from -{most} to {most} belongs here",
+        "ここには-{most}から{most}までの数値を書きます";
+    NotBelowZero
+        "it cannot be below 0",
+        "負の値は使えません";
+    AboveZero
+        "it must be above 0",
+        "0より大きい値が必要です";
+    WrongKind { kind: Kind }
+        "{kind} cannot stand here",
+        "ここに{kind}は書けません";
 
     // The robot's name.
-    NeedsName "a robot needs a name";
-    BlankAtEnd "a name neither begins nor ends with a blank";
-    NameTooLong { most: usize } "a name has {most} characters at most";
-    NotInName { character: char } "{character:?} cannot stand in a name";
-    KnownRobot "this is the name of a robot that the compiler knows itself";
+    NeedsName
+        "a robot needs a name",
+        "ロボットには名前が必要です";
+    BlankAtEnd
+        "a name neither begins nor ends with a blank",
+        "名前の始めと終わりに空白は置けません";
+    NameTooLong { most: usize }
+        "a name has {most} characters at most",
+        "名前は{most}文字までです";
+    NotInName { character: Letter }
+        "{character} cannot stand in a name",
+        "名前の中に{character}は使えません";
+    KnownRobot
+        "this is the name of a robot that the compiler knows itself",
+        "これはコンパイラに組み込まれたロボットの名前です";
 
     // Legs and joints.
-    NumberOfLegs { most: usize, found: usize } "a robot has 1 to {most} legs, and here are {found}";
-    NoJoints { leg: usize } "leg F{leg} has no joints";
-    DescribeJoints "describe them under [[joint]], for every leg, or under [[leg.joint]], for this one";
-    NoLength { leg: usize } "leg F{leg} has no length";
-    OneLinkNotZero "the link of one joint at least is not [0, 0, 0]";
-    OtherNumberOfJoints { leg: usize, joints: Joints, first: usize } "leg F{leg} has {joints}, F1 has {first}";
-    SameNumberOfJoints "every leg needs the same number of joints: the language names them J1…Jn";
-    NumberOfJoints { most: usize, found: usize } "a leg has 1 to {most} joints, and here are {found}";
-    OuterContainsLimits { min: f64, max: f64 } "the outer limits must contain the working limits {min} to {max}";
-    NoDirection "an axis of length 0 has no direction";
-    NoCoordinate { letter: char } "{letter:?} is no coordinate, or stands here twice";
-    OtherNumberOfAngles { angles: usize, joints: Joints } "the initial posture has {angles} angles, the leg has {joints}";
-    InitialOutside { angle: f64, joint: usize, min: f64, max: f64 } "the initial angle {angle} of joint {joint} is outside its limits {min} to {max}";
-    JointsOfLeg { leg: usize, wanted: &'static str } "the joints of leg F{leg} {wanted}";
+    NumberOfLegs { most: usize, found: usize }
+        "a robot has 1 to {most} legs, and here are {found}",
+        "脚は1本から{most}本までですが、{found}本あります";
+    NoJoints { leg: usize }
+        "leg F{leg} has no joints",
+        "脚F{leg}に関節がありません";
+    DescribeJoints
+        "describe them under [[joint]], for every leg, or under [[leg.joint]], for this one",
+        "全ての脚に共通なら[[joint]]に、この脚だけなら[[leg.joint]]に書いてください";
+    NoLength { leg: usize }
+        "leg F{leg} has no length",
+        "脚F{leg}の長さが0です";
+    OneLinkNotZero
+        "the link of one joint at least is not [0, 0, 0]",
+        "少なくとも1つの関節のlinkは[0, 0, 0]以外にします";
+    OtherNumberOfJoints { leg: usize, joints: Joints, first: usize }
+        "leg F{leg} has {joints}, F1 has {first}",
+        "脚F{leg}は{joints}、F1は{first}関節です";
+    SameNumberOfJoints
+        "every leg needs the same number of joints: the language names them J1…Jn",
+        "関節の数は全ての脚で同じにします。言語の中ではJ1…Jnと呼びます";
+    NumberOfJoints { most: usize, found: usize }
+        "a leg has 1 to {most} joints, and here are {found}",
+        "1本の脚の関節は1個から{most}個までですが、{found}個あります";
+    OuterContainsLimits { min: f64, max: f64 }
+        "the outer limits must contain the working limits {min} to {max}",
+        "外側の限界は動作範囲{min}から{max}を含む必要があります";
+    NoDirection
+        "an axis of length 0 has no direction",
+        "長さ0の軸には向きがありません";
+    NoCoordinate { letter: Letter }
+        "{letter} is not a coordinate, or stands here twice",
+        "{letter}は座標ではないか、二度書かれています";
+    OtherNumberOfAngles { angles: usize, joints: Joints }
+        "the initial posture has {angles} angles, the leg has {joints}",
+        "初期姿勢の角度は{angles}個ですが、脚は{joints}です";
+    InitialOutside { angle: f64, joint: usize, min: f64, max: f64 }
+        "the initial angle {angle} of joint {joint} is outside its limits {min} to {max}",
+        "関節{joint}の初期角度{angle}が、限界{min}から{max}の外にあります";
+    JointsOfLeg { leg: usize, wanted: &'static str }
+        "the joints of leg F{leg} {wanted}",
+        "脚F{leg}の関節: {wanted}";
 
     // Settings.
-    SamplingTimes { min: f64, max: f64 } "the robot accepts sampling times of {min} to {max} ms only";
-    NoNumberOfLamps "this is no number of lamps";
-    SliderOutside { at: f64 } "the slider stands at {at} first, which is outside";
+    SamplingTimes { min: f64, max: f64 }
+        "the robot accepts sampling times of {min} to {max} ms only",
+        "このロボットで使えるサンプリング時間は{min}から{max} msまでです";
+    NoNumberOfLamps
+        "this cannot be a number of lamps",
+        "これはランプの個数になりません";
+    SliderOutside { at: f64 }
+        "the slider stands at {at} first, which is outside",
+        "スライダの初期位置{at}が範囲の外にあります";
 
     // Scenes.
-    BothShapes "an object cannot have both `size` and `radius`";
-    NoShape "an object needs `size` or `radius`";
-    Shapes "a box has `size = [width, height]`, a disc `radius`, in mm";
-    Simulated { error: String } "{error}";
-    TakeOneAway "take one of them away";
-    RadiusUnit "`radius` is in mm";
-    SizeUnit "`size` is in mm";
-    MassUnit "`mass` is in kg";
-    OnlyNumbers "only numbers belong here";
+    BothShapes
+        "an object cannot have both `size` and `radius`",
+        "物体に `size` と `radius` の両方は書けません";
+    NoShape
+        "an object needs `size` or `radius`",
+        "物体には `size` か `radius` が必要です";
+    Shapes
+        "a box has `size = [width, height]`, a disc `radius`, in mm",
+        "箱は `size = [幅, 高さ]`、円板は `radius` で、単位はmmです";
+    Simulated { error: String } "{error}", "{error}";
+    TakeOneAway
+        "take one of them away",
+        "どちらか一方を消してください";
+    RadiusUnit
+        "`radius` is in mm",
+        "`radius` の単位はmmです";
+    SizeUnit
+        "`size` is in mm",
+        "`size` の単位はmmです";
+    MassUnit
+        "`mass` is in kg",
+        "`mass` の単位はkgです";
+    OnlyNumbers
+        "only numbers belong here",
+        "ここには数値だけを書きます";
 }

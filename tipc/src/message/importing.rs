@@ -8,51 +8,141 @@ messages! {
     Importing;
 
     // Why a file is refused.
-    NoUrdf { error: String } "this is no URDF: {error}";
-    TooDeep { element: String, most: u32 } "element `{element}` is nested deeper than {most} levels: no robot needs that";
-    Doctype "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for";
-    NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`";
-    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str } "{at}: `{attribute}` is an element in `{element}`: write it as an attribute, as `{attribute}=\"{example}\"`";
-    NoElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` holds no element `{child}`: write it, as `{example}`";
-    AttributeForElement { at: Place, element: String, child: &'static str, example: &'static str } "{at}: element `{element}` has `{child}` as an attribute: write it as an element in it, as `{example}`";
-    ElementTwice { at: Place, element: String, child: &'static str } "{at}: element `{element}` holds element `{child}` twice: leave one out";
-    NotOneShape { at: Place, element: String, known: List } "{at}: element `{element}` holds one shape and nothing else: write one of the elements {known}";
-    NotAKindOfJoint { at: Place, element: String, attribute: &'static str, value: String, known: List } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a kind of joint: write one of {known}";
-    NotANumber { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a number: write one, as `{attribute}=\"{example}\"`";
-    NotSoManyNumbers { at: Place, element: String, attribute: &'static str, value: String, wanted: usize, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not {wanted} numbers: write them with blanks between, as `{attribute}=\"{example}\"`";
-    NotALength { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes lengths above 0: write such, as `{attribute}=\"{example}\"`";
-    Negative { at: Place, element: String, attribute: &'static str, value: String, example: &'static str } "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes 0 or more: write such, as `{attribute}=\"{example}\"`";
-    BoundsSwapped { at: Place, lower: f64, upper: f64 } "{at}: attribute `upper` of element `limit` is {upper}, less than attribute `lower`, {lower}: write the smaller as `lower`";
-    TwoTurns { at: Place } "{at}: attributes `rpy` and `quat_xyzw` of element `origin` both say how it is turned: leave one out";
-    NoTurningJoint { link: String } "no joint turns on link `{link}`: a robot needs one chain of revolute joints at least";
-    NoRobot { faults: Faults } "its numbers describe no robot: {faults}";
-    TooManyChains { chains: usize, most: usize } "{chains} chains begin on the body, and a robot has {most} legs at most: make joints that are no leg fixed";
-    TooManyJoints { leg: String, joints: usize, most: usize } "the leg of joint `{leg}` has {joints} joints, and {most} are the most: make some of them fixed";
-    OtherNumberOfJoints { leg: String, joints: usize, first: String, wanted: usize } "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so make the others fixed";
-    LinkTwice { link: String } "link `{link}` stands there twice";
-    NoSuchLink { joint: String, link: String } "joint `{joint}` names link `{link}`, which is not there";
-    OnTwoJoints { link: String } "link `{link}` hangs on two joints: a loop cannot be imported";
-    NoBase "no link is the base: every one hangs on a joint";
-    TwoBases { one: String, other: String } "links `{one}` and `{other}` hang on no joint: one link must be the base of all others";
-    Circle { link: String, base: String } "link `{link}` does not hang on the base `{base}`: its joints make a circle";
-    Branches { leg: String, link: String, one: String, other: String } "the leg of joint `{leg}` branches at link `{link}` into the joints `{one}` and `{other}`: a leg is one chain, so make one of them fixed";
-    DoesNotTurn { joint: String, link: String, kind: JointKind } "joint `{joint}` on link `{link}` is {kind}: legs have joints that turn about one axis, so make it fixed, revolute or continuous";
-    Mimics { joint: String, link: String, other: String } "joint `{joint}` on link `{link}` mimics joint `{other}`: every joint of a leg moves by itself, so make it fixed";
-    NoAxis { joint: String, link: String } "joint `{joint}` on link `{link}` turns about an axis of length 0";
-    NoFoot { link: String, joint: String } "link `{link}` behind joint `{joint}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint";
-    TwoFeet { link: String, joint: String, one: String, other: String } "link `{link}` behind joint `{joint}` ends in the links `{one}` and `{other}`: leave the one that is the foot";
+    NoUrdf { error: String }
+        "this is not URDF: {error}",
+        "URDFとして読めません: {error}";
+    TooDeep { element: String, most: u32 }
+        "element `{element}` is nested deeper than {most} levels: no robot needs that",
+        "要素 `{element}` の入れ子が{most}段を超えています。ロボットにそこまでの深さは要りません";
+    Doctype
+        "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for",
+        "DTDがあります。独自の実体参照は読みません。`<!DOCTYPE …>` を取り、実体の中身をそのまま書いてください";
+    NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str }
+        "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` に属性 `{attribute}` がありません。`{attribute}=\"{example}\"` のように書いてください";
+    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str }
+        "{at}: `{attribute}` is an element in `{element}`: write it as an attribute, as `{attribute}=\"{example}\"`",
+        "{at}: `{attribute}` が `{element}` の子要素になっています。`{attribute}=\"{example}\"` のように属性で書いてください";
+    NoElement { at: Place, element: String, child: &'static str, example: &'static str }
+        "{at}: element `{element}` holds no element `{child}`: write it, as `{example}`",
+        "{at}: 要素 `{element}` の中に `{child}` がありません。`{example}` のように書いてください";
+    AttributeForElement { at: Place, element: String, child: &'static str, example: &'static str }
+        "{at}: element `{element}` has `{child}` as an attribute: write it as an element in it, as `{example}`",
+        "{at}: `{child}` が要素 `{element}` の属性になっています。`{example}` のように子要素で書いてください";
+    ElementTwice { at: Place, element: String, child: &'static str }
+        "{at}: element `{element}` holds element `{child}` twice: leave one out",
+        "{at}: 要素 `{element}` の中に `{child}` が2つあります。1つにしてください";
+    NotOneShape { at: Place, element: String, known: List }
+        "{at}: element `{element}` holds one shape and nothing else: write one of the elements {known}",
+        "{at}: 要素 `{element}` の中身は形状1つだけです。{known}のどれか1つを書いてください";
+    NotAKindOfJoint { at: Place, element: String, attribute: &'static str, value: String, known: List }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a kind of joint: write one of {known}",
+        "{at}: 要素 `{element}` の属性 `{attribute}` の `{value}` という関節の種類はありません。{known}のどれかを書いてください";
+    NotANumber { at: Place, element: String, attribute: &'static str, value: String, example: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not a number: write one, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` の属性 `{attribute}` の `{value}` は数値ではありません。`{attribute}=\"{example}\"` のように書いてください";
+    NotSoManyNumbers { at: Place, element: String, attribute: &'static str, value: String, wanted: usize, example: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, which is not {wanted} numbers: write them with blanks between, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` の属性 `{attribute}` の `{value}` は{wanted}個の数値ではありません。`{attribute}=\"{example}\"` のように空白で区切ってください";
+    NotALength { at: Place, element: String, attribute: &'static str, value: String, example: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes lengths above 0: write such, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` の属性 `{attribute}` が `{value}` ですが、URDF 1.2の長さは0より大きい値です。`{attribute}=\"{example}\"` のように書いてください";
+    Negative { at: Place, element: String, attribute: &'static str, value: String, example: &'static str }
+        "{at}: attribute `{attribute}` of element `{element}` is `{value}`, and URDF 1.2 takes 0 or more: write such, as `{attribute}=\"{example}\"`",
+        "{at}: 要素 `{element}` の属性 `{attribute}` が `{value}` ですが、URDF 1.2では0以上です。`{attribute}=\"{example}\"` のように書いてください";
+    BoundsSwapped { at: Place, lower: f64, upper: f64 }
+        "{at}: attribute `upper` of element `limit` is {upper}, less than attribute `lower`, {lower}: write the smaller as `lower`",
+        "{at}: 要素 `limit` の `upper` ({upper})が `lower` ({lower})より小さくなっています。小さい方を `lower` に書いてください";
+    TwoTurns { at: Place }
+        "{at}: attributes `rpy` and `quat_xyzw` of element `origin` both say how it is turned: leave one out",
+        "{at}: 要素 `origin` の向きが `rpy` と `quat_xyzw` の両方に書かれています。一方にしてください";
+    NoTurningJoint { link: String }
+        "no joint turns on link `{link}`: a robot needs one chain of revolute joints at least",
+        "リンク `{link}` に回転する関節がありません。回転関節の連鎖が少なくとも1本必要です";
+    NoRobot { faults: Faults }
+        "its numbers describe no robot: {faults}",
+        "この数値ではロボットになりません: {faults}";
+    TooManyChains { chains: usize, most: usize }
+        "{chains} chains begin on the body, and a robot has {most} legs at most: make joints that are no leg fixed",
+        "胴体から{chains}本の連鎖が出ていますが、脚は{most}本までです。脚でない関節はfixedにしてください";
+    TooManyJoints { leg: String, joints: usize, most: usize }
+        "the leg of joint `{leg}` has {joints} joints, and {most} are the most: make some of them fixed",
+        "関節 `{leg}` の脚には関節が{joints}個ありますが、{most}個までです。いくつかをfixedにしてください";
+    OtherNumberOfJoints { leg: String, joints: usize, first: String, wanted: usize }
+        "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so make the others fixed",
+        "関節 `{leg}` の脚は{joints}関節、関節 `{first}` の脚は{wanted}関節です。全ての脚で同じ数になるよう、余りをfixedにしてください";
+    LinkTwice { link: String }
+        "link `{link}` stands there twice",
+        "リンク `{link}` が2つあります";
+    NoSuchLink { joint: String, link: String }
+        "joint `{joint}` names link `{link}`, which is not there",
+        "関節 `{joint}` の指すリンク `{link}` がありません";
+    OnTwoJoints { link: String }
+        "link `{link}` hangs on two joints: a loop cannot be imported",
+        "リンク `{link}` が2つの関節につながっています。閉ループは取り込めません";
+    NoBase
+        "no link is the base: every one hangs on a joint",
+        "基部となるリンクがありません。全てのリンクが関節の先にあります";
+    TwoBases { one: String, other: String }
+        "links `{one}` and `{other}` hang on no joint: one link must be the base of all others",
+        "リンク `{one}` と `{other}` はどの関節の先にもありません。基部は1つだけにします";
+    Circle { link: String, base: String }
+        "link `{link}` does not hang on the base `{base}`: its joints make a circle",
+        "リンク `{link}` が基部 `{base}` につながっていません。関節が輪になっています";
+    Branches { leg: String, link: String, one: String, other: String }
+        "the leg of joint `{leg}` branches at link `{link}` into the joints `{one}` and `{other}`: a leg is one chain, so make one of them fixed",
+        "関節 `{leg}` の脚がリンク `{link}` で関節 `{one}` と `{other}` に分かれています。脚は一本の連鎖なので、一方をfixedにしてください";
+    DoesNotTurn { joint: String, link: String, kind: JointKind }
+        "joint `{joint}` on link `{link}` is {kind}: legs have joints that turn about one axis, so make it fixed, revolute or continuous",
+        "リンク `{link}` の関節 `{joint}` は{kind}です。脚の関節は1軸回転なので、fixed、revolute、continuousのどれかにしてください";
+    Mimics { joint: String, link: String, other: String }
+        "joint `{joint}` on link `{link}` mimics joint `{other}`: every joint of a leg moves by itself, so make it fixed",
+        "リンク `{link}` の関節 `{joint}` は関節 `{other}` に連動(mimic)しています。脚の関節は独立に動くので、fixedにしてください";
+    NoAxis { joint: String, link: String }
+        "joint `{joint}` on link `{link}` turns about an axis of length 0",
+        "リンク `{link}` の関節 `{joint}` の回転軸の長さが0です";
+    NoFoot { link: String, joint: String }
+        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint",
+        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。足先にfixed関節でリンクを加えてください";
+    TwoFeet { link: String, joint: String, one: String, other: String }
+        "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: leave the one that is the foot",
+        "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方だけを残してください";
 
     // What is reported of one that is not.
-    Frames "frames: x forward and y left (REP 103) became x right and y forward";
-    Dropped "dropped: inertia tensors, centres of mass, geometry, damping, friction, safety limits";
-    NoSensors "assumed: no torque sensors; add [forces] if there are some";
-    InitialPosture "assumed: the initial posture is the middle of the limits; set `initial`";
-    Leg { number: usize, joint: String, link: String } "F{number}: joint {joint} to link {link}";
-    OmegaMax "OMEGA_MAX is the velocity of the slowest joint";
-    TurnsAllRound { joint: String } "assumed: joint {joint} turns from -180 to 180 deg";
-    Motor { joint: String } "assumed: joint {joint} has a motor of 10 N·m";
-    TookIn { link: String, merged: List } "link {link} took in the links fixed to it: {merged}";
-    BoltedDown "assumed: the robot is bolted down; add [body] if it walks";
-    Walks "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it";
-    BodyMass "assumed: the body weighs 1 kg";
+    Frames
+        "frames: x forward and y left (REP 103) became x right and y forward",
+        "座標系: x前・y左(REP 103)を、x右・y前に変えました";
+    Dropped
+        "dropped: inertia tensors, centres of mass, geometry, damping, friction, safety limits",
+        "読み捨てたもの: 慣性テンソル、重心、形状、減衰、摩擦、安全限界";
+    NoSensors
+        "assumed: no torque sensors; add [forces] if there are some",
+        "仮定: トルクセンサなし。あれば[forces]を加えてください";
+    InitialPosture
+        "assumed: the initial posture is the middle of the limits; set `initial`",
+        "仮定: 初期姿勢は限界の中央。`initial` を設定してください";
+    Leg { number: usize, joint: String, link: String }
+        "F{number}: joint {joint} to link {link}",
+        "F{number}: 関節{joint}からリンク{link}まで";
+    OmegaMax
+        "OMEGA_MAX is the velocity of the slowest joint",
+        "OMEGA_MAXは最も遅い関節の速度です";
+    TurnsAllRound { joint: String }
+        "assumed: joint {joint} turns from -180 to 180 deg",
+        "仮定: 関節{joint}は-180から180 degまで回る";
+    Motor { joint: String }
+        "assumed: joint {joint} has a motor of 10 N·m",
+        "仮定: 関節{joint}のモータは10 N·m";
+    TookIn { link: String, merged: List }
+        "link {link} took in the links fixed to it: {merged}",
+        "リンク{link}に、固定されたリンクをまとめました: {merged}";
+    BoltedDown
+        "assumed: the robot is bolted down; add [body] if it walks",
+        "仮定: ロボットは床に固定。歩くなら[body]を加えてください";
+    Walks
+        "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it",
+        "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください";
+    BodyMass
+        "assumed: the body weighs 1 kg",
+        "仮定: 胴体の質量は1 kg";
 }

@@ -1,6 +1,8 @@
 //! Arguments that are several things.
 
-use std::fmt::{self, Display, Formatter};
+use super::say::{Said, Say};
+use super::{Lang, Message};
+use std::fmt::{self, Formatter};
 
 /// The most pieces of a path that are shown.
 const PIECES: usize = 8;
@@ -9,8 +11,8 @@ const PIECES: usize = 8;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct List(pub Vec<String>);
 
-impl Display for List {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Say for List {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0.join(", "))
     }
 }
@@ -19,8 +21,8 @@ impl Display for List {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quoted(pub Vec<String>);
 
-impl Display for Quoted {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Say for Quoted {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "`{}`", self.0.join("`, `"))
     }
 }
@@ -29,8 +31,8 @@ impl Display for Quoted {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pieces(pub Vec<(u32, u32)>);
 
-impl Display for Pieces {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Say for Pieces {
+    fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
         let pieces: Vec<String> = self.0.iter().map(piece).collect();
         if pieces.len() <= PIECES {
             return f.write_str(&pieces.join(", "));
@@ -50,13 +52,13 @@ fn piece((first, last): &(u32, u32)) -> String {
 
 /// What is wrong with something, one after the other: `this; that`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Faults(pub Vec<super::Message>);
+pub struct Faults(pub Vec<Message>);
 
-impl Display for Faults {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Say for Faults {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
         for (index, fault) in self.0.iter().enumerate() {
             let gap = if index == 0 { "" } else { "; " };
-            write!(f, "{gap}{fault}")?;
+            write!(f, "{gap}{}", Said(fault, lang))?;
         }
         Ok(())
     }
@@ -66,9 +68,10 @@ impl Display for Faults {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Alternatives(pub Vec<String>);
 
-impl Display for Alternatives {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}`", self.0.join("`, or `"))
+impl Say for Alternatives {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        let or = lang.pick("`, or `", "` または `");
+        write!(f, "`{}`", self.0.join(or))
     }
 }
 
@@ -76,8 +79,8 @@ impl Display for Alternatives {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Both(pub Vec<&'static str>);
 
-impl Display for Both {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.join(" and "))
+impl Say for Both {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join(lang.pick(" and ", "と")))
     }
 }

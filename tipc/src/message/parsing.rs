@@ -1,6 +1,7 @@
 //! What is said of the form of lines and statements.
 
 use super::phrase::End;
+use super::say::Decimal;
 use smol_str::SmolStr;
 
 messages! {
@@ -8,100 +9,267 @@ messages! {
     Parsing;
 
     // Lines 1 and 2.
-    OtherVersion { wanted: f64 } "this compiler reads version {wanted:?}";
-    NoVersion "line 1 names no version";
-    MoreThanVersion "line 1 holds the version number and nothing else";
-    StartWithVersion { wanted: f64 } "start the file with the line `{wanted:?}`";
+    OtherVersion { wanted: Decimal }
+        "line 1 must name version {wanted} of the language",
+        "1行目には言語のバージョン{wanted}を書きます";
+    NoVersion
+        "line 1 must hold the version number of the language",
+        "1行目には言語のバージョン番号を書きます";
+    MoreThanVersion
+        "line 1 holds the version number and nothing else",
+        "1行目にはバージョン番号だけを書きます";
+    StartWithVersion { wanted: Decimal }
+        "start the file with the line `{wanted}`",
+        "ファイルの1行目を `{wanted}` にしてください";
 
     // Lines.
-    LineTooLong { limit: usize } "this line has more than {limit} bytes";
-    BreakTheLine "break the line; a full-width character counts 2 bytes";
-    ProgramEndsHere "the program ends here without END";
-    PutEnd "put END on a line of its own behind the last statement";
-    ControlCharacter "a control character cannot stand here";
-    ForeignCharacters "only comments, MESSAGE and REM may hold such characters";
-    WriteHalfWidth { narrow: String } "write it half-width: `{narrow}`";
-    NotAlone { word: SmolStr } "{word} must be alone on its line";
-    WantsOwnLine "this wants a line of its own";
-    LabelBeforeCommentBehind "only a label may stand before it, and a comment behind it";
-    NothingBehind { end: End } "nothing may stand behind {end}";
-    NextStatementElsewhere "start the next statement on a line of its own, or behind `;`";
+    LineTooLong { limit: usize }
+        "this line has more than {limit} bytes",
+        "この行は{limit}バイトを超えています";
+    BreakTheLine
+        "break the line; a full-width character counts 2 bytes",
+        "行を分けてください。全角文字は1文字2バイトと数えます";
+    ProgramEndsHere
+        "the program ends here without END",
+        "ENDがないままプログラムが終わっています";
+    PutEnd
+        "put END on a line of its own after the last statement",
+        "最後の文の後に、ENDだけの行を置いてください";
+    ControlCharacter
+        "a control character cannot stand here",
+        "ここに制御文字は書けません";
+    ForeignCharacters
+        "only comments, MESSAGE and REM may hold such characters",
+        "このような文字を書けるのは、コメント、MESSAGE、REMの中だけです";
+    WriteHalfWidth { narrow: String }
+        "write it half-width: `{narrow}`",
+        "半角で書いてください: `{narrow}`";
+    TakeOut
+        "take it out, or put it into a comment",
+        "取るか、コメントの中に移してください";
+    NotAlone { word: SmolStr }
+        "{word} must be alone on its line",
+        "{word}は1行に単独で書きます";
+    WantsOwnLine
+        "this needs a line of its own",
+        "これは別の行に書く必要があります";
+    LabelBeforeCommentBehind
+        "only a label may stand before it, and a comment after it",
+        "前に書けるのはラベルだけ、後に書けるのはコメントだけです";
+    NothingBehind { end: End }
+        "nothing may stand after {end}",
+        "{end}の後には何も書けません";
+    NextStatementElsewhere
+        "start the next statement on a line of its own, or after `;`",
+        "次の文は新しい行か `;` の後に書いてください";
 
     // Labels, names and jumps.
-    NameTooLong { limit: usize, length: usize } "a name has at most {limit} bytes, this one {length}";
-    LabelNameMissing "the label's name is missing before this colon";
-    LabelBelongsHere "a label belongs here";
-    LabelMissing "a label is missing here";
-    WriteJump { jump: SmolStr } "write `{jump} L1:`";
-    BlankBeforeColon "no blank may stand before this colon";
-    LabelColonMissing "the label's colon is missing";
-    WriteLabel { name: SmolStr } "write `{name}:`";
-    OnlyNames "only names can be declared";
-    SeparateNames "separate the names by blanks or commas; every variable starts unassigned";
+    NameTooLong { limit: usize, length: usize }
+        "a name has at most {limit} bytes, this one {length}",
+        "名前は{limit}バイトまでですが、これは{length}バイトあります";
+    LabelNameMissing
+        "the label's name is missing before this colon",
+        "このコロンの前にラベル名がありません";
+    LabelBelongsHere
+        "a label belongs here",
+        "ここにはラベルを書きます";
+    LabelMissing
+        "a label is missing here",
+        "ここにラベルがありません";
+    WriteJump { jump: SmolStr }
+        "write `{jump} L1:`",
+        "`{jump} L1:` のように書いてください";
+    BlankBeforeColon
+        "no blank may stand before this colon",
+        "コロンの前に空白は置けません";
+    LabelColonMissing
+        "the label's colon is missing",
+        "ラベルの後のコロンがありません";
+    WriteLabel { name: SmolStr }
+        "write `{name}:`",
+        "`{name}:` と書いてください";
+    OnlyNames
+        "only names can be declared",
+        "宣言できるのは変数名だけです";
+    SeparateNames
+        "separate the names by blanks or commas; every variable starts unassigned",
+        "変数名は空白かコンマで区切ります。初期値は書けません。宣言の後で代入してください";
 
     // MESSAGE.
-    BlankBehindMessage "a blank must stand between MESSAGE and its text";
-    TextEndsHere "the text ends here";
-    CommentElsewhere "put the comment on a line of its own";
-    LineBreak "the message line is one line: it cannot be broken";
-    Escapes "`\\a` (bell) and `\\t` (tab) are what a text may hold";
-    TextTooLong { limit: usize } "a MESSAGE has at most {limit} bytes";
-    FullWidthCounts "a full-width character counts 2 bytes";
+    BlankBehindMessage
+        "a blank must stand between MESSAGE and its text",
+        "MESSAGEと文字列の間には空白が必要です";
+    TextEndsHere
+        "the text ends here",
+        "文字列はここで終わります";
+    CommentElsewhere
+        "put the comment on a line of its own",
+        "コメントは別の行に書いてください";
+    LineBreak
+        "the message line is one line: it cannot be broken",
+        "メッセージは1行です。改行はできません";
+    Escapes
+        "`\\a` (bell) and `\\t` (tab) are what a text may hold",
+        "文字列に書けるのは `\\a` (ベル)と `\\t` (タブ)です";
+    TextTooLong { limit: usize }
+        "a MESSAGE has at most {limit} bytes",
+        "MESSAGEの文字列は{limit}バイトまでです";
+    FullWidthCounts
+        "a full-width character counts 2 bytes",
+        "全角文字は1文字2バイトと数えます";
 
     // Control structure.
-    IfCannotCall "IF cannot CALL";
-    GosubCalls "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`";
-    ThenOrJumpBelongsHere "THEN, GOTO or GOSUB belongs here";
-    WriteThenOrJump "write THEN for a block, or GOTO or GOSUB and a label";
-    ThenBelongsHere "THEN belongs here";
-    ToBelongsHere "TO belongs here";
-    ForEnds "FOR ends before this";
-    VariableBelongsHere "a variable belongs here";
-    AssignmentBelongsHere "`=` belongs here";
-    WriteFor "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`";
-    NextNamesItsVariable "NEXT names the variable of its FOR, or nothing";
-    NameBelongsHere "a name belongs here";
-    NameMissing "the name is missing here";
-    NameColonMissing "the name's colon is missing";
-    WriteSubroutine { name: SmolStr } "write `SUBROUTINE {name}:`";
+    IfCannotCall
+        "IF cannot CALL",
+        "IFからCALLはできません";
+    GosubCalls
+        "GOSUB calls a SUBROUTINE as well: `IF … GOSUB NAME:`",
+        "GOSUBでもSUBROUTINEを呼べます: `IF … GOSUB NAME:`";
+    ThenOrJumpBelongsHere
+        "THEN, GOTO or GOSUB belongs here",
+        "ここにはTHEN、GOTO、GOSUBのどれかを書きます";
+    WriteThenOrJump
+        "write THEN for a block, or GOTO or GOSUB and a label",
+        "ブロックにするならTHEN、ジャンプするならGOTOかGOSUBとラベルを書いてください";
+    ThenBelongsHere
+        "THEN belongs here",
+        "ここにはTHENを書きます";
+    ToBelongsHere
+        "TO belongs here",
+        "ここにはTOを書きます";
+    ForEnds
+        "FOR ends before this",
+        "FORの文はこの前で終わりです";
+    VariableBelongsHere
+        "a variable belongs here",
+        "ここには変数を書きます";
+    AssignmentBelongsHere
+        "`=` belongs here",
+        "ここには `=` を書きます";
+    WriteFor
+        "write `FOR I = 1 TO 10`, or `FOR I = 10 TO 0 STEP -2`",
+        "`FOR I = 1 TO 10` や `FOR I = 10 TO 0 STEP -2` のように書いてください";
+    NextNamesItsVariable
+        "NEXT names the variable of its FOR, or nothing",
+        "NEXTには対応するFORの変数を書くか、何も書きません";
+    NameBelongsHere
+        "a name belongs here",
+        "ここには名前を書きます";
+    NameMissing
+        "the name is missing here",
+        "ここに名前がありません";
+    NameColonMissing
+        "the name's colon is missing",
+        "名前の後のコロンがありません";
+    WriteSubroutine { name: SmolStr }
+        "write `SUBROUTINE {name}:`",
+        "`SUBROUTINE {name}:` と書いてください";
 
     // Conditions.
-    ConditionMissing "a condition is missing here";
-    NotStandsBeforeFlag "`!` stands right before an event flag, without a blank";
-    NoRelation "no relation is written like this";
-    CannotStandHere { text: SmolStr } "`{text}` cannot stand here";
-    AssignsComparesNothing "`=` assigns; it compares nothing";
-    ConditionCannotCalculate "a condition cannot calculate";
-    RelationBelongsHere "a relation belongs here";
-    ComparedWithNothing "this is compared with nothing";
-    Conditions "a condition is a comparison of two numbers, as `A >= 5`, or an event flag, as `KB_HIT` or `!KB_HIT`";
-    Relations "the relations are `==` (equal), `<>` (not equal), `<`, `>`, `<=`, `>=`";
+    ConditionMissing
+        "a condition is missing here",
+        "ここに条件式がありません";
+    NotStandsBeforeFlag
+        "`!` stands right before an event flag, without a blank",
+        "`!` はイベントフラグの直前に、空白なしで書きます";
+    NoRelation
+        "this is not a relation",
+        "このような関係演算子はありません";
+    CannotStandHere { text: SmolStr }
+        "`{text}` cannot stand here",
+        "ここに `{text}` は書けません";
+    AssignsComparesNothing
+        "`=` assigns; `==` compares",
+        "`=` は代入です。比較は `==` です";
+    ConditionCannotCalculate
+        "a condition cannot calculate",
+        "条件式の中では計算できません";
+    RelationBelongsHere
+        "a relation belongs here",
+        "ここには関係演算子を書きます";
+    ComparedWithNothing
+        "this is compared with nothing",
+        "比較する相手がありません";
+    Conditions
+        "a condition is a comparison of two numbers, as `A >= 5`, or an event flag, as `KB_HIT` or `!KB_HIT`",
+        "条件式は `A >= 5` のような2つの数値の比較か、`KB_HIT` や `!KB_HIT` のようなイベントフラグです";
+    Relations
+        "the relations are `==` (equal), `<>` (not equal), `<`, `>`, `<=`, `>=`",
+        "関係演算子は `==` (等しい)、`<>` (等しくない)、`<`、`>`、`<=`、`>=` です";
 
     // Equations.
-    OneVariableLeft "one variable stands left of the `=`";
-    ConstantAssigned "a constant cannot be assigned";
-    StartsWithVariable "an equation starts with a variable";
-    LeftSide "the left side is a variable or a member, as `A` or `P.X`, without sign";
-    OperatorOrNothing "`+`, `-`, `*`, `/` or nothing can stand here";
-    EquationEnds "the equation ends before this";
-    FunctionCannotStandHere { function: SmolStr } "{function} cannot stand here";
-    OneOperation "an equation holds one operation or one function; use a variable for what comes between";
+    OneVariableLeft
+        "one variable stands left of the `=`",
+        "`=` の左に書けるのは変数1つだけです";
+    ConstantAssigned
+        "a constant cannot be assigned",
+        "定数には代入できません";
+    StartsWithVariable
+        "an equation starts with a variable",
+        "式は変数で始まります";
+    LeftSide
+        "the left side is a variable or a member, as `A` or `P.X`, without a sign",
+        "左辺は `A` や `P.X` のような、符号のない変数かメンバです";
+    OperatorOrNothing
+        "`+`, `-`, `*`, `/` or nothing can stand here",
+        "ここに書けるのは `+`、`-`、`*`、`/` だけです";
+    EquationEnds
+        "the equation ends before this",
+        "式はこの前で終わりです";
+    FunctionCannotStandHere { function: SmolStr }
+        "{function} cannot stand here",
+        "ここに{function}は書けません";
+    OneOperation
+        "an equation holds one operation or one function; use a variable for what comes between",
+        "1つの式に書けるのは演算1つか関数1つです。途中の値は変数に入れてください";
 
     // Operands.
-    NoOperand { text: SmolStr } "`{text}` stands where an operand belongs";
-    OperandMissing "an operand is missing here";
-    OperandMissingBefore { word: SmolStr } "an operand is missing before {word}";
-    BetweenArguments { text: SmolStr } "`{text}` stands between two arguments";
-    SeparateArguments "arguments are separated by blanks or commas; a sign stands right before its number or name";
-    SignStandsBefore "a sign stands right before its number or name, without a blank";
-    PlusBeforeConstants "`+` stands only before constants";
-    LeavePlusOut "leave the `+` out";
-    ConstantTooLarge "this constant is too large";
-    NoNumber { word: SmolStr } "`{word}` is no number";
-    Constants "a constant is decimal, as `12`, `-0.5` or `1.5E3`; a name starts with a letter or `_`";
-    NoMember { word: SmolStr } "`{word}` is no member";
-    Members "a member is written `P.X` or `Q.J2`";
-    ForeignInName { character: SmolStr } "`{character}` can stand in no name and no number";
-    NoParentheses "the language has no parentheses: one operation an equation, and `SIN A` for a function";
-    NameCharacters "a name is made of letters, digits and `_`";
+    NoOperand { text: SmolStr }
+        "`{text}` stands where an operand belongs",
+        "数値か変数を書くところに `{text}` があります";
+    OperandMissing
+        "an operand is missing here",
+        "ここに数値か変数がありません";
+    OperandMissingBefore { word: SmolStr }
+        "an operand is missing before {word}",
+        "{word}の前に数値か変数がありません";
+    BetweenArguments { text: SmolStr }
+        "`{text}` stands between two arguments",
+        "2つの引数の間に `{text}` があります";
+    SeparateArguments
+        "arguments are separated by blanks or commas; a sign stands right before its number or name",
+        "引数は空白かコンマで区切ります。符号は数値や変数名の直前に書きます";
+    SignStandsBefore
+        "a sign stands right before its number or name, without a blank",
+        "符号は数値や変数名の直前に、空白なしで書きます";
+    PlusBeforeConstants
+        "`+` stands only before constants",
+        "`+` を付けられるのは定数だけです";
+    LeavePlusOut
+        "leave the `+` out",
+        "`+` を取ってください";
+    ConstantTooLarge
+        "this constant is too large",
+        "この定数は大きすぎます";
+    NoNumber { word: SmolStr }
+        "`{word}` is not a number",
+        "`{word}` は数値ではありません";
+    Constants
+        "a constant is decimal, as `12`, `-0.5` or `1.5E3`; a name starts with a letter or `_`",
+        "定数は `12`、`-0.5`、`1.5E3` のような10進数です。名前は英字か `_` で始まります";
+    NoMember { word: SmolStr }
+        "`{word}` is not a member",
+        "`{word}` というメンバはありません";
+    Members
+        "a member is written `P.X` or `Q.J2`",
+        "メンバは `P.X` や `Q.J2` のように書きます";
+    ForeignInName { character: SmolStr }
+        "`{character}` cannot stand in a name or a number",
+        "名前や数値の中に `{character}` は書けません";
+    NoParentheses
+        "the language has no parentheses: one operation an equation, and `SIN A` for a function",
+        "この言語に括弧はありません。1つの式に演算は1つ、関数は `SIN A` のように書きます";
+    NameCharacters
+        "a name is made of letters, digits and `_`",
+        "名前に使えるのは英字、数字、`_` です";
 }

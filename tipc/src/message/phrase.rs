@@ -7,46 +7,46 @@ messages! {
     /// What ends a statement: nothing may stand after it.
     End;
 
-    Word { word: SmolStr } "{word}";
-    Label "the label";
-    Condition "the condition";
-    NextAndVariable "NEXT and its variable";
-    SubroutineAndName "SUBROUTINE and its name";
+    Word { word: SmolStr } "{word}", "{word}";
+    Label "the label", "ラベル";
+    Condition "the condition", "条件式";
+    NextAndVariable "NEXT and its variable", "NEXTとその変数";
+    SubroutineAndName "SUBROUTINE and its name", "SUBROUTINEとその名前";
 }
 
 messages! {
     /// What a variable lacks.
     Lack;
 
-    Value "no value here";
-    ValueOnSomeWays "a value here on some ways only";
+    Value "no value here", "ここではまだ値がありません";
+    ValueOnSomePaths "a value here on some paths only", "経路によってはここで値がありません";
 }
 
 messages! {
     /// How a variable gets its value.
     Assign;
 
-    Var { name: String } "assign it before, as `{name} = 0`";
-    Pos { name: String } "assign it before, as `{name}.X = 0` or `TEACH_POSITION F1 {name}`";
-    Joint { name: String } "assign it before, as `{name}.J1 = 0` or `TEACH_ANGLE F1 {name}`";
-    KeyIn "KEY_IN without argument assigns it";
-    EveryMember { member: String } "assign every member before, as `{member} = 0`";
+    Var { name: String } "assign it first, as `{name} = 0`", "先に `{name} = 0` のように代入してください";
+    Pos { name: String } "assign it first, as `{name}.X = 0` or `TEACH_POSITION F1 {name}`", "先に `{name}.X = 0` や `TEACH_POSITION F1 {name}` のように代入してください";
+    Joint { name: String } "assign it first, as `{name}.J1 = 0` or `TEACH_ANGLE F1 {name}`", "先に `{name}.J1 = 0` や `TEACH_ANGLE F1 {name}` のように代入してください";
+    KeyIn "KEY_IN without an argument assigns it", "引数のないKEY_INで代入されます";
+    EveryMember { member: String } "assign every member first, as `{member} = 0`", "先に `{member} = 0` のように全てのメンバに代入してください";
 }
 
 messages! {
     /// A path through a program.
     Stretch;
 
-    Line { line: u32 } "line {line}";
-    Lines { lines: Pieces } "lines {lines}";
+    Line { line: u32 } "line {line}", "{line}行目";
+    Lines { lines: Pieces } "lines {lines}", "{lines}行目";
 }
 
 messages! {
     /// So many joints.
     Joints;
 
-    One "1 joint";
-    Several { count: usize } "{count} joints";
+    One "1 joint", "1関節";
+    Several { count: usize } "{count} joints", "{count}関節";
 }
 
 impl From<usize> for Joints {
@@ -62,47 +62,47 @@ messages! {
     /// A table of a description or scene.
     Table;
 
-    Robot "the robot";
-    Scene "the scene";
-    Named { name: &'static str } "{name}";
+    Robot "the robot", "ロボット";
+    Scene "the scene", "シーン";
+    Named { name: &'static str } "{name}", "{name}";
 }
 
 messages! {
     /// What stands for a value in a description or scene.
     Kind;
 
-    Text "text";
-    Number "a number";
-    Truth "true or false";
-    Date "a date";
-    List "a list";
-    Table "a table";
+    Text "text", "文字列";
+    Number "a number", "数値";
+    Truth "true or false", "真偽値";
+    Date "a date", "日付";
+    List "a list", "配列";
+    Table "a table", "テーブル";
 }
 
 messages! {
     /// A place in a file: line and column, from 1.
     Place;
 
-    At { line: u32, column: u32 } "line {line}, column {column}";
+    At { line: u32, column: u32 } "line {line}, column {column}", "{line}行{column}列";
 }
 
 messages! {
     /// A kind of joint that URDF knows and no leg has.
     JointKind;
 
-    Fixed "fixed";
-    Prismatic "prismatic";
-    Floating "floating";
-    Planar "planar";
-    Spherical "spherical";
+    Fixed "fixed", "固定(fixed)";
+    Prismatic "prismatic", "直動(prismatic)";
+    Floating "floating", "浮遊(floating)";
+    Planar "planar", "平面(planar)";
+    Spherical "spherical", "球(spherical)";
 }
 
 messages! {
     /// So many changes of a program.
     Changes;
 
-    One "1 change";
-    Several { count: usize } "{count} changes";
+    One "1 change", "変更1か所";
+    Several { count: usize } "{count} changes", "変更{count}か所";
 }
 
 impl From<usize> for Changes {
@@ -118,8 +118,8 @@ messages! {
     /// So many questions about a program.
     Questions;
 
-    One "1 question";
-    Several { count: usize } "{count} questions";
+    One "1 question", "質問1件";
+    Several { count: usize } "{count} questions", "質問{count}件";
 }
 
 impl From<usize> for Questions {
@@ -135,36 +135,36 @@ messages! {
     /// The robots that a migrated program loads for.
     Loads;
 
-    ForNone "loads for no robot yet; `tipc check` on the new program says why";
-    For { robots: List } "loads for {robots}";
+    ForNone "loads for no robot yet; `tipc check` on the new program says why", "まだどのロボットでも読み込めません。新しいプログラムを`tipc check`にかけると理由が分かります";
+    For { robots: List } "loads for {robots}", "{robots}で読み込めます";
 }
 
 messages! {
     /// Why a declaration is put in.
     Declared;
 
-    OneType ": variables are declared since 3.0, AGL and TRQ as one type";
-    Plainly ": variables are declared since 3.0";
+    OneType ": variables are declared since 3.0, AGL and TRQ as one type", "(3.0から変数は宣言が必要です。AGLとTRQは一つの型になりました)";
+    Plainly ": variables are declared since 3.0", "(3.0から変数は宣言が必要です)";
 }
 
 messages! {
     /// What an operand is.
     Type;
 
-    Number "a number";
-    Pos "a POS";
-    Joint "a JOINT";
-    PosOrJoint "a POS or JOINT";
+    Number "a number", "数値";
+    Pos "a POS", "POS型変数";
+    Joint "a JOINT", "JOINT型変数";
+    PosOrJoint "a POS or JOINT", "POS型またはJOINT型の変数";
 }
 
 messages! {
     /// So many numbers, or one variable that holds them.
     Numbers;
 
-    One "one number";
-    Several { count: usize } "{count} numbers";
-    OneOr { whole: Type } "one number or {whole}";
-    SeveralOr { count: usize, whole: Type } "{count} numbers or {whole}";
+    One "one number", "数値1個";
+    Several { count: usize } "{count} numbers", "数値{count}個";
+    OneOr { whole: Type } "one number or {whole}", "数値1個または{whole}";
+    SeveralOr { count: usize, whole: Type } "{count} numbers or {whole}", "数値{count}個または{whole}";
 }
 
 impl Numbers {
@@ -183,9 +183,9 @@ messages! {
     /// So many stand somewhere.
     Standing;
 
-    None "none stands";
-    One "one stands";
-    Several { count: usize } "{count} stand";
+    None "there is none", "一つもありません";
+    One "there is one", "1個しかありません";
+    Several { count: usize } "there are {count}", "{count}個しかありません";
 }
 
 impl From<usize> for Standing {
@@ -202,46 +202,46 @@ messages! {
     /// So many operands of a function.
     Operands;
 
-    One "one operand";
-    Two "two operands";
+    One "one operand", "オペランド1個";
+    Two "two operands", "オペランド2個";
 }
 
 messages! {
     /// What a command lacks.
     Lacking;
 
-    Measured "the variable that receives what is measured";
-    Input "the input, as `0 13` or `VR1`,";
-    Volts "the VAR that receives the volts";
-    Channel "the channel";
-    NativeCommand "the number of the native command";
+    Measured "the variable that receives what is measured", "測定値を受け取る変数";
+    Input "the input, as `0 13` or `VR1`,", "入力(`0 13`や`VR1`など)";
+    Volts "the VAR that receives the volts", "電圧を受け取るVAR型変数";
+    Channel "the channel", "チャンネル番号";
+    NativeCommand "the number of the native command", "ネイティブコマンドの番号";
 }
 
 messages! {
     /// Which numbers a command takes.
     Bounds;
 
-    FromTo { min: f64, max: f64 } "{min} to {max}";
-    NotNegative "0 or more";
-    Positive "more than 0";
-    Percent "more than 0, up to 100";
-    Nothing "nothing";
+    FromTo { min: f64, max: f64 } "{min} to {max}", "{min}から{max}まで";
+    NotNegative "0 or more", "0以上";
+    Positive "more than 0", "0より大きい値";
+    Percent "more than 0, up to 100", "0より大きく100以下";
+    Nothing "nothing", "なし";
 }
 
 messages! {
     /// A block that a jump enters.
     Entered;
 
-    Branch "a branch of an IF";
-    While "a WHILE";
-    Repeat "a REPEAT";
-    For "a FOR";
-    Subroutine "a SUBROUTINE";
+    Branch "a branch of an IF", "IFの分岐";
+    While "a WHILE", "WHILE文";
+    Repeat "a REPEAT", "REPEAT文";
+    For "a FOR", "FOR文";
+    Subroutine "a SUBROUTINE", "サブルーチン";
 }
 
 messages! {
     /// What can be a target on a robot.
     Inventory;
 
-    Has { robot: &'static str, targets: List } "{robot} has {targets}";
+    Has { robot: &'static str, targets: List } "{robot} has {targets}", "{robot}にあるのは{targets}です";
 }

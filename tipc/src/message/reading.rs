@@ -4,8 +4,14 @@ messages! {
     /// What reading says.
     Reading;
 
-    System { error: String } "{error}";
-    NotValid { byte: usize, encoding: &'static str } "byte {byte} of the file is not valid {encoding}";
-    NotTheOtherEither { encoding: &'static str, byte: usize } "the file is no {encoding} either (byte {byte}); save it in one of the two encodings";
-    SaveInThatEncoding "save the file in that encoding, or name the right one";
+    System { error: String } "{error}", "{error}";
+    NotValid { byte: usize, encoding: &'static str }
+        "byte {byte} of the file is not valid {encoding}",
+        "ファイルの{byte}バイト目が{encoding}として正しくありません";
+    NotTheOtherEither { encoding: &'static str, byte: usize }
+        "the file is not {encoding} either (byte {byte}); save it in one of the two encodings",
+        "{encoding}でもありません({byte}バイト目)。どちらかの文字コードで保存してください";
+    SaveInThatEncoding
+        "save the file in that encoding, or name the right one",
+        "その文字コードで保存するか、正しい文字コードを指定してください";
 }

@@ -6,5 +6,7 @@ messages! {
     /// What a suggestion says.
     Suggesting;
 
-    DidYouMean { near: SmolStr } "did you mean `{near}`?";
+    DidYouMean { near: SmolStr }
+        "did you mean `{near}`?",
+        "`{near}` の間違いではありませんか?";
 }

@@ -1,18 +1,19 @@
 //! How tables of messages are written.
 
-/// An enum of messages, a row for each: its name, its arguments and its text, in which `{argument}` stands for
-/// the argument. A row without text, an argument that no text names and a hole that is not an argument do not compile.
+/// An enum of messages, a row for each: its name, its arguments and its text in each language, in which `{argument}`
+/// stands for the argument. A row that lacks a text, an argument that a text does not name and a hole that is not an
+/// argument do not compile.
 macro_rules! messages {
     (
         $( #[$meta:meta] )* $table:ident;
-        $( $name:ident $( { $( $argument:ident: $type:ty ),* } )? $english:literal; )*
+        $( $name:ident $( { $( $argument:ident: $type:ty ),* } )? $english:literal, $japanese:literal; )*
     ) => {
         $( #[$meta] )*
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum $table {
             $(
-                #[doc = concat!("```text\n", $english, "\n```")]
+                #[doc = concat!("```text\n", $english, "\n", $japanese, "\n```")]
                 $name $( { $(
                     #[doc = concat!("`{", stringify!($argument), "}`")]
                     $argument: $type,
@@ -20,11 +21,30 @@ macro_rules! messages {
             )*
         }
 
+        $(
+            const _: () = {
+                const ARGUMENTS: &[&str] = &[$( $( stringify!($argument) ),* )?];
+                assert!(crate::message::say::fits($english, ARGUMENTS), "{}", $english);
+                assert!(crate::message::say::fits($japanese, ARGUMENTS), "{}", $japanese);
+            };
+        )*
+
+        impl $table {
+            /// Its text in a language.
+            pub fn in_lang(&self, lang: crate::message::Lang) -> impl std::fmt::Display {
+                crate::message::say::Said(self, lang)
+            }
+        }
+
         #[cfg(test)]
         impl $table {
-            /// Table, row and text of each message.
-            pub(crate) const ROWS: &'static [(&'static str, &'static str, &'static str)] =
-                &[$( (stringify!($table), stringify!($name), $english), )*];
+            /// Table, row and texts of each message.
+            pub(crate) const ROWS: &'static [crate::message::tests::Row] = &[$( crate::message::tests::Row {
+                table: stringify!($table),
+                row: stringify!($name),
+                english: $english,
+                japanese: $japanese,
+            }, )*];
 
             /// Each message once, with the arguments of a turn.
             pub(crate) fn each(turn: usize) -> Vec<$table> {
@@ -43,13 +63,22 @@ macro_rules! messages {
             }
         }
 
+        impl crate::message::say::Say for $table {
+            fn say(&self, lang: crate::message::Lang, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                match self {
+                    $( $table::$name $( { $( $argument ),* } )? => crate::message::say::fill(
+                        f,
+                        lang,
+                        lang.pick($english, $japanese),
+                        &[$( $( (stringify!($argument), $argument) ),* )?],
+                    ), )*
+                }
+            }
+        }
+
         impl std::fmt::Display for $table {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                match self {
-                    $( $table::$name $( { $( $argument ),* } )? => {
-                        write!(f, $english $( $( , $argument = $argument )* )?)
-                    } )*
-                }
+                self.in_lang(crate::message::Lang::English).fmt(f)
             }
         }
     };
@@ -58,7 +87,7 @@ macro_rules! messages {
 /// [`Message`](super::Message): a message of any of these tables.
 macro_rules! tables {
     ($( $( #[$meta:meta] )* $table:ident, )*) => {
-        /// A message, whose [`Display`](std::fmt::Display) is its text.
+        /// A message. Its [`Display`](std::fmt::Display) is its English text.
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum Message {
@@ -78,17 +107,17 @@ macro_rules! tables {
             }
         )*
 
-        impl std::fmt::Display for Message {
-            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        impl say::Say for Message {
+            fn say(&self, lang: Lang, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 match self {
-                    $( $( #[$meta] )* Message::$table(message) => message.fmt(f), )*
+                    $( $( #[$meta] )* Message::$table(message) => message.say(lang, f), )*
                 }
             }
         }
 
         /// The rows of every table.
         #[cfg(test)]
-        const ROWS: &[&[(&str, &str, &str)]] = &[$( $( #[$meta] )* $table::ROWS, )*];
+        const ROWS: &[&[tests::Row]] = &[$( $( #[$meta] )* $table::ROWS, )*];
 
         /// The messages of every table, with the arguments of a turn.
         #[cfg(test)]

@@ -6,13 +6,22 @@ pub(crate) use sample::Sample;
 use super::Describing;
 use super::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
 use super::phrase::*;
-use super::{Message, Parsing, ROWS, each};
+use super::say::{Said, Say};
+use super::{Lang, Message, Parsing, ROWS, each};
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
+/// A row of a table.
+pub(crate) struct Row {
+    pub(crate) table: &'static str,
+    pub(crate) row: &'static str,
+    pub(crate) english: &'static str,
+    pub(crate) japanese: &'static str,
+}
+
 /// The rows of parts of messages.
-const PHRASES: &[&[(&str, &str, &str)]] = &[
+const PHRASES: &[&[Row]] = &[
     End::ROWS,
     Lack::ROWS,
     Assign::ROWS,
@@ -37,8 +46,16 @@ const PHRASES: &[&[(&str, &str, &str)]] = &[
 ];
 
 #[track_caller]
-fn check(message: impl ToString, expected: &str) {
-    assert_eq!(message.to_string(), expected);
+fn check(message: impl Say, expected: &str) {
+    assert_eq!(english(&message), expected);
+}
+
+fn english(message: &impl Say) -> String {
+    Said(message, Lang::English).to_string()
+}
+
+fn japanese(message: &impl Say) -> String {
+    Said(message, Lang::Japanese).to_string()
 }
 
 #[test]
@@ -67,9 +84,9 @@ fn holes_take_the_arguments_that_bear_their_names() {
 fn parts_of_a_sentence_agree_with_their_numbers() {
     check(Joints::from(1), "1 joint");
     check(Joints::from(3), "3 joints");
-    check(Standing::from(0), "none stands");
-    check(Standing::from(1), "one stands");
-    check(Standing::from(2), "2 stand");
+    check(Standing::from(0), "there is none");
+    check(Standing::from(1), "there is one");
+    check(Standing::from(2), "there are 2");
     check(Numbers::new(1, None), "one number");
     check(Numbers::new(3, None), "3 numbers");
     check(Numbers::new(1, Some(Type::Joint)), "one number or a JOINT");
@@ -107,8 +124,13 @@ fn of_a_long_path_the_ends_are_shown() {
 
 #[test]
 fn every_message_is_a_whole_text_with_plain_arguments() {
-    for message in (0..sample::PLAIN).flat_map(each) {
-        let text = message.to_string();
+    let texts = |message: Message| {
+        [
+            (english(&message), message.clone()),
+            (japanese(&message), message),
+        ]
+    };
+    for (text, message) in (0..sample::PLAIN).flat_map(each).flat_map(texts) {
         assert!(!text.trim().is_empty(), "{message:?}");
         assert_eq!(text.trim_end(), text, "{message:?}");
         assert!(!text.contains(['{', '}']), "{message:?}: {text:?}");
@@ -122,22 +144,42 @@ fn every_message_shows_odd_arguments_as_they_are() {
         let odd = String::sample(turn);
         let quoted = format!("{odd:?}");
         for message in each(turn) {
-            let text = message.to_string();
             let has_odd = format!("{message:?}").contains(&quoted);
-            assert!(!has_odd || text.contains(&odd), "turn {turn}: {text:.200}");
+            for text in [english(&message), japanese(&message)] {
+                assert!(!has_odd || text.contains(&odd), "turn {turn}: {text:.200}");
+            }
         }
     }
 }
 
 #[test]
 fn no_text_stands_in_two_rows() {
-    let mut rows: HashMap<&str, String> = HashMap::new();
-    for (table, row, text) in ROWS.iter().copied().flatten() {
-        let is_words = text.replace(['{', '}'], "").contains(' ');
-        let name = format!("{table}::{row}");
-        if let Some(first) = rows.insert(text, name.clone()).filter(|_| is_words) {
-            panic!("{first} and {name} are both {text:?}");
+    for text in [|row: &Row| row.english, |row: &Row| row.japanese] {
+        let mut rows: HashMap<&str, String> = HashMap::new();
+        for row in ROWS.iter().copied().flatten() {
+            let is_words = text(row).replace(['{', '}'], "").contains(' ');
+            let name = format!("{}::{}", row.table, row.row);
+            if let Some(first) = rows.insert(text(row), name.clone()).filter(|_| is_words) {
+                panic!("{first} and {name} are both {:?}", text(row));
+            }
         }
+    }
+}
+
+/// What is not a text of its own in Japanese: holes alone, names, and what the system says.
+#[test]
+fn every_text_is_translated() {
+    let is_words = |text: &str| {
+        let mut depth = 0;
+        text.chars().any(|letter| {
+            depth += i32::from(letter == '{') - i32::from(letter == '}');
+            depth == 0 && letter.is_ascii_alphabetic()
+        })
+    };
+    let is_japanese = |letter: char| ('\u{3041}'..='\u{9fff}').contains(&letter);
+    for row in ROWS.iter().chain(PHRASES).copied().flatten() {
+        let translated = row.japanese.contains(is_japanese) || !is_words(row.english);
+        assert!(translated, "{}::{}: {:?}", row.table, row.row, row.japanese);
     }
 }
 
@@ -147,14 +189,20 @@ fn every_row_is_said_somewhere() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     collect(&package.join("src"), &mut sources);
     collect(&package.join("../tools"), &mut sources);
-    for (table, row, text) in ROWS.iter().chain(PHRASES).copied().flatten() {
+    for Row {
+        table,
+        row,
+        english,
+        ..
+    } in ROWS.iter().chain(PHRASES).copied().flatten()
+    {
         let said = sources
             .match_indices(&format!("{table}::{row}"))
             .any(|(at, name)| {
                 let next = sources[at + name.len()..].chars().next();
                 !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
             });
-        assert!(said, "nothing says {table}::{row}: {text}");
+        assert!(said, "nothing says {table}::{row}: {english}");
     }
 }
 

@@ -1,8 +1,9 @@
 //! Conditions of IF, ELSEIF, WHILE and UNTIL (T.I.P. 3.1 §6).
 
 use super::reader::{Fault, Parsed, Reader};
+use crate::foreign;
 use crate::lex::{Kind, Token};
-use crate::message::Parsing;
+use crate::message::{Habit, Parsing};
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
@@ -71,7 +72,26 @@ impl Reader<'_> {
         }
     }
 
+    /// What is wrong after a condition, if it goes on as in another language.
+    pub(super) fn joined(&self) -> Option<Fault> {
+        let next = self.peek()?;
+        let before = self
+            .before()
+            .filter(|it| foreign::negates(self.slice(it.span)));
+        if let Some(not) = before {
+            return Some(self.fault_with_help(not.span, Habit::Not, Habit::WriteNot));
+        }
+        let word = self.slice(next.span);
+        foreign::joins_conditions(word).then(|| {
+            let reason = Habit::AndOr { word: word.into() };
+            self.fault_with_help(next.span, reason, Habit::Nest)
+        })
+    }
+
     fn no_relation(&self, token: Token) -> Fault {
+        if token.kind == Kind::Not {
+            return self.fault_with_help(token.span, Habit::NotEqual, Habit::WriteNotEqual);
+        }
         let reason = match token.kind {
             Kind::Assign(None) => Parsing::AssignsComparesNothing,
             Kind::Arithmetic(_) => Parsing::ConditionCannotCalculate,
@@ -87,6 +107,9 @@ impl Reader<'_> {
                 name: Word { node: name, span },
                 negated: false,
             }),
+            OperandKind::Number(_) => {
+                Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Habit::Forever))
+            }
             _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
         }
     }

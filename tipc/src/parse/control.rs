@@ -3,8 +3,8 @@
 use super::reader::{Fault, Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::{Kind, Token};
-use crate::message::Parsing;
 use crate::message::phrase::End;
+use crate::message::{Habit, Parsing};
 use crate::source::Span;
 use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then};
 
@@ -25,25 +25,54 @@ impl Reader<'_> {
 
     fn then(&mut self) -> Parsed<(Then, Parsed<()>)> {
         if self.take_word(Keyword::Then).is_some() {
-            return Ok((
-                Then::Block,
-                self.expect_end(End::Word {
-                    word: Keyword::Then.into(),
-                }),
-            ));
+            return self.after_then();
         }
         if let Some(keyword) = self.take_word(Keyword::Goto) {
             let jump = self.goto(keyword)?;
-            return Ok((Then::Goto(jump), self.expect_end(End::Label)));
+            return Ok((Then::Goto(jump), self.end_of_jump(Keyword::Goto)));
         }
         if let Some(keyword) = self.take_word(Keyword::Gosub) {
             let jump = self.jump(keyword, Keyword::Gosub)?;
-            return Ok((Then::Gosub(jump), self.expect_end(End::Label)));
+            return Ok((Then::Gosub(jump), self.end_of_jump(Keyword::Gosub)));
         }
         Err(self.missing_then())
     }
 
+    /// A block follows THEN, on the next line. A jump in its place is read as if THEN were not there.
+    fn after_then(&mut self) -> Parsed<(Then, Parsed<()>)> {
+        let place = self.rest();
+        for word in [Keyword::Goto, Keyword::Gosub] {
+            if let Some(keyword) = self.take_word(word) {
+                let (jump, then): (_, fn(Jump) -> Then) = match word {
+                    Keyword::Goto => (self.goto(keyword)?, Then::Goto),
+                    _ => (self.jump(keyword, word)?, Then::Gosub),
+                };
+                let reason = Habit::ThenJumps { jump: word.into() };
+                let help = Habit::LeaveThenOut { jump: word.into() };
+                let fault = self.fault_with_help(place, reason, help);
+                return Ok((then(jump), Err(fault)));
+            }
+        }
+        match self.left() {
+            0 => Ok((Then::Block, Ok(()))),
+            _ => Err(self.fault_with_help(place, Habit::OneLineIf, Habit::CloseOneLineIf)),
+        }
+    }
+
+    /// Nothing follows a jump, not even THEN.
+    fn end_of_jump(&self, jump: Keyword) -> Parsed<()> {
+        if self.at_word(Keyword::Then) && self.left() == 1 {
+            let reason = Habit::ThenJumps { jump: jump.into() };
+            let help = Habit::LeaveThenOut { jump: jump.into() };
+            return Err(self.fault_with_help(self.here(), reason, help));
+        }
+        self.expect_end(End::Label)
+    }
+
     fn missing_then(&self) -> Fault {
+        if let Some(fault) = self.joined() {
+            return fault;
+        }
         if self.at_word(Keyword::Call) {
             let help = Parsing::GosubCalls;
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
@@ -58,21 +87,30 @@ impl Reader<'_> {
             Some(_) => self.expect_end(End::Word {
                 word: Keyword::Then.into(),
             }),
-            None => Err(self.fault(self.here(), Parsing::ThenBelongsHere)),
+            None => Err(self
+                .joined()
+                .unwrap_or_else(|| self.fault(self.here(), Parsing::ThenBelongsHere))),
         };
         Ok((StatementKind::ElseIf { keyword, condition }, end))
     }
 
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
-        let end = self.expect_end(End::Condition);
+        let end = self.end_of_condition();
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
     pub(super) fn until(&mut self, keyword: Span) -> Read {
         let condition = Box::new(self.condition()?);
-        let end = self.expect_end(End::Condition);
+        let end = self.end_of_condition();
         Ok((StatementKind::Until { keyword, condition }, end))
+    }
+
+    fn end_of_condition(&self) -> Parsed<()> {
+        match self.joined() {
+            Some(fault) => Err(fault),
+            None => self.expect_end(End::Condition),
+        }
     }
 
     pub(super) fn for_statement(&mut self, keyword: Span) -> Read {

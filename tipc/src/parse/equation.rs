@@ -98,8 +98,12 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
     }
 }
 
-/// The fault with the help that it lacks.
+/// A fault among the operands of a function: what looks like a sign there was to be a second operation.
 fn with_help(mut fault: Fault) -> Fault {
+    if fault.reason == Parsing::SignStandsBefore.into() {
+        fault.reason = Parsing::EquationEnds.into();
+        fault.help = None;
+    }
     fault
         .help
         .get_or_insert_with(|| Parsing::OneOperation.into());

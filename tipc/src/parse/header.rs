@@ -4,8 +4,11 @@ use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, split_comment};
-use crate::message::Parsing;
+use crate::message::{Decimal, Habit, Message, Parsing};
 use crate::source::{Source, Span};
+
+/// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
+const OLDER: &[f64] = &[1.0, 1.1, 2.0, 2.1, 3.0, 4.0];
 
 /// Whether line 1 names `wanted`, compared as numbers.
 pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
@@ -13,11 +16,20 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
     let word = source.slice(span);
     let reason = match version_number(word) {
         Some(found) if found == wanted => return Ok(()),
-        Some(_) => Parsing::OtherVersion { wanted },
+        Some(_) => Parsing::OtherVersion {
+            wanted: Decimal(wanted),
+        },
         None if word.is_empty() => Parsing::NoVersion,
         None => Parsing::MoreThanVersion,
     };
-    let help = Parsing::StartWithVersion { wanted };
+    let is_older = version_number(word).is_some_and(|found| OLDER.contains(&found));
+    let help: Message = match is_older {
+        true => Habit::Migrate.into(),
+        false => Parsing::StartWithVersion {
+            wanted: Decimal(wanted),
+        }
+        .into(),
+    };
     Err(Box::new(
         Diagnostic::new(Code::Version, span, reason).help(help),
     ))

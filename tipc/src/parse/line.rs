@@ -3,9 +3,10 @@
 use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::{Piece, Pieces, foreign_run, split_comment};
-use crate::message::Parsing;
+use crate::message::{Habit, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 
@@ -28,7 +29,7 @@ impl Parser<'_> {
                     flow = self.statement(word, span, text_end, cut_by);
                 }
             }
-            if flow == Flow::End {
+            if flow != Flow::Continue {
                 break;
             }
         }
@@ -75,6 +76,10 @@ impl Parser<'_> {
         let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
         if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
+        } else if foreign::is_comment(self.source.slice(self.line.span).trim()) {
+            diagnostic = diagnostic.help(Habit::Comment);
+        } else {
+            diagnostic = diagnostic.help(Parsing::TakeOut);
         }
         self.report(diagnostic);
     }
@@ -127,6 +132,7 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
         Shape::Repeat => Some(Keyword::Repeat),
         Shape::Plain
         | Shape::If
+        | Shape::OneLineIf
         | Shape::ElseIf
         | Shape::While
         | Shape::Until
@@ -135,6 +141,16 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
         | Shape::Subroutine
         | Shape::SubEnd => None,
     }
+}
+
+/// The text with half-width letters, digits and signs for full-width ones.
+pub(super) fn narrow(text: &str) -> String {
+    text.chars()
+        .map(|char| match char {
+            '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0).unwrap_or(char),
+            _ => char,
+        })
+        .collect()
 }
 
 /// The same characters half-width, if they are full-width letters, digits or signs.

@@ -3,7 +3,7 @@
 use super::reader::{Fault, Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::{Kind, Token};
-use crate::message::Parsing;
+use crate::message::{Habit, Parsing};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 
@@ -81,6 +81,12 @@ impl Reader<'_> {
     fn signed(&mut self, sign: Arithmetic, place: Span) -> Parsed<Operand> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
+            Some(word) if word.kind == Kind::Word => {
+                let (sign, word) = (self.slice(place), self.slice(word.span));
+                let text = format!("{sign}{word}").into();
+                let reason = Parsing::SignStandsBefore;
+                return Err(self.fault_with_help(place, reason, Habit::WriteSigned { text }));
+            }
             _ => {
                 let reason = Parsing::SignStandsBefore;
                 return Err(self.fault(place, reason));

@@ -4,8 +4,8 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Keyword;
 use crate::lex::{Kind, Token};
-use crate::message::Parsing;
 use crate::message::phrase::End;
+use crate::message::{Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Word, upper_case};
 
@@ -76,6 +76,11 @@ impl<'a> Reader<'a> {
         token.map(|token| token.span)
     }
 
+    /// The token before the next one.
+    pub(super) fn before(&self) -> Option<Token> {
+        self.tokens.get(self.at.checked_sub(1)?).copied()
+    }
+
     /// How many tokens are left.
     pub(super) fn left(&self) -> usize {
         self.tokens.len() - self.at
@@ -99,12 +104,17 @@ impl<'a> Reader<'a> {
     }
 
     /// A fault of this statement at `span`.
-    pub(super) fn fault(&self, span: Span, reason: Parsing) -> Fault {
+    pub(super) fn fault(&self, span: Span, reason: impl Into<Message>) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason))
     }
 
     /// A fault of this statement at `span`, with a help.
-    pub(super) fn fault_with_help(&self, span: Span, reason: Parsing, help: Parsing) -> Fault {
+    pub(super) fn fault_with_help(
+        &self,
+        span: Span,
+        reason: impl Into<Message>,
+        help: impl Into<Message>,
+    ) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
     }
 

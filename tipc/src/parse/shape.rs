@@ -10,6 +10,7 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
         return Shape::Plain;
     };
     match keyword {
+        Keyword::If if has_statement_after_then(text, tokens) => Shape::OneLineIf,
         Keyword::If if opens_block(text, tokens) => Shape::If,
         Keyword::ElseIf => Shape::ElseIf,
         Keyword::While => Shape::While,
@@ -38,17 +39,36 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
     }
 }
 
+/// The shape of a statement that one of these words was meant to be.
+pub(super) fn meant(keyword: Keyword) -> Shape {
+    match keyword {
+        Keyword::ElseIf => Shape::ElseIf,
+        Keyword::EndIf => Shape::EndIf,
+        Keyword::Wend => Shape::Wend,
+        Keyword::Next => Shape::Next,
+        Keyword::SubEnd => Shape::SubEnd,
+        _ => Shape::Plain,
+    }
+}
+
+/// `IF … THEN` with its statement on the same line.
+fn has_statement_after_then(text: &str, tokens: &[Token]) -> bool {
+    let then = tokens.iter().position(|it| is(text, it, Keyword::Then));
+    then.is_some_and(|at| at + 1 < tokens.len())
+}
+
+fn is(text: &str, token: &Token, keyword: Keyword) -> bool {
+    let span = token.span;
+    text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
+}
+
 /// An IF opens a block if it contains THEN, or if nothing in it looks like a jump.
 fn opens_block(text: &str, tokens: &[Token]) -> bool {
-    let is = |token: &Token, keyword: Keyword| {
-        let span = token.span;
-        text[span.start..span.end].eq_ignore_ascii_case(keyword.word())
-    };
     let jumps = |token: &Token| {
         token.kind == Kind::Colon
             || [Keyword::Goto, Keyword::Gosub, Keyword::Call]
                 .iter()
-                .any(|word| is(token, *word))
+                .any(|word| is(text, token, *word))
     };
-    tokens.iter().any(|token| is(token, Keyword::Then)) || !tokens.iter().any(jumps)
+    tokens.iter().any(|token| is(text, token, Keyword::Then)) || !tokens.iter().any(jumps)
 }

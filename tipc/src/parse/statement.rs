@@ -2,14 +2,15 @@
 
 use super::control::Read;
 use super::line::not_alone;
-use super::reader::Reader;
+use super::reader::{Fault, Reader};
 use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Naming, Parsing};
+use crate::message::{Habit, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, VariableKind, Word};
 
@@ -27,10 +28,15 @@ impl Parser<'_> {
         match keywords::find(self.source.slice(word), self.module.edition) {
             Some(Keyword::End) => {
                 self.push(StatementKind::End, word);
+                self.module.after_end = self.word_after(word, span);
                 return Flow::End;
             }
             Some(Keyword::Message) => self.message(word, text_end, comment),
             Some(Keyword::Rem) => self.push(StatementKind::Rem, span),
+            None if foreign::is_comment(self.source.slice(span)) => {
+                self.foreign_comment(span);
+                return Flow::NextLine;
+            }
             keyword => self.words(keyword, word, span),
         }
         Flow::Continue
@@ -44,6 +50,7 @@ impl Parser<'_> {
         if let Some(foreign) = foreign {
             self.report_foreign(foreign);
         }
+        let keyword = keyword.or_else(|| self.narrow_keyword(word).filter(|_| foreign.is_some()));
         let kind = self.kind(keyword, word, &tokens, foreign.is_some());
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
@@ -60,6 +67,10 @@ impl Parser<'_> {
         reported: bool,
     ) -> StatementKind {
         match keyword.map(|keyword| (keyword, Start::of(keyword))) {
+            Some((Keyword::Else, _)) if self.is_else_if(tokens) => {
+                self.report_else_if(tokens);
+                return StatementKind::Broken(Shape::ElseIf);
+            }
             Some((keyword, Start::Lone(kind))) => {
                 self.check_alone(keyword, tokens, reported);
                 return kind;
@@ -91,7 +102,9 @@ impl Parser<'_> {
                 self.report(*fault);
                 StatementKind::Broken(shape(keyword, self.text, tokens))
             }
-            None => self.command(word, tokens),
+            None => self
+                .unknown(word, tokens)
+                .unwrap_or_else(|| self.command(word, tokens)),
         }
     }
 
@@ -136,7 +149,7 @@ impl Parser<'_> {
     }
 
     /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
-    fn define(
+    pub(super) fn define(
         &mut self,
         kind: VariableKind,
         keyword: Span,
@@ -149,17 +162,16 @@ impl Parser<'_> {
         }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let is_word = |token: &&Token| token.kind == Kind::Word;
-        if let Some(odd) = tokens
-            .iter()
-            .find(|token| !is_word(token))
-            .filter(|_| !reported)
-        {
-            let reason = Parsing::OnlyNames;
-            let help = Parsing::SeparateNames;
-            self.report(*reader.fault_with_help(odd.span, reason, help));
+        if let Some(odd) = tokens.iter().position(|token| !is_word(&token)) {
+            let fault = odd_in_declaration(&reader, tokens, odd);
+            self.diagnostics
+                .extend(fault.filter(|_| !reported).map(|it| *it));
         }
-        let names: Vec<Word> = tokens[1..]
-            .iter()
+        // A value in a declaration is not a name.
+        let is_value = |at: usize| matches!(tokens[at - 1].kind, Kind::Assign(_));
+        let names: Vec<Word> = (1..tokens.len())
+            .filter(|at| !is_value(*at))
+            .map(|at| &tokens[at])
             .filter(|token| is_word(token) && foreign_run(self.text, token.span).is_none())
             .map(|token| reader.word(token.span))
             .collect();
@@ -172,6 +184,19 @@ impl Parser<'_> {
             names,
         }
     }
+}
+
+/// What is wrong with the token at `odd` of a declaration, which is not a name.
+fn odd_in_declaration(reader: &Reader<'_>, tokens: &[Token], odd: usize) -> Option<Fault> {
+    let place = tokens.get(odd)?;
+    let named = tokens[..odd].last().filter(|_| odd > 1);
+    Some(match (place.kind, named) {
+        (Kind::Assign(_), Some(name)) => {
+            let name = reader.word(name.span).node;
+            reader.fault_with_help(place.span, Habit::NoInitial, Habit::Initial { name })
+        }
+        _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
+    })
 }
 
 /// What is known of a statement from its keyword alone.

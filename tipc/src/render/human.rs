@@ -1,7 +1,9 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
+use super::Style;
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
+use crate::message::Lang;
 use crate::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
 use std::fmt::Display;
@@ -72,37 +74,63 @@ fn width(line: &str, bytes: usize) -> usize {
     }
 }
 
-/// The diagnostic in the style of rustc, with colours for a terminal if `colour`; it ends with a line end.
-pub fn human(source: &Source, diagnostic: &Diagnostic, colour: bool) -> String {
+/// The diagnostic in the style of rustc: its headline, the lines with carets, the help, and as a note the classical
+/// message. It ends with a line end.
+pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let windows = windows(source, diagnostic);
     let name = printable(source.name());
-    let level = match diagnostic.level() {
-        Level::Error => Title::ERROR,
-        Level::Warning => Title::WARNING,
-    };
-    let title = level
-        .primary_title(printable(diagnostic.title()))
+    let title = level(diagnostic.level(), style.lang)
+        .primary_title(printable(diagnostic.headline(style.lang)))
         .id(diagnostic.code.id());
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
-        group = group
-            .element(origin(&name, source, diagnostic))
-            .element(Title::NOTE.message(printable(&diagnostic.reason)));
+        group = group.element(origin(&name, source, diagnostic));
+        if let Some(text) = at_place(diagnostic, style.lang) {
+            group = group.element(note(style.lang).message(text));
+        }
     }
     for window in &windows {
-        group = group.element(snippet(&name, source, diagnostic, window));
+        group = group.element(snippet(&name, source, diagnostic, window, style.lang));
     }
     if let Some(help) = &diagnostic.help {
-        group = group.element(Title::HELP.message(printable(help)));
+        let help = printable(help.in_lang(style.lang));
+        group = group.element(
+            Title::HELP
+                .with_name(style.lang.pick("help", "ヘルプ"))
+                .message(help),
+        );
     }
-    let renderer = if colour {
-        Renderer::styled()
-    } else {
-        Renderer::plain()
+    if diagnostic.level() == Level::Error {
+        group = group.element(note(style.lang).message(printable(diagnostic.title())));
+    }
+    let renderer = match style.colour {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
+    };
+    let renderer = match style.width {
+        Some(width) => renderer.term_width(width),
+        None => renderer,
     };
     let mut out = renderer.render(&[group]);
     out.push('\n');
     out
+}
+
+fn level(level: Level, lang: Lang) -> Title<'static> {
+    match level {
+        Level::Error => Title::ERROR.with_name(lang.pick("error", "エラー")),
+        Level::Warning => Title::WARNING.with_name(lang.pick("warning", "警告")),
+    }
+}
+
+fn note(lang: Lang) -> Title<'static> {
+    Title::NOTE.with_name(lang.pick("note", "注"))
+}
+
+/// What is said at the place itself: nothing of an error, whose reason is the headline.
+fn at_place(diagnostic: &Diagnostic, lang: Lang) -> Option<String> {
+    let is_warning = diagnostic.level() == Level::Warning;
+    is_warning.then(|| printable(diagnostic.reason.in_lang(lang)))
 }
 
 /// The place alone, for one that cannot be shown.
@@ -134,16 +162,17 @@ fn snippet<'a>(
     source: &Source,
     diagnostic: &Diagnostic,
     window: &'a Window,
+    lang: Lang,
 ) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
     let primary = window.range(source, diagnostic.span).map(|range| {
         AnnotationKind::Primary
             .span(range)
-            .label(printable(&diagnostic.reason))
+            .label(at_place(diagnostic, lang))
     });
     let labels = diagnostic.labels.iter().filter_map(|label| {
         let range = window.range(source, label.span)?;
         let kind = AnnotationKind::Context;
-        Some(kind.span(range).label(printable(&label.text)))
+        Some(kind.span(range).label(printable(label.text.in_lang(lang))))
     });
     Snippet::source(window.text.as_str())
         .line_start(window.first as usize)

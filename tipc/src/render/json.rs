@@ -1,13 +1,15 @@
 //! One JSON object for each diagnostic.
 
 use crate::diagnostic::Diagnostic;
-use crate::source::Source;
+use crate::message::Lang;
+use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
 use tip_runtime::printable::acts;
 
-/// An object on one line, without line end: `level`, `kind` (of errors), `message`, `code`, `file`, `line`, `column`
-/// (both from 1, the column in characters) and, if there is any, `help`.
-pub fn json(source: &Source, diagnostic: &Diagnostic) -> String {
+/// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
+/// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
+/// that finer codes are part of), `range` and `labels` with the places in every unit, and the file's `encoding`.
+pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let mut out = String::from("{\"level\":");
     push_string(&mut out, diagnostic.level().name());
@@ -20,10 +22,63 @@ pub fn json(source: &Source, diagnostic: &Diagnostic) -> String {
     push_number(&mut out, "line", line);
     push_number(&mut out, "column", column);
     if let Some(help) = &diagnostic.help {
-        push_member(&mut out, "help", &help.to_string());
+        push_member(&mut out, "help", &help.in_lang(lang).to_string());
     }
+    push_member(
+        &mut out,
+        "reason",
+        &diagnostic.reason.in_lang(lang).to_string(),
+    );
+    push_member(&mut out, "class", diagnostic.code.id());
+    out.push_str(",\"range\":");
+    push_range(&mut out, source, diagnostic.span);
+    push_labels(&mut out, source, diagnostic, lang);
+    push_member(&mut out, "encoding", source.charset().name());
     out.push('}');
     out
+}
+
+/// The other places that matter, each with what is there.
+fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
+    out.push_str(",\"labels\":[");
+    for (index, label) in diagnostic.labels.iter().enumerate() {
+        out.push_str(if index == 0 {
+            "{\"text\":"
+        } else {
+            ",{\"text\":"
+        });
+        push_string(out, &label.text.in_lang(lang).to_string());
+        out.push_str(",\"range\":");
+        push_range(out, source, label.span);
+        out.push('}');
+    }
+    out.push(']');
+}
+
+/// Where a span begins and ends.
+fn push_range(out: &mut String, source: &Source, span: Span) {
+    out.push_str("{\"start\":");
+    push_position(out, source, span.start);
+    out.push_str(",\"end\":");
+    push_position(out, source, span.end);
+    out.push('}');
+}
+
+/// A place: the byte of the file from 0; the line from 1; and the column from 1, in characters, in bytes of UTF-8 and in
+/// units of UTF-16.
+fn push_position(out: &mut String, source: &Source, offset: usize) {
+    let column = |unit| source.position(offset, unit).column;
+    let Position {
+        line,
+        column: characters,
+    } = source.position(offset, Unit::Character);
+    let byte = source.file_offset(offset);
+    let (utf8, utf16) = (column(Unit::Utf8), column(Unit::Utf16));
+    // Writing to a string cannot fail.
+    let _ = write!(
+        out,
+        "{{\"byte\":{byte},\"line\":{line},\"column\":{characters},\"utf8\":{utf8},\"utf16\":{utf16}}}"
+    );
 }
 
 /// Another member of an object, a string.

@@ -1,7 +1,7 @@
-use super::{human, json, short};
+use super::{Style, classical, human, json, short};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::message::{Parsing, Reading};
+use crate::message::{Lang, Parsing, Reading};
 use crate::source::{Encoding, Source, Span};
 
 fn source(name: &str, text: &str) -> Source {
@@ -29,7 +29,7 @@ fn span(source: &Source, place: &str) -> Span {
 
 #[track_caller]
 fn check_human(source: &Source, diagnostic: &Diagnostic, expected: &str) {
-    let shown = human(source, diagnostic, false);
+    let shown = human(source, diagnostic, Style::default());
     let trimmed: Vec<&str> = shown.lines().map(str::trim_end).collect();
     assert_eq!(
         trimmed.join("\n").trim_end(),
@@ -79,11 +79,11 @@ fn labels_are_shown_near_and_far() {
         &source,
         &diagnostic,
         "
-error[E207]: TIP_ERR:Control structure mismatch (SyntaxError)
+error[E207]: this is never closed
   --> walk.prg:3:1
    |
  3 | WHILE KB_HIT
-   | ^^^^^ this is never closed
+   | ^^^^^
  4 | IF KB_HIT THEN
    | -- inside it
    |
@@ -91,6 +91,8 @@ error[E207]: TIP_ERR:Control structure mismatch (SyntaxError)
    |
 65 | END
    | --- the program ends here
+   |
+   = note: TIP_ERR:Control structure mismatch (SyntaxError)
 ",
     );
 }
@@ -104,11 +106,13 @@ fn a_place_at_the_end_of_a_line_has_its_caret() {
         &source,
         &diagnostic,
         "
-error[E107]: TIP_ERR:Wrong equation format (PreprocessError)
+error[E107]: an operand is missing here
  --> walk.prg:3:4
   |
 3 | A =
-  |    ^ an operand is missing here
+  |    ^
+  |
+  = note: TIP_ERR:Wrong equation format (PreprocessError)
 ",
     );
 }
@@ -117,7 +121,7 @@ error[E107]: TIP_ERR:Wrong equation format (PreprocessError)
 fn a_place_far_into_an_endless_line_is_named_without_its_line() {
     let source = source("walk.prg", &format!("{}X", "あ".repeat(5000)));
     let diagnostic = at(&source, Code::Format, "X", "too far");
-    let shown = human(&source, &diagnostic, false);
+    let shown = human(&source, &diagnostic, Style::default());
     assert!(shown.contains("--> walk.prg:1:5001"), "{shown}");
     assert!(shown.contains("too far"), "{shown}");
 }
@@ -126,24 +130,68 @@ fn a_place_far_into_an_endless_line_is_named_without_its_line() {
 fn colour_is_only_there_when_asked_for() {
     let source = source("walk.prg", "3.1\nt\nEND");
     let diagnostic = at(&source, Code::Format, "END", "why");
-    assert!(!human(&source, &diagnostic, false).contains('\u{1B}'));
-    assert!(human(&source, &diagnostic, true).contains('\u{1B}'));
+    assert!(!human(&source, &diagnostic, Style::default()).contains('\u{1B}'));
+    assert!(human(&source, &diagnostic, Style::default().colour(true)).contains('\u{1B}'));
 }
 
 // clauses: 8.1
 #[test]
-fn short_is_the_classical_line_behind_the_place() {
+fn the_classical_line_stands_after_the_place() {
     let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
     let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
     assert_eq!(
-        short(&source, &error),
+        classical(&source, &error),
         "dir/walk.prg:3:8: error: TIP_ERR:Label \"X\" does not exist (SyntaxError)"
     );
     let warning = at(&source, Code::Unused, "X", "here").about("X");
     assert_eq!(
-        short(&source, &warning),
+        classical(&source, &warning),
         "dir/walk.prg:3:8: warning: variable \"X\" is declared but never used"
     );
+}
+
+// clauses: 8.1
+#[test]
+fn short_is_the_reason_and_the_classical_message_after_the_place() {
+    let source = source("dir/walk.prg", "3.1\nt\n　あGOTO X:\nEND");
+    let error = at(&source, Code::UnknownLabel, "X", "nowhere").about("X");
+    assert_eq!(
+        short(&source, &error, Lang::English),
+        "dir/walk.prg:3:8: error[E202]: nowhere (TIP_ERR:Label \"X\" does not exist)"
+    );
+    let warning = at(&source, Code::Unused, "X", "here").about("X");
+    assert_eq!(
+        short(&source, &warning, Lang::English),
+        "dir/walk.prg:3:8: warning[W101]: variable \"X\" is declared but never used"
+    );
+    assert_eq!(
+        short(&source, &warning, Lang::Japanese),
+        "dir/walk.prg:3:8: warning[W101]: 変数 \"X\" は宣言されていますが、使われていません"
+    );
+}
+
+// clauses: 8.1
+#[test]
+fn people_read_in_their_language() {
+    let source = source("walk.prg", "3.1\nt\nWHILE KB_HIT DO\nEND");
+    let place = span(&source, "DO");
+    let error = Diagnostic::new(Code::Argument, place, Parsing::ThenBelongsHere)
+        .help(Parsing::LeavePlusOut)
+        .label(span(&source, "WHILE"), Parsing::TextEndsHere);
+    let shown = human(&source, &error, Style::default().lang(Lang::Japanese));
+    let expected = "
+エラー[E205]: ここにはTHENを書きます
+ --> walk.prg:3:14
+  |
+3 | WHILE KB_HIT DO
+  | -----        ^^
+  | |
+  | 文字列はここで終わります
+  |
+  = ヘルプ: `+` を取ってください
+  = 注: TIP_ERR:Wrong argument (SyntaxError)
+";
+    assert_eq!(shown.trim_end(), expected.trim());
 }
 
 // clauses: 8.1
@@ -152,21 +200,55 @@ fn json_is_one_object_on_one_line() {
     let source = source("a\"b\\.prg", "3.1\nt\nあ X\nEND");
     let error = at(&source, Code::UnknownVariable, "X", "nowhere")
         .about("X")
-        .help(text("two\nlines\t日"));
+        .help(text("two\nlines\t日"))
+        .label(span(&source, "t"), text("there"));
     assert_eq!(
-        json(&source, &error),
+        json(&source, &error, Lang::English),
         concat!(
             r#"{"level":"error","kind":"SyntaxError","message":"unknown variable \"X\"","code":"E206","#,
-            r#""file":"a\"b\\.prg","line":3,"column":3,"help":"two\u000alines\u0009日"}"#
+            r#""file":"a\"b\\.prg","line":3,"column":3,"help":"two\u000alines\u0009日","#,
+            r#""reason":"nowhere","class":"E206","#,
+            r#""range":{"start":{"byte":10,"line":3,"column":3,"utf8":5,"utf16":3},"#,
+            r#""end":{"byte":11,"line":3,"column":4,"utf8":6,"utf16":4}},"#,
+            r#""labels":[{"text":"there","#,
+            r#""range":{"start":{"byte":4,"line":2,"column":1,"utf8":1,"utf16":1},"#,
+            r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"encoding":"UTF-8"}"#
         )
     );
-    let warning = at(&source, Code::CommentInMessage, "X", "here");
+    let warning = at(&source, Code::CommentInMessage, "3.1", "here");
     assert_eq!(
-        json(&source, &warning),
+        json(&source, &warning, Lang::Japanese),
         concat!(
             r#"{"level":"warning","message":"the comment cuts this MESSAGE text","code":"W103","#,
-            r#""file":"a\"b\\.prg","line":3,"column":3}"#
+            r#""file":"a\"b\\.prg","line":1,"column":1,"reason":"here","class":"W103","#,
+            r#""range":{"start":{"byte":0,"line":1,"column":1,"utf8":1,"utf16":1},"#,
+            r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"encoding":"UTF-8"}"#
         )
+    );
+}
+
+// clauses: 8.1
+#[test]
+fn bytes_are_those_of_the_file() {
+    // 歩 is 3 bytes of UTF-8, but 2 of Shift_JIS.
+    let bytes = b"3.1\n\x95\xE0\nX\nEND";
+    let (source, _) = Source::decode("sjis.prg", bytes, Encoding::ShiftJis);
+    let found = json(
+        &source,
+        &at(&source, Code::Format, "X", "why"),
+        Lang::English,
+    );
+    assert!(found.contains(r#""start":{"byte":7,"line":3,"#), "{found}");
+    assert!(found.ends_with(r#""encoding":"Shift_JIS"}"#), "{found}");
+    let (source, _) = Source::decode("bom.prg", b"\xEF\xBB\xBF3.1\n", Encoding::Utf8);
+    let found = json(
+        &source,
+        &at(&source, Code::Format, "3.1", "why"),
+        Lang::English,
+    );
+    assert!(
+        found.contains(r#""start":{"byte":3,"line":1,"column":1,"utf8":1,"#),
+        "{found}"
     );
 }
 
@@ -178,18 +260,22 @@ fn what_could_act_on_a_terminal_is_an_escape() {
         "3.1\nt\nあ\u{1b}[2J\u{202e}\tX // \u{8}\u{7f}\nEND",
     );
     let error = at(&source, Code::UnknownVariable, "X", "no\u{1b}where").about("X\u{200f}");
+    let line = r#"a\u{a}b\u{9b}.prg:3:8: error[E206]: no\u{1b}where (TIP_ERR:unknown variable "X\u{200f}")"#;
+    assert_eq!(short(&source, &error, Lang::English), line);
     let line =
         r#"a\u{a}b\u{9b}.prg:3:8: error: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)"#;
-    assert_eq!(short(&source, &error), line);
+    assert_eq!(classical(&source, &error), line);
     let expected = r#"
-error[E206]: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)
+error[E206]: no\u{1b}where
  --> a\u{a}b\u{9b}.prg:3:23
   |
 3 | あ\u{1b}[2J\u{202e}    X // \u{8}\u{7f}
-  |                        ^ no\u{1b}where"#;
-    let expected = expected.replace(":3:23", &place(&human(&source, &error, false)));
+  |                        ^
+  |
+  = note: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)"#;
+    let expected = expected.replace(":3:23", &place(&human(&source, &error, Style::default())));
     check_human(&source, &error, &expected);
-    let object = json(&source, &error);
+    let object = json(&source, &error, Lang::English);
     assert!(
         object.contains(r#""file":"a\u000ab\u009b.prg""#),
         "{object}"

@@ -1,6 +1,6 @@
 //! The statements of a file, and which step each of them is.
 
-use super::{StatementKind, StepId};
+use super::{StatementKind, StepId, Word};
 use crate::language::Edition;
 use crate::source::Span;
 
@@ -13,6 +13,8 @@ pub struct Module {
     pub title: String,
     /// The statements up to and including the first END.
     pub statements: Vec<Statement>,
+    /// What follows END on its line, which is not part of the program.
+    pub after_end: Option<Word>,
 }
 
 impl Module {

@@ -121,6 +121,8 @@ pub enum Shape {
     Plain,
     /// `IF … THEN`
     If,
+    /// `IF … THEN` with a statement after it: a mistake that may or may not have its ENDIF.
+    OneLineIf,
     /// `ELSEIF`
     ElseIf,
     /// `ELSE`

@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tipc::message::Lang;
 use tipc::migrate::{migrate, render_short};
 use tipc::source::Encoding;
 
@@ -41,7 +42,7 @@ fn case(name: &str) {
     let (robots, report) = report.split_once('\n').expect("a first line");
     let migration = migrate(name, &read(name, "old.prg"), Encoding::Auto).expect("this is text");
     assert_eq!(
-        render_short(&migration).replace(&format!("{name}:"), ""),
+        render_short(&migration, Lang::English).replace(&format!("{name}:"), ""),
         report,
         "{name}"
     );

@@ -118,7 +118,7 @@ fn variables_of_3_0_that_became_words() {
 fn what_no_rule_knows() {
     let (line, text) = about("VAR1 = 1\nJUMP F1");
     assert_eq!(line, 4);
-    assert!(text.starts_with("JUMP is no command"), "{text}");
+    assert!(text.starts_with("JUMP is not a command"), "{text}");
     assert_eq!(about("A_MAX_FIRMLY ALL").0, 3);
     assert_eq!(about("VAR1 = VAR2 + VAR3 + VAR4").0, 3);
     assert_eq!(about("IF VAR1 THEN_GO L1:").0, 3);

@@ -4,8 +4,9 @@ mod inputs;
 
 pub(super) use inputs::InputArguments;
 
-use super::choices::{EncodingName, Format};
+use super::choices::EncodingName;
 use super::robot::RobotChoice;
+use super::shown::Shown;
 use clap::Args;
 use tipc::{Options, Robot};
 
@@ -24,9 +25,8 @@ pub(super) struct SourceArguments {
     #[arg(long, value_enum, default_value = "auto")]
     encoding: EncodingName,
 
-    /// How findings are shown: snippets for people, or lines for tools
-    #[arg(long, value_enum, default_value = "human")]
-    pub(super) message_format: Format,
+    #[command(flatten)]
+    pub(super) shown: Shown,
 }
 
 impl SourceArguments {

@@ -13,7 +13,8 @@ use std::path::PathBuf;
   tipc check --robot hand grasp.prg
   tipc check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
   tipc check --message-format json walk.prg   one object a line, on standard output
-  tipc check --message-format short *.prg     FILE:LINE:COLUMN: error: TIP_ERR:...
+  tipc check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
+  tipc check --lang ja walk.prg               reasons and helps in Japanese
 
 Exit status: 0 if every program loads (warnings do not count), 1 otherwise.")]
 pub(super) struct Check {
@@ -27,11 +28,11 @@ pub(super) struct Check {
 
 /// Checks each file; one that does not load makes the whole command fail.
 pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
-    let format = arguments.source.message_format;
+    let shown = arguments.source.shown;
     let robot = match arguments.source.robot.load() {
         Ok(robot) => robot.robot(),
         Err(loaded) => {
-            report::check(&loaded, format)?;
+            report::check(&loaded, shown)?;
             return Ok(Status::Failure);
         }
     };
@@ -39,7 +40,7 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
     let mut status = Status::Success;
     for file in &arguments.files {
         let loaded = input::load(file, &options);
-        report::check(&loaded, format)?;
+        report::check(&loaded, shown)?;
         if loaded.program.is_none() {
             status = Status::Failure;
         }

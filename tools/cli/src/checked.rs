@@ -24,16 +24,16 @@ pub(super) struct Checked {
 /// Loads the program at `path` for the robot of the command line, and reports the findings about both;
 /// `None` if one of them does not load.
 pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checked> {
-    let format = arguments.message_format;
+    let shown = arguments.shown;
     let robot = match arguments.robot.load() {
         Ok(robot) => robot,
         Err(loaded) => {
-            report::findings(&loaded, format);
+            report::findings(&loaded, shown);
             return None;
         }
     };
     let loaded = input::load(path, &arguments.options(robot.robot()));
-    report::findings(&loaded, format);
+    report::findings(&loaded, shown);
     let Loaded {
         source,
         module,

@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use tipc::Robot;
+use tipc::message::Lang;
 use tipc::source::Encoding;
 
 /// The robots by name.
@@ -41,6 +42,24 @@ impl EncodingName {
             EncodingName::Auto => Encoding::Auto,
             EncodingName::Utf8 => Encoding::Utf8,
             EncodingName::ShiftJis => Encoding::ShiftJis,
+        }
+    }
+}
+
+/// The languages of messages by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum LangName {
+    /// English
+    En,
+    /// Japanese
+    Ja,
+}
+
+impl LangName {
+    pub(super) fn lang(self) -> Lang {
+        match self {
+            LangName::En => Lang::English,
+            LangName::Ja => Lang::Japanese,
         }
     }
 }

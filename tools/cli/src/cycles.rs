@@ -38,7 +38,7 @@ pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
     let sampling = Sampling::of(checked.robot.robot());
     let program = &checked.program;
     let parts = cycles::parts(program, sampling);
-    output::print(match arguments.source.message_format {
+    output::print(match arguments.source.shown.message_format {
         Format::Human => cycles::human(program, &parts, sampling),
         Format::Short => cycles::short(program, &parts, sampling),
         Format::Json => cycles::json(program, &parts, sampling),

@@ -2,6 +2,7 @@
 
 use super::choices::Format;
 use super::error::Error;
+use super::shown::Shown;
 use super::{Status, input, output, report};
 use clap::{Args, Subcommand};
 use std::fmt::Write as _;
@@ -30,9 +31,8 @@ pub(super) struct CheckRobot {
     #[arg(value_name = "FILE.toml")]
     pub(super) file: PathBuf,
 
-    /// How faults are shown: snippets for people, or lines for tools
-    #[arg(long, value_enum, default_value = "human")]
-    pub(super) message_format: Format,
+    #[command(flatten)]
+    pub(super) shown: Shown,
 }
 
 /// `tipc robot import`
@@ -68,13 +68,13 @@ pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
 fn check(arguments: &CheckRobot) -> Result<Status, Error> {
     match input::describe(&arguments.file) {
         Ok(description) => {
-            if arguments.message_format == Format::Human {
+            if arguments.shown.message_format == Format::Human {
                 output::print(summary(&Robot::described(&description)))?;
             }
             Ok(Status::Success)
         }
         Err(loaded) => {
-            report::check(&loaded, arguments.message_format)?;
+            report::check(&loaded, arguments.shown)?;
             Ok(Status::Failure)
         }
     }

@@ -17,6 +17,7 @@ mod report;
 mod robot;
 mod run;
 mod scene;
+mod shown;
 mod verify;
 
 use clap::{Parser, Subcommand};

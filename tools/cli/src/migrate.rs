@@ -2,6 +2,7 @@
 
 use super::choices::{EncodingName, Format};
 use super::error::Error;
+use super::shown::Shown;
 use super::{Status, input, output, report};
 use clap::Args;
 use std::path::PathBuf;
@@ -34,23 +35,22 @@ pub(super) struct Migrate {
     #[arg(long, value_enum, default_value = "auto")]
     pub(super) encoding: EncodingName,
 
-    /// How the report on standard error is written: for people, or lines for tools
-    #[arg(long, value_enum, default_value = "human")]
-    pub(super) message_format: Format,
+    #[command(flatten)]
+    pub(super) shown: Shown,
 }
 
 /// Writes the new program, or nothing if a question is open; the report goes to standard error.
 pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
-    let format = arguments.message_format;
+    let shown = arguments.shown;
     let migration = match input::migrate(&arguments.file, arguments.encoding.encoding()) {
         Ok(migration) => migration,
         Err(loaded) => {
-            report::findings(&loaded, format);
+            report::findings(&loaded, shown);
             return Ok(Status::Failure);
         }
     };
     let Some(bytes) = migration.bytes() else {
-        report::complain(&told(&migration, format));
+        report::complain(&told(&migration, shown));
         return Ok(Status::Failure);
     };
     match &arguments.out {
@@ -60,14 +60,15 @@ pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
         }
         None => output::print(bytes)?,
     }
-    report::complain(&told(&migration, format));
+    report::complain(&told(&migration, shown));
     Ok(Status::Success)
 }
 
-fn told(migration: &Migration, format: Format) -> String {
-    match format {
-        Format::Human => migrate::render_human(migration),
-        Format::Short => migrate::render_short(migration),
-        Format::Json => migrate::render_json(migration),
+fn told(migration: &Migration, shown: Shown) -> String {
+    let lang = shown.lang();
+    match shown.message_format {
+        Format::Human => migrate::render_human(migration, lang),
+        Format::Short => migrate::render_short(migration, lang),
+        Format::Json => migrate::render_json(migration, lang),
     }
 }

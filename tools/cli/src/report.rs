@@ -3,19 +3,21 @@
 use super::choices::Format;
 use super::error::Error;
 use super::output;
+use super::shown::Shown;
 use std::env;
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use tip_runtime::printable::{Printable, acts};
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
+use tipc::message::Lang;
 use tipc::render;
 
 /// Where the findings about programs go: snippets for people to standard error, the forms for tools to standard output.
-pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
-    let text = render(loaded, format);
-    match format {
+pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
+    let text = render(loaded, shown);
+    match shown.message_format {
         Format::Human => {
             shows(&text);
             complain(&summary(loaded));
@@ -26,8 +28,8 @@ pub(super) fn check(loaded: &Loaded, format: Format) -> Result<(), Error> {
 }
 
 /// The findings about a program that a command is going to use: all to standard error.
-pub(super) fn findings(loaded: &Loaded, format: Format) {
-    shows(&render(loaded, format));
+pub(super) fn findings(loaded: &Loaded, shown: Shown) {
+    shows(&render(loaded, shown));
 }
 
 /// An error that is about no program.
@@ -57,15 +59,16 @@ fn shows(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
-fn render(loaded: &Loaded, format: Format) -> String {
-    let colour = format == Format::Human && wants_colour();
+fn render(loaded: &Loaded, shown: Shown) -> String {
+    let format = shown.message_format;
+    let (lang, style) = (shown.lang(), shown.style());
     let lines = loaded.diagnostics.iter().map(|diagnostic| {
         let source = &loaded.source;
         let line = match format {
-            Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic),
-            Format::Human => render::human(source, diagnostic, colour),
-            Format::Short => render::short(source, diagnostic),
-            Format::Json => render::json(source, diagnostic),
+            Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic, lang),
+            Format::Human => render::human(source, diagnostic, style),
+            Format::Short => render::short(source, diagnostic, lang),
+            Format::Json => render::json(source, diagnostic, lang),
         };
         let end = if line.ends_with('\n') { "" } else { "\n" };
         // A blank line keeps snippets apart.
@@ -76,9 +79,12 @@ fn render(loaded: &Loaded, format: Format) -> String {
 }
 
 /// A finding about a file that has no text.
-fn no_snippet(diagnostic: &Diagnostic) -> String {
-    let (title, reason) = (diagnostic.title(), &diagnostic.reason);
-    Printable::line(format_args!("error: {title}: {reason}")).to_string()
+fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
+    let file = diagnostic.subject.as_deref().unwrap_or_default();
+    let (code, reason) = (diagnostic.code.id(), diagnostic.reason.in_lang(lang));
+    let text = format!("error[{code}]: {file}: {reason}");
+    let (headline, classical) = (Printable::line(text), Printable::line(diagnostic.title()));
+    format!("{headline}\n  = note: {classical}")
 }
 
 fn summary(loaded: &Loaded) -> String {
@@ -109,11 +115,4 @@ fn summary(loaded: &Loaded) -> String {
 pub(super) fn plural(count: usize, what: &str) -> String {
     let end = if count == 1 { "" } else { "s" };
     format!("{count} {what}{end}")
-}
-
-/// Colour is for terminals, and for people who did not refuse it (<https://no-color.org>).
-fn wants_colour() -> bool {
-    let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-    let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
-    io::stderr().is_terminal() && !refused && !dumb
 }

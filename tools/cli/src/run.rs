@@ -71,12 +71,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     let robot = match arguments.source.robot.load() {
         Ok(robot) => robot,
         Err(loaded) => {
-            report::findings(&loaded, arguments.source.message_format);
+            report::findings(&loaded, arguments.source.shown);
             return Ok(Status::Failure);
         }
     };
-    let format = arguments.source.message_format;
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), format) else {
+    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), arguments.source.shown) else {
         return Ok(Status::Failure);
     };
     let robot = scene::around(robot.simulated()?, &scene)?;
@@ -86,7 +85,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         &arguments.file,
         &arguments.source.options(robot.options().robot),
     );
-    report::findings(&loaded, arguments.source.message_format);
+    report::findings(&loaded, arguments.source.shown);
     if loaded.program.is_some() {
         targets::check(arguments)?;
     }

@@ -1,7 +1,7 @@
 //! `--scene`: what surrounds the robot.
 
-use super::choices::Format;
 use super::error::Error;
+use super::shown::Shown;
 use super::{input, report};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -49,12 +49,12 @@ impl FromStr for SceneChoice {
 }
 
 /// The scene that was asked for; without one, a level floor. `None`, with its findings reported, if it cannot be used.
-pub(super) fn load(choice: Option<&SceneChoice>, format: Format) -> Option<Scene> {
+pub(super) fn load(choice: Option<&SceneChoice>, shown: Shown) -> Option<Scene> {
     match choice {
         None => Some(Scene::EMPTY),
         Some(SceneChoice::Named(scene)) => Some(**scene),
         Some(SceneChoice::File(path)) => input::scene(path)
-            .map_err(|loaded| report::findings(&loaded, format))
+            .map_err(|loaded| report::findings(&loaded, shown))
             .ok(),
     }
 }

@@ -59,8 +59,7 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
-    let format = arguments.source.message_format;
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), format) else {
+    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), arguments.source.shown) else {
         return Ok(Status::Failure);
     };
     let project = Project::find(arguments.manifest_path.as_deref())?;

@@ -120,7 +120,7 @@ fn a_number_out_of_range() {
     for lamps in ["256", "1.5"] {
         only(
             &with(&format!("lamps = {lamps}")),
-            "4:9: this is no number of lamps (`lamps` is a whole number, 0 to 255)",
+            "4:9: this cannot be a number of lamps (`lamps` is a whole number, 0 to 255)",
         );
     }
 }
@@ -231,7 +231,7 @@ fn a_mirror_of_other_letters() {
         only(
             &text,
             &format!(
-                "2:19: {letter:?} is no coordinate, or stands here twice (`mirror` is letters of \"x\", \"y\", \"z\")"
+                "2:19: {letter:?} is not a coordinate, or stands here twice (`mirror` is letters of \"x\", \"y\", \"z\")"
             ),
         );
     }

@@ -3,7 +3,7 @@
 use crate::language::Keyword;
 use crate::language::keywords::KEYWORDS;
 use crate::message::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
-use crate::message::{Message, Parsing};
+use crate::message::{Decimal, Letter, Message, Parsing};
 use smol_str::SmolStr;
 use std::ops::Range;
 use tip_runtime::command::Target;
@@ -73,6 +73,18 @@ impl Sample for usize {
 impl Sample for f64 {
     fn sample(turn: usize) -> Self {
         pick(turn, -7.5, [f64::NAN, f64::MIN, f64::INFINITY])
+    }
+}
+
+impl Sample for Decimal {
+    fn sample(turn: usize) -> Self {
+        Decimal(f64::sample(turn))
+    }
+}
+
+impl Sample for Letter {
+    fn sample(turn: usize) -> Self {
+        Letter(char::sample(turn))
     }
 }
 

@@ -10,7 +10,7 @@ fn if_leads_to_a_block_or_a_label() {
     check("IF KB_HIT GOSUB L1:", &["if KB_HIT gosub L1"]);
     check(
         "IF KB_HIT THEN A = 1",
-        &["if KB_HIT then", "1:16: Wrong argument"],
+        &["broken OneLineIf", "1:16: Wrong argument"],
     );
     check("IF KB_HIT THEN ; A = 1", &["if KB_HIT then", "set A = 1.0"]);
     check("IF KB_HIT", &["broken If", "1:10: Wrong argument"]);
@@ -127,5 +127,5 @@ fn declarations_keep_the_names_as_written() {
     check("DEF_POS P", &["define Pos P"]);
     check("DEF_JOINT 5Q P.X", &["define Joint 5Q P.X"]);
     check("DEF_VAR", &["define Var ", "1:1: Wrong argument"]);
-    check("DEF_VAR A = 5", &["define Var A 5", "1:11: Wrong argument"]);
+    check("DEF_VAR A = 5", &["define Var A", "1:11: Wrong argument"]);
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::parse::parse;
-use crate::render;
+use crate::render::{self, Style};
 use crate::source::{Encoding, Source, Span};
 use std::time::{Duration, Instant};
 
@@ -104,7 +104,7 @@ fn try_on(bytes: &[u8]) {
             }
         }
         for diagnostic in diagnostics.iter().chain(&bad).take(3) {
-            assert!(!render::human(&source, diagnostic, false).is_empty());
+            assert!(!render::human(&source, diagnostic, Style::default()).is_empty());
         }
         for statement in &module.statements {
             assert_in_range(&source, statement.span, bytes);

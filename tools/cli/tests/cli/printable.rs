@@ -62,7 +62,7 @@ fn a_finding_is_one_record_whatever_the_file_is_called() {
     let short = folder
         .tipc(&["check", "--message-format", "short", NAME])
         .expect(1);
-    let start = format!("{SHOWN}:3:4: error: ");
+    let start = format!("{SHOWN}:3:4: error[");
     assert!(
         short.lines().iter().all(|line| line.starts_with(&start)),
         "{short:#?}"

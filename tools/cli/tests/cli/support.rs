@@ -69,6 +69,10 @@ impl Folder {
             .current_dir(&self.0)
             .args(arguments)
             .stdin(Stdio::null());
+        // The language is English, whoever runs the tests.
+        for variable in ["LC_ALL", "LC_MESSAGES", "LANG"] {
+            command.env_remove(variable);
+        }
         command
     }
 

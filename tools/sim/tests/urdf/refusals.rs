@@ -27,7 +27,7 @@ fn what_is_no_leg_is_refused_by_name() {
     );
     refused(
         &[one()],
-        &["link `one` behind joint `a`", "add a link there"],
+        &["link `one` after joint `a`", "add a link there"],
     );
     refused(
         &[one(), foot(), fixed("one", "lamp", TIP)],

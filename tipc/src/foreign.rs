@@ -1,0 +1,136 @@
+//! Words and spellings of other languages, with what is written here in their place. It never looks at programs.
+
+use crate::language::Keyword;
+use crate::language::reserved::LOOP;
+use crate::message::Habit;
+use crate::syntax::VariableKind;
+
+/// What a first word of another language was going to be, so that one mistake does not lead to others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Means {
+    /// This keyword.
+    Keyword(Keyword),
+    /// A declaration of variables.
+    Declaration(VariableKind),
+    /// Something that no other statement depends on.
+    Statement,
+}
+
+/// First words of statements.
+pub(crate) struct Row {
+    words: &'static str,
+    pub(crate) means: Means,
+    pub(crate) habit: Habit,
+}
+
+const fn row(words: &'static str, means: Means, habit: Habit) -> Row {
+    Row {
+        words,
+        means,
+        habit,
+    }
+}
+
+/// Words with blanks between, what they mean, and what to write.
+#[rustfmt::skip]
+const ROWS: &[Row] = &[
+    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT", Means::Statement, Habit::ShowText),
+    row("ELIF ELSIF ELSE_IF ELSEIFTHEN", Means::Keyword(Keyword::ElseIf), Habit::ElseIf),
+    row("FI END_IF IFEND END-IF", Means::Keyword(Keyword::EndIf), Habit::EndIf),
+    row("ENDWHILE END_WHILE ENDW WHEND WHILEEND WHILE_END", Means::Keyword(Keyword::Wend), Habit::Wend),
+    row("ENDFOR END_FOR FOREND FOR_END", Means::Keyword(Keyword::Next), Habit::Next),
+    row("ENDSUB END_SUB SUB_END ENDSUBROUTINE END_SUBROUTINE ENDPROC ENDFUNC ENDFUNCTION END_FUNCTION ENDPROCEDURE", Means::Keyword(Keyword::SubEnd), Habit::SubEnd),
+    row("RET", Means::Statement, Habit::Return),
+    row("DO DONE", Means::Statement, Habit::Loops),
+    row("BREAK LEAVE EXITFOR EXIT_FOR EXITWHILE EXIT_WHILE", Means::Statement, Habit::Break),
+    row("CONTINUE CYCLE", Means::Statement, Habit::Continue),
+    row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER", Means::Statement, Habit::Wait),
+    row("VAR DIM INT INTEGER FLOAT DOUBLE REAL NUM NUMBER LOCAL GLOBAL CONST DEF DEFINE DECLARE DEFVAR", Means::Declaration(VariableKind::Var), Habit::Declare),
+    row("POS POINT POSITION VECTOR DEFPOS", Means::Declaration(VariableKind::Pos), Habit::Declare),
+    row("JOINT ANGLES DEFJOINT", Means::Declaration(VariableKind::Joint), Habit::Declare),
+    row("LET SET ASSIGN", Means::Statement, Habit::Let),
+    row("SUB FUNCTION FUNC FN PROC PROCEDURE ROUTINE", Means::Keyword(Keyword::Subroutine), Habit::Subroutine),
+    row("JUMP JMP GO BRANCH", Means::Statement, Habit::Goto),
+    row("MOVE MOV MOVEL MOVEJ MOVEP MOVL MOVJ MOVS DRIVE WALK", Means::Statement, Habit::Move),
+    row("STOP HALT", Means::Statement, Habit::Stop),
+    row("QUIT TERMINATE ABORT FINISH", Means::Statement, Habit::Exit),
+    row("INPUT INKEY INKEY$ GETCH GETKEY READKEY SCANF READ", Means::Statement, Habit::KeyIn),
+    row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ", Means::Statement, Habit::AdIn),
+    row("OUT DOUT LED LAMP", Means::Statement, Habit::Lamp),
+    row("SWITCH SELECT CASE", Means::Statement, Habit::Cases),
+    row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
+    row("HOME RESET INIT", Means::Statement, Habit::Home),
+    row("{ } BEGIN", Means::Statement, Habit::Braces),
+    row(LOOP, Means::Statement, Habit::LoopLabel),
+    row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
+];
+
+/// What the first word of a statement is in another language.
+pub(crate) fn statement(word: &str) -> Option<&'static Row> {
+    let is_it = |row: &&Row| {
+        row.words
+            .split(' ')
+            .any(|one| one.eq_ignore_ascii_case(word))
+    };
+    ROWS.iter().find(is_it)
+}
+
+/// The marks of comments in other languages.
+const COMMENTS: &[&str] = &["#", "'", "/*", "*/", "--", "%", "(*"];
+
+/// Whether a statement is a comment in another language.
+pub(crate) fn is_comment(statement: &str) -> bool {
+    // `#include` is none.
+    let first = statement.split_whitespace().next().unwrap_or_default();
+    COMMENTS.iter().any(|mark| statement.starts_with(mark)) && self::statement(first).is_none()
+}
+
+/// The number to write in place of a constant of another language.
+pub(crate) fn constant(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "TRUE" | "ON" | "YES" | "HIGH" => "1",
+        "FALSE" | "OFF" | "NO" | "LOW" | "NULL" | "NIL" | "NONE" => "0",
+        "PI" | "M_PI" => "3.14159265",
+        _ => return None,
+    })
+}
+
+/// Whether a word joins two conditions in another language.
+pub(crate) fn joins_conditions(word: &str) -> bool {
+    ["AND", "OR", "XOR", "&&", "||", "&", "|"]
+        .iter()
+        .any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// Whether a word negates in another language.
+pub(crate) fn negates(word: &str) -> bool {
+    word.eq_ignore_ascii_case("NOT")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Edition, commands, keywords};
+    use std::collections::HashSet;
+
+    #[test]
+    fn no_word_of_the_language_is_foreign_and_none_stands_twice() {
+        let mut seen = HashSet::new();
+        for word in ROWS.iter().flat_map(|row| row.words.split(' ')) {
+            assert!(seen.insert(word), "{word} twice");
+            assert!(keywords::find(word, Edition::V3_1).is_none(), "{word}");
+            assert!(commands::find(word).is_none(), "{word}");
+            assert_eq!(commands::renamed(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn comments_of_other_languages_are_known() {
+        for text in ["# x", "#x", "'x", "/* x */", "-- x", "% x"] {
+            assert!(is_comment(text), "{text}");
+        }
+        for text in ["A = 1", "PTP F1", "#include <x>", "-A = 1", "!KB_HIT"] {
+            assert!(!is_comment(text), "{text}");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! What is said of words and spellings that people bring along from other languages.
+
+use smol_str::SmolStr;
+
+messages! {
+    /// The way of T.I.P. to say what another language says otherwise.
+    Habit;
+
+    // First words.
+    ShowText
+        "show a text with `MESSAGE text`, without quotes; `%A%` in it shows the value of A",
+        "文字の表示は `MESSAGE 文字列` です。引用符は不要で、`%A%` と書くとAの値が出ます";
+    ElseIf
+        "write `ELSEIF condition THEN`, in one word",
+        "`ELSEIF 条件式 THEN` と、1語で書いてください";
+    EndIf
+        "ENDIF closes an IF, in one word",
+        "IFを閉じるのは `ENDIF` (1語)です";
+    Wend
+        "WEND closes a WHILE",
+        "WHILEを閉じるのは `WEND` です";
+    Next
+        "NEXT closes a FOR",
+        "FORを閉じるのは `NEXT` です";
+    SubEnd
+        "SUBEND closes a SUBROUTINE",
+        "SUBROUTINEを閉じるのは `SUBEND` です";
+    Return
+        "write `RETURN`",
+        "`RETURN` と書いてください";
+    Loops
+        "a loop is `REPEAT` … `UNTIL condition`, or `WHILE condition` … `WEND`",
+        "繰り返しは `REPEAT` … `UNTIL 条件式` か `WHILE 条件式` … `WEND` です";
+    Break
+        "leave a loop with `GOTO L1:`, and put `L1:` after it",
+        "ループから抜けるには `GOTO L1:` と書き、ループの後に `L1:` を置きます";
+    Continue
+        "go on with `GOTO L1:`, and put `L1:` before the WEND, UNTIL or NEXT",
+        "次の回に進むには `GOTO L1:` と書き、WEND、UNTIL、NEXTの前に `L1:` を置きます";
+    Wait
+        "`SLEEP 200` waits 200 ms, `WAIT_INPOS ALL` until all motions have ended",
+        "200 ms待つのは `SLEEP 200`、全ての動作の終わりを待つのは `WAIT_INPOS ALL` です";
+    Declare
+        "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`",
+        "変数の宣言は `DEF_VAR A` (数値)、`DEF_POS P`、`DEF_JOINT Q` です";
+    Let
+        "no word stands before an assignment: `A = 1`",
+        "代入の前に語は要りません: `A = 1`";
+    Subroutine
+        "write `SUBROUTINE NAME:` … `SUBEND`, and `CALL NAME:`",
+        "`SUBROUTINE NAME:` … `SUBEND` と書き、`CALL NAME:` で呼びます";
+    Goto
+        "write `GOTO L1:`",
+        "`GOTO L1:` と書いてください";
+    Move
+        "`PTP F1 x y z` moves a foot (mm), `PTP_ANGLE J11 30` turns a joint (deg)",
+        "足先を動かすのは `PTP F1 x y z` (mm)、関節を回すのは `PTP_ANGLE J11 30` (deg)です";
+    Stop
+        "`ALL_STOP` stops the robot, `EXIT` ends the program",
+        "ロボットを止めるのは `ALL_STOP`、プログラムを終えるのは `EXIT` です";
+    Exit
+        "`EXIT` ends the program where it stands",
+        "その場でプログラムを終えるのは `EXIT` です";
+    KeyIn
+        "`KEY_IN A` waits for a key, `IF KB_HIT GOTO L1:` asks for one",
+        "キー入力を待つのは `KEY_IN A`、調べるのは `IF KB_HIT GOTO L1:` です";
+    AdIn
+        "read an input with `AD_IN VR1 A`",
+        "入力を読むのは `AD_IN VR1 A` です";
+    Lamp
+        "switch a lamp with `LAMP_ON 0` and `LAMP_OFF 0`",
+        "ランプは `LAMP_ON 0` と `LAMP_OFF 0` で切り替えます";
+    Cases
+        "write `IF A == 1 THEN` … `ELSEIF A == 2 THEN` … `ELSE` … `ENDIF`",
+        "`IF A == 1 THEN` … `ELSEIF A == 2 THEN` … `ELSE` … `ENDIF` と書いてください";
+    Speed
+        "set the speed with `SET_V_MAX F1 200` (feet) or `SET_OMEGA_MAX J11 90` (joints)",
+        "速度は `SET_V_MAX F1 200` (足先)か `SET_OMEGA_MAX J11 90` (関節)で設定します";
+    Home
+        "`INITIAL_POSTURE ALL` goes to the initial posture",
+        "初期姿勢に戻るのは `INITIAL_POSTURE ALL` です";
+    Braces
+        "blocks have no braces: IF ends with ENDIF, WHILE with WEND, FOR with NEXT",
+        "ブロックに波括弧は使いません。IFはENDIF、WHILEはWEND、FORはNEXTで閉じます";
+    LoopLabel
+        "a label ends with a colon: `LOOP:`",
+        "ラベルの後にはコロンが必要です: `LOOP:`";
+    OneFile
+        "a program is one file: put the statements here",
+        "プログラムは1つのファイルです。ここに直接書いてください";
+    TargetFirst { target: SmolStr }
+        "the command stands first: `PTP {target} x y z`",
+        "コマンドを先に書きます: `PTP {target} x y z`";
+    Glued { command: &'static str }
+        "put a blank after {command}, and leave parentheses and quotes out",
+        "{command}の後に空白を入れ、括弧や引用符は取ってください";
+
+    // Comments.
+    Comment
+        "a comment starts with `//`",
+        "コメントは `//` で始めます";
+    EachLine
+        "start each line of a comment with `//`",
+        "コメントは行ごとに `//` で始めてください";
+
+    // Equations.
+    Increment { name: SmolStr, sign: SmolStr }
+        "write `{name} {sign}= 1`",
+        "`{name} {sign}= 1` と書いてください";
+    NoOperator { sign: SmolStr }
+        "there is no `{sign}`",
+        "`{sign}` という演算子はありません";
+    WriteSigned { text: SmolStr }
+        "as a sign write `{text}`; between two operands it calculates",
+        "符号なら `{text}` と書きます。2つの値の間なら計算になります";
+    CompareAsStatement
+        "`==` compares; `=` assigns",
+        "`==` は比較です。代入は `=` です";
+    Assign { name: SmolStr }
+        "write `{name} = …`",
+        "`{name} = …` と書いてください";
+    Initial { name: SmolStr }
+        "assign after the declaration, on a line of its own: `{name} = 0`",
+        "宣言の後で、別の行で代入してください: `{name} = 0`";
+    NoInitial
+        "a declaration assigns no value",
+        "宣言と同時に代入はできません";
+
+    // Conditions.
+    AndOr { word: SmolStr }
+        "a condition is one comparison or one flag: there is no {word}",
+        "条件式は比較1つかフラグ1つです。{word}は使えません";
+    Nest
+        "put one IF inside the other for AND; for OR, write two `IF … GOTO L1:` with the same label",
+        "ANDはIFの中にIFを入れます。ORは同じラベルへの `IF … GOTO L1:` を2つ書きます";
+    Not
+        "there is no NOT",
+        "NOTは使えません";
+    WriteNot
+        "write `!` right before a flag, as `!KB_HIT`; turn a comparison round, as `<>` for `==`",
+        "フラグは `!KB_HIT` のように直前に `!` を付け、比較は `==` を `<>` にするように逆にします";
+    NotEqual
+        "not equal is written `<>`",
+        "等しくないことは `<>` と書きます";
+    WriteNotEqual
+        "write `A <> B`",
+        "`A <> B` と書いてください";
+    Forever
+        "repeat for ever with `LOOP:` … `GOTO LOOP:`",
+        "ずっと繰り返すには `LOOP:` … `GOTO LOOP:` と書きます";
+    ThenJumps { jump: SmolStr }
+        "THEN opens a block; {jump} follows the condition at once",
+        "THENはブロックの始まりです。{jump}は条件式のすぐ後に書きます";
+    LeaveThenOut { jump: SmolStr }
+        "leave THEN out: `IF condition {jump} L1:`",
+        "THENを取ってください: `IF 条件式 {jump} L1:`";
+    OneLineIf
+        "an IF with THEN is a block: its statements stand on lines of their own",
+        "THENの付いたIFはブロックです。中の文は別の行に書きます";
+    CloseOneLineIf
+        "put the statement on the next line, and ENDIF after it",
+        "文を次の行に移し、その後にENDIFを置いてください";
+    ElseIfInTwo
+        "`ELSE IF` would be two statements",
+        "`ELSE IF` では2つの文になります";
+    EndInTwo { word: SmolStr }
+        "END ends the program, and this {word} is still open",
+        "ENDはプログラムの終わりですが、この{word}がまだ閉じていません";
+    InOneWord { word: SmolStr }
+        "write `{word}`, in one word",
+        "`{word}` と1語で書いてください";
+
+    // Numbers and constants.
+    Number { word: SmolStr, value: &'static str }
+        "there is no {word}: write `{value}`",
+        "{word}はありません。`{value}` と書いてください";
+    Comma { whole: SmolStr, point: SmolStr }
+        "a comma separates two arguments: write `{whole}`, or `{point}` with a decimal point",
+        "コンマは引数の区切りです。`{whole}` か、小数なら `{point}` と書いてください";
+
+    // Files.
+    Migrate
+        "`tipc migrate OLD.prg -o NEW.prg` makes it a program of version 3.1",
+        "`tipc migrate OLD.prg -o NEW.prg` でバージョン3.1のプログラムに直せます";
+    Title
+        "line 2 is the title, not a statement: put a line with the title before it",
+        "2行目は題名で、文ではありません。その前に題名の行を入れてください";
+    TitleHere
+        "this line is read as the title",
+        "この行は題名として読まれます";
+    OtherEncoding { encoding: &'static str }
+        "the file looks like {encoding}: save it as UTF-8 or Shift_JIS",
+        "ファイルは{encoding}のようです。UTF-8かShift_JISで保存してください";
+}

@@ -1,0 +1,69 @@
+//! Wrong programs as people write them, with all that they read about each, in both languages.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use tipc::message::Lang;
+use tipc::render::{Style, human};
+use tipc::{Options, load};
+
+/// The programs, in order.
+fn programs() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/findings");
+    let entries = fs::read_dir(folder).expect("the folder of programs");
+    let mut programs: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|end| end == "prg"))
+        .collect();
+    programs.sort();
+    programs
+}
+
+/// All that is said of a program, line ends without blanks before them.
+fn shown(program: &Path, lang: Lang) -> String {
+    let bytes = fs::read(program).expect("a program");
+    let name = program.file_name().expect("a name").to_string_lossy();
+    let loaded = load(&name, &bytes, &Options::default());
+    let style = Style::default().lang(lang);
+    let texts = loaded.diagnostics.iter();
+    let texts = texts.map(|finding| human(&loaded.source, finding, style));
+    let text = texts.collect::<Vec<_>>().join("\n");
+    let lines = text.lines().map(|line| line.trim_end().to_owned() + "\n");
+    lines.collect()
+}
+
+#[test]
+fn people_read_what_stands_beside_each_program() {
+    let programs = programs();
+    assert!(programs.len() >= 60, "{}", programs.len());
+    let mut wrong = Vec::new();
+    for program in programs {
+        for (lang, end) in [(Lang::English, "en"), (Lang::Japanese, "ja")] {
+            let expected = fs::read_to_string(program.with_extension(end)).unwrap_or_default();
+            let shown = shown(&program, lang);
+            assert!(!shown.is_empty(), "{}: nothing is wrong", program.display());
+            if shown != expected {
+                let name = program.display();
+                wrong.push(format!("{name}, {end}:\n{shown}instead of\n{expected}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_mistake_is_one_error() {
+    // Programs with more than one mistake.
+    let several = [
+        "basic_sub.prg",
+        "loop_without_colon.prg",
+        "not_declared.prg",
+        "subroutine_without_colon.prg",
+    ];
+    for program in programs() {
+        let name = program.file_name().expect("a name").to_string_lossy();
+        let bytes = fs::read(&program).expect("a program");
+        let found = load(&name, &bytes, &Options::default()).diagnostics;
+        let limit = if several.contains(&&*name) { 2 } else { 1 };
+        assert_eq!(found.len(), limit, "{name}: {found:#?}");
+    }
+}

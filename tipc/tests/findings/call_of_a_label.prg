@@ -1,0 +1,6 @@
+3.1
+A title
+CALL L1:
+EXIT
+L1: RETURN
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+TORQUE J11 1
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+/* The robot stands up,
+   then it waits. */
+SLEEP 100
+END

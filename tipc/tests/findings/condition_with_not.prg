@@ -1,0 +1,5 @@
+3.1
+A title
+IF NOT KB_HIT THEN
+ENDIF
+END

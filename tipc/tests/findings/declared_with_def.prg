@@ -1,0 +1,6 @@
+3.1
+A title
+DEF N
+N = 100
+SLEEP N
+END

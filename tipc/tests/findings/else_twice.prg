@@ -1,0 +1,8 @@
+3.1
+A title
+IF KB_HIT THEN
+ELSE
+REM
+ELSE
+ENDIF
+END

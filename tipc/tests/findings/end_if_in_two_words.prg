@@ -1,0 +1,7 @@
+3.1
+A title
+IF KB_HIT THEN
+REM
+END IF
+ALL_STOP
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR R
+R = 10
+PTP F1 R 1 R 2 R 3
+SLEEP R
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+PTP_ANGLE F1 10 20
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+DEF_VAR N
+N = SIN(30)
+END

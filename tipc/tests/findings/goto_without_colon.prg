@@ -1,0 +1,5 @@
+3.1
+A title
+GOTO L1
+L1: REM
+END

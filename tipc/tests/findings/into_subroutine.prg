@@ -1,0 +1,6 @@
+3.1
+A title
+REM
+SUBROUTINE S:
+SUBEND
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+DEF_JOINT Q
+Q.J4 = 1
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+GOTO L1:
+IF KB_HIT THEN
+L1: REM
+ENDIF
+END

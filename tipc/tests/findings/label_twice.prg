@@ -1,0 +1,6 @@
+3.1
+A title
+L1: REM
+L1: REM
+GOTO L1:
+END

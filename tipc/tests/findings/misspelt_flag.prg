@@ -1,0 +1,5 @@
+3.1
+A title
+IF KB_HTI GOTO L1:
+L1: REM
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+START1: REM
+GOTO STRAT1:
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR I J
+J = 1
+FOR I = 1 TO J
+NEXT J
+END

@@ -1,0 +1,3 @@
+3.1
+A title
+SLEEP 100

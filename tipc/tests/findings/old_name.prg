@@ -1,0 +1,4 @@
+3.1
+A title
+SET_NEAR F1 5
+END

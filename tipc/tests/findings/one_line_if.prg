@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR N
+IF KB_HIT THEN N = 1
+N = 2
+END

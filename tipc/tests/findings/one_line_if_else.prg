@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+IF KB_HIT THEN N = 1
+ELSE
+N = 2
+ENDIF
+SLEEP N
+END

@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR N
+IF KB_HIT THEN
+N = 5
+ENDIF
+SLEEP N
+END

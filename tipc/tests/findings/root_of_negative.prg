@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR N
+N = SQRT -1
+SLEEP N
+END

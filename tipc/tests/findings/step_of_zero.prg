@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR I
+FOR I = 1 TO 3 STEP 0
+NEXT
+END

@@ -1,0 +1,4 @@
+3.1
+DEF_VAR N
+N = 1
+END

@@ -1,0 +1,3 @@
+2.0
+A title
+END

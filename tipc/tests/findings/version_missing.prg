@@ -1,0 +1,3 @@
+A title
+SLEEP 100
+END

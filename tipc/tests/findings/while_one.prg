@@ -1,0 +1,6 @@
+3.1
+A title
+WHILE 1
+REM
+WEND
+END

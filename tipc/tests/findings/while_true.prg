@@ -1,0 +1,6 @@
+3.1
+A title
+WHILE TRUE
+REM
+WEND
+END

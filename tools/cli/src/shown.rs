@@ -1,0 +1,53 @@
+//! How findings are shown: the form, the language and the width.
+
+use super::choices::{Format, LangName};
+use clap::Args;
+use std::env;
+use std::io::{self, IsTerminal};
+use tipc::message::Lang;
+use tipc::render::Style;
+
+/// What the command line says of it.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct Shown {
+    /// How findings are shown: snippets for people, or lines for tools
+    #[arg(long, value_enum, default_value = "human")]
+    pub(super) message_format: Format,
+
+    /// The language of reasons and helps, if not that of the locale
+    #[arg(long, value_enum, value_name = "en|ja")]
+    lang: Option<LangName>,
+}
+
+impl Shown {
+    /// The language that is asked for; else that of the locale.
+    pub(super) fn lang(self) -> Lang {
+        self.lang.map_or_else(of_locale, LangName::lang)
+    }
+
+    /// How people want to read on standard error.
+    pub(super) fn style(self) -> Style {
+        let width = terminal_size::terminal_size_of(io::stderr());
+        Style::default()
+            .lang(self.lang())
+            .colour(wants_colour())
+            .width(width.map(|(width, _)| width.0.into()))
+    }
+}
+
+/// Japanese where the first variable of POSIX that says anything begins with `ja`.
+fn of_locale() -> Lang {
+    let says = |name: &&str| env::var_os(name).filter(|value| !value.is_empty());
+    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(says);
+    match locale.is_some_and(|locale| locale.to_string_lossy().starts_with("ja")) {
+        true => Lang::Japanese,
+        false => Lang::English,
+    }
+}
+
+/// Colour is for terminals, and for people who did not refuse it (<https://no-color.org>).
+fn wants_colour() -> bool {
+    let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
+    io::stderr().is_terminal() && !refused && !dumb
+}
