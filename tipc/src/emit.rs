@@ -1,9 +1,8 @@
 //! How Rust spells a [`Program`]: a struct that holds its variables and one state for each step.
 //!
 //! Each state is a row of a table: a command of constants, a move to another step, or else a function, which
-//! costs one indirect call however long the program is. A row costs rustc next to nothing, a function is what its
-//! compile time consists of; it ends in one of a few moves to the next state, which have in them what would cost
-//! compile time in each.
+//! costs one indirect call however long the program is. A row costs rustc next to nothing; functions make up its
+//! compile time. Each ends in one of a few moves to the next state, which are compiled once and not in each function.
 //! Every path goes through `::core` or the runtime's root; nothing is expected from the prelude or from
 //! the scope that the code lands in.
 
@@ -95,7 +94,7 @@ pub fn emit(program: &Program, options: &Options) -> TokenStream {
     quote! { #lock #structure #inherent #table #default #program #robot }
 }
 
-/// A type of the program's name that no error follows from: it implements the trait and does
+/// A type of the program's name that causes no further errors: it implements the trait and does
 /// nothing. It stands in for a program for `robot` that does not load, so that only the program is reported.
 pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStream {
     let Options {
@@ -156,7 +155,7 @@ pub fn skeleton(source_name: &str, robot: Robot, options: &Options) -> TokenStre
     }
 }
 
-/// That a program is for the robot of this signature, if that is one with a name.
+/// Says that a program is for the robot of this signature, if that robot has a name.
 fn for_robot(signature: Signature, program: &Ident, runtime: &TokenStream) -> Option<TokenStream> {
     let mut robots = Robot::ALL.iter();
     let robot = robots.find(|robot| robot.signature() == signature)?;
@@ -167,7 +166,7 @@ fn for_robot(signature: Signature, program: &Ident, runtime: &TokenStream) -> Op
     })
 }
 
-/// One program moving to tokens.
+/// One program on its way to tokens.
 struct Emitter<'a> {
     program: &'a Program,
     visibility: &'a TokenStream,

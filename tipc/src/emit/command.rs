@@ -7,8 +7,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 impl Values<'_> {
-    /// The operands of a command, as an array of values. One of numbers alone is a constant of the program,
-    /// which a step need not make, because no function is called in it.
+    /// The operands of a command, as an array of values. An array of numbers alone is a constant of the
+    /// program, which a step need not make, since it calls no function.
     pub(super) fn of_arguments(&self, arguments: &[Argument]) -> TokenStream {
         if let Some(members) = self.whole_struct(arguments) {
             return quote!(#members.map(Value::Absolute));

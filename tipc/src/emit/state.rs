@@ -130,7 +130,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What rows need of a program that are data.
+    /// What the rows that are data need of a program.
     pub(super) fn state_impl(&self, name: &TokenStream) -> TokenStream {
         let taken = self
             .has_taken_state()

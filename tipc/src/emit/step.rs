@@ -16,7 +16,7 @@ pub(super) enum State {
 }
 
 impl Emitter<'_> {
-    /// What a step becomes that does this.
+    /// What a step with this action becomes.
     pub(super) fn state(&self, step: StepId, action: &Action) -> State {
         let next = step + 1;
         let values = Values {
