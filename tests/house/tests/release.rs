@@ -140,3 +140,32 @@ fn what_is_missing_is_said() {
         "cargo is older than 1.90, which is the first to publish crates that depend on each other in one go",
     );
 }
+
+#[test]
+fn a_version_that_the_registry_has_is_no_success() {
+    let path = env::var("PATH").unwrap_or_default();
+    let published = |name: &str, says: &str| {
+        let script = format!(
+            "case $1 in --version) echo cargo 1.90.0 ;; *) echo '   Uploading tip-runtime v0.1.0 (here)'; {says} ;; esac"
+        );
+        let tools = Tools::new(name).with("cargo", &script);
+        tools.run(".ci/publish-dry-run", Path::new("--offline"), &path)
+    };
+    let free = published("free", ":");
+    assert!(free.status.success(), "{free:?}");
+    let order = String::from_utf8_lossy(&free.stdout).into_owned();
+    assert!(
+        order.ends_with("the order would be:\n  tip-runtime v0.1.0\n"),
+        "{order}"
+    );
+
+    let taken = published(
+        "taken",
+        "echo 'warning: crate tipc@0.1.0 already exists on crates.io index' >&2",
+    );
+    assert_eq!(taken.status.code(), Some(1), "{taken:?}");
+    assert!(
+        String::from_utf8_lossy(&taken.stderr).ends_with("\n  tipc@0.1.0\n"),
+        "{taken:?}"
+    );
+}
