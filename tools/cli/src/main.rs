@@ -9,6 +9,7 @@ mod cycles;
 mod describe;
 mod emit;
 mod error;
+mod explain;
 mod input;
 mod migrate;
 mod output;
@@ -36,6 +37,7 @@ use std::process::ExitCode;
   tipc cycles walk.prg                count the control cycles of its parts
   tipc verify walk.prg                compare its compiled code with the interpreter
   tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
+  tipc explain E205                   say what the code of a finding means
   tipc robot check hexapod.toml       check the description of your robot
 
 'tipc help COMMAND' shows examples of each command.
@@ -62,6 +64,8 @@ enum Verb {
     Verify(verify::Verify),
     /// Turn a program of an older version into one of version 3.1
     Migrate(migrate::Migrate),
+    /// Say what the code of a finding means, with a wrong and a right program
+    Explain(explain::Explain),
     /// Descriptions of robots
     #[command(subcommand)]
     Robot(describe::RobotVerb),
@@ -102,6 +106,7 @@ fn main() -> ExitCode {
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
+        Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Robot(verb) => describe::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {

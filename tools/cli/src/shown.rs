@@ -22,7 +22,7 @@ pub(super) struct Shown {
 impl Shown {
     /// The language that is asked for; else that of the locale.
     pub(super) fn lang(self) -> Lang {
-        self.lang.map_or_else(of_locale, LangName::lang)
+        lang(self.lang)
     }
 
     /// How people want to read on standard error.
@@ -33,6 +33,11 @@ impl Shown {
             .colour(wants_colour())
             .width(width.map(|(width, _)| width.0.into()))
     }
+}
+
+/// The language that is asked for; else that of the locale.
+pub(super) fn lang(asked: Option<LangName>) -> Lang {
+    asked.map_or_else(of_locale, LangName::lang)
 }
 
 /// Japanese where the first variable of POSIX that says anything begins with `ja`.

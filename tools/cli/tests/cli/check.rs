@@ -262,3 +262,16 @@ fn people_choose_their_language() {
         japanese
     );
 }
+
+#[test]
+fn a_code_is_explained_in_both_languages() {
+    let folder = Folder::new("explain");
+    let page = |arguments: &[&str]| folder.tipc(arguments).expect(0).out;
+    let english = page(&["explain", "e206"]);
+    assert!(english.starts_with("# E206: unknown variable"), "{english}");
+    assert!(english.contains("DEF_VAR N"), "{english}");
+    let japanese = page(&["explain", "E206", "--lang", "ja"]);
+    assert!(japanese.contains("宣言されていない"), "{japanese}");
+    let unknown = folder.tipc(&["explain", "E999"]).expect(2);
+    assert!(unknown.err.contains("E205, E206"), "{unknown:#?}");
+}
