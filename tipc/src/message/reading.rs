@@ -5,6 +5,9 @@ messages! {
     Reading;
 
     System { error: String } "{error}", "{error}";
+    Folder
+        "this is a folder: name the files in it, as FOLDER/*.prg",
+        "これはフォルダです。フォルダ/*.prg のように中のファイルを指定してください";
     NotValid { byte: usize, encoding: &'static str }
         "byte {byte} of the file is not valid {encoding}",
         "ファイルの{byte}バイト目が{encoding}として正しくありません";

@@ -14,11 +14,12 @@ use std::path::PathBuf;
   tipc check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
   tipc check --message-format json walk.prg   one object a line, on standard output
   tipc check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
+  tipc check - < walk.prg                     from standard input
   tipc check --lang ja walk.prg               reasons and helps in Japanese
 
 Exit status: 0 if every program loads (warnings do not count), 1 otherwise.")]
 pub(super) struct Check {
-    /// The programs
+    /// The programs; '-' is standard input
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
@@ -38,12 +39,15 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
     };
     let options = arguments.source.options(robot);
     let mut status = Status::Success;
+    let mut total = report::Total::default();
     for file in &arguments.files {
         let loaded = input::load(file, &options);
         report::check(&loaded, shown)?;
+        total.add(&loaded);
         if loaded.program.is_none() {
             status = Status::Failure;
         }
     }
+    total.report(shown);
     Ok(status)
 }

@@ -64,6 +64,17 @@ impl LangName {
     }
 }
 
+/// When findings have colours.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum ColourName {
+    /// On a terminal
+    Auto,
+    /// Everywhere
+    Always,
+    /// Nowhere
+    Never,
+}
+
 /// How findings are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {

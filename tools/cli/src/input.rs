@@ -1,7 +1,8 @@
 //! Programs, descriptions and scenes from files.
 
+use std::fs;
+use std::io::{self, Read};
 use std::path::Path;
-use std::{fs, io};
 use tip_runtime::plant::Scene;
 use tipc::code::Code;
 use tipc::description::Description;
@@ -13,8 +14,8 @@ use tipc::{Loaded, Options};
 
 /// Loads the program at `path`; a file that cannot be read is a diagnostic like any other.
 pub(super) fn load(path: &Path, options: &Options) -> Loaded {
-    let name = path.display().to_string();
-    match fs::read(path) {
+    let name = name(path);
+    match read(path) {
         Ok(bytes) => tipc::load(&name, &bytes, options),
         Err(error) => unreadable(name, &error),
     }
@@ -22,8 +23,8 @@ pub(super) fn load(path: &Path, options: &Options) -> Loaded {
 
 /// Migrates the program at `path`.
 pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
-    let name = path.display().to_string();
-    match fs::read(path) {
+    let name = name(path);
+    match read(path) {
         Ok(bytes) => tipc::migrate::migrate(&name, &bytes, encoding),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
@@ -31,8 +32,8 @@ pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<
 
 /// Reads the description of a robot at `path`.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
-    let name = path.display().to_string();
-    match fs::read(path) {
+    let name = name(path);
+    match read(path) {
         Ok(bytes) => tipc::description::parse(&name, &bytes),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
@@ -40,17 +41,40 @@ pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
 
 /// Reads the scene at `path`.
 pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
-    let name = path.display().to_string();
-    match fs::read(path) {
+    let name = name(path);
+    match read(path) {
         Ok(bytes) => tipc::description::parse_scene(&name, &bytes),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }
 
+/// What stands for standard input in the place of a file.
+const STANDARD_INPUT: &str = "-";
+
+/// How findings call a file.
+fn name(path: &Path) -> String {
+    match path.to_str() {
+        Some(STANDARD_INPUT) => "standard input".to_owned(),
+        _ => path.display().to_string(),
+    }
+}
+
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    if path.to_str() != Some(STANDARD_INPUT) {
+        return fs::read(path);
+    }
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 fn unreadable(name: String, error: &io::Error) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
-    let reason = Reading::System {
-        error: error.to_string(),
+    let reason = match error.kind() {
+        io::ErrorKind::IsADirectory => Reading::Folder,
+        _ => Reading::System {
+            error: error.to_string(),
+        },
     };
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])

@@ -14,12 +14,48 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::render;
 
+/// The most findings of a file that people see at once.
+const MOST: usize = 50;
+
+/// What was found in several files.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Total {
+    files: usize,
+    errors: usize,
+    warnings: usize,
+}
+
+impl Total {
+    /// Another file.
+    pub(super) fn add(&mut self, loaded: &Loaded) {
+        self.files += 1;
+        self.errors += count(loaded, Level::Error);
+        self.warnings += count(loaded, Level::Warning);
+    }
+
+    /// The sum over all files, for people, if there are several.
+    pub(super) fn report(self, shown: Shown) {
+        if self.files > 1 && shown.message_format == Format::Human {
+            let (errors, warnings) = (
+                plural(self.errors, "error"),
+                plural(self.warnings, "warning"),
+            );
+            complain(&format!("{} files: {errors}, {warnings}\n", self.files));
+        }
+    }
+}
+
 /// Where the findings about programs go: snippets for people to standard error, the forms for tools to standard output.
 pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
     let text = render(loaded, shown);
     match shown.message_format {
         Format::Human => {
             shows(&text);
+            let found = loaded.diagnostics.len();
+            if found > MOST {
+                let more = plural(found - MOST, "more finding");
+                complain(&format!("... and {more}\n\n"));
+            }
             complain(&summary(loaded));
             Ok(())
         }
@@ -62,7 +98,11 @@ fn shows(text: &str) {
 fn render(loaded: &Loaded, shown: Shown) -> String {
     let format = shown.message_format;
     let (lang, style) = (shown.lang(), shown.style());
-    let lines = loaded.diagnostics.iter().map(|diagnostic| {
+    let most = match format {
+        Format::Human => MOST,
+        Format::Short | Format::Json => usize::MAX,
+    };
+    let lines = loaded.diagnostics.iter().take(most).map(|diagnostic| {
         let source = &loaded.source;
         let line = match format {
             Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic, lang),
@@ -88,11 +128,7 @@ fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
 }
 
 fn summary(loaded: &Loaded) -> String {
-    let count = |level| {
-        let of_level = loaded.diagnostics.iter().filter(|d| d.level() == level);
-        of_level.count()
-    };
-    let (errors, warnings) = (count(Level::Error), count(Level::Warning));
+    let (errors, warnings) = (count(loaded, Level::Error), count(loaded, Level::Warning));
     let name = Printable::line(loaded.source.name());
     match &loaded.program {
         Some(program) => {
@@ -109,6 +145,11 @@ fn summary(loaded: &Loaded) -> String {
             plural(warnings, "warning")
         ),
     }
+}
+
+fn count(loaded: &Loaded, level: Level) -> usize {
+    let of_level = loaded.diagnostics.iter().filter(|one| one.level() == level);
+    of_level.count()
 }
 
 /// So many of something.

@@ -21,7 +21,7 @@ impl FromStr for RobotChoice {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
-        match RobotName::from_str(text, false) {
+        match RobotName::from_str(text, true) {
             Ok(name) => Ok(RobotChoice::Named(name)),
             Err(_) if is_file => Ok(RobotChoice::File(text.into())),
             Err(_) => Err(

@@ -1,6 +1,6 @@
 //! How findings are shown: the form, the language and the width.
 
-use super::choices::{Format, LangName};
+use super::choices::{ColourName, Format, LangName};
 use clap::Args;
 use std::env;
 use std::io::{self, IsTerminal};
@@ -17,6 +17,10 @@ pub(super) struct Shown {
     /// The language of reasons and helps, if not that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
+
+    /// Whether findings for people have colours; auto: on a terminal, unless NO_COLOR says otherwise
+    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
+    color: ColourName,
 }
 
 impl Shown {
@@ -30,7 +34,7 @@ impl Shown {
         let width = terminal_size::terminal_size_of(io::stderr());
         Style::default()
             .lang(self.lang())
-            .colour(wants_colour())
+            .colour(self.color.wanted())
             .width(width.map(|(width, _)| width.0.into()))
     }
 }
@@ -50,9 +54,23 @@ fn of_locale() -> Lang {
     }
 }
 
-/// Colour is for terminals, and for people who did not refuse it (<https://no-color.org>).
+impl ColourName {
+    /// Whether to show colours on standard error.
+    fn wanted(self) -> bool {
+        match self {
+            ColourName::Always => true,
+            ColourName::Never => false,
+            ColourName::Auto => wants_colour(),
+        }
+    }
+}
+
+/// Colour is for terminals, and for people who did not refuse it (<https://no-color.org>) or insist on it
+/// (<https://bixense.com/clicolors/>).
 fn wants_colour() -> bool {
-    let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    let is_set = |name: &str| env::var_os(name).is_some_and(|value| !value.is_empty());
+    let insists =
+        env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
-    io::stderr().is_terminal() && !refused && !dumb
+    !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
 }

@@ -275,3 +275,69 @@ fn a_code_is_explained_in_both_languages() {
     let unknown = folder.tipc(&["explain", "E999"]).expect(2);
     assert!(unknown.err.contains("E205, E206"), "{unknown:#?}");
 }
+
+#[test]
+fn many_findings_are_cut_and_counted_over_all_files() {
+    let wrong = "FOO\n".repeat(60) + "END";
+    let folder = Folder::new("many")
+        .program("many.prg", &wrong)
+        .program("one.prg", "BAR\nEND");
+    let outcome = folder.tipc(&["check", "many.prg", "one.prg"]).expect(1);
+    assert_eq!(
+        outcome.err.matches("is not a command\n").count(),
+        51,
+        "{outcome:#?}"
+    );
+    for line in [
+        "... and 10 more findings",
+        "many.prg: 60 errors, 0 warnings",
+        "one.prg: 1 error, 0 warnings",
+        "2 files: 61 errors, 0 warnings",
+    ] {
+        assert!(
+            outcome.err.lines().any(|one| one == line),
+            "{line}: {outcome:#?}"
+        );
+    }
+    let short = ["check", "--message-format", "short", "many.prg"];
+    assert_eq!(folder.tipc(&short).expect(1).lines().len(), 60);
+}
+
+#[test]
+fn colours_come_when_asked_for() {
+    let folder = Folder::new("colours").program("p.prg", "FOO\nEND");
+    let shown = |arguments: &[&str], insists: &str| {
+        let mut command = folder.command(&[&["check", "p.prg"], arguments].concat());
+        let output = command
+            .env("CLICOLOR_FORCE", insists)
+            .output()
+            .expect("tipc runs");
+        output.stderr.contains(&0x1B)
+    };
+    assert!(!shown(&[], "0"));
+    assert!(shown(&[], "1"));
+    assert!(shown(&["--color", "always"], "0"));
+    assert!(!shown(&["--color", "never"], "1"));
+}
+
+#[test]
+fn a_program_may_come_from_standard_input() {
+    let folder = Folder::new("stdin").program("p.prg", "FOO\nEND");
+    let program = std::fs::File::open(folder.path("p.prg")).expect("a program");
+    let mut command = folder.command(&["check", "--message-format", "short", "-"]);
+    let output = command.stdin(program).output().expect("tipc runs");
+    let line =
+        "standard input:3:1: error[E204]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")";
+    assert_eq!(String::from_utf8_lossy(&output.stdout).trim_end(), line);
+}
+
+#[test]
+fn a_folder_is_not_a_program() {
+    let folder = Folder::new("folder").program("motions/p.prg", "END");
+    let outcome = folder.tipc(&["check", "motions"]).expect(1);
+    let start = "error[E103]: motions: this is a folder: name the files in it";
+    assert!(outcome.err.starts_with(start), "{outcome:#?}");
+    folder
+        .tipc(&["check", "--robot", "TITAN8", "motions/p.prg"])
+        .expect(0);
+}
