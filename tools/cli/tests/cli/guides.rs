@@ -122,6 +122,8 @@ impl Terminal {
             .args(["-c", &format!("exec 2>&1; {command}")])
             .current_dir(&self.here)
             .env("PATH", env::join_paths(path).expect("a search path"))
+            // The language is English, whoever runs the tests.
+            .env("LC_ALL", "C")
             .env("CARGO_NET_OFFLINE", "true")
             .env("CARGO_TERM_COLOR", "never")
             .env(
