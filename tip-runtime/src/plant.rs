@@ -24,7 +24,7 @@ pub mod walker;
 
 pub use crate::scene::{Floor, OBJECTS, Object, Scene, SceneError, Shape};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant};
+pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel};
 
 use crate::command::Port;
 use crate::hardware::Hardware;
@@ -35,12 +35,36 @@ use crate::hardware::Hardware;
 pub struct Motion {
     /// Where the body is in the world.
     pub pose: Pose,
+    /// How far it has come from where it began.
+    pub travel: Travel,
     /// How often the centre of mass has left the support polygon so far.
     pub falls: u32,
     /// How far inside the support polygon the centre of mass is: mm; negative outside.
     pub margin: f64,
+    /// The least that this margin has been so far: mm.
+    pub least_margin: f64,
     /// The farthest that any foot has slipped on one stance so far: mm.
     pub slip: f64,
+}
+
+/// The legs or fingers of a simulated robot as they are, whatever its sensors say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Limbs<const L: usize, const J: usize> {
+    /// Of each joint: deg.
+    pub angles: [[f64; J]; L],
+    /// How much of the robot each foot carries, or how hard each fingertip pushes: N. None if it is bolted down.
+    pub loads: Option<[f64; L]>,
+}
+
+/// What a simulated hand does to the things around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Grasp<const L: usize> {
+    /// The ends of its fingers.
+    pub fingertips: [Fingertip; L],
+    /// The objects, in the order of the scene.
+    pub objects: [Option<ObjectState>; OBJECTS],
 }
 
 /// Hardware that is simulated, so that the readings of its inputs can be set.
@@ -50,6 +74,21 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
 
     /// How the body moves; `None` for a robot that stays where it is.
     fn motion(&self) -> Option<Motion> {
+        None
+    }
+
+    /// When the centre of mass first left the support polygon, if it did.
+    fn first_fall(&self) -> Option<Fall> {
+        None
+    }
+
+    /// Its legs or fingers; `None` where nothing but joints is simulated.
+    fn limbs(&self) -> Option<Limbs<L, J>> {
+        None
+    }
+
+    /// What it grasps; `None` for a robot that is not a hand.
+    fn grasp(&self) -> Option<Grasp<L>> {
         None
     }
 }

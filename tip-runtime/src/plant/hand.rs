@@ -38,8 +38,8 @@ mod overlap;
 mod slider;
 mod thing;
 
-use super::Plant;
 use super::override_sensors::{LegInputs, Overrides};
+use super::{Grasp, Limbs, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -60,6 +60,16 @@ pub struct Fingertip {
     pub on_floor: [f64; 3],
     /// With what force the last link pushes objects: N.
     pub on_objects: [f64; 3],
+    /// The greatest force with which it has pushed at the end of a cycle so far: N.
+    pub greatest: f64,
+}
+
+impl Fingertip {
+    /// How hard it pushes the floor and objects together: N.
+    pub fn force(&self) -> f64 {
+        let ([x, y, z], [u, v, w]) = (self.on_floor, self.on_objects);
+        libm::hypot(libm::hypot(x + u, y + v), z + w)
+    }
 }
 
 /// An object of the scene.
@@ -76,6 +86,8 @@ pub struct ObjectState {
     pub spin: f64,
     /// How far its lowest point is above the floor: mm.
     pub clearance: f64,
+    /// The most that this has been at the end of a cycle so far: mm.
+    pub highest: f64,
     /// Whether it touches the floor.
     pub on_floor: bool,
     /// Whether it touches the palm.
@@ -158,6 +170,20 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         let overrides: &mut Overrides<[LegInputs<J>]> = &mut self.overrides;
         overrides.set(port, volts)
+    }
+
+    fn limbs(&self) -> Option<Limbs<L, J>> {
+        Some(Limbs {
+            angles: self.angles(),
+            loads: Some(self.fingertips().map(|tip| tip.force())),
+        })
+    }
+
+    fn grasp(&self) -> Option<Grasp<L>> {
+        Some(Grasp {
+            fingertips: self.fingertips(),
+            objects: self.objects(),
+        })
     }
 }
 

@@ -27,13 +27,15 @@ mod polygon;
 mod servo;
 mod stance;
 mod support;
+mod travel;
 
 pub use body::Pose;
 pub use fall::Fall;
 pub use servo::ServoDynamics;
+pub use travel::Travel;
 
 use super::override_sensors::{LegInputs, Overrides};
-use super::{Motion, Plant};
+use super::{Limbs, Motion, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -166,6 +168,18 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.count
     }
 
+    /// The least that the margin has been so far: mm.
+    pub fn least_margin(&self) -> f64 {
+        self.ground.falls.least
+    }
+
+    /// How far the body has come from where it began.
+    pub fn travel(&self) -> Travel {
+        self.ground
+            .start
+            .travel(&self.ground.floor, &self.ground.body)
+    }
+
     /// The first of these falls.
     pub fn first_fall(&self) -> Option<Fall> {
         self.ground.falls.first
@@ -192,6 +206,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     fn settle(&mut self) {
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.settle(&mut self.ground);
+        self.ground.begin();
     }
 }
 
@@ -227,11 +242,25 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
     }
 
     fn motion(&self) -> Option<Motion> {
-        Some(Motion {
+        // A robot that is bolted down has no body that moves.
+        self.ground.is_loose().then(|| Motion {
             pose: self.body(),
+            travel: self.travel(),
             falls: self.falls(),
             margin: self.margin(),
+            least_margin: self.least_margin(),
             slip: self.worst_slip(),
+        })
+    }
+
+    fn first_fall(&self) -> Option<Fall> {
+        self.ground.falls.first
+    }
+
+    fn limbs(&self) -> Option<Limbs<L, J>> {
+        Some(Limbs {
+            angles: self.angles(),
+            loads: self.ground.is_loose().then_some(self.ground.loads.feet),
         })
     }
 }

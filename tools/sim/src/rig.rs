@@ -6,7 +6,7 @@ use std::fmt;
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use tip_runtime::plant::{Motion, Plant};
+use tip_runtime::plant::{Fall, Grasp, Limbs, Motion, Plant};
 
 /// A plant that may fail.
 #[derive(Clone)]
@@ -64,6 +64,13 @@ impl<const L: usize, const J: usize> Rig<L, J> {
         match &self.simulated {
             Simulated::Echo(echo) => echo.as_ref(),
             Simulated::Plant(plant) => plant.any(),
+        }
+    }
+
+    fn simulated(&self) -> Option<&dyn AnyPlant<L, J>> {
+        match &self.simulated {
+            Simulated::Echo(_) => None,
+            Simulated::Plant(plant) => Some(plant.as_ref()),
         }
     }
 
@@ -134,9 +141,18 @@ impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
     }
 
     fn motion(&self) -> Option<Motion> {
-        match &self.simulated {
-            Simulated::Echo(_) => None,
-            Simulated::Plant(plant) => plant.motion(),
-        }
+        self.simulated()?.motion()
+    }
+
+    fn first_fall(&self) -> Option<Fall> {
+        self.simulated()?.first_fall()
+    }
+
+    fn limbs(&self) -> Option<Limbs<L, J>> {
+        self.simulated()?.limbs()
+    }
+
+    fn grasp(&self) -> Option<Grasp<L>> {
+        self.simulated()?.grasp()
     }
 }

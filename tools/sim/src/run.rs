@@ -4,6 +4,7 @@ use crate::cycle::{Collector, Cycle};
 use crate::desk::{Desk, Listener};
 use crate::engine::Engine;
 use crate::event::{Event, EventError, Events, Timed};
+use crate::motion::Fall;
 use crate::robot::Robot;
 use crate::shell::Shell;
 use crate::sink::both;
@@ -13,7 +14,6 @@ use std::fmt;
 use tip_runtime::command::Port;
 use tip_runtime::console::Console;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
-use tip_runtime::plant::Motion;
 use tip_runtime::program::{Program, VariableError};
 use tip_runtime::record::{Ending, Sink, state_hash};
 
@@ -102,6 +102,8 @@ pub struct Run {
     /// How many of them have happened.
     pub(crate) happened: usize,
     pub(crate) ending: Option<Ending>,
+    /// The first one.
+    pub(crate) fall: Option<Fall>,
     #[cfg(feature = "std")]
     pub(crate) trace: Option<Trace>,
 }
@@ -125,6 +127,7 @@ impl Run {
             events: Events::NONE,
             happened: 0,
             ending: None,
+            fall: None,
             #[cfg(feature = "std")]
             trace: None,
         })
@@ -251,6 +254,7 @@ impl Run {
     /// Runs one cycle, and reports it to a sink and the trace.
     pub fn advance(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         self.happen();
+        let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
         #[cfg(feature = "std")]
         let own = self.trace.as_mut().map(Trace::sink);
         #[cfg(not(feature = "std"))]
@@ -258,6 +262,7 @@ impl Run {
         let status = both(own, sink, |sink| self.shell.cycle(sink));
         #[cfg(feature = "std")]
         self.trace.iter_mut().for_each(Trace::keep);
+        self.note_fall(cycle, time, step);
         self.ending = match status {
             Status::Running => None,
             Status::Finished(end) => Some(Ending::Program(end)),
@@ -336,11 +341,6 @@ impl Run {
         self.shell.seen().plant.downcast_ref()
     }
 
-    /// How the body moves; none for a robot that stays where it is.
-    pub fn motion(&self) -> Option<Motion> {
-        self.shell.motion()
-    }
-
     /// Joint angles as measured in the last cycle, leg by leg: deg.
     pub fn angles(&self) -> &[f64] {
         self.shell.seen().angles
@@ -366,6 +366,7 @@ impl Clone for Run {
             events: self.events.clone(),
             happened: self.happened,
             ending: self.ending,
+            fall: self.fall,
             #[cfg(feature = "std")]
             trace: self.trace.clone(),
         }

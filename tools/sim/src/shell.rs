@@ -3,13 +3,14 @@
 use crate::desk::Desk;
 use crate::echo::Echo;
 use crate::engine::Engine;
+use crate::motion::{Grasp, Limbs};
 use crate::native::Native;
 use crate::rig::{Failures, Rig};
 use std::any::Any;
 use tip_runtime::command::{MAX, Port};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
-use tip_runtime::plant::{Motion, Plant as _};
+use tip_runtime::plant::{self, Motion, Plant as _};
 use tip_runtime::record::Sink;
 
 /// What a sole's sensor reads on the ground: V.
@@ -25,6 +26,9 @@ pub(crate) trait Shell {
     fn failures_mut(&mut self) -> &mut Failures;
     fn touched(&mut self) -> Option<&mut Echo>;
     fn motion(&self) -> Option<Motion>;
+    fn first_fall(&self) -> Option<plant::Fall>;
+    fn limbs(&self) -> Option<Limbs>;
+    fn grasp(&self) -> Option<Grasp>;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn pause(&mut self, on: bool);
 }
@@ -114,6 +118,18 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn motion(&self) -> Option<Motion> {
         self.hardware().motion()
+    }
+
+    fn first_fall(&self) -> Option<plant::Fall> {
+        self.hardware().first_fall()
+    }
+
+    fn limbs(&self) -> Option<Limbs> {
+        self.hardware().limbs().map(Limbs::from)
+    }
+
+    fn grasp(&self) -> Option<Grasp> {
+        self.hardware().grasp().map(Grasp::from)
     }
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {

@@ -1,5 +1,6 @@
 //! Marks in a run, to which it can be taken back.
 
+use crate::motion::Fall;
 use crate::run::Run;
 use crate::shell::Shell;
 #[cfg(feature = "std")]
@@ -13,6 +14,7 @@ pub struct Snapshot {
     shell: Box<dyn Shell>,
     happened: usize,
     ending: Option<Ending>,
+    fall: Option<Fall>,
     #[cfg(feature = "std")]
     trace: Option<trace::Mark>,
     #[cfg(feature = "std")]
@@ -34,6 +36,7 @@ impl Run {
             shell: self.shell.boxed(),
             happened: self.happened,
             ending: self.ending,
+            fall: self.fall,
             #[cfg(feature = "std")]
             trace: self.trace.as_ref().map(trace::Trace::mark),
             #[cfg(feature = "std")]
@@ -50,6 +53,7 @@ impl Run {
         self.shell.desk_mut().replace(listener);
         self.happened = mark.happened;
         self.ending = mark.ending;
+        self.fall = mark.fall;
         #[cfg(feature = "std")]
         {
             if let (Some(trace), Some(mark)) = (&mut self.trace, &mark.trace) {

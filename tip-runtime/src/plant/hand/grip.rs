@@ -32,6 +32,8 @@ pub(super) struct FingerPlant<const J: usize> {
     pub(super) pull: Vector,
     /// What the floor, and what the objects do to the last link: N.
     on_last: [Vector; 2],
+    /// The greatest force of both together, at the end of a cycle: N.
+    greatest: f64,
 }
 
 /// A hand: with an array of fingers, or a slice, over which all logic is.
@@ -59,6 +61,7 @@ impl<const J: usize> FingerPlant<J> {
             grasps: [[[Bristle::default(); 5]; J]; OBJECTS],
             pull: Vector::zeros(),
             on_last: [Vector::zeros(); 2],
+            greatest: 0.0,
         }
     }
 
@@ -69,6 +72,7 @@ impl<const J: usize> FingerPlant<J> {
             position: [at.x, at.y, self.z],
             on_floor: [-floor.x, -floor.y, 0.0],
             on_objects: [-objects.x, -objects.y, 0.0],
+            greatest: self.greatest,
         }
     }
 
@@ -143,6 +147,7 @@ impl<S: ?Sized> Grip<S> {
                 velocity: (body.velocity * 1000.0).into(),
                 spin: body.spin.to_degrees(),
                 clearance: thing.clearance(&floor) * 1000.0,
+                highest: thing.highest * 1000.0,
                 on_floor: thing.on_floor,
                 at_palm: thing.at_palm,
             })
@@ -212,6 +217,19 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         let dt = self.period.min(LONGEST) / steps / 1000.0;
         for _ in 0..steps as u32 {
             self.step(dt);
+        }
+        self.watch();
+    }
+
+    /// A cycle is over.
+    fn watch(&mut self) {
+        for finger in &mut self.fingers {
+            let [floor, objects] = finger.on_last;
+            finger.greatest = finger.greatest.max((floor + objects).norm());
+        }
+        let floor = self.floor();
+        for thing in self.things.iter_mut().flatten() {
+            thing.highest = thing.highest.max(thing.clearance(&floor));
         }
     }
 

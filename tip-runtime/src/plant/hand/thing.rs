@@ -24,6 +24,8 @@ pub(super) struct Thing {
     others: [[Bristle; 8]; OBJECTS],
     pub(super) on_floor: bool,
     pub(super) at_palm: bool,
+    /// How far its lowest point has been above the floor at most: m.
+    pub(super) highest: f64,
 }
 
 impl Thing {
@@ -36,14 +38,17 @@ impl Thing {
             let lowest = lowest.iter().flatten().fold(f64::INFINITY, low);
             body.centre.y -= lowest / floor.normal.y;
         }
-        Thing {
+        let mut thing = Thing {
             body,
             floor: [Bristle::default(); 4],
             palm: [Bristle::default(); 4],
             others: [[Bristle::default(); 8]; OBJECTS],
             on_floor: false,
             at_palm: false,
-        }
+            highest: 0.0,
+        };
+        thing.highest = thing.clearance(floor);
+        thing
     }
 
     /// How far its lowest point is above the floor: m.

@@ -22,6 +22,8 @@ pub(super) struct FallWatch {
     /// Feet no more than this above the lowest count as standing: mm.
     pub(super) lift: f64,
     pub(super) margin: f64,
+    /// The least margin so far: mm.
+    pub(super) least: f64,
     pub(super) count: u32,
     pub(super) first: Option<Fall>,
     falling: bool,
@@ -34,6 +36,7 @@ impl FallWatch {
         FallWatch {
             lift: 20.0,
             margin: 0.0,
+            least: f64::INFINITY,
             count: 0,
             first: None,
             falling: false,
@@ -75,6 +78,7 @@ impl FallWatch {
         } else {
             on_feet
         };
+        self.least = self.least.min(self.margin);
         let came_to_lie = lies && !self.lay;
         self.lay = lies;
         let tips = self.margin < -TIPPING || (came_to_lie && on_feet < 0.0);

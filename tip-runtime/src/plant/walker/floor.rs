@@ -26,7 +26,11 @@ impl Floor {
 
     /// A body of the floor's frame, in the world.
     pub(super) fn pose(&self, body: &Body) -> Pose {
-        let position = self.point(body.point(Point::zeros()));
-        Pose::new(position, &(self.tilt() * body.rotation()))
+        Pose::new(self.position(body), &(self.tilt() * body.rotation()))
+    }
+
+    /// Where the origin of a body of the floor's frame is, in the world.
+    pub(super) fn position(&self, body: &Body) -> [f64; 3] {
+        self.point(body.point(Point::zeros()))
     }
 }

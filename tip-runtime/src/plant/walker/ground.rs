@@ -7,6 +7,7 @@ use super::fall::FallWatch;
 use super::links::Mass;
 use super::stance::Stance;
 use super::support::{self, Load, Support};
+use super::travel::Start;
 use crate::model;
 use crate::scene::Floor;
 
@@ -38,6 +39,7 @@ pub(super) struct Ground<const L: usize> {
     model: Option<model::Body>,
     pub(super) mass: Mass,
     pub(super) body: Body,
+    pub(super) start: Start,
     at_rest: bool,
     feet: [Point; L],
     pub(super) loads: Contacts<f64, L>,
@@ -52,13 +54,15 @@ impl<const L: usize> Ground<L> {
     // Out of line, or it would be copied for each number of joints.
     #[inline(never)]
     pub(super) fn new(model: Option<model::Body>) -> Self {
+        let body = Body::standing(model.as_ref());
         Ground {
             floor: Floor::LEVEL,
             gravity: Floor::LEVEL.gravity(),
             down: Point::zeros(),
             model,
             mass: Mass::NONE,
-            body: Body::standing(model.as_ref()),
+            body,
+            start: Start::at(&Floor::LEVEL, &body),
             at_rest: false,
             feet: [Point::zeros(); L],
             loads: Contacts::new([0.0; L], [0.0; 4]),
@@ -74,6 +78,17 @@ impl<const L: usize> Ground<L> {
         self.gravity = floor.gravity();
         self.body = Body::standing(self.model.as_ref());
         self.stance = Stance::new();
+    }
+
+    /// Whether there is a body that moves.
+    pub(super) const fn is_loose(&self) -> bool {
+        self.model.is_some()
+    }
+
+    /// What has been measured so far counts from here.
+    pub(super) fn begin(&mut self) {
+        self.start = Start::at(&self.floor, &self.body);
+        self.falls.least = self.falls.margin;
     }
 }
 
@@ -119,7 +134,9 @@ impl<const L: usize> Carrier for Ground<L> {
         self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
+        let heading = self.body.heading;
         let rotation = self.stance.follow(&points, &self.loads, &mut self.body);
+        self.start.turned(heading, self.body.heading);
         self.down = rotation.inverse() * self.gravity;
         self.falls
             .watch(&points, &self.loads, mass.centre, self.down, self.cycle);

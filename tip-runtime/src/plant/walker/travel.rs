@@ -1,0 +1,82 @@
+//! How far the body has come.
+
+use super::body::Body;
+use crate::scene::Floor;
+use core::f64::consts::{PI, TAU};
+
+/// How far a body has come from where it began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Travel {
+    /// To the right of how it stood at first: mm.
+    pub x: f64,
+    /// Forward: mm.
+    pub y: f64,
+    /// Up: mm.
+    pub z: f64,
+    /// To the left, about the floor's normal: deg. Whole turns count.
+    pub turn: f64,
+}
+
+/// Where the body began, and how often it has turned round since.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Start {
+    position: [f64; 3],
+    /// rad.
+    heading: f64,
+    revolutions: f64,
+}
+
+impl Start {
+    /// Here.
+    pub(super) fn at(floor: &Floor, body: &Body) -> Self {
+        Start {
+            position: floor.position(body),
+            heading: body.heading,
+            revolutions: 0.0,
+        }
+    }
+
+    /// The heading, which is kept within half a turn, has changed.
+    pub(super) fn turned(&mut self, from: f64, to: f64) {
+        if to - from > PI {
+            self.revolutions -= 1.0;
+        } else if to - from < -PI {
+            self.revolutions += 1.0;
+        }
+    }
+
+    /// How far it is from here to where the body is now.
+    pub(super) fn travel(&self, floor: &Floor, body: &Body) -> Travel {
+        let ([x, y, z], [x0, y0, z0]) = (floor.position(body), self.position);
+        let turn = body.heading - self.heading + self.revolutions * TAU;
+        Travel {
+            x: x - x0,
+            y: y - y0,
+            z: z - z0,
+            turn: turn.to_degrees(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_turns_count_in_both_senses() {
+        for sense in [1.0, -1.0] {
+            let mut body = Body::standing(None);
+            let mut start = Start::at(&Floor::LEVEL, &body);
+            // Two turns and a quarter, in steps of 30 degrees.
+            for step in 1..=27 {
+                let angle = sense * f64::from(step) * PI / 6.0;
+                let heading = libm::atan2(libm::sin(angle), libm::cos(angle));
+                start.turned(body.heading, heading);
+                body.heading = heading;
+            }
+            let turn = start.travel(&Floor::LEVEL, &body).turn;
+            assert!((turn - sense * 810.0).abs() < 1e-9, "{turn}");
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What a run says about the motion of its robot.
+
+use crate::motion::{Fall, Grasp, Limbs};
+use crate::run::Run;
+use tip_runtime::plant::Motion;
+
+impl Run {
+    /// How the body moves; none for a robot that stays where it is.
+    pub fn motion(&self) -> Option<Motion> {
+        self.shell.motion()
+    }
+
+    /// When and where the robot first fell, if it did.
+    pub fn first_fall(&self) -> Option<Fall> {
+        self.fall
+    }
+
+    /// The legs or fingers as they are after the last cycle; none if nothing but joints is simulated.
+    pub fn limbs(&self) -> Option<Limbs> {
+        self.shell.limbs()
+    }
+
+    /// What the robot grasps; none if it is not a hand.
+    pub fn grasp(&self) -> Option<Grasp> {
+        self.shell.grasp()
+    }
+
+    /// Keeps the first fall, if it was in this cycle.
+    pub(crate) fn note_fall(&mut self, cycle: u64, time: f64, step: u32) {
+        if self.fall.is_none() {
+            self.fall = self.shell.first_fall().map(|fall| Fall {
+                cycle,
+                time,
+                step,
+                margin: fall.margin,
+            });
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What a robot does, as a value of no size.
+
+use tip_runtime::plant::{self, Fingertip, ObjectState};
+
+/// The legs or fingers of a robot after a cycle, whatever its sensors say.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Limbs {
+    /// Of each joint, leg by leg: deg.
+    pub angles: Vec<Vec<f64>>,
+    /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is bolted down.
+    pub loads: Vec<f64>,
+}
+
+impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
+    fn from(limbs: plant::Limbs<L, J>) -> Self {
+        Limbs {
+            angles: limbs.angles.iter().map(|leg| leg.to_vec()).collect(),
+            loads: limbs.loads.map_or(Vec::new(), Vec::from),
+        }
+    }
+}
+
+/// What a hand does to the things around it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Grasp {
+    /// The ends of its fingers.
+    pub fingertips: Vec<Fingertip>,
+    /// The objects, in the order of the scene.
+    pub objects: Vec<ObjectState>,
+}
+
+impl<const L: usize> From<plant::Grasp<L>> for Grasp {
+    fn from(grasp: plant::Grasp<L>) -> Self {
+        Grasp {
+            fingertips: grasp.fingertips.to_vec(),
+            objects: grasp.objects.into_iter().flatten().collect(),
+        }
+    }
+}
+
+/// The robot fell: its centre of mass left the support polygon.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Fall {
+    /// The control cycle, from 0.
+    pub cycle: u64,
+    /// When that cycle began: ms.
+    pub time: f64,
+    /// The step that ran in it.
+    pub step: u32,
+    /// How far outside the centre of mass was: mm, negative.
+    pub margin: f64,
+}
