@@ -4,12 +4,14 @@
 use campaign::batch::Effort;
 use campaign::build::{Flavour, Workshop};
 use campaign::hunt::{differing, shrink};
-use campaign::progress::Progress;
+use campaign::progress::{Progress, time_left};
 use campaign::report::report;
 use lockstep::Figures;
 use random_programs::{Specimen, program};
 use std::collections::BTreeMap;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 use std::{env, fs, io};
 
 /// How many programs are compiled at once.
@@ -26,7 +28,16 @@ const EFFORT: Effort = Effort {
 /// Every so many batches one is optimised, as users' programs are.
 const OPTIMISED_ONE_IN: u64 = 20;
 
+/// Ctrl-C was pressed; the batch that runs gets it too, and ends.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
 fn main() -> ExitCode {
+    // Where handlers are not to be had, Ctrl-C keeps its usual meaning.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
     let arguments: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
@@ -42,6 +53,10 @@ fn main() -> ExitCode {
     match done {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
+        Err(_) if INTERRUPTED.load(Ordering::Relaxed) => {
+            eprintln!("interrupted; what is done is kept, and the next call continues after it");
+            ExitCode::from(130)
+        }
         Err(error) => {
             eprintln!("{error}");
             ExitCode::FAILURE
@@ -63,9 +78,12 @@ fn show() -> io::Result<bool> {
 fn campaign(programs: u64) -> io::Result<bool> {
     let workshop = Workshop::new();
     let progress = progress(&workshop);
-    for batch in 0..programs.div_ceil(BATCH) {
-        if progress.has(batch) {
-            continue;
+    let batches = programs.div_ceil(BATCH);
+    let open: Vec<u64> = (0..batches).filter(|batch| !progress.has(*batch)).collect();
+    let begin = Instant::now();
+    for (done, &batch) in (1..).zip(&open) {
+        if INTERRUPTED.load(Ordering::Relaxed) {
+            return Err(io::ErrorKind::Interrupted.into());
         }
         let flavour = match batch % OPTIMISED_ONE_IN {
             1 => Flavour::Optimised,
@@ -77,10 +95,12 @@ fn campaign(programs: u64) -> io::Result<bool> {
             keep(&workshop, flavour, &specimens[place], &told)?;
         }
         let figures = Figures::parse(&printed);
+        let left = u32::try_from(open.len()).unwrap_or(u32::MAX) - done;
         eprintln!(
-            "batch {batch}: {} cycles, {} differences",
+            "batch {batch} of {batches}: {} cycles, {} differences, {} left",
             figures.get("cycles"),
-            figures.get("differences")
+            figures.get("differences"),
+            time_left(begin.elapsed(), done, left)
         );
         progress.keep(batch, &figures)?;
     }

@@ -2,6 +2,7 @@
 
 use lockstep::Figures;
 use std::path::PathBuf;
+use std::time::Duration;
 use std::{fs, io};
 
 /// A folder of figures.
@@ -45,5 +46,31 @@ impl Progress {
 
     fn file(&self, batch: u64) -> PathBuf {
         self.0.join(format!("{batch:06}.figures"))
+    }
+}
+
+/// How long `left` batches will take if `done` took so long.
+pub fn time_left(elapsed: Duration, done: u32, left: u32) -> String {
+    let minutes = (elapsed / done.max(1))
+        .saturating_mul(left)
+        .as_secs()
+        .div_ceil(60);
+    match (minutes / 60, minutes % 60) {
+        (0, minutes) => format!("{minutes} min"),
+        (hours, minutes) => format!("{hours} h {minutes} min"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rest_takes_as_long_as_what_was_done() {
+        let minutes = |n| Duration::from_secs(60 * n);
+        assert_eq!(time_left(minutes(10), 5, 20), "40 min");
+        assert_eq!(time_left(minutes(10), 5, 61), "2 h 2 min");
+        assert_eq!(time_left(minutes(10), 5, 0), "0 min");
+        assert_eq!(time_left(minutes(0), 0, 9), "0 min");
     }
 }
