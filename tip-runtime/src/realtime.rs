@@ -51,9 +51,13 @@ impl Pacer {
 
     /// Waits until a cycle of `period` ms is over.
     pub fn wait(&mut self, period: f64) {
-        let now = Instant::now();
-        let due = self.next(period, now);
-        sleep(due.saturating_duration_since(now));
+        let due = self.due(period);
+        sleep(due.saturating_duration_since(Instant::now()));
+    }
+
+    /// Counts a cycle of `period` ms, and says when it is over: for hosts that wait in their own way.
+    pub fn due(&mut self, period: f64) -> Instant {
+        self.next(period, Instant::now())
     }
 
     /// When the cycle that ended `now` is over.

@@ -23,6 +23,8 @@ mod dump;
 mod ending;
 #[cfg(feature = "std")]
 mod json_lines;
+#[cfg(feature = "std")]
+mod moved;
 mod sample;
 mod state_hash;
 #[cfg(feature = "std")]
@@ -36,6 +38,8 @@ pub use dump::Dump;
 pub use ending::Ending;
 #[cfg(feature = "std")]
 pub use json_lines::JsonLines;
+#[cfg(feature = "std")]
+pub use moved::Moved;
 pub use sample::Sample;
 pub use state_hash::state_hash;
 #[cfg(feature = "std")]

@@ -1,6 +1,6 @@
 //! The trace: one JSON object a line.
 
-use super::{Cycle, Ending, Sink, state_hash};
+use super::{Cycle, Ending, Moved, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
 use crate::program::{End, Program};
@@ -16,6 +16,9 @@ pub struct JsonLines<W> {
     out: W,
     result: fmt::Result,
     with_state: bool,
+    with_motion: bool,
+    /// The last record has no end yet.
+    is_open: bool,
     /// Bits of every scalar before the step.
     scalars: Vec<Option<u64>>,
     say: Option<String>,
@@ -30,6 +33,8 @@ impl<W: Write> JsonLines<W> {
             out,
             result: Ok(()),
             with_state,
+            with_motion: false,
+            is_open: false,
             scalars: Vec::new(),
             say: None,
             lamp: None,
@@ -37,8 +42,31 @@ impl<W: Write> JsonLines<W> {
         }
     }
 
+    /// Leaves each record open for what [`moved`](Self::moved) adds after the cycle.
+    #[must_use]
+    pub fn with_motion(mut self) -> Self {
+        self.with_motion = true;
+        self
+    }
+
+    /// Ends the record of the last cycle with what the robot did in it. A cycle without a record has none to end.
+    pub fn moved(&mut self, moved: &Moved<'_>) {
+        if self.is_open && self.result.is_ok() {
+            self.result = moved.write(&mut self.out);
+        }
+        self.close();
+    }
+
+    /// Ends a record that is open.
+    fn close(&mut self) {
+        if core::mem::take(&mut self.is_open) && self.result.is_ok() {
+            self.result = self.out.write_str("}\n");
+        }
+    }
+
     /// Writes the last record; `cycles` is the number of cycle records.
     pub fn end(&mut self, ending: Ending, cycles: u64) {
+        self.close();
         let written = self.end_record(ending, cycles);
         self.result = self.result.and(written);
     }
@@ -107,7 +135,7 @@ impl<W: Write> JsonLines<W> {
             let hash = state_hash(cycle.sample.commands, cycle.sample.angles);
             write!(out, r#","state":"{hash:016x}""#)?;
         }
-        out.write_str("}\n")
+        Ok(())
     }
 
     /// The key `set`: what the step assigned, and not what the host did before it.
@@ -160,8 +188,13 @@ impl<W: Write> Sink for JsonLines<W> {
     }
 
     fn cycle(&mut self, cycle: &Cycle<'_>) {
+        self.close();
         if self.result.is_ok() {
             self.result = self.cycle_record(cycle);
+            self.is_open = true;
+        }
+        if !self.with_motion {
+            self.close();
         }
     }
 }

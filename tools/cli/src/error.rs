@@ -16,6 +16,8 @@ pub(super) enum Error {
     Usage(String),
     /// Something outside of this tool does not do what it is asked.
     Failed(String),
+    /// Ctrl-C ended it; how far it came.
+    Interrupted(String),
     /// A file cannot be written.
     CannotWrite {
         /// Which one.
@@ -38,6 +40,7 @@ impl Error {
     pub(super) fn status(&self) -> Status {
         match self {
             Error::Usage(_) => Status::Usage,
+            Error::Interrupted(_) => Status::Interrupted,
             Error::Failed(_) | Error::CannotWrite { .. } => Status::Failure,
         }
     }
@@ -47,6 +50,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Error::Usage(text) | Error::Failed(text) => f.write_str(text),
+            Error::Interrupted(text) => write!(f, "interrupted {text}"),
             Error::CannotWrite { path, reason } => {
                 let error = reason.clone();
                 let reason = Reading::System { error };

@@ -11,6 +11,7 @@ mod emit;
 mod error;
 mod explain;
 mod input;
+mod interrupt;
 mod migrate;
 mod output;
 mod place;
@@ -42,7 +43,7 @@ use std::process::ExitCode;
 
 'tipc help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load or does not verify, or a file cannot be written,
-2 wrong usage, 3 emergency stop, 130 interrupted."
+2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -82,6 +83,8 @@ enum Status {
     Usage = 2,
     /// Emergency stop.
     Emergency = 3,
+    /// The robot fell, which `--deny falls` forbids.
+    Fell = 4,
     /// Ctrl-C.
     Interrupted = 130,
 }

@@ -70,7 +70,11 @@ pub(super) fn findings(loaded: &Loaded, shown: Shown) {
 
 /// An error that is about no program.
 pub(super) fn error(error: &Error) {
-    complain(&format!("error: {}\n", Printable::line(error)));
+    let level = match error {
+        Error::Interrupted(_) => "",
+        _ => "error: ",
+    };
+    complain(&format!("{level}{}\n", Printable::line(error)));
 }
 
 /// What is wrong with a command line, or the help that it asks for.

@@ -1,27 +1,30 @@
 //! `tipc run`: a program on the simulated robot, by the reference interpreter.
 
 mod emergency;
-mod interrupt;
+mod live;
 mod logs;
 mod progress;
 mod screen;
+mod summary;
 mod targets;
 mod trace;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
-use super::{Status, input, report, scene};
-use clap::Args;
+use super::{Status, input, interrupt, report, scene};
+use clap::{Args, ValueEnum};
 use emergency::describe;
+use live::Live;
 use progress::Progress;
 use screen::Screen;
 use std::path::PathBuf;
+use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{Inputs, Interpreter, Observer, Robot};
 use tipc::program::Program;
 use tipc::source::Source;
-use trace::Trace;
+use trace::{Extras, Trace};
 
 /// `tipc run`
 #[derive(Debug, Args)]
@@ -34,14 +37,22 @@ use trace::Trace;
   tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
   tipc run --robot hand grasp.prg --scene cylinder
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
+  tipc run walk.prg --realtime                  as fast as the robot, with a status line and your keys
+  tipc run walk.prg --quiet --deny falls        for scripts: nothing but messages, and exit status 4 after a fall
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the
 emergency stop and ESC the halt request; Ctrl-C ends the run and completes its files,
-a second one ends a run that is stuck.
+a second one ends a run that is stuck. On standard error a run says when the robot falls, and at
+its end what it did.
 
-Exit status: 0 END, EXIT or --cycles used up, 1 the program does not load, 2 wrong usage,
-3 emergency stop, 130 interrupted.")]
+Exit status; the first that applies:
+  2    wrong usage
+  1    the program does not load, or a file cannot be written
+  130  interrupted
+  3    emergency stop
+  4    the robot fell, with --deny falls
+  0    END, EXIT or --cycles used up")]
 pub(super) struct Run {
     /// The program
     pub(super) file: PathBuf,
@@ -60,9 +71,32 @@ pub(super) struct Run {
     #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
+    /// End each record of the trace with what the simulated robot did: pose, angles, loads, margin, falls
+    #[arg(long, requires = "trace")]
+    pub(super) trace_motion: bool,
+
     /// Write the log files of the language into this folder
     #[arg(long, value_name = "DIR")]
     pub(super) out_dir: Option<PathBuf>,
+
+    /// Run as fast as the robot does, and show how it is; keys are those of the terminal
+    #[arg(long)]
+    pub(super) realtime: bool,
+
+    /// Run to the end, then exit with status 4 if this happened
+    #[arg(long, value_name = "WHAT", value_enum)]
+    pub(super) deny: Option<Denied>,
+
+    /// Say nothing but the program's messages and the errors that end a run
+    #[arg(long, short)]
+    pub(super) quiet: bool,
+}
+
+/// What a run may be judged by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Denied {
+    /// The robot fell: its centre of mass left the support polygon
+    Falls,
 }
 
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
@@ -85,13 +119,21 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         &arguments.file,
         &arguments.source.options(robot.options().robot),
     );
-    report::findings(&loaded, arguments.source.shown);
+    if loaded.program.is_none() || !arguments.quiet {
+        report::findings(&loaded, arguments.source.shown);
+    }
     if loaded.program.is_some() {
         targets::check(arguments)?;
     }
     // The trace first: it changes nothing before the end, and where it cannot be written no log is touched.
     let trace = match (&arguments.trace, &loaded.program) {
-        (Some(path), Some(_)) => Some(Trace::begin(path, arguments.trace_state)?),
+        (Some(path), Some(_)) => {
+            let extras = Extras {
+                state: arguments.trace_state,
+                motion: arguments.trace_motion,
+            };
+            Some(Trace::begin(path, extras)?)
+        }
         _ => None,
     };
     let logs = match &arguments.out_dir {
@@ -99,48 +141,118 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         _ => None,
     };
     match loaded.program {
-        Some(program) => simulate(program, robot, &inputs, &loaded.source, trace, logs),
+        Some(program) => {
+            let job = Job {
+                arguments,
+                source: &loaded.source,
+                inputs: &inputs,
+            };
+            job.simulate(program, robot, trace, logs)
+        }
         None => Ok(Status::Failure),
     }
 }
 
-/// Runs a program that was loaded, and reports how it ended.
-fn simulate(
-    program: Program,
-    robot: Robot,
-    inputs: &Inputs,
-    source: &Source,
-    mut trace: Option<Trace>,
-    logs: Option<LogFiles<()>>,
-) -> Result<Status, Error> {
-    let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
-    let screen = Screen::new(Progress::new(inputs.cycles), messages, logs);
-    let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
-    let mut run = tip_sim::Run::new(Interpreter::new(program), robot)
-        .map_err(|mismatch| usage(&mismatch))?
-        .with_events(&inputs.events)
-        .map_err(|refused| usage(&refused))?
-        .with_console(screen);
-    let mut watch = Watch {
-        trace: trace.as_mut(),
-    };
-    let ending = run.observed(inputs.cycles.into(), &mut watch);
-    interrupt::hold();
-    let logged = run.console_mut().map_or(Ok(()), Screen::close);
-    if trace.as_ref().is_some_and(Trace::is_straight) {
-        interrupt::release();
-    }
-    let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
-    if let (Ending::Emergency(emergency), Some(program)) = (&ending, run.engine()) {
-        report::complain(&describe(emergency, source, program));
-    }
-    traced.and(logged)?;
-    Ok(status(&ending))
+/// A program that was loaded, and what is to happen to it.
+struct Job<'a> {
+    arguments: &'a Run,
+    source: &'a Source,
+    inputs: &'a Inputs,
 }
 
-/// Writes the trace, and ends the run when it is interrupted.
+impl Job<'_> {
+    /// Runs it, and reports how it ended.
+    fn simulate(
+        &self,
+        program: Program,
+        robot: Robot,
+        mut trace: Option<Trace>,
+        logs: Option<LogFiles<()>>,
+    ) -> Result<Status, Error> {
+        let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
+        let screen = Screen::new(self.progress(), messages, logs);
+        let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
+        let mut run = tip_sim::Run::new(Interpreter::new(program), robot)
+            .map_err(|mismatch| usage(&mismatch))?
+            .with_events(&self.inputs.events)
+            .map_err(|refused| usage(&refused))?
+            .with_console(screen);
+        let mut watch = Watch {
+            job: self,
+            trace: trace.as_mut(),
+            live: None,
+            fell: false,
+        };
+        if self.arguments.realtime {
+            watch.live = Some(Live::begin(self.arguments.quiet));
+        }
+        let ending = run.observed(self.inputs.cycles.into(), &mut watch);
+        let (fell, live) = (watch.fell, watch.live);
+        interrupt::hold();
+        let logged = run.console_mut().map_or(Ok(()), Screen::close);
+        if trace.as_ref().is_some_and(Trace::is_straight) {
+            interrupt::release();
+        }
+        let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
+        if let (Ending::Emergency(emergency), Some(program)) = (&ending, run.engine()) {
+            report::complain(&describe(emergency, self.source, program));
+        }
+        if !self.arguments.quiet {
+            report::complain(&summary(&run, ending, self.source));
+            live.iter().for_each(|live| report::complain(&live.pace()));
+        }
+        traced.and(logged)?;
+        Ok(self.status(&ending, fell))
+    }
+
+    fn progress(&self) -> Progress {
+        match (self.arguments.quiet, self.arguments.realtime) {
+            (true, _) => Progress::hidden(),
+            (false, true) => Progress::live(),
+            (false, false) => Progress::of(self.inputs.cycles),
+        }
+    }
+
+    /// The exit status that belongs to an ending.
+    fn status(&self, ending: &Ending, fell: bool) -> Status {
+        match ending {
+            Ending::Interrupted => Status::Interrupted,
+            Ending::Emergency(_) => Status::Emergency,
+            Ending::Program(_) | Ending::Limit if fell && self.denies_falls() => Status::Fell,
+            Ending::Program(_) | Ending::Limit => Status::Success,
+        }
+    }
+
+    fn denies_falls(&self) -> bool {
+        self.arguments.deny == Some(Denied::Falls)
+    }
+}
+
+/// Writes the trace, reports the first fall, and ends the run when it is interrupted.
 struct Watch<'a> {
+    job: &'a Job<'a>,
     trace: Option<&'a mut Trace>,
+    live: Option<Live>,
+    fell: bool,
+}
+
+impl Watch<'_> {
+    /// Reports the first fall in the cycle in which it is.
+    fn look_for_a_fall(&mut self, run: &tip_sim::Run) {
+        let Some(found) = run.first_fall().filter(|_| !self.fell) else {
+            return;
+        };
+        self.fell = true;
+        if self.job.arguments.quiet {
+            return;
+        }
+        let denied = self.job.denies_falls();
+        let level = if denied { "error" } else { "warning" };
+        if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
+            let text = fall(&found, level, self.job.source, program);
+            screen.above(|| report::complain(&text));
+        }
+    }
 }
 
 impl Observer for Watch<'_> {
@@ -153,6 +265,10 @@ impl Observer for Watch<'_> {
     }
 
     fn after(&mut self, run: &mut tip_sim::Run) {
+        if let Some(trace) = &mut self.trace {
+            trace.after(run);
+        }
+        self.look_for_a_fall(run);
         if run.ending().is_some() {
             return;
         }
@@ -163,15 +279,9 @@ impl Observer for Watch<'_> {
         if let Some(screen) = run.console_mut::<Screen>() {
             screen.at(cycle);
         }
-    }
-}
-
-/// The exit status that belongs to an ending.
-fn status(ending: &Ending) -> Status {
-    match ending {
-        Ending::Program(_) | Ending::Limit => Status::Success,
-        Ending::Emergency(_) => Status::Emergency,
-        Ending::Interrupted => Status::Interrupted,
+        if let Some(live) = &mut self.live {
+            live.after(run, self.job.source);
+        }
     }
 }
 

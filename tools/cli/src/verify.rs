@@ -5,11 +5,12 @@ mod engines;
 mod finding;
 mod package;
 mod project;
+mod watched;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::checked::checked;
 use super::error::Error;
-use super::{Status, output, scene};
+use super::{Status, interrupt, output, scene};
 use certificate::certificate;
 use clap::Args;
 use engines::Engines;
@@ -18,6 +19,7 @@ use package::Package;
 use project::Project;
 use std::path::PathBuf;
 use tip_sim::search::{self, Failed};
+use watched::{Watched, building, interrupted_building};
 
 /// `tipc verify`
 #[derive(Debug, Args)]
@@ -33,7 +35,8 @@ Examples:
   tipc verify march.prg --robot hexapod.toml --cycles 2000 --runs 1000
   tipc verify walk.prg --manifest-path controller/Cargo.toml
 
-Exit status: 0 both agree, 1 they differ, or the program does not load or build, 2 wrong usage."
+Exit status: 0 both agree, 1 they differ, or the program does not load or build, 2 wrong usage,
+130 interrupted."
 )]
 pub(super) struct Verify {
     /// The program
@@ -56,6 +59,7 @@ pub(super) struct Verify {
 
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
+    interrupt::catch();
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
@@ -64,10 +68,18 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     };
     let project = Project::find(arguments.manifest_path.as_deref())?;
     let package = Package::new(arguments, &checked, &scene, &project)?;
-    let executable = project.build(&package.write(&project)?)?;
-    let mut engines = Engines::start(&executable)?;
+    building();
+    let built = project.build(&package.write(&project)?);
+    let executable = built.map_err(interrupted_building)?;
     let inputs = arguments.inputs.inputs();
+    let runs = if inputs.events.is_empty() {
+        arguments.runs
+    } else {
+        1
+    };
+    let mut engines = Watched::new(Engines::start(&executable)?, runs);
     let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
+    drop(engines);
     let (tally, diverging) = compared.map_err(|failed| match failed {
         Failed::Refused(reason) => Error::Usage(reason),
         Failed::Engines(error) => error,

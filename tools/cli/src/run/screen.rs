@@ -1,7 +1,7 @@
 //! The console of a simulated run: keys of the terminal, messages line by line, log files.
 
 use super::super::error::{Error, is_closed};
-use super::interrupt;
+use super::super::interrupt;
 use super::logs;
 use super::progress::Progress;
 use std::fmt::Display;
@@ -49,9 +49,19 @@ impl Screen {
         self.progress.at(cycle);
     }
 
+    /// How a run in real time is.
+    pub(super) fn status(&self, text: String) {
+        self.progress.status(text);
+    }
+
+    /// Writes something above the line of progress.
+    pub(super) fn above(&self, write: impl FnOnce()) {
+        self.progress.above(write);
+    }
+
     /// Gives the terminal back, so that reports of the end appear where they should, and completes the log files.
     pub(super) fn close(&mut self) -> Result<(), Error> {
-        self.progress.clear();
+        self.progress.close();
         self.keyboard = None;
         self.logs.as_mut().map_or(Ok(()), logs::finish)?;
         self.failure.take().map_or(Ok(()), Err)
@@ -76,10 +86,12 @@ impl Console for Screen {
         if text.is_empty() {
             return;
         }
-        self.progress.clear();
-        let mut out = io::stdout().lock();
+        let written = self.progress.above(|| {
+            let mut out = io::stdout().lock();
+            writeln!(out, "{text}").and_then(|()| out.flush())
+        });
         // No one reads the messages any more: the run has lost its audience.
-        if let Err(error) = writeln!(out, "{text}").and_then(|()| out.flush()) {
+        if let Err(error) = written {
             interrupt::request();
             if !is_closed(&error) {
                 self.failure = Some(Error::cannot_write(Path::new("standard output"), error));

@@ -1,11 +1,12 @@
 //! The trace of a run, written to a file or to standard output.
 
 use super::super::error::{Error, is_closed};
+use super::super::interrupt;
 use super::super::output;
-use super::interrupt;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
-use tip_runtime::record::{Ending, JsonLines, Sink, Stream, WholeFile};
+use tip_runtime::record::{Ending, JsonLines, Moved, Sink, Stream, WholeFile};
+use tip_sim::Run;
 
 /// The name that stands for standard output.
 pub(super) const STANDARD_OUTPUT: &str = "-";
@@ -15,7 +16,17 @@ pub(super) struct Trace {
     path: PathBuf,
     takes_standard_output: bool,
     is_straight: bool,
+    with_motion: bool,
     lines: JsonLines<Stream<BufWriter<Output>>>,
+}
+
+/// What its records end with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extras {
+    /// A hash of what each joint was sent and measured.
+    pub(super) state: bool,
+    /// What the simulated robot did.
+    pub(super) motion: bool,
 }
 
 /// Where it goes.
@@ -26,7 +37,7 @@ enum Output {
 
 impl Trace {
     /// Begins a trace.
-    pub(super) fn begin(path: &Path, with_state: bool) -> Result<Self, Error> {
+    pub(super) fn begin(path: &Path, extras: Extras) -> Result<Self, Error> {
         let out = if path.as_os_str() == STANDARD_OUTPUT {
             Output::Standard(io::stdout())
         } else {
@@ -34,14 +45,20 @@ impl Trace {
             interrupt::discards(file.part());
             Output::File(file)
         };
+        let (takes_standard_output, is_straight) = match &out {
+            Output::Standard(_) => (true, true),
+            Output::File(file) => (false, file.part().is_none()),
+        };
+        let lines = JsonLines::new(Stream::new(BufWriter::new(out)), extras.state);
         Ok(Trace {
             path: path.to_owned(),
-            takes_standard_output: matches!(out, Output::Standard(_)),
-            is_straight: match &out {
-                Output::Standard(_) => true,
-                Output::File(file) => file.part().is_none(),
+            takes_standard_output,
+            is_straight,
+            with_motion: extras.motion,
+            lines: match extras.motion {
+                true => lines.with_motion(),
+                false => lines,
             },
-            lines: JsonLines::new(Stream::new(BufWriter::new(out)), with_state),
         })
     }
 
@@ -58,6 +75,21 @@ impl Trace {
     /// Takes the records of the cycles.
     pub(super) fn sink(&mut self) -> &mut dyn Sink {
         &mut self.lines
+    }
+
+    /// A cycle is over: its record gets what the robot did, if that was asked for.
+    pub(super) fn after(&mut self, run: &Run) {
+        if !self.with_motion {
+            return;
+        }
+        let limbs = run.limbs();
+        let legs = limbs.as_ref().map_or(&[][..], |limbs| &limbs.angles);
+        self.lines.moved(&Moved {
+            motion: run.motion(),
+            joints_per_leg: legs.first().map_or(0, Vec::len),
+            angles: &legs.concat(),
+            loads: limbs.as_ref().map_or(&[], |limbs| &limbs.loads),
+        });
     }
 
     /// Whether it can still be written.

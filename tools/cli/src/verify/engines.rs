@@ -1,12 +1,13 @@
 //! The process in which both engines run: it may die or hang, and then says so by name.
 
 use super::super::error::Error;
+use super::super::interrupt;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tip_sim::Inputs;
 use tip_sim::lockstep::{Answer, LIMIT};
 use tip_sim::search;
@@ -14,6 +15,9 @@ use tip_sim::search;
 /// A run may take this long, and so much more for each of its cycles.
 const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
+
+/// Ctrl-C is noticed so soon.
+const NAP: Duration = Duration::from_millis(100);
 
 /// Both engines, in a process of their own.
 #[derive(Debug)]
@@ -29,11 +33,10 @@ impl Engines {
         let cannot = |reason: &dyn std::fmt::Display| {
             Error::Failed(format!("{} does not start: {reason}", executable.display()))
         };
-        let mut process = Command::new(executable)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|error| cannot(&error))?;
+        let mut command = Command::new(executable);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        apart(&mut command);
+        let mut process = command.spawn().map_err(|error| cannot(&error))?;
         let pipes = process.stdin.take().zip(process.stdout.take());
         let (requests, output) = pipes.ok_or_else(|| cannot(&"it has no pipes"))?;
         let (sender, answers) = mpsc::channel();
@@ -50,6 +53,31 @@ impl Engines {
     }
 }
 
+/// Ctrl-C of the terminal is for this process, which then ends the other.
+#[cfg(unix)]
+fn apart(command: &mut Command) {
+    use std::os::unix::process::CommandExt;
+    command.process_group(0);
+}
+
+#[cfg(not(unix))]
+fn apart(_: &mut Command) {}
+
+impl Engines {
+    /// The next answer, if it comes in time and nobody interrupts.
+    fn answer(&self, patience: Duration) -> Result<String, RecvTimeoutError> {
+        let begin = Instant::now();
+        loop {
+            let left = patience.saturating_sub(begin.elapsed());
+            match self.answers.recv_timeout(left.min(NAP)) {
+                Err(RecvTimeoutError::Timeout) if !left.is_zero() && !interrupt::is_requested() => {
+                }
+                answer => return answer,
+            }
+        }
+    }
+}
+
 impl search::Engines for Engines {
     type Error = Error;
 
@@ -60,7 +88,7 @@ impl search::Engines for Engines {
         let patience = PATIENCE.saturating_add(PATIENCE_PER_CYCLE.saturating_mul(cycles));
         let broken =
             |what: String| Error::Failed(format!("{what} in a run with the inputs `{inputs}`"));
-        match self.answers.recv_timeout(patience) {
+        match self.answer(patience) {
             Ok(line) => line.parse().map_err(broken),
             Err(RecvTimeoutError::Timeout) => {
                 let seconds = patience.as_secs();

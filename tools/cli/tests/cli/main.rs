@@ -11,11 +11,13 @@ mod faults;
 mod guides;
 mod logs;
 mod migrate;
+mod motion;
 #[cfg(unix)]
 mod printable;
 mod readme;
 mod robot;
 mod run;
 mod script;
+mod speaks;
 mod support;
 mod verify;

@@ -91,6 +91,64 @@ fn a_planted_fault_is_found_and_shrunk() {
     faulty(&["--keys", "0:F,2:F", "--cycles", "17"]).expect(0);
 }
 
+/// Stands in for cargo, and builds a process that says of a few runs that they agreed. Then Ctrl-C is pressed.
+#[cfg(unix)]
+const INTERRUPTED_CARGO: &str = r#"#!/bin/sh
+case $1 in
+  build) ;;
+  *) exec "$SOUND_CARGO" "$@" ;;
+esac
+if [ "$STAGE" = build ]; then
+  kill -INT $PPID
+  sleep 0.5
+  exit 1
+fi
+echo "{\"executable\":\"$PWD/engines\"}"
+"#;
+
+#[cfg(unix)]
+const ENGINES: &str = r#"#!/bin/sh
+for answer in 1 2 3; do
+  read -r request
+  printf 'agreed\t10\tlimit\t\t0\n'
+done
+read -r request
+kill -INT $PPID
+exec sleep 20
+"#;
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_each_stage_and_says_how_far_it_came() {
+    let mut folder = Folder::new("verify-interrupted").program("p.prg", COUNTER);
+    let fake = INTERRUPTED_CARGO.replace("$PWD/engines", &folder.path("engines").to_string_lossy());
+    folder = folder.file("cargo", fake).file("engines", ENGINES);
+    for name in ["cargo", "engines"] {
+        let mode = PermissionsExt::from_mode(0o755);
+        fs::set_permissions(folder.path(name), mode).expect("the file is ours");
+    }
+    let interrupted = |stage: &str| {
+        let mut command = command(&folder, "p.prg", &[]);
+        let sound = env::var_os("CARGO").expect("cargo runs the tests");
+        command.env("SOUND_CARGO", sound).env("STAGE", stage);
+        command.env("CARGO", folder.path("cargo"));
+        outcome(command)
+    };
+    let outcome = interrupted("build").expect(130);
+    assert_eq!(
+        (&*outcome.out, &*outcome.err),
+        ("", "interrupted while cargo built: nothing was compared\n")
+    );
+    let outcome = interrupted("compare").expect(130);
+    assert_eq!(
+        (&*outcome.out, &*outcome.err),
+        (
+            "",
+            "interrupted after 3 of 256 runs, 30 cycles: no difference so far\n"
+        )
+    );
+}
+
 #[test]
 fn engines_that_agree_get_a_certificate() {
     let folder = Folder::new("verify").program("p.prg", COUNTER);

@@ -21,7 +21,7 @@ struct Last {
     part: Option<PathBuf>,
 }
 
-/// From now on a first Ctrl-C is a request; a second one, or time, ends a run that is stuck.
+/// From now on a first Ctrl-C is a request; a second one, or time, ends a command that is stuck.
 pub(super) fn catch() {
     release();
     // Where handlers are not to be had, Ctrl-C keeps its usual meaning.
@@ -76,7 +76,7 @@ pub(super) fn request() {
     REQUESTED.store(true, Ordering::Relaxed);
 }
 
-/// Whether the run is to end.
+/// Whether the command is to end.
 pub(super) fn is_requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
 }

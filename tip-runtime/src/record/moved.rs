@@ -1,0 +1,57 @@
+//! What a simulated robot did in a cycle, as the trace shows it.
+
+use crate::plant::Motion;
+use core::fmt::{self, Write};
+
+/// What a simulated robot did in a cycle. Joints come leg by leg.
+#[derive(Clone, Copy, Debug)]
+pub struct Moved<'a> {
+    /// How the body moves; none for a robot that stays where it is.
+    pub motion: Option<Motion>,
+    /// Joints of each leg.
+    pub joints_per_leg: usize,
+    /// Joint angles as they are: deg. Empty if they are not known.
+    pub angles: &'a [f64],
+    /// How much each foot carries, or how hard each fingertip pushes: N. Empty if it is not known.
+    pub loads: &'a [f64],
+}
+
+impl Moved<'_> {
+    /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma.
+    pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
+        if let Some(Motion { pose, .. }) = &self.motion {
+            let pose = [pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw];
+            out.write_str(r#","pose":"#)?;
+            numbers(out, &pose)?;
+        }
+        if !self.angles.is_empty() {
+            let mut opening = r#","angles":["#;
+            for leg in self.angles.chunks(self.joints_per_leg.max(1)) {
+                out.write_str(opening)?;
+                numbers(out, leg)?;
+                opening = ",";
+            }
+            out.write_char(']')?;
+        }
+        if !self.loads.is_empty() {
+            out.write_str(r#","loads":"#)?;
+            numbers(out, self.loads)?;
+        }
+        match &self.motion {
+            Some(Motion { margin, falls, .. }) => {
+                write!(out, r#","margin":{margin:?},"falls":{falls}"#)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// An array in the shortest form that reads back to the same bits.
+fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
+    let mut opening = '[';
+    for value in values {
+        write!(out, "{opening}{value:?}")?;
+        opening = ',';
+    }
+    out.write_char(']')
+}

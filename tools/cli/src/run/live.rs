@@ -1,0 +1,79 @@
+//! `--realtime`: each cycle takes as long as on the robot, and a line says how the robot is.
+
+use super::super::interrupt;
+use super::super::report;
+use super::screen::Screen;
+use super::summary::{status, tenths};
+use std::io::{self, IsTerminal};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tip_runtime::realtime::Pacer;
+use tip_sim::Run;
+use tipc::source::Source;
+
+/// How often the line is written anew on a terminal, and elsewhere.
+const ON_TERMINAL: Duration = Duration::from_millis(100);
+const ELSEWHERE: Duration = Duration::from_secs(1);
+/// A long cycle is interrupted so soon.
+const NAP: Duration = Duration::from_millis(50);
+
+/// Paces a run.
+#[derive(Debug)]
+pub(super) struct Live {
+    pacer: Pacer,
+    /// When the line is due; none if nothing is to be said.
+    due: Option<Instant>,
+    every: Duration,
+}
+
+impl Live {
+    /// From now on, with a legend of keys unless it is `quiet`.
+    pub(super) fn begin(quiet: bool) -> Self {
+        if !quiet {
+            report::complain(if io::stdin().is_terminal() {
+                "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program\n"
+            } else {
+                "keys: none, standard input is not a terminal; --keys and --events press them\n"
+            });
+        }
+        let every = if io::stderr().is_terminal() {
+            ON_TERMINAL
+        } else {
+            ELSEWHERE
+        };
+        Live {
+            pacer: Pacer::start(),
+            due: (!quiet).then(|| Instant::now() + every),
+            every,
+        }
+    }
+
+    /// A cycle was simulated: says how the robot is, and waits until the cycle is over.
+    pub(super) fn after(&mut self, run: &mut Run, source: &Source) {
+        if self.due.is_some_and(|due| Instant::now() >= due) {
+            self.due = Some(Instant::now() + self.every);
+            let text = status(run, source);
+            if let Some(screen) = run.console_mut::<Screen>() {
+                screen.status(text);
+            }
+        }
+        let over = self.pacer.due(run.period());
+        loop {
+            let left = over.saturating_duration_since(Instant::now());
+            if left.is_zero() || interrupt::is_requested() {
+                break;
+            }
+            sleep(left.min(NAP));
+        }
+    }
+
+    /// A line for the summary.
+    pub(super) fn pace(&self) -> String {
+        let (late, all) = (self.pacer.overruns(), self.pacer.cycles());
+        let worst = tenths(self.pacer.worst().as_secs_f64() * 1000.0);
+        match late {
+            0 => "  pace    no cycle late\n".to_owned(),
+            _ => format!("  pace    {late} of {all} cycles late, {worst} ms at most\n"),
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! `tipc run`: what it says on standard error while it runs and at its end.
+
+use crate::support::{Folder, Outcome};
+
+/// Stands, then lifts two feet, and lies down without them.
+const TOPPLES: &str = "STAND_UP 60
+WAIT_INPOS ALL
+REL_PTP F1 0 0 60
+REL_PTP F2 0 0 60
+WAIT_INPOS ALL
+MESSAGE still here";
+
+/// The number in a line of the summary before some words.
+#[track_caller]
+fn number(text: &str, line: &str, before: &str) -> f64 {
+    let line = text.lines().find_map(|own| own.trim().strip_prefix(line));
+    let line = line.unwrap_or_else(|| panic!("no such line in {text}"));
+    let (number, _) = line.split_once(before).expect(before);
+    let word = number.split_whitespace().last().expect("a number");
+    word.parse().expect("a number")
+}
+
+#[test]
+fn a_run_says_how_and_where_it_ended() {
+    let folder = Folder::new("speaks-endings")
+        .program("end.prg", "REM\nEND")
+        .program("exit.prg", "EXIT\nEND")
+        .program("loop.prg", "L1:\nGOTO L1:\nEND")
+        .program("bad.prg", "DEF_VAR A\nA = 0\nA = 1 / A\nEND");
+    for (program, more, status, expected) in [
+        (
+            "end.prg",
+            &[][..],
+            0,
+            "END at line 4 after 2 cycles, 0.040 s",
+        ),
+        ("exit.prg", &[], 0, "EXIT at line 3 after 1 cycle, 0.020 s"),
+        (
+            "loop.prg",
+            &["--cycles", "5"],
+            0,
+            "--cycles used up at line 4 after 5 cycles, 0.100 s",
+        ),
+        (
+            "bad.prg",
+            &[],
+            3,
+            "emergency stop at line 5 after 1 cycle, 0.020 s",
+        ),
+    ] {
+        let outcome = folder
+            .tipc(&[&["run", program], more].concat())
+            .expect(status);
+        let expected = format!("{program}: {expected} of robot time\n");
+        assert!(outcome.err.contains(&expected), "{outcome:#?}");
+    }
+}
+
+/// A robot that has not moved yet: every figure is known.
+#[test]
+fn the_summary_of_a_robot_that_lies_still_is_this() {
+    let folder = Folder::new("speaks-still").program("p.prg", "END");
+    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    let margin = number(&outcome.err, "margin", " mm at least");
+    assert_eq!(
+        outcome.err,
+        format!(
+            "p.prg: END at line 3 after 1 cycle, 0.020 s of robot time\n  \
+             travel  0.0 mm forward, 0.0 mm to the right, 0.0 mm up\n  \
+             turn    0.0 deg to the left\n  \
+             falls   none\n  \
+             slip    0.0 mm at most\n  \
+             margin  {margin:.1} mm at least\n"
+        )
+    );
+    assert!(margin > 0.0);
+}
+
+#[test]
+fn the_body_rises_by_as_much_as_the_feet_go_down() {
+    let folder =
+        Folder::new("speaks-rise").program("p.prg", "STAND_UP 60\nWAIT_INPOS ALL\nSLEEP 500\nEND");
+    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    let up = number(&outcome.err, "travel", " mm up");
+    assert!((up - 60.0).abs() < 2.0, "{outcome:#?}");
+    // In the middle of feet that are 201 mm before and after it.
+    let margin = number(&outcome.err, "margin", " mm at least");
+    assert!((margin - 201.0).abs() < 3.0, "{outcome:#?}");
+}
+
+#[test]
+fn a_fall_is_reported_with_its_time_and_source_line() {
+    let folder = Folder::new("speaks-fall").program("p.prg", &format!("{TOPPLES}\nEND"));
+    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    assert_eq!(outcome.out, "still here\n");
+    let (warning, rest) = outcome.err.split_once('\n').expect("lines");
+    let (before, cycle) = warning
+        .split_once(" s, in cycle ")
+        .expect("a time and a cycle");
+    let time = before
+        .strip_prefix("warning: the robot fell after ")
+        .expect("a warning");
+    let (time, cycle): (f64, f64) = (time.parse().expect("s"), cycle.parse().expect("a cycle"));
+    assert!((time - cycle * 0.02).abs() < 1e-9);
+    let place = " --> p.prg:7:1\n  |\n7 | WAIT_INPOS ALL\n  |\np.prg: END at line 9 ";
+    assert!(rest.starts_with(place), "{rest}");
+    let falls = format!("  falls   1, the first after {time:.3} s at line 7\n");
+    assert!(rest.contains(&falls), "{rest}");
+    assert!(number(rest, "margin", " mm at least") < 0.0);
+}
+
+#[test]
+fn a_denied_fall_is_status_4_unless_something_worse_happened() {
+    let folder = Folder::new("speaks-deny")
+        .program("falls.prg", &format!("{TOPPLES}\nEND"))
+        .program("emergency.prg", &format!("{TOPPLES}\nRETURN\nEND"))
+        .program("stands.prg", "STAND_UP 60\nWAIT_INPOS ALL\nEND");
+    let run = |program, more: &[&str]| folder.tipc(&[&["run", program], more].concat());
+    let deny = ["--deny", "falls"];
+    let fell = run("falls.prg", &deny).expect(4);
+    // It runs to its end.
+    assert_eq!(fell.out, "still here\n");
+    assert!(
+        fell.err.starts_with("error: the robot fell after "),
+        "{fell:#?}"
+    );
+    run("falls.prg", &[]).expect(0);
+    run("emergency.prg", &deny).expect(3);
+    run("stands.prg", &deny).expect(0);
+    run("stands.prg", &["--deny", "rain"]).expect(2);
+    // Before the fall nothing is denied.
+    run("falls.prg", &["--deny", "falls", "--cycles", "3"]).expect(0);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_is_130_whatever_fell() {
+    use std::process::{Command, Stdio};
+
+    let text = format!("{TOPPLES}\nL:\nGOTO L:\nEND");
+    let folder = Folder::new("speaks-interrupted").program("p.prg", &text);
+    let mut child = folder
+        .command(&["run", "p.prg", "--deny", "falls"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("tipc starts");
+    let mut first = [0; 5];
+    let mut out = child.stdout.take().expect("piped");
+    std::io::Read::read_exact(&mut out, &mut first).expect("the message");
+    let killed = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(killed.expect("kill starts").success());
+    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    assert!(
+        outcome.err.contains("p.prg: interrupted at line "),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_quiet_run_says_what_its_program_says() {
+    let folder = Folder::new("speaks-quiet")
+        .program("p.prg", &format!("DEF_VAR UNUSED\n{TOPPLES}\nEND"))
+        .program("bad.prg", "RETURN\nEND")
+        .program("worse.prg", "FOO\nEND");
+    for quiet in ["--quiet", "-q"] {
+        let outcome = folder.tipc(&["run", "p.prg", quiet]).expect(0);
+        assert_eq!((&*outcome.out, &*outcome.err), ("still here\n", ""));
+    }
+    let denied = ["run", "p.prg", "--quiet", "--deny", "falls"];
+    assert_eq!(folder.tipc(&denied).expect(4).err, "");
+    // What ends a run has a reason.
+    let outcome = folder.tipc(&["run", "bad.prg", "--quiet"]).expect(3);
+    assert!(
+        outcome.err.starts_with("TIP_ERR:Invalid Return command"),
+        "{outcome:#?}"
+    );
+    assert!(!outcome.err.contains("robot time"), "{outcome:#?}");
+    let outcome = folder.tipc(&["run", "worse.prg", "--quiet"]).expect(1);
+    assert!(outcome.err.contains("FOO"), "{outcome:#?}");
+}
+
+#[test]
+fn a_hand_says_how_far_it_lifts_and_how_hard_it_pushes() {
+    let grasp = include_str!("../../../../examples/grasp/motions/grasp.prg");
+    let folder = Folder::new("speaks-hand").file("grasp.prg", grasp).file(
+        "scene.toml",
+        include_str!("../../../../examples/grasp/scene.toml"),
+    );
+    let hand = [
+        "run",
+        "--robot",
+        "hand",
+        "grasp.prg",
+        "--scene",
+        "scene.toml",
+    ];
+    let outcome = folder.tipc(&hand).expect(0);
+    // It is lifted by about 42 mm, and put back.
+    let lifted = number(&outcome.err, "lift", " mm at most");
+    assert!(lifted > 25.0 && lifted < 60.0, "{outcome:#?}");
+    let now = number(&outcome.err, "lift", " mm, ");
+    assert!(now.abs() < 1.0, "{outcome:#?}");
+    for finger in ["force   F1:", "force   F2:", "force   F3:"] {
+        assert!(
+            number(&outcome.err, finger, " N at most") > 0.5,
+            "{outcome:#?}"
+        );
+        assert!(number(&outcome.err, finger, " N, ") < 0.01, "{outcome:#?}");
+    }
+    for absent in ["travel", "falls", "margin"] {
+        assert!(!outcome.err.contains(absent), "{outcome:#?}");
+    }
+}
+
+#[test]
+fn a_robot_that_is_bolted_down_says_how_it_ended_and_no_more() {
+    let bolted = "name = \"bolted\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\nleg = [{ base = [0, 0, 0] }]\n";
+    let folder = Folder::new("speaks-bolted")
+        .program("p.prg", "PTP_ANGLE J11 5\nEND")
+        .file("bolted.toml", bolted);
+    let outcome = folder
+        .tipc(&["run", "p.prg", "--robot", "bolted.toml"])
+        .expect(0);
+    assert_eq!(outcome.err.lines().count(), 1, "{outcome:#?}");
+}
+
+/// 1.2 s of the robot, in 60 cycles of SLEEP and one of END.
+const NAPS: &str = "SLEEP 1200\nMESSAGE awake\nEND";
+
+#[test]
+fn real_time_is_that_of_the_robot_with_a_legend_and_a_status() {
+    let folder = Folder::new("speaks-realtime").program("p.prg", NAPS);
+    let begin = std::time::Instant::now();
+    let outcome = folder.tipc(&["run", "p.prg", "--realtime"]).expect(0);
+    let elapsed = begin.elapsed().as_secs_f64();
+    assert!(elapsed >= 1.2 && elapsed < 30.0, "{elapsed} s");
+    assert_eq!(outcome.out, "awake\n");
+    let lines: Vec<_> = outcome.err.lines().collect();
+    assert!(lines[0].starts_with("keys: none, "), "{outcome:#?}");
+    // One second later, and in plain text.
+    let (time, status) = lines[1].split_once(" s | ").expect("a status");
+    let time: f64 = time.parse().expect("s");
+    assert!(time > 0.5 && time <= 1.2, "{outcome:#?}");
+    let expected = "0.0 mm forward, margin ";
+    assert!(
+        status.starts_with(expected) && status.ends_with("falls 0 | line 3: SLEEP 1200"),
+        "{status}"
+    );
+    let end = |line: &&&str| line.starts_with("p.prg: END at line 5 ");
+    assert_eq!(lines.iter().filter(end).count(), 1, "{outcome:#?}");
+    assert!(
+        lines
+            .last()
+            .is_some_and(|line| line.starts_with("  pace    ")),
+        "{outcome:#?}"
+    );
+    assert!(!outcome.err.contains(['\r', '\u{1b}']), "{outcome:#?}");
+}
+
+#[test]
+fn a_quiet_run_in_real_time_is_silent() {
+    let folder = Folder::new("speaks-realtime-quiet").program("p.prg", "SLEEP 300\nEND");
+    let begin = std::time::Instant::now();
+    let outcome = folder
+        .tipc(&["run", "p.prg", "--realtime", "--quiet"])
+        .expect(0);
+    assert!(begin.elapsed().as_secs_f64() >= 0.3);
+    assert_eq!((&*outcome.out, &*outcome.err), ("", ""));
+}
