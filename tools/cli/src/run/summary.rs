@@ -9,14 +9,15 @@ use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Fall, Grasp, Interpreter, Run};
+use tipc::language::Keyword;
 use tipc::source::Source;
 
 /// How and where it ended, and what the robot did. A robot without such figures has no lines about them.
 pub(super) fn summary(run: &Run, ending: Ending, source: &Source) -> String {
     let program = run.program();
     let (how, step) = match ending {
-        Ending::Program(End::End) => ("END", program.at()),
-        Ending::Program(End::Exit) => ("EXIT", program.at()),
+        Ending::Program(End::End) => (Keyword::End.word(), program.at()),
+        Ending::Program(End::Exit) => (Keyword::Exit.word(), program.at()),
         Ending::Emergency(Emergency { step, .. }) => ("emergency stop", step),
         Ending::Interrupted => ("interrupted", program.at()),
         Ending::Limit => ("--cycles used up", program.at()),
