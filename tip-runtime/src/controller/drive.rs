@@ -3,11 +3,14 @@
 mod advance;
 mod guide;
 mod law;
+mod lead;
 mod reach;
+mod search;
+mod trial;
 
 pub(super) use advance::{Going, Mover};
-pub(super) use guide::Guide;
 pub(super) use law::bounded;
+pub(super) use lead::Lead;
 pub(super) use reach::{name, nearest_place, reach};
 
 use super::trajectory::{Goal, Track};
@@ -44,8 +47,8 @@ pub(super) struct LegDrive<const J: usize> {
     pub(super) drive: Drive<J>,
     /// The stiffness of the spring at a point, where it is not that of the parameter: N/mm.
     pub(super) own_stiffness: Option<[f64; 3]>,
-    /// What joints to spare do on the way of a point, where that is known.
-    pub(super) guide: Option<Guide<J>>,
+    /// What joints to spare do on the path of a point.
+    pub(super) lead: Lead<J>,
     /// What the closed form of the inverse kinematics said last.
     solved: Option<Solved<J>>,
 }
@@ -66,7 +69,7 @@ impl<const J: usize> LegDrive<J> {
             torques: [None; J],
             drive: Drive::Joints(angles.map(|angle| Track::resting([angle]))),
             own_stiffness: None,
-            guide: None,
+            lead: Lead::None,
             solved: None,
         }
     }
@@ -101,15 +104,11 @@ impl<const J: usize> LegDrive<J> {
     pub(super) fn is_at_rest(&self) -> bool {
         match &self.drive {
             Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
-            Drive::Foot(foot) => foot.is_at_rest() && self.is_guide_at_rest(),
+            Drive::Foot(foot) => foot.is_at_rest() && self.lead.is_at_rest(),
             Drive::Third(third, joints) => {
                 third.is_at_rest() && joints.iter().skip(THIRD).all(Track::is_at_rest)
             }
         }
-    }
-
-    fn is_guide_at_rest(&self) -> bool {
-        self.guide.as_ref().is_none_or(Guide::is_at_rest)
     }
 
     /// Whether a torque, force or spring decides about any joint.
@@ -196,7 +195,7 @@ impl<const J: usize> LegDrive<J> {
         inverse: Inverse,
     ) {
         self.own_stiffness = None;
-        self.guide = None;
+        self.lead = Lead::None;
         self.drive = match point {
             Point::Tip => Drive::Foot(track),
             Point::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
@@ -254,7 +253,7 @@ impl<const J: usize> LegDrive<J> {
         if track.goal().is_soft() {
             return [0.0; J];
         }
-        if self.guide.is_some() {
+        if !self.lead.is_none() {
             return self.turns;
         }
         let chain = Chain::new(leg, &self.angles);

@@ -1,15 +1,20 @@
 //! DETECT_FLOOR and DETECT_OBJECT of a hand (T.I.P. 3.1 §7-11-3, §7-11-4): fingers close with a
 //! gentle torque or force until something stops them.
 //!
-//! A finger has found something when its first joint senses at least the contact torque while no
+//! A finger has found something when a joint that closes senses at least the contact torque while no
 //! joint has turned for [`STILL_CYCLES`]. It goes on pressing until every finger that searches has
 //! found something; then all of them hold the angles that are measured.
+//!
+//! Two joints that close by torque push a fingertip in a direction of their own: `τ = Jᵀ F`. Where that
+//! is flatter than the floor's friction allows, it slides to the limits of the joints. DETECT_FLOOR 2
+//! therefore pushes straight down.
 
 use super::ControllerView;
 use super::drive::{Drive, THIRD};
+use super::leg::LegState;
 use super::task::Task;
 use super::trajectory::{Goal, Track};
-use crate::command::{Command, Poll, Target};
+use crate::command::{Command, Op, Poll, Target};
 use crate::fault::Fault;
 use crate::kinematics::Point;
 use crate::model::Forces;
@@ -20,9 +25,21 @@ const STILL_CYCLES: u16 = 10;
 /// A joint that turns no faster stands still: deg/s.
 const STILL: f64 = 2.0;
 
-/// The shares of the search torque that joints 1 and 2 close with. As much in joint 2 as in joint 1
-/// would lift the fingertip off the floor again.
-const SHARES: [f64; 2] = [1.0, 1.0 / 3.0];
+/// Of a fingertip's place, the height.
+const HEIGHT: usize = 1;
+
+/// A lever that is shorter gets less than the search torque, or a finger that is nearly straight would
+/// push without bound: mm.
+const LEAST_LEVER: f64 = 20.0;
+
+/// How many joints push a fingertip down.
+const BOTH: usize = 2;
+
+/// How far from its limit such a joint stays: deg.
+const KEEPS_OFF: f64 = 1.0;
+
+/// It is stopped so many cycles before it would be there.
+const LOOKS_AHEAD: f64 = 2.0;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Starts a search, or goes on with it.
@@ -35,13 +52,14 @@ impl<const J: usize> ControllerView<'_, J> {
         if self.task != Task::Feel {
             start(self, command, forces)?;
             self.task = Task::Feel;
+            self.press_floor(command, forces);
             return Ok(Poll::Pending);
         }
+        self.press_floor(command, forces);
+        let pressing = if is_downward(command) { BOTH } else { 1 };
         for leg in &mut self.legs {
-            let presses = leg
-                .torques
-                .first()
-                .is_some_and(|torque| libm::fabs(*torque) >= forces.contact_torque);
+            let mut torques = leg.torques.iter().take(pressing);
+            let presses = torques.any(|torque| libm::fabs(*torque) >= forces.contact_torque);
             let stands = leg.rates.iter().all(|rate| libm::fabs(*rate) <= STILL);
             if let Some(still) = &mut leg.search {
                 *still = if presses && stands {
@@ -69,8 +87,8 @@ impl<const J: usize> ControllerView<'_, J> {
         }
     }
 
-    /// DETECT_FLOOR: joint 1 (type 1), or joints 1 and 2 (type 2), close by torque; the others hold
-    /// their angles.
+    /// DETECT_FLOOR: joint 1 closes by torque (type 1), or joints 1 and 2 press down (type 2); the others
+    /// hold their angles.
     pub(super) fn floor_search(
         &mut self,
         command: &Command<'_>,
@@ -78,18 +96,29 @@ impl<const J: usize> ControllerView<'_, J> {
     ) -> Result<(), Fault> {
         let closing = match kind(command)? {
             1 => 1,
-            2 => 2,
+            2 => 0,
             _ => return Err(Fault::Domain),
         };
         self.mark_searching(command.target)?;
         for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
             let mut tracks = leg.stays().map(held);
-            for (track, share) in tracks.iter_mut().zip(SHARES).take(closing) {
-                *track = track.towards(Goal::Effort([share * forces.search_torque]));
+            for track in tracks.iter_mut().take(closing) {
+                *track = track.towards(Goal::Effort([forces.search_torque]));
             }
             leg.drive.drive = Drive::Joints(tracks);
         }
         Ok(())
+    }
+
+    /// DETECT_FLOOR 2: the torques of this cycle.
+    fn press_floor(&mut self, command: &Command<'_>, forces: &Forces) {
+        if !is_downward(command) {
+            return;
+        }
+        let look = LOOKS_AHEAD * self.params.period / 1000.0;
+        for leg in self.legs.iter_mut().filter(|leg| leg.search.is_some()) {
+            leg.press_down(forces, look);
+        }
     }
 
     /// DETECT_OBJECT: fingertips (type 1) or third joints (type 2) close along x by force, which the
@@ -129,6 +158,47 @@ impl<const J: usize> ControllerView<'_, J> {
         let spring = Goal::Spring { target, hs: false };
         self.take_point(n, Point::Tip, Track::resting(from).towards(spring))
     }
+}
+
+impl<const J: usize> LegState<'_, J> {
+    /// Joints 1 and 2 push the fingertip straight down. The one with the longer lever has the search
+    /// torque. A joint that comes near its limit within `look` seconds stays there while it is pushed
+    /// farther.
+    fn press_down(&mut self, forces: &Forces, look: f64) {
+        let Drive::Joints(mut tracks) = self.drive.drive else {
+            return;
+        };
+        let levers = self.levers();
+        let longest = levers
+            .iter()
+            .take(BOTH)
+            .fold(LEAST_LEVER, |most, lever| most.max(libm::fabs(*lever)));
+        let states = levers.iter().zip(self.angles.iter().zip(&self.rates));
+        let joints = tracks.iter_mut().zip(&self.model.joints).zip(states);
+        for ((track, joint), (lever, (angle, rate))) in joints.take(BOTH) {
+            let torque = -forces.search_torque * lever / longest;
+            let ahead = angle + look * rate;
+            let near = (torque > 0.0 && angle.max(ahead) > joint.limits.max - KEEPS_OFF)
+                || (torque < 0.0 && angle.min(ahead) < joint.limits.min + KEEPS_OFF);
+            *track = match track.goal() {
+                _ if !near => track.towards(Goal::Effort([torque])),
+                Goal::Effort(_) => held(joint.limits.nearest(*angle)),
+                _ => *track,
+            };
+        }
+        self.drive.drive = Drive::Joints(tracks);
+    }
+
+    /// How fast each joint raises the fingertip: mm/rad.
+    fn levers(&self) -> [f64; J] {
+        let columns = self.chain().foot_jacobian();
+        columns.map(|column| column.get(HEIGHT).copied().unwrap_or_default())
+    }
+}
+
+/// Whether it is DETECT_FLOOR 2.
+fn is_downward(command: &Command<'_>) -> bool {
+    command.op == Op::DetectFloor && kind(command) == Ok(2)
 }
 
 fn is_left(base: [f64; 3]) -> bool {

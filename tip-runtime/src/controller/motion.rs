@@ -1,6 +1,6 @@
 //! Commands that start a motion (T.I.P. 3.1 §7-1, §7-2); they take one cycle.
 
-use super::drive::{Drive, Guide, THIRD, name, nearest_place, reach};
+use super::drive::{Drive, Lead, THIRD, name, nearest_place, reach};
 use super::operands::{Base, is_zero, resolve, resolve_from, sum};
 use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
@@ -24,7 +24,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let leg = self.leg(n)?;
         let track = leg.drive.point(point, leg.model, inverse);
         let stop = base == Base::Target && is_zero(values);
-        let mut guide = None;
+        let mut lead = Lead::None;
         let target = if stop {
             let rest = track.rest_point(leg.params.foot.limits());
             nearest_place(inverse, leg.model, point, &leg.drive.angles, rest)
@@ -35,16 +35,14 @@ impl<const J: usize> ControllerView<'_, J> {
             };
             let target = inverse.flat(resolve_from(values, from, base)?);
             let line = (track.position(), target);
-            guide = Guide::to_place(leg.model, inverse, point, &leg.drive.angles, line);
-            if guide.is_none() {
-                self.require_reach(n, point, target)?;
-            }
+            lead = Lead::to_place(inverse, point, &leg.drive.angles, line);
+            self.require_reach(n, point, target)?;
             target
         };
         // Coming to rest here keeps the braking that the present motion allows.
         let hs = command.hs || (stop && track.goal().is_hs());
         self.take_point(n, point, track.towards(Goal::Point { target, hs }))?;
-        targets::leg_mut(&mut self.legs, n)?.drive.guide = guide;
+        targets::leg_mut(&mut self.legs, n)?.drive.lead = lead;
         Ok(())
     }
 

@@ -52,6 +52,9 @@ const LEFT_OVER: f64 = 1e-6;
 /// The most turns that are tried.
 const TURNS: usize = 60;
 
+/// The most turns that are tried over a piece of a path.
+const TURNS_OF_PIECE: usize = 10;
+
 /// The farthest that one turn goes: deg.
 const FARTHEST: f64 = 15.0;
 
@@ -77,7 +80,7 @@ pub fn resolve<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
-    let (angles, left) = approach(leg, from, point, target, axes, None)?;
+    let (angles, left) = approach(leg, from, point, target, axes, None, TURNS)?;
     (left <= LEFT_OVER).then_some(angles)
 }
 
@@ -92,10 +95,34 @@ pub fn resolve_towards<const J: usize>(
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
+    lean_within(TURNS, leg, from, point, target, axes, posture)
+}
+
+/// As [`resolve_towards`], for a target so near that few turns are enough.
+pub(crate) fn resolve_piece<const J: usize>(
+    leg: &Leg<J>,
+    from: &[f64; J],
+    point: Point,
+    target: [f64; 3],
+    axes: Axes,
+    posture: &[f64; J],
+) -> Option<[f64; J]> {
+    lean_within(TURNS_OF_PIECE, leg, from, point, target, axes, posture)
+}
+
+fn lean_within<const J: usize>(
+    most: usize,
+    leg: &Leg<J>,
+    from: &[f64; J],
+    point: Point,
+    target: [f64; 3],
+    axes: Axes,
+    posture: &[f64; J],
+) -> Option<[f64; J]> {
     if point == Point::Joint(2) && axes == PLANE {
         return two_joints(leg, from, target, posture);
     }
-    let (angles, left) = approach(leg, from, point, target, axes, Some(posture))?;
+    let (angles, left) = approach(leg, from, point, target, axes, Some(posture), most)?;
     (left <= LEFT_OVER).then_some(angles)
 }
 
@@ -108,11 +135,11 @@ pub fn nearest<const J: usize>(
     target: [f64; 3],
     axes: Axes,
 ) -> Option<[f64; J]> {
-    approach(leg, from, point, target, axes, None).map(|(angles, _)| angles)
+    approach(leg, from, point, target, axes, None, TURNS).map(|(angles, _)| angles)
 }
 
 /// The angles (deg) that put a point as near to its target as it comes, and the gap that is left (mm).
-/// The first turn leans towards a posture, if there is one.
+/// The first of `most` turns leans towards a posture, if there is one.
 fn approach<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
@@ -120,9 +147,10 @@ fn approach<const J: usize>(
     target: [f64; 3],
     axes: Axes,
     mut posture: Option<&[f64; J]>,
+    most: usize,
 ) -> Option<([f64; J], f64)> {
     let mut angles = *from;
-    for _ in 0..TURNS {
+    for _ in 0..most {
         let chain = Chain::new(leg, &angles);
         let gap = gap(&chain, point, target, axes)?;
         let posture = posture.take();

@@ -5,7 +5,7 @@
 
 mod search;
 
-use crate::rig::Hand;
+use crate::rig::{F1, Hand};
 use search::{Place, fingertip_goes, third_joint_goes};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::hand;
@@ -53,19 +53,32 @@ impl Dice {
     }
 }
 
-/// What PTP of a finger's point makes of a line, from a posture at rest.
-fn go(n: u8, target: Target, start: [f64; 3], [x, y]: Place) -> End {
+/// The hand with finger `n` at rest in a posture.
+fn resting(n: u8, start: [f64; 3]) -> Hand {
     let mut rig = Hand::new();
-    let finger = usize::from(n) - 1;
-    rig.sensors.angles[finger] = start;
+    rig.sensors.angles[usize::from(n) - 1] = start;
     rig.controller
         .sense(&rig.sensors)
         .expect("within the limits");
     // Every joint stays where it is measured.
     rig.controller.emergency();
-    let base = hand::MODEL.legs[finger].base[0];
-    let place = [base + x * -base.signum(), y, 0.0];
-    if rig.run(Op::Ptp, target, &place).is_err() {
+    rig
+}
+
+/// A place in the robot frame, from one in the frame of finger `n`.
+fn of_finger(n: u8, [x, y]: Place) -> [f64; 3] {
+    let base = hand::MODEL.legs[usize::from(n) - 1].base[0];
+    [base + x * -base.signum(), y, 0.0]
+}
+
+/// What PTP of a finger's point makes of a line, from a posture at rest.
+fn go(n: u8, target: Target, start: [f64; 3], place: Place) -> End {
+    go_on(&mut resting(n, start), n, target, place)
+}
+
+/// What PTP of a finger's point makes of a line, from where it is.
+fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End {
+    if rig.run(Op::Ptp, target, &of_finger(n, place)).is_err() {
         return End::Refused;
     }
     for _ in 0..3000 {
@@ -79,12 +92,14 @@ fn go(n: u8, target: Target, start: [f64; 3], [x, y]: Place) -> End {
     End::Stopped
 }
 
+/// How many lines must be possible.
+fn lines() -> usize {
+    let lines = std::env::var("PATHS").ok();
+    lines.and_then(|lines| lines.parse().ok()).unwrap_or(FEW)
+}
+
 /// Tries lines of one point; the counts of those that are possible, and of those that are not.
 fn tried(n: u8, third: bool) -> [Count; 2] {
-    let lines = std::env::var("PATHS")
-        .ok()
-        .and_then(|lines| lines.parse().ok());
-    let lines: usize = lines.unwrap_or(FEW);
     let (target, reach, goes): (_, _, fn([f64; 3], Place) -> bool) = if third {
         (Target::Joint(n, 3), 120.0, third_joint_goes)
     } else {
@@ -106,7 +121,7 @@ fn tried(n: u8, third: bool) -> [Count; 2] {
             println!("{start:?} {place:?} {end:?}");
         }
         if can { &mut possible } else { &mut impossible }.add(end);
-        if possible.refused + possible.stopped + possible.arrived >= lines {
+        if possible.refused + possible.stopped + possible.arrived >= lines() {
             break;
         }
     }
@@ -168,5 +183,59 @@ fn a_straight_third_joint_bends_to_the_side_on_which_it_arrives() {
     ] {
         let end = go(1, Target::Joint(1, 3), starts[0], place);
         assert_eq!(end, End::Arrived, "{place:?}");
+    }
+}
+
+// clauses: 7.2
+#[test]
+fn a_finger_that_is_nearly_straight_and_still_moves_follows_every_line_that_it_can() {
+    let mut dice = Dice(0x2545_F491_4F6C_DD1D);
+    let [mut possible, mut impossible] = [Count::default(), Count::default()];
+    while possible.refused + possible.stopped + possible.arrived < lines() {
+        let mut rig = resting(1, [-40.0, 0.0, 80.0]);
+        rig.run(Op::Ptp, F1, &of_finger(1, [0.0, -160.0]))
+            .expect("it reaches as far as it is long");
+        rig.cycles(Op::WaitInpos, F1, &[]).expect("it arrives");
+        let [start, ..] = rig.sensors.angles;
+        let place = [dice.within(-160.0, 160.0), dice.within(-160.0, 160.0)];
+        let end = go_on(&mut rig, 1, F1, place);
+        if fingertip_goes(start, place) {
+            if end != End::Arrived {
+                println!("{start:?} {place:?} {end:?}");
+            }
+            possible.add(end);
+        } else {
+            impossible.add(end);
+        }
+    }
+    println!("moving F: possible {possible:?}, impossible {impossible:?}");
+    let failed = possible.refused + possible.stopped;
+    assert!(failed * 1000 <= possible.arrived + failed, "{possible:?}");
+}
+
+// clauses: 7.2 7.6
+#[test]
+fn a_finger_waits_while_its_posture_is_sought_and_sets_off_at_once_otherwise() {
+    let mut dice = Dice(0x9E37_79B9_7F4A_7C15);
+    let (mut waited, mut at_once) = (0, 0);
+    while waited < 3 || at_once < 20 {
+        let start =
+            [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| dice.within(min, max));
+        let place = [dice.within(-160.0, 160.0), dice.within(-160.0, 160.0)];
+        let mut rig = resting(1, start);
+        if !fingertip_goes(start, place) || rig.run(Op::Ptp, F1, &of_finger(1, place)).is_err() {
+            continue;
+        }
+        if rig.sensors.angles[0] == start {
+            assert!(!rig.controller.inpos(F1), "{start:?} {place:?}");
+            // Of 18 postures each takes 414 pieces at most, 48 a cycle.
+            let mut cycles = 0..18 * 414 / 48;
+            let moves = cycles.find(|_| rig.tick().is_err() || rig.sensors.angles[0] != start);
+            assert!(moves.is_some(), "{start:?} {place:?}");
+            waited += 1;
+        } else {
+            at_once += 1;
+        }
+        rig.cycles(Op::WaitInpos, F1, &[]).expect("it arrives");
     }
 }

@@ -20,9 +20,16 @@ fn fingers_close_until_they_feel_the_floor() {
         let mut rig = Hand::new();
         rig.walls = [floor(-130.0), floor(-130.0), floor(-126.0)];
         assert_eq!(rig.run(Op::DetectFloor, ALL, &[kind]), Ok(Poll::Pending));
-        let second = (kind >= 2.0).then_some(20.0);
+        // Of two joints the one with the longer lever has 60 mN·m: joint 1, whose fingertip is
+        // 70 sin 40 + 50 sin 40 − 40 sin 40 = 51.42 mm outside of it, and 6.43 mm outside of joint 2.
+        let second = (kind >= 2.0).then_some(60.0 * 6.43 / 51.42);
         for n in [1, 2, 3] {
-            assert_eq!(rig.told(n), [Some(60.0), second, None]);
+            let [first, of_second, third] = rig.told(n);
+            close(first.expect("a torque"), 60.0, 1e-9);
+            assert_eq!((of_second.is_some(), third), (second.is_some(), None));
+            if let Some((told, expected)) = of_second.zip(second) {
+                close(told, expected, 0.01);
+            }
         }
         rig.cycles(Op::DetectFloor, ALL, &[kind])
             .expect("there is a floor");

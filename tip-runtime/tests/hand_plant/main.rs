@@ -3,6 +3,7 @@
 #![cfg(feature = "control")]
 
 mod fingers;
+mod floors;
 mod objects;
 mod rig;
 mod robustness;

@@ -161,9 +161,14 @@ impl<const J: usize> LegDrive<J> {
             return Ok(());
         }
         let before = *track;
-        track.advance(leg.params.foot.limits(), going.dt, going.held);
-        if let (Some(guide), Some(target)) = (&mut self.guide, track.goal().target()) {
-            guide.advance((track.position(), target), going.dt, going.held);
+        let (inverse, place) = (going.inverse, track.position());
+        self.lead
+            .look(leg.model, inverse, point, &self.angles, place);
+        let held = going.held || self.lead.is_sought();
+        track.advance(leg.params.foot.limits(), going.dt, held);
+        if let Some(target) = track.goal().target() {
+            let line = (track.position(), target);
+            self.lead.advance(line, going.dt, going.held);
         }
         match self.solve(point, track, leg, going) {
             Ok(angles) => {
@@ -199,8 +204,8 @@ impl<const J: usize> LegDrive<J> {
             return Ok(solved.angles);
         }
         let name = (point, leg.number);
-        let guide = self.guide.zip(track.goal().target());
-        let posture = guide.map(|(guide, target)| guide.posture(foot, target));
+        let target = track.goal().target();
+        let posture = target.and_then(|target| self.lead.posture(&self.angles, (foot, target)));
         let angles = follow(
             going.inverse,
             leg.model,

@@ -1,15 +1,8 @@
-//! What joints to spare do while a point goes straight to its target.
+//! Postures between two ends, through which a leg with joints to spare goes.
 //!
-//! A leg with more joints than its point needs goes through the postures between the one that it has
-//! and one in which its point is at the target. The limits of joints are intervals: between two postures
-//! within them no joint is beyond its own. Resolved rate puts the point on its line and leaves the rest to
-//! that posture. A line is tried out before the leg sets off, piece by piece; where a posture leads
-//! into a limit, another one is tried.
+//! The limits of joints are intervals: between two postures within them no joint is beyond its own.
 
-use super::reach::has_few_joints;
 use crate::controller::trajectory::{Goal, Limits, Track};
-use crate::kinematics::{self, Point, resolve_towards};
-use crate::model::{Inverse, Leg};
 
 /// How long the return to the initial angles takes, at least: s.
 const RETURN: f64 = 0.8;
@@ -20,23 +13,8 @@ const PACE: Limits = Limits {
     acceleration: 4.0 / (RETURN * RETURN),
 };
 
-/// Pieces of a line are no longer than this share of it.
-const LONGEST: f64 = 1.0 / 32.0;
-
-/// Nor shorter than this.
-const SHORTEST: f64 = 1.0 / 16384.0;
-
-/// The most pieces that are tried.
-const PIECES: usize = 400;
-
-/// A joint that turns farther within a piece has left out what is between: deg.
-const LEAP: f64 = 6.0;
-
-/// How often a posture at the target is drawn nearer to the present one.
-const DRAWS: usize = 8;
-
 /// A straight line of a point: from where to where, in mm.
-type Line = ([f64; 3], [f64; 3]);
+pub(super) type Line = ([f64; 3], [f64; 3]);
 
 /// Postures between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,55 +30,8 @@ pub(in crate::controller) struct Guide<const J: usize> {
 }
 
 impl<const J: usize> Guide<J> {
-    /// Postures on the path of a point along `line`, for a leg at the angles `from`; `None` if none are
-    /// known that lead there, or the leg has no choice.
-    pub(in crate::controller) fn to_place(
-        leg: &Leg<J>,
-        inverse: Inverse,
-        point: Point,
-        from: &[f64; J],
-        line: Line,
-    ) -> Option<Self> {
-        if !has_choice::<J>(inverse, point) {
-            return None;
-        }
-        let axes = inverse.axes();
-        let starts = core::iter::once(*from).chain(kinematics::starts(leg));
-        let ends = starts.filter_map(|start| {
-            let mut end = kinematics::resolve(leg, &start, point, line.1, axes)?;
-            for _ in 0..DRAWS {
-                end = resolve_towards(leg, &end, point, line.1, axes, from)?;
-            }
-            Some(end)
-        });
-        let mut guides = ends.map(|to| Guide::between(*from, to, line));
-        guides.find(|guide| guide.leads(leg, inverse, point, line))
-    }
-
-    /// Postures on the path of the foot along `line` to the initial posture, for a leg at the angles
-    /// `from`; `None` if the leg has no choice.
-    pub(in crate::controller) fn to_initial(
-        leg: &Leg<J>,
-        inverse: Inverse,
-        from: &[f64; J],
-        line: Line,
-    ) -> Option<Self> {
-        if !has_choice::<J>(inverse, Point::Tip) {
-            return None;
-        }
-        let straight = Guide::between(*from, leg.initial, line).eased();
-        if straight.leads(leg, inverse, Point::Tip, line) {
-            return Some(straight);
-        }
-        let detour = Guide::to_place(leg, inverse, Point::Tip, from, line);
-        let detour = detour.map(|detour| Guide {
-            home: Some(leg.initial),
-            ..detour
-        });
-        Some(detour.unwrap_or(straight))
-    }
-
-    fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
+    /// Postures for a point on `line`, in step with it.
+    pub(super) fn between(from: [f64; J], to: [f64; J], line: Line) -> Self {
         Guide {
             from,
             to,
@@ -111,7 +42,7 @@ impl<const J: usize> Guide<J> {
     }
 
     /// The same, but no faster than in [`RETURN`].
-    fn eased(self) -> Self {
+    pub(super) fn eased(self) -> Self {
         let ease = Track::resting([1.0]).towards(Goal::Point {
             target: [0.0],
             hs: false,
@@ -120,6 +51,11 @@ impl<const J: usize> Guide<J> {
             ease: Some(ease),
             ..self
         }
+    }
+
+    /// The same, and then on to a posture, with the point at its target.
+    pub(super) fn and_home(self, home: Option<[f64; J]>) -> Self {
+        Guide { home, ..self }
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
@@ -150,49 +86,13 @@ impl<const J: usize> Guide<J> {
     }
 
     /// The posture with a share `left` of the way to go.
-    fn with_left(&self, left: f64) -> [f64; J] {
+    pub(super) fn with_left(&self, left: f64) -> [f64; J] {
         let mut posture = self.to;
         for (angle, from) in posture.iter_mut().zip(self.from) {
             *angle += left * (from - *angle);
         }
         posture
     }
-
-    /// Whether a point that follows these postures gets to the target without a leap.
-    fn leads(&self, leg: &Leg<J>, inverse: Inverse, point: Point, (place, target): Line) -> bool {
-        let (mut angles, mut gone, mut piece) = (self.from, 0.0, LONGEST);
-        for _ in 0..PIECES {
-            let next: f64 = (gone + piece).min(1.0);
-            let posture = self.with_left(1.0 - next);
-            let mut at = target;
-            for (at, place) in at.iter_mut().zip(place) {
-                *at += (1.0 - next) * (place - *at);
-            }
-            let turned = resolve_towards(leg, &angles, point, at, inverse.axes(), &posture)
-                .filter(|turned| !leaps(&angles, turned));
-            match turned {
-                Some(_) if next >= 1.0 => return true,
-                Some(turned) => {
-                    (angles, gone, piece) = (turned, next, (piece * 2.0).min(LONGEST));
-                }
-                None => piece /= 2.0,
-            }
-            if piece < SHORTEST {
-                return false;
-            }
-        }
-        false
-    }
-}
-
-/// Whether enough joints move a point for every direction, and a closed form does not decide.
-fn has_choice<const J: usize>(inverse: Inverse, point: Point) -> bool {
-    inverse != Inverse::YawPitchPitch && !has_few_joints::<J>(inverse, point)
-}
-
-fn leaps<const J: usize>(from: &[f64; J], to: &[f64; J]) -> bool {
-    let mut joints = from.iter().zip(to);
-    joints.any(|(from, to)| libm::fabs(to - from) > LEAP)
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

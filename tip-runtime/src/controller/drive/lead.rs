@@ -1,0 +1,111 @@
+//! What joints to spare do while a point goes straight to its target.
+//!
+//! A leg with more joints than its point needs goes through the postures between the one that it has
+//! and one in which its point is at the target. Resolved rate puts the point on its line and leaves the
+//! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
+//! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
+
+use super::guide::{Guide, Line};
+use super::reach::has_few_joints;
+use super::search::{Outcome, Search};
+use super::trial::PointOfLeg;
+use crate::kinematics::Point;
+use crate::model::{Inverse, Leg};
+
+/// Who decides about joints to spare.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::controller) enum Lead<const J: usize> {
+    /// Nobody: there are none, or no postures lead to the target.
+    None,
+    /// Postures that are yet to be found.
+    Sought(Search<J>),
+    /// Postures that lead to the target.
+    Found(Guide<J>),
+}
+
+impl<const J: usize> Lead<J> {
+    /// On the path of a point along `line`, for a leg at the angles `from`.
+    pub(in crate::controller) fn to_place(
+        inverse: Inverse,
+        point: Point,
+        from: &[f64; J],
+        line: Line,
+    ) -> Self {
+        if has_choice::<J>(inverse, point) {
+            Lead::Sought(Search::new(*from, line, None))
+        } else {
+            Lead::None
+        }
+    }
+
+    /// On the path of the foot along `line` to the posture `initial`, for a leg at the angles `from`.
+    pub(in crate::controller) fn to_initial(
+        inverse: Inverse,
+        from: &[f64; J],
+        line: Line,
+        initial: [f64; J],
+    ) -> Self {
+        if has_choice::<J>(inverse, Point::Tip) {
+            Lead::Sought(Search::new(*from, line, Some(initial)))
+        } else {
+            Lead::None
+        }
+    }
+
+    /// Goes on with a search for postures, for a leg at the angles `from` whose point is at `place`.
+    pub(super) fn look(
+        &mut self,
+        leg: &Leg<J>,
+        inverse: Inverse,
+        point: Point,
+        from: &[f64; J],
+        place: [f64; 3],
+    ) {
+        let Lead::Sought(search) = self else {
+            return;
+        };
+        let axes = inverse.axes();
+        let point = PointOfLeg { leg, point, axes };
+        match search.advance(&point, from, place) {
+            None => {}
+            Some(Outcome::Nothing) => *self = Lead::None,
+            Some(Outcome::Found(guide)) => *self = Lead::Found(guide),
+        }
+    }
+
+    pub(super) fn is_sought(&self) -> bool {
+        matches!(self, Lead::Sought(_))
+    }
+
+    pub(super) fn is_none(&self) -> bool {
+        matches!(self, Lead::None)
+    }
+
+    /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
+    pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
+        if let Lead::Found(guide) = self {
+            guide.advance(line, dt, held);
+        }
+    }
+
+    pub(super) fn is_at_rest(&self) -> bool {
+        match self {
+            Lead::None | Lead::Sought(_) => true,
+            Lead::Found(guide) => guide.is_at_rest(),
+        }
+    }
+
+    /// The posture that the joints at `angles` turn towards, for a point on `line`.
+    pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
+        match self {
+            Lead::None => None,
+            Lead::Sought(_) => Some(*angles),
+            Lead::Found(guide) => Some(guide.posture(line.0, line.1)),
+        }
+    }
+}
+
+/// Whether enough joints move a point for every direction, and a closed form does not decide.
+fn has_choice<const J: usize>(inverse: Inverse, point: Point) -> bool {
+    inverse != Inverse::YawPitchPitch && !has_few_joints::<J>(inverse, point)
+}
