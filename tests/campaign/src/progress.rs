@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn the_rest_takes_as_long_as_what_was_done() {
-        let minutes = |n| Duration::from_secs(60 * n);
+        let minutes = |n: u64| Duration::from_secs(60 * n);
         assert_eq!(time_left(minutes(10), 5, 20), "40 min");
         assert_eq!(time_left(minutes(10), 5, 61), "2 h 2 min");
         assert_eq!(time_left(minutes(10), 5, 0), "0 min");

@@ -236,7 +236,7 @@ fn real_time_is_that_of_the_robot_with_a_legend_and_a_status() {
     let begin = std::time::Instant::now();
     let outcome = folder.tipc(&["run", "p.prg", "--realtime"]).expect(0);
     let elapsed = begin.elapsed().as_secs_f64();
-    assert!(elapsed >= 1.2 && elapsed < 30.0, "{elapsed} s");
+    assert!((1.2..30.0).contains(&elapsed), "{elapsed} s");
     assert_eq!(outcome.out, "awake\n");
     let lines: Vec<_> = outcome.err.lines().collect();
     assert!(lines[0].starts_with("keys: none, "), "{outcome:#?}");
