@@ -1,6 +1,7 @@
 //! The analogue inputs of the control box: which channel is what, and how volts follow from angles
 //! and forces.
 
+use crate::command::Port;
 use crate::model::Range;
 
 /// Channels of the A/D board.
@@ -23,8 +24,8 @@ const PAW_FULL: f64 = 200.0;
 pub(crate) enum Wire {
     /// A joint: leg and joint, from 0.
     Joint(usize, usize),
-    /// A knob, from 0.
-    Knob(usize),
+    /// An input with a name.
+    Input(Port),
     /// Nothing.
     Open,
 }
@@ -35,7 +36,7 @@ pub(crate) fn wire(channel: u8, legs: usize, joints: usize) -> Option<Wire> {
         return None;
     }
     if let Some(knob) = channel.checked_sub(FIRST_KNOB) {
-        return Some(Wire::Knob(usize::from(knob)));
+        return Some(Wire::Input(Port::Knob(knob + 1)));
     }
     let index = usize::from(channel);
     match index.checked_div(joints) {
@@ -71,11 +72,11 @@ mod tests {
         assert_eq!(wire(0, 4, 3), Some(Wire::Joint(0, 0)));
         assert_eq!(wire(11, 4, 3), Some(Wire::Joint(3, 2)));
         assert_eq!(wire(12, 4, 3), Some(Wire::Open));
-        assert_eq!(wire(13, 4, 3), Some(Wire::Knob(0)));
-        assert_eq!(wire(15, 4, 3), Some(Wire::Knob(2)));
+        assert_eq!(wire(13, 4, 3), Some(Wire::Input(Port::Knob(1))));
+        assert_eq!(wire(15, 4, 3), Some(Wire::Input(Port::Knob(3))));
         assert_eq!(wire(16, 4, 3), None);
         // A robot of many joints does not push the knobs off their channels.
-        assert_eq!(wire(13, 9, 9), Some(Wire::Knob(0)));
+        assert_eq!(wire(13, 9, 9), Some(Wire::Input(Port::Knob(1))));
     }
 
     #[test]

@@ -75,7 +75,7 @@ mod watch;
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
-use crate::model::{Family, Joint, Leg, Model, Whole};
+use crate::model::{Family, Joint, Leg, Model, Point, Whole};
 use core::ops::{Deref, DerefMut};
 use drive::Going;
 use leg::LegState;
@@ -104,7 +104,7 @@ pub struct Core<'m, S: ?Sized> {
     /// Where the slider is to be: mm.
     slider: Track<3>,
     /// Where the slider was measured: mm.
-    slider_at: [f64; 3],
+    slider_at: Point,
     /// Whether joint angles have been measured yet.
     sensed: bool,
     hold: Hold,
@@ -233,7 +233,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
 
     /// Where the slider is commanded to be: mm; zeros where there is none.
     #[must_use]
-    pub const fn slider(&self) -> [f64; 3] {
+    pub const fn slider(&self) -> Point {
         self.slider.position()
     }
 

@@ -44,8 +44,12 @@
 //! assert!(servos.write(&outputs).is_err());
 //! ```
 
-use crate::command::KNOBS;
+mod inputs;
+
+pub use inputs::Inputs;
+
 use crate::fault::Fault;
+use crate::model::Point;
 
 /// What a robot measures in one cycle. A reader fills in what it has; the rest keeps its zeros.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,14 +59,10 @@ pub struct Sensors<const L: usize, const J: usize> {
     /// What each joint drives its link with, in the robot's torque unit; zeros where nothing
     /// senses it.
     pub torques: [[f64; J]; L],
-    /// `VR1…VR3`: V.
-    pub knobs: [f64; KNOBS],
-    /// `PAW1…`: V of each sole's pressure sensor.
-    pub paws: [f64; L],
-    /// `ANTENNA`: V of the feeler, or 1 while the palm touches.
-    pub antenna: f64,
+    /// V of knobs, of the soles' pressure sensors, of the feeler: what a program reads by a name. A palm's touch gives 1.
+    pub inputs: Inputs,
     /// Where the slider (`FLOOR`) is: mm; zeros where there is none.
-    pub slider: [f64; 3],
+    pub slider: Point,
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
@@ -70,9 +70,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
     pub const ZERO: Self = Sensors {
         angles: [[0.0; J]; L],
         torques: [[0.0; J]; L],
-        knobs: [0.0; KNOBS],
-        paws: [0.0; L],
-        antenna: 0.0,
+        inputs: Inputs::all(0.0),
         slider: [0.0; 3],
     };
 }
@@ -82,10 +80,8 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
 pub(crate) struct SensorsView<'a, const J: usize> {
     pub(crate) angles: &'a [[f64; J]],
     pub(crate) torques: &'a [[f64; J]],
-    pub(crate) knobs: &'a [f64; KNOBS],
-    pub(crate) paws: &'a [f64],
-    pub(crate) antenna: f64,
-    pub(crate) slider: [f64; 3],
+    pub(crate) inputs: &'a Inputs,
+    pub(crate) slider: Point,
 }
 
 /// The same, to be filled in.
@@ -93,10 +89,8 @@ pub(crate) struct SensorsView<'a, const J: usize> {
 pub(crate) struct SensorsMut<'a, const J: usize> {
     pub(crate) angles: &'a mut [[f64; J]],
     pub(crate) torques: &'a mut [[f64; J]],
-    pub(crate) knobs: &'a mut [f64; KNOBS],
-    pub(crate) paws: &'a mut [f64],
-    pub(crate) antenna: &'a mut f64,
-    pub(crate) slider: &'a mut [f64; 3],
+    pub(crate) inputs: &'a mut Inputs,
+    pub(crate) slider: &'a mut Point,
 }
 
 impl<const L: usize, const J: usize> Sensors<L, J> {
@@ -104,9 +98,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
         SensorsMut {
             angles: &mut self.angles,
             torques: &mut self.torques,
-            knobs: &mut self.knobs,
-            paws: &mut self.paws,
-            antenna: &mut self.antenna,
+            inputs: &mut self.inputs,
             slider: &mut self.slider,
         }
     }
@@ -115,9 +107,7 @@ impl<const L: usize, const J: usize> Sensors<L, J> {
         SensorsView {
             angles: &self.angles,
             torques: &self.torques,
-            knobs: &self.knobs,
-            paws: &self.paws,
-            antenna: self.antenna,
+            inputs: &self.inputs,
             slider: self.slider,
         }
     }
@@ -160,7 +150,7 @@ pub struct Outputs<const L: usize, const J: usize> {
     /// One command for each joint.
     pub joints: [[JointCommand; J]; L],
     /// Where the slider (`FLOOR`) is to be: mm; zeros where there is none.
-    pub slider: [f64; 3],
+    pub slider: Point,
     /// Lamps and relays: bit n % 32 of word n / 32 is device n.
     pub lamps: [u32; 8],
     /// The sampling time for which the commands hold: ms.
@@ -171,7 +161,7 @@ pub struct Outputs<const L: usize, const J: usize> {
 #[derive(Debug)]
 pub(crate) struct OutputsView<'a, const J: usize> {
     pub(crate) joints: &'a mut [[JointCommand; J]],
-    pub(crate) slider: &'a mut [f64; 3],
+    pub(crate) slider: &'a mut Point,
     pub(crate) lamps: &'a mut [u32; 8],
     pub(crate) period: &'a mut f64,
 }

@@ -33,7 +33,7 @@ mod two_joints;
 pub use chain::Chain;
 pub use inverse::inverse;
 pub(crate) use resolved_rate::resolve_piece;
-pub use resolved_rate::{Point, nearest, resolve, resolve_towards};
+pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards};
 pub use search::search;
 pub(crate) use search::starts;
 

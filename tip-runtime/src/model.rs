@@ -89,6 +89,11 @@ impl Range {
     }
 }
 
+/// A point: its x, y and z in mm. Every point of the public API is one, of the robot frame unless it says that it is of
+/// the world's. In a plane (`hand`) it keeps its z; what is no place, such as a force, a velocity or a link from one
+/// joint to the next, is a plain array.
+pub type Point = [f64; 3];
+
 /// A revolute joint and the link after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
@@ -110,7 +115,7 @@ pub struct Joint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg<const J: usize> {
     /// The first joint in the robot frame: mm.
-    pub base: [f64; 3],
+    pub base: Point,
     /// The joints from base to foot.
     pub joints: [Joint; J],
     /// The initial posture: deg.
@@ -233,14 +238,14 @@ pub struct PerVolt {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
     /// Where it is at first: mm.
-    pub initial: [f64; 3],
+    pub initial: Point,
     /// How far it goes along x, y and z: mm.
     pub travel: [Range; 3],
 }
 
 impl Slider {
     /// Whether it can go there.
-    pub fn reaches(&self, position: [f64; 3]) -> bool {
+    pub fn reaches(&self, position: Point) -> bool {
         let axes = self.travel.iter().zip(position);
         axes.into_iter().all(|(travel, at)| travel.contains(at))
     }

@@ -10,7 +10,7 @@
 //! assert!(titan.set_sensor(Port::Knob(1), 2.5));
 //! let mut sensors = Sensors::ZERO;
 //! assert_eq!(titan.read(&mut sensors), Ok(()));
-//! assert_eq!(sensors.knobs, [2.5, 0.0, 0.0]);
+//! assert_eq!(sensors.inputs.of(Port::Knob(1)), [2.5, 0.0, 0.0]);
 //! assert_eq!(titan.motion().map(|motion| motion.falls), Some(0));
 //!
 //! let mut hand = SimulatedHand::new(&hand::MODEL);

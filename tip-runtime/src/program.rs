@@ -66,7 +66,7 @@
 
 use crate::command::{Command, Flag, MAX, Poll, Port, Target, Teach};
 use crate::fault::Fault;
-use crate::model::{Family, Model};
+use crate::model::{Family, Model, Point};
 use crate::vibration::Vibration;
 use core::fmt::Display;
 
@@ -230,7 +230,7 @@ pub trait Robot {
     ///
     /// # Errors
     /// `Domain` for another target, a robot without torques, or numbers without sense.
-    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault>;
+    fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault>;
     /// The torque of each joint of a leg: what it is commanded, vibration aside, or else what it senses.
     ///
     /// # Errors
@@ -240,7 +240,7 @@ pub trait Robot {
     ///
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
-    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault>;
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault>;
     /// Shows a bar graph on the console, or takes it away: 0 is that of the joint torques, 1 that of
     /// the forces at the feet.
     ///

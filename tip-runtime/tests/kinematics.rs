@@ -4,7 +4,7 @@
 mod rig;
 
 use rig::Dice;
-use tip_runtime::kinematics::{Chain, Point, inverse, within_limits};
+use tip_runtime::kinematics::{Chain, LegPoint, inverse, within_limits};
 use tip_runtime::model::{Inverse, Leg, Range, titan8};
 
 const LEGS: [Leg<3>; 4] = titan8::MODEL.legs;
@@ -239,14 +239,16 @@ fn jacobians_agree_with_differences() {
                     assert!((foot[j][i] - (a - b) / step).abs() < 1e-4);
                 }
                 for m in 0..3 {
-                    let jacobian = chain.point_jacobian(Point::Joint(m)).expect("such a joint");
+                    let jacobian = chain
+                        .point_jacobian(LegPoint::Joint(m))
+                        .expect("such a joint");
                     let (more, less) = (more.joint(m).unwrap(), less.joint(m).unwrap());
                     for (i, (a, b)) in more.iter().zip(less).enumerate() {
                         assert!((jacobian[j][i] - (a - b) / step).abs() < 1e-4);
                     }
                 }
             }
-            assert_eq!(chain.point_jacobian(Point::Joint(3)), None);
+            assert_eq!(chain.point_jacobian(LegPoint::Joint(3)), None);
         }
     }
 }

@@ -125,12 +125,9 @@ fn standing_up_while_the_feet_may_hardly_brake_fails_for_want_of_reach() {
 
 /// Soles that feel the floor below `floor`.
 fn feel(rig: &mut Rig, floor: f64) {
-    for leg in 0..4 {
-        rig.sensors.paws[leg] = if rig.foot(leg + 1)[2] <= floor {
-            1.0
-        } else {
-            0.0
-        };
+    for leg in 1..=4 {
+        let feels = rig.foot(leg)[2] <= floor;
+        rig.sole(leg, if feels { 1.0 } else { 0.0 });
     }
 }
 
@@ -172,7 +169,9 @@ fn a_searching_foot_goes_at_slow_speed() {
     for (kind, way) in [(1.0, -3.0), (2.0, -3.0), (3.0, 3.0)] {
         let mut rig = Rig::titan();
         // Soles that search upwards have to feel the floor.
-        rig.sensors.paws = [if way > 0.0 { 1.0 } else { 0.0 }; 4];
+        for leg in 1..=4 {
+            rig.sole(leg, if way > 0.0 { 1.0 } else { 0.0 });
+        }
         let mut heights = [0.0; 2];
         for _ in 0..20 {
             let poll = rig.run(Op::DetectFloor, F1, &rig::absolute(&[kind]));
@@ -190,7 +189,7 @@ fn a_foot_that_has_felt_the_floor_stays_there_whatever_its_sole_reads_later() {
     let mut rig = Rig::titan();
     let mut felt = [0.0; 3];
     for cycle in 1..=30 {
-        rig.sensors.paws[0] = if cycle == 6 { 1.0 } else { 0.0 };
+        rig.sole(1, if cycle == 6 { 1.0 } else { 0.0 });
         if cycle == 6 {
             felt = rig.foot(1);
         }
@@ -269,7 +268,7 @@ fn searches_of_another_type_are_outside_the_domain() {
         assert!(!rig.controller.near(F1));
     }
     let mut rig = Rig::titan();
-    rig.sensors.paws[0] = f64::NAN;
+    rig.sole(1, f64::NAN);
     assert_eq!(
         rig.fault(Op::DetectFloor, F1, &[2.0]),
         Fault::Sensor(Port::Paw(1))

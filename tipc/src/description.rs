@@ -46,7 +46,7 @@ use crate::load::Loaded;
 use crate::message::Describing;
 use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
-use tip_runtime::model::{Body, Forces, Inverse, Joint, Range, Slider, Standards};
+use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards};
 use toml::de::DeTable;
 
 /// A robot as its description defines it: 1 to 9 legs with 1 to 9 joints each, as many on every leg.
@@ -69,7 +69,7 @@ pub struct Description {
 /// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints.
 #[derive(Clone, Debug, PartialEq)]
 struct Leg {
-    base: [f64; 3],
+    base: Point,
     joints: Vec<Joint>,
     initial: Vec<f64>,
 }

@@ -26,7 +26,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut robot = pushing_up(Lines)?;
     let mut highest = 0.0_f64;
     while robot.cycle().is_running() {
-        highest = highest.max(robot.hardware().body().z);
+        highest = highest.max(robot.hardware().body().position[2]);
     }
     let cycles = robot.cycles();
     writeln!(io::stdout(), "highest {highest:.0} mm, {cycles} cycles")?;

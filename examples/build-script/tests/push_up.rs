@@ -13,7 +13,7 @@ fn three_push_ups_reach_40_50_and_60_mm() {
     let mut robot = pushing_up(()).unwrap();
     let mut heights = Vec::new();
     while robot.cycle().is_running() {
-        heights.push(robot.hardware().body().z - RESTING);
+        heights.push(robot.hardware().body().position[2] - RESTING);
     }
     assert_eq!(robot.status(), Status::Finished(End::End));
     assert_eq!(robot.hardware().falls(), 0);

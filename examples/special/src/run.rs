@@ -3,7 +3,7 @@
 use crate::native::Native;
 use tip_runtime::console::Transcript;
 use tip_runtime::machine::Mismatch;
-use tip_runtime::model::titan8;
+use tip_runtime::model::{Point, titan8};
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::program::Program;
 use tip_runtime::record::Ending;
@@ -19,8 +19,8 @@ pub struct Run {
     pub ending: Ending,
     /// Its trace, with a hash of the robot's state in each record.
     pub trace: String,
-    /// Where the body was after each cycle, to the right and forward of its start: mm.
-    pub path: Vec<[f64; 2]>,
+    /// Where the body was after each cycle.
+    pub path: Vec<Point>,
     /// What the program said, line by line.
     pub said: Vec<String>,
     /// The robot at its end.
@@ -30,16 +30,17 @@ pub struct Run {
 impl Run {
     /// How far the body ever was from its start: mm.
     pub fn excursion(&self) -> f64 {
-        self.path.iter().copied().map(length).fold(0.0, f64::max)
+        self.path.iter().copied().map(away).fold(0.0, f64::max)
     }
 
     /// How far it was from there in the end: mm.
     pub fn rest(&self) -> f64 {
-        self.path.last().copied().map_or(0.0, length)
+        self.path.last().copied().map_or(0.0, away)
     }
 }
 
-fn length([x, y]: [f64; 2]) -> f64 {
+/// How far a point of the path is from its start, along the floor: mm.
+fn away([x, y, _]: Point) -> f64 {
     x.hypot(y)
 }
 
@@ -67,12 +68,12 @@ pub fn run(program: impl Program + Clone + 'static, plant: Plant) -> Result<Run,
 }
 
 /// Notes where the body is.
-struct Path(Vec<[f64; 2]>);
+struct Path(Vec<Point>);
 
 impl Observer for Path {
     fn after(&mut self, run: &mut tip_sim::Run) {
         let pose = run.motion().map(|motion| motion.pose);
-        self.0.extend(pose.map(|pose| [pose.x, pose.y]));
+        self.0.extend(pose.map(|pose| pose.position));
     }
 }
 

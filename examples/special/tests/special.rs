@@ -4,7 +4,7 @@ use special::run::{Plant, Run, interpreter, run};
 use special::{Dance, SOURCE};
 use tip_runtime::command::{Port, Target};
 use tip_runtime::fault::Fault;
-use tip_runtime::model::titan8;
+use tip_runtime::model::{Point, titan8};
 use tip_runtime::plant::Plant as _;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
@@ -42,9 +42,9 @@ fn fault(run: &Run) -> Option<Fault> {
 }
 
 /// How many times around the start a path goes, counter-clockwise.
-fn turns(path: &[[f64; 2]], beyond: f64) -> f64 {
-    let far = path.iter().filter(|[x, y]| x.hypot(*y) > beyond);
-    let angles: Vec<f64> = far.map(|[x, y]| y.atan2(*x)).collect();
+fn turns(path: &[Point], beyond: f64) -> f64 {
+    let far = path.iter().filter(|[x, y, _]| x.hypot(*y) > beyond);
+    let angles: Vec<f64> = far.map(|[x, y, _]| y.atan2(*x)).collect();
     let steps = angles.windows(2).map(|pair| (pair[1] - pair[0]).sin());
     steps.sum::<f64>() / std::f64::consts::TAU
 }

@@ -120,16 +120,16 @@ impl Progress {
 }
 
 fn place(robot: &SimulatedPlant<4, 3>) -> String {
-    let body = robot.body();
+    let [right, forward, up] = robot.body().position;
     let feet = robot.contacts().into_iter().zip(["F1", "F2", "F3", "F4"]);
     let standing: Vec<&str> = feet
         .map(|(down, name)| if down { name } else { "--" })
         .collect();
     format!(
         "body {:5} mm forward {:4} mm to the right {:4} mm up   feet {}",
-        whole(body.y),
-        whole(body.x),
-        whole(body.z),
+        whole(forward),
+        whole(right),
+        whole(up),
         standing.join(" ")
     )
 }

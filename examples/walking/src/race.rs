@@ -49,13 +49,14 @@ pub fn race<const L: usize, const J: usize>(
         race.observer.end(race.records.get_ref());
     }
     let (gait, margin, robot) = (race.gait, race.margin, race.robot);
-    let body = robot.as_ref().map(SimulatedPlant::body);
+    let pose = robot.as_ref().map(SimulatedPlant::body);
+    let [drift, travel, _] = pose.map_or([0.0; 3], |pose| pose.position);
     Ok(Outcome {
         ending,
         cycles: compared.cycles,
         seconds: race.time,
-        travel: body.map_or(0.0, |body| body.y),
-        drift: body.map_or(0.0, |body| body.x),
+        travel,
+        drift,
         falls: robot.as_ref().map_or(0, SimulatedPlant::falls),
         slip: robot.as_ref().map_or(0.0, SimulatedPlant::worst_slip),
         margin,

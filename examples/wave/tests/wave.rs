@@ -38,16 +38,11 @@ fn the_front_right_foot_swings_three_times_and_comes_back() {
 fn the_belly_carries_the_robot_all_the_time() {
     let mut robot = waving(()).unwrap();
     while robot.cycle().is_running() {
-        let body = robot.hardware().body();
-        assert!(body.z < 205.0, "{} mm up", body.z);
+        let [_, _, up] = robot.hardware().body().position;
+        assert!(up < 205.0, "{up} mm up");
     }
-    let body = robot.hardware().body();
-    assert!(
-        body.x.abs().max(body.y.abs()) < 5.0,
-        "moved to ({}, {})",
-        body.x,
-        body.y
-    );
+    let [x, y, _] = robot.hardware().body().position;
+    assert!(x.abs().max(y.abs()) < 5.0, "moved to ({x}, {y})");
     assert_eq!(robot.hardware().falls(), 0);
 }
 

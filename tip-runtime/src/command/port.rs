@@ -1,7 +1,8 @@
 //! The analogue inputs.
 
-use super::{Target, UnknownWord};
+use super::{MAX, Target, UnknownWord};
 use core::fmt;
+use core::ops::Range;
 use core::str::FromStr;
 
 /// How many potentiometers the control box has.
@@ -43,6 +44,33 @@ impl Port {
             Port::Joint(leg, joint) => Some(Target::Joint(leg, joint)),
             _ => None,
         }
+    }
+
+    /// How many inputs a robot may have that are neither channels nor joints.
+    pub const INPUTS: usize = Port::Antenna.places().end;
+
+    /// The places of a kind's inputs among these; `self` says which kind. Those of a channel or joint are none.
+    pub const fn places(self) -> Range<usize> {
+        let (first, count) = match self {
+            Port::Channel(_) | Port::Joint(..) => (0, 0),
+            Port::Knob(_) => (0, KNOBS),
+            Port::Paw(_) => (Port::Knob(1).places().end, MAX),
+            Port::Antenna => (Port::Paw(1).places().end, 1),
+        };
+        Range {
+            start: first,
+            end: first + count,
+        }
+    }
+
+    /// Its own place there; `None` for a channel, a joint, or a number that no robot has.
+    pub fn place(self) -> Option<usize> {
+        let number = match self {
+            Port::Channel(_) | Port::Joint(..) => return None,
+            Port::Knob(number) | Port::Paw(number) => number,
+            Port::Antenna => 1,
+        };
+        self.places().nth(usize::from(number).checked_sub(1)?)
     }
 
     /// The inputs that a kind has a word for, joints aside; `self` says which kind.

@@ -6,8 +6,8 @@ use super::trajectory::Track;
 use super::{ControllerView, targets};
 use crate::command::{Poll, Target};
 use crate::fault::Fault;
-use crate::kinematics::Point;
-use crate::model::Inverse;
+use crate::kinematics::LegPoint;
+use crate::model::{Inverse, Point};
 
 /// How close counts.
 #[derive(Clone, Copy)]
@@ -121,7 +121,7 @@ impl<const J: usize> LegState<'_, J> {
 
     fn point_arrived(
         &self,
-        (point, track): (Point, &Track<3>),
+        (point, track): (LegPoint, &Track<3>),
         inverse: Inverse,
         tolerance: Tolerance,
     ) -> Option<bool> {
@@ -131,7 +131,7 @@ impl<const J: usize> LegState<'_, J> {
     }
 }
 
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+fn distance(a: Point, b: Point) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     libm::sqrt(squares.sum())
 }

@@ -6,7 +6,7 @@ use super::trajectory::Goal;
 use super::{ControllerView, targets};
 use crate::command::{Command, Poll, Port, Target};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 
 /// The speed of a searching foot, as a share of the standard V_MAX (SLOW).
 const SLOW: f64 = 0.5;
@@ -34,7 +34,7 @@ impl<const J: usize> ControllerView<'_, J> {
             }
             if self.touches(n)? != (search == Search::Up) {
                 // The floor has stopped the foot already: its set point follows at once.
-                self.send_foot(n, self.measured_point(n, Point::Tip)?, true)?;
+                self.send_foot(n, self.measured_point(n, LegPoint::Tip)?, true)?;
                 targets::leg_mut(&mut self.legs, n)?.search = None;
             } else {
                 self.set_off(n, search)?;
@@ -89,6 +89,6 @@ impl<const J: usize> ControllerView<'_, J> {
             Search::Up => [0.0, 0.0, slow],
         };
         let foot = self.foot_track(n)?.towards(Goal::Speed(velocity));
-        self.take_point(n, Point::Tip, foot)
+        self.take_point(n, LegPoint::Tip, foot)
     }
 }

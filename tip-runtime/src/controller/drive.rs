@@ -15,8 +15,8 @@ pub(super) use reach::{name, nearest_place, reach};
 
 use super::trajectory::{Goal, Track};
 use crate::hardware::JointCommand;
-use crate::kinematics::{Chain, Point};
-use crate::model::{Inverse, Leg};
+use crate::kinematics::{Chain, LegPoint};
+use crate::model::{Inverse, Leg, Point};
 
 /// The joint whose position can be controlled (`Jn3`), counted from 0. It is moved by the joints
 /// before it.
@@ -56,7 +56,7 @@ pub(super) struct LegDrive<const J: usize> {
 /// Where a foot was to be (mm), and the angles (deg) that put it there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Solved<const J: usize> {
-    foot: [f64; 3],
+    foot: Point,
     angles: [f64; J],
 }
 
@@ -127,20 +127,20 @@ impl<const J: usize> LegDrive<J> {
     }
 
     /// The set point that decides about joint `m`'s position, counted from 0, if one does.
-    pub(super) fn point_of_joint(&self, m: usize) -> Option<(Point, &Track<3>)> {
+    pub(super) fn point_of_joint(&self, m: usize) -> Option<(LegPoint, &Track<3>)> {
         match &self.drive {
             Drive::Joints(_) => None,
-            Drive::Foot(foot) => Some((Point::Tip, foot)),
-            Drive::Third(third, _) if m <= THIRD => Some((Point::Joint(THIRD), third)),
+            Drive::Foot(foot) => Some((LegPoint::Tip, foot)),
+            Drive::Third(third, _) if m <= THIRD => Some((LegPoint::Joint(THIRD), third)),
             Drive::Third(..) => None,
         }
     }
 
     /// The set point of a point of the leg, if that is what decides.
-    pub(super) fn own_point(&self, point: Point) -> Option<&Track<3>> {
+    pub(super) fn own_point(&self, point: LegPoint) -> Option<&Track<3>> {
         match (&self.drive, point) {
-            (Drive::Foot(foot), Point::Tip) => Some(foot),
-            (Drive::Third(third, _), Point::Joint(THIRD)) => Some(third),
+            (Drive::Foot(foot), LegPoint::Tip) => Some(foot),
+            (Drive::Third(third, _), LegPoint::Joint(THIRD)) => Some(third),
             _ => None,
         }
     }
@@ -156,7 +156,7 @@ impl<const J: usize> LegDrive<J> {
 
     /// A point's set point, in the motion that the leg is commanded now. Where torques decide, the
     /// leg starts from where it is.
-    pub(super) fn point(&self, point: Point, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
+    pub(super) fn point(&self, point: LegPoint, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
         if let Some(own) = self.own_point(point)
             && !own.goal().is_soft()
         {
@@ -173,7 +173,12 @@ impl<const J: usize> LegDrive<J> {
 
     /// As [`point`](Self::point), but a spring that pulls at the point already stays strained, unless
     /// its stiffness is to change.
-    pub(super) fn strained_point(&self, point: Point, leg: &Leg<J>, inverse: Inverse) -> Track<3> {
+    pub(super) fn strained_point(
+        &self,
+        point: LegPoint,
+        leg: &Leg<J>,
+        inverse: Inverse,
+    ) -> Track<3> {
         match self.own_point(point) {
             Some(own)
                 if matches!(own.goal(), Goal::Spring { .. }) && self.own_stiffness.is_none() =>
@@ -188,7 +193,7 @@ impl<const J: usize> LegDrive<J> {
     /// point hold the angles `stays`.
     pub(super) fn take_point(
         &mut self,
-        point: Point,
+        point: LegPoint,
         track: Track<3>,
         leg: &Leg<J>,
         stays: &[f64; J],
@@ -197,8 +202,8 @@ impl<const J: usize> LegDrive<J> {
         self.own_stiffness = None;
         self.lead = Lead::None;
         self.drive = match point {
-            Point::Tip => Drive::Foot(track),
-            Point::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
+            LegPoint::Tip => Drive::Foot(track),
+            LegPoint::Joint(_) => Drive::Third(track, self.joints(leg, stays, inverse)),
         };
     }
 
@@ -229,8 +234,10 @@ impl<const J: usize> LegDrive<J> {
     fn rates(&self, leg: &Leg<J>, inverse: Inverse) -> [f64; J] {
         let mut rates = match &self.drive {
             Drive::Joints(_) => [0.0; J],
-            Drive::Foot(foot) => self.rates_of_point(Point::Tip, foot, leg, inverse),
-            Drive::Third(third, _) => self.rates_of_point(Point::Joint(THIRD), third, leg, inverse),
+            Drive::Foot(foot) => self.rates_of_point(LegPoint::Tip, foot, leg, inverse),
+            Drive::Third(third, _) => {
+                self.rates_of_point(LegPoint::Joint(THIRD), third, leg, inverse)
+            }
         };
         let (first, own) = self.own_joints();
         for (rate, joint) in rates.iter_mut().skip(first).zip(own) {
@@ -245,7 +252,7 @@ impl<const J: usize> LegDrive<J> {
 
     fn rates_of_point(
         &self,
-        point: Point,
+        point: LegPoint,
         track: &Track<3>,
         leg: &Leg<J>,
         inverse: Inverse,

@@ -16,7 +16,7 @@ use super::task::Task;
 use super::trajectory::{Goal, Track};
 use crate::command::{Command, Op, Poll, Target};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 use crate::model::Forces;
 
 /// How long a joint that meets something stands still before that counts.
@@ -130,8 +130,8 @@ impl<const J: usize> ControllerView<'_, J> {
     ) -> Result<(), Fault> {
         let kind = kind(command)?;
         let point = match kind {
-            1 | 3 => Point::Tip,
-            2 => Point::Joint(THIRD),
+            1 | 3 => LegPoint::Tip,
+            2 => LegPoint::Joint(THIRD),
             _ => return Err(Fault::Domain),
         };
         for n in 1..=self.count() {
@@ -153,10 +153,10 @@ impl<const J: usize> ControllerView<'_, J> {
 
     /// A spring that draws a fingertip to the middle of the palm, at the height that it has.
     fn draw_inward(&mut self, n: u8) -> Result<(), Fault> {
-        let from = self.measured_point(n, Point::Tip)?;
+        let from = self.measured_point(n, LegPoint::Tip)?;
         let target = [0.0, from[1], from[2]];
         let spring = Goal::Spring { target, hs: false };
-        self.take_point(n, Point::Tip, Track::resting(from).towards(spring))
+        self.take_point(n, LegPoint::Tip, Track::resting(from).towards(spring))
     }
 }
 

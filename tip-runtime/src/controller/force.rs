@@ -7,7 +7,7 @@ use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 use core::ops::RangeInclusive;
 
 impl<const J: usize> ControllerView<'_, J> {
@@ -45,7 +45,12 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     /// Puts a point under force control.
-    pub(super) fn push_point(&mut self, n: u8, point: Point, force: [f64; 3]) -> Result<(), Fault> {
+    pub(super) fn push_point(
+        &mut self,
+        n: u8,
+        point: LegPoint,
+        force: [f64; 3],
+    ) -> Result<(), Fault> {
         let place = self.measured_point(n, point)?;
         self.take_point(n, point, Track::resting(place).towards(Goal::Effort(force)))
     }
@@ -96,7 +101,7 @@ impl<const J: usize> ControllerView<'_, J> {
         &self,
         command: &Command<'_>,
         base: Base,
-    ) -> Result<(Point, Track<3>), Fault> {
+    ) -> Result<(LegPoint, Track<3>), Fault> {
         let (n, point) = self.point_of(command.target)?;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let from = match base {
@@ -152,7 +157,7 @@ impl<const J: usize> ControllerView<'_, J> {
 
     /// The force with which a point pushes, as the joint torques reveal it: N; `None` in a singular
     /// posture.
-    pub(super) fn sensed_force(&self, n: u8, point: Point) -> Result<Option<[f64; 3]>, Fault> {
+    pub(super) fn sensed_force(&self, n: u8, point: LegPoint) -> Result<Option<[f64; 3]>, Fault> {
         let forces = self.robot.forces.ok_or(Fault::Domain)?;
         let leg = self.leg(n)?;
         let torques = leg

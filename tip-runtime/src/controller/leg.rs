@@ -6,8 +6,8 @@ use super::trajectory::Track;
 use super::vibrate::{Shaken, Shaker};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
-use crate::kinematics::{Chain, Point};
-use crate::model::{Inverse, Leg, Whole};
+use crate::kinematics::{Chain, LegPoint};
+use crate::model::{Inverse, Leg, Point, Whole};
 
 /// One leg: what it is, what it is to do, and what it measured.
 #[derive(Clone, Copy, Debug)]
@@ -66,13 +66,13 @@ impl<'m, const J: usize> LegState<'m, J> {
     }
 
     /// Where a point of it is measured: mm.
-    pub(super) fn place(&self, point: Point, inverse: Inverse) -> Result<[f64; 3], Fault> {
+    pub(super) fn place(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let place = self.chain().point(point).ok_or(Fault::Domain)?;
         Ok(inverse.flat(place))
     }
 
     /// A point's target, or where the point is if it has none: mm.
-    pub(super) fn target(&self, point: Point, inverse: Inverse) -> Result<[f64; 3], Fault> {
+    pub(super) fn target(&self, point: LegPoint, inverse: Inverse) -> Result<Point, Fault> {
         let own = self.drive.own_point(point);
         match own.and_then(|track| track.goal().target()) {
             Some(target) => Ok(target),

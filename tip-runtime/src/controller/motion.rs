@@ -6,8 +6,8 @@ use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::{self, Point};
-use crate::model::{Family, Inverse};
+use crate::kinematics::{self, LegPoint};
+use crate::model::{Family, Inverse, Point};
 
 impl<const J: usize> ControllerView<'_, J> {
     /// PTP and REL_PTP.
@@ -16,7 +16,7 @@ impl<const J: usize> ControllerView<'_, J> {
             return self.move_slider(command, base);
         }
         let (n, point) = self.point_of(command.target)?;
-        if point != Point::Tip && self.robot.family != Family::Hand {
+        if point != LegPoint::Tip && self.robot.family != Family::Hand {
             return Err(Fault::Domain);
         }
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
@@ -119,13 +119,13 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let leg = self.leg(n)?;
-        let foot = leg.drive.point(Point::Tip, leg.model, inverse);
+        let foot = leg.drive.point(LegPoint::Tip, leg.model, inverse);
         let current = match foot.goal() {
             Goal::Speed(velocity) => velocity,
             _ => leg.chain().foot_velocity(&leg.rates),
         };
         let velocity = inverse.flat(resolve(values, current)?);
-        self.take_point(n, Point::Tip, foot.towards(Goal::Speed(velocity)))
+        self.take_point(n, LegPoint::Tip, foot.towards(Goal::Speed(velocity)))
     }
 
     /// OMEGA_CONTROL.
@@ -151,7 +151,12 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     /// Puts a point of leg `n` under control.
-    pub(super) fn take_point(&mut self, n: u8, point: Point, track: Track<3>) -> Result<(), Fault> {
+    pub(super) fn take_point(
+        &mut self,
+        n: u8,
+        point: LegPoint,
+        track: Track<3>,
+    ) -> Result<(), Fault> {
         let inverse = self.robot.inverse;
         let leg = targets::leg_mut(&mut self.legs, n)?;
         let stays = leg.stays();
@@ -161,36 +166,36 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     /// Puts a foot under position control at `target`, wherever its leg is now.
-    pub(super) fn send_foot(&mut self, n: u8, target: [f64; 3], hs: bool) -> Result<(), Fault> {
+    pub(super) fn send_foot(&mut self, n: u8, target: Point, hs: bool) -> Result<(), Fault> {
         let foot = self.foot_track(n)?.towards(Goal::Point { target, hs });
-        self.take_point(n, Point::Tip, foot)
+        self.take_point(n, LegPoint::Tip, foot)
     }
 
     /// A foot's set point, in the motion that its leg is commanded now.
     pub(super) fn foot_track(&self, n: u8) -> Result<Track<3>, Fault> {
         let leg = self.leg(n)?;
         let inverse = self.robot.inverse;
-        Ok(leg.drive.point(Point::Tip, leg.model, inverse))
+        Ok(leg.drive.point(LegPoint::Tip, leg.model, inverse))
     }
 
     /// Where a foot comes to rest when it brakes now.
-    pub(super) fn foot_rest_point(&self, n: u8) -> Result<[f64; 3], Fault> {
+    pub(super) fn foot_rest_point(&self, n: u8) -> Result<Point, Fault> {
         let limits = self.leg(n)?.params.foot.limits();
         Ok(self.foot_track(n)?.rest_point(limits))
     }
 
     /// A point's target, or where the point is if it has none.
-    pub(super) fn point_target(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
+    pub(super) fn point_target(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.target(point, self.robot.inverse)
     }
 
     /// Where a point of leg `n` is.
-    pub(super) fn measured_point(&self, n: u8, point: Point) -> Result<[f64; 3], Fault> {
+    pub(super) fn measured_point(&self, n: u8, point: LegPoint) -> Result<Point, Fault> {
         self.leg(n)?.place(point, self.robot.inverse)
     }
 
     /// Refuses a target that the leg cannot reach; under EMG_OFF the leg goes as far as it can.
-    pub(super) fn require_reach(&self, n: u8, point: Point, target: [f64; 3]) -> Result<(), Fault> {
+    pub(super) fn require_reach(&self, n: u8, point: LegPoint, target: Point) -> Result<(), Fault> {
         if !self.params.emg {
             return Ok(());
         }
@@ -206,11 +211,11 @@ impl<const J: usize> ControllerView<'_, J> {
     }
 
     /// Leg and point that a command of positions or forces acts on.
-    pub(super) fn point_of(&self, target: Target) -> Result<(u8, Point), Fault> {
+    pub(super) fn point_of(&self, target: Target) -> Result<(u8, LegPoint), Fault> {
         match target {
-            Target::Foot(n) => Ok((n, Point::Tip)),
+            Target::Foot(n) => Ok((n, LegPoint::Tip)),
             Target::Joint(n, m) if targets::index(m) == THIRD && THIRD < J => {
-                Ok((n, Point::Joint(THIRD)))
+                Ok((n, LegPoint::Joint(THIRD)))
             }
             Target::None | Target::All | Target::Floor | Target::Joint(..) => Err(Fault::Domain),
         }

@@ -6,7 +6,8 @@ use super::{ControllerView, targets};
 use crate::command::{MAX, Target};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
+use crate::model::Point;
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Pulls a foot, or a third joint, to the place `to` (mm) by a spring of its own stiffness (N/mm
@@ -15,7 +16,7 @@ impl<const J: usize> ControllerView<'_, J> {
     /// # Errors
     /// `Domain` for another target, a place that is not finite, a stiffness that is not finite or
     /// negative, or a robot without torques.
-    pub fn pull(&mut self, target: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+    pub fn pull(&mut self, target: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault> {
         let (n, point) = self.point_of(target)?;
         let sound = to.iter().all(|place| place.is_finite())
             && stiffness.iter().all(|k| k.is_finite() && *k >= 0.0);
@@ -54,18 +55,13 @@ impl<const J: usize> ControllerView<'_, J> {
     ///
     /// # Errors
     /// `OutOfReach` or `JointLimit` if there are none, `Domain` for a leg that the robot lacks.
-    pub fn inverse(
-        &self,
-        n: u8,
-        from: &[f64; MAX],
-        position: [f64; 3],
-    ) -> Result<[f64; MAX], Fault> {
+    pub fn inverse(&self, n: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault> {
         let leg = self.leg(n)?.model;
         let mut near = leg.initial;
         for (near, from) in near.iter_mut().zip(from) {
             *near = *from;
         }
-        let found = reach(self.robot.inverse, leg, (Point::Tip, n), &near, position)?;
+        let found = reach(self.robot.inverse, leg, (LegPoint::Tip, n), &near, position)?;
         let mut angles = [0.0; MAX];
         for (angle, found) in angles.iter_mut().zip(found) {
             *angle = found;

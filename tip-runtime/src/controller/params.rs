@@ -6,7 +6,7 @@ use super::trajectory::Limits;
 use super::{ControllerView, targets};
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 use crate::model::{Forces, Joint, Standards, TorqueUnit, Whole};
 
 /// Parameters of one foot.
@@ -76,12 +76,12 @@ impl FootParams {
         }
     }
 
-    pub(super) const fn of_point(&self, point: Point) -> PointParams {
+    pub(super) const fn of_point(&self, point: LegPoint) -> PointParams {
         PointParams {
             stiffness: self.stiffness,
             limit: match point {
-                Point::Tip => self.foot_limit,
-                Point::Joint(_) => self.third_limit,
+                LegPoint::Tip => self.foot_limit,
+                LegPoint::Joint(_) => self.third_limit,
             },
         }
     }

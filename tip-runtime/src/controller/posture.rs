@@ -5,7 +5,7 @@ use super::drive::{Drive, Lead};
 use super::task::Task;
 use super::trajectory::Goal;
 use crate::command::Poll;
-use crate::kinematics::{Chain, Point};
+use crate::kinematics::{Chain, LegPoint};
 
 impl<const J: usize> ControllerView<'_, J> {
     /// Brakes, then sets off for the initial posture with standard parameters.
@@ -21,7 +21,7 @@ impl<const J: usize> ControllerView<'_, J> {
         for leg in &mut self.legs {
             let initial = Chain::new(leg.model, &leg.model.initial);
             let target = inverse.flat(initial.foot());
-            let foot = leg.drive.point(Point::Tip, leg.model, inverse);
+            let foot = leg.drive.point(LegPoint::Tip, leg.model, inverse);
             let line = (foot.position(), target);
             leg.drive.lead = Lead::to_initial(inverse, &leg.drive.angles, line, leg.model.initial);
             leg.drive.drive = Drive::Foot(foot.towards(Goal::Point { target, hs: false }));

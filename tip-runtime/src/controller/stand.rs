@@ -4,7 +4,8 @@ use super::ControllerView;
 use super::task::{Stand, Task};
 use crate::command::{Command, Poll, Target};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
+use crate::model::Point;
 
 /// V_MAX during the move, as a share of its standard value (SLOW).
 const SLOW: f64 = 0.5;
@@ -49,7 +50,7 @@ impl<const J: usize> ControllerView<'_, J> {
         }
         for n in 1..=self.count() {
             let raised = raised(self.foot_rest_point(n)?, rise)?;
-            self.require_reach(n, Point::Tip, raised)?;
+            self.require_reach(n, LegPoint::Tip, raised)?;
         }
         for n in 1..=self.count() {
             self.send_foot(n, self.foot_rest_point(n)?, false)?;
@@ -59,13 +60,13 @@ impl<const J: usize> ControllerView<'_, J> {
 
     fn shift_feet(&mut self, rise: f64) -> Result<(), Fault> {
         for n in 1..=self.count() {
-            let target = raised(self.point_target(n, Point::Tip)?, rise)?;
+            let target = raised(self.point_target(n, LegPoint::Tip)?, rise)?;
             self.send_foot(n, target, false)?;
         }
         Ok(())
     }
 }
 
-fn raised([x, y, z]: [f64; 3], rise: f64) -> Result<[f64; 3], Fault> {
+fn raised([x, y, z]: Point, rise: f64) -> Result<Point, Fault> {
     Ok([x, y, crate::ops::add(z, rise)?])
 }

@@ -4,7 +4,7 @@ use super::drive::THIRD;
 use super::{ControllerView, targets};
 use crate::command::{MAX, Target, Teach};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 
 /// What TEACH_FORCE gives where the posture is singular.
 const UNAVAILABLE: [f64; 3] = [0.0, 0.0, -1.0];
@@ -34,8 +34,8 @@ impl<const J: usize> ControllerView<'_, J> {
 
     fn teach_force(&self, target: Target) -> Result<[f64; MAX], Fault> {
         let (n, point) = match target {
-            Target::Foot(n) => (n, Point::Tip),
-            Target::Joint(n, 2) => (n, Point::Joint(THIRD)),
+            Target::Foot(n) => (n, LegPoint::Tip),
+            Target::Joint(n, 2) => (n, LegPoint::Joint(THIRD)),
             Target::None | Target::All | Target::Floor | Target::Joint(..) => {
                 return Err(Fault::Domain);
             }

@@ -1,6 +1,7 @@
 //! What is measured at the start of a cycle, and what is wrong with it.
 
 use super::{ControllerView, targets};
+use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::SensorsView;
 use crate::kinematics::ROUNDING;
@@ -20,7 +21,8 @@ impl<const J: usize> ControllerView<'_, J> {
     fn measure(&mut self, sensors: &SensorsView<'_, J>) -> Result<(), Fault> {
         let seconds = self.params.period / 1000.0;
         let mut result = Ok(());
-        let readings = sensors.angles.iter().zip(sensors.torques).zip(sensors.paws);
+        let soles = sensors.inputs.of(Port::Paw(1));
+        let readings = sensors.angles.iter().zip(sensors.torques).zip(soles);
         for (n, (leg, ((angles, torques), paw))) in self.legs.iter_mut().zip(readings).enumerate() {
             leg.torques = *torques;
             leg.paw = *paw;

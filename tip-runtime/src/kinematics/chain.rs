@@ -1,7 +1,7 @@
 //! Where the joints of a leg are, and how they move its foot.
 
-use super::Point;
-use crate::model::{Axes, Leg};
+use super::LegPoint;
+use crate::model::{Axes, Leg, Point};
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
 pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
@@ -43,18 +43,18 @@ impl<const J: usize> Chain<J> {
 
     /// The foot's position: mm.
     #[must_use]
-    pub fn foot(&self) -> [f64; 3] {
+    pub fn foot(&self) -> Point {
         self.foot.into()
     }
 
     /// The position of joint `m`, counted from 0: mm.
     #[must_use]
-    pub fn joint(&self, m: usize) -> Option<[f64; 3]> {
+    pub fn joint(&self, m: usize) -> Option<Point> {
         self.places.get(m).map(|place| (*place).into())
     }
 
     /// The position of every joint from base to foot: mm.
-    pub fn joints(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+    pub fn joints(&self) -> impl Iterator<Item = Point> + '_ {
         self.places.iter().map(|place| (*place).into())
     }
 
@@ -66,25 +66,25 @@ impl<const J: usize> Chain<J> {
 
     /// The position of a point: mm.
     #[must_use]
-    pub fn point(&self, point: Point) -> Option<[f64; 3]> {
+    pub fn point(&self, point: LegPoint) -> Option<Point> {
         match point {
-            Point::Tip => Some(self.foot()),
-            Point::Joint(m) => self.joint(m),
+            LegPoint::Tip => Some(self.foot()),
+            LegPoint::Joint(m) => self.joint(m),
         }
     }
 
     /// Velocity of a point for each joint's angular velocity, joint by joint: mm/rad. The place of a
     /// joint is moved by those before it only; for the others it is zero.
     #[must_use]
-    pub fn point_jacobian(&self, point: Point) -> Option<[[f64; 3]; J]> {
+    pub fn point_jacobian(&self, point: LegPoint) -> Option<[[f64; 3]; J]> {
         Some(self.jacobian_of(point)?.into())
     }
 
     /// The same as a matrix.
-    pub(super) fn jacobian_of(&self, point: Point) -> Option<SMatrix<f64, 3, J>> {
+    pub(super) fn jacobian_of(&self, point: LegPoint) -> Option<SMatrix<f64, 3, J>> {
         match point {
-            Point::Tip => Some(self.jacobian(self.foot, J)),
-            Point::Joint(m) => self.places.get(m).map(|place| self.jacobian(*place, m)),
+            LegPoint::Tip => Some(self.jacobian(self.foot, J)),
+            LegPoint::Joint(m) => self.places.get(m).map(|place| self.jacobian(*place, m)),
         }
     }
 
@@ -110,7 +110,7 @@ impl<const J: usize> Chain<J> {
 
     /// A point's velocity (mm/s) at joint rates (deg/s).
     #[must_use]
-    pub fn point_velocity(&self, point: Point, rates: &[f64; J]) -> Option<[f64; 3]> {
+    pub fn point_velocity(&self, point: LegPoint, rates: &[f64; J]) -> Option<[f64; 3]> {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
         Some((self.jacobian_of(point)? * rates).into())
     }
@@ -119,13 +119,13 @@ impl<const J: usize> Chain<J> {
     /// the foot cannot move that way.
     #[must_use]
     pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
-        self.point_rates(Point::Tip, velocity, [true; 3])
+        self.point_rates(LegPoint::Tip, velocity, [true; 3])
     }
 
     /// The least joint rates (deg/s) that give a point a velocity (mm/s) along the axes that count;
     /// `None` where it cannot move that way.
     #[must_use]
-    pub fn point_rates(&self, point: Point, velocity: [f64; 3], axes: Axes) -> Option<[f64; J]> {
+    pub fn point_rates(&self, point: LegPoint, velocity: [f64; 3], axes: Axes) -> Option<[f64; J]> {
         let jacobian = rows_that_count(self.jacobian_of(point)?, axes);
         let velocity =
             Vector3::from(velocity).zip_map(

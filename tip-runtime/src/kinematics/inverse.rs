@@ -1,7 +1,7 @@
 //! Joint angles from a foot's position.
 
-use super::{Point, search};
-use crate::model::{Inverse, Joint, Leg};
+use super::{LegPoint, search};
+use crate::model::{Inverse, Joint, Leg, Point};
 use nalgebra::Vector3;
 
 const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
@@ -12,7 +12,7 @@ const STRETCH: f64 = 1e-12;
 /// The joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do not
 /// reach it. A closed form asks nothing of the joints' limits; least squares keep within them. See [`within_limits`](super::within_limits) for the limits.
 #[must_use]
-pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> Option<[f64; J]> {
+pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<[f64; J]> {
     match kind {
         Inverse::YawPitchPitch => {
             let [yaw, thigh, knee] = leg.joints.as_slice() else {
@@ -25,17 +25,13 @@ pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: [f64; 3]) -> O
             }
             Some(angles)
         }
-        Inverse::Planar | Inverse::LeastSquares => search(leg, Point::Tip, foot, kind.axes()),
+        Inverse::Planar | Inverse::LeastSquares => search(leg, LegPoint::Tip, foot, kind.axes()),
     }
 }
 
 /// The leg turns about the vertical until it points at the foot; what is left is a triangle of
 /// thigh, shank and the line between their ends, with the knee above that line.
-fn yaw_pitch_pitch(
-    base: [f64; 3],
-    [yaw, thigh, knee]: [&Joint; 3],
-    foot: [f64; 3],
-) -> Option<[f64; 3]> {
+fn yaw_pitch_pitch(base: Point, [yaw, thigh, knee]: [&Joint; 3], foot: Point) -> Option<[f64; 3]> {
     let reach = Vector3::from(foot) - Vector3::from(base);
     let level = Vector3::new(reach.x, reach.y, 0.0);
     let (l1, l2, l3) = (length(yaw), length(thigh), length(knee));

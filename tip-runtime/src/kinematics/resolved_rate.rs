@@ -17,25 +17,25 @@ use super::Chain;
 use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
 use super::statics::is_singular;
 use super::two_joints::two_joints;
-use crate::model::{Axes, Joint, Leg, Range};
+use crate::model::{Axes, Joint, Leg, Point, Range};
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// A point of a leg that can be put somewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Point {
+pub enum LegPoint {
     /// The foot or fingertip.
     Tip,
     /// The place of a joint, counted from 0; only the joints before it move it.
     Joint(usize),
 }
 
-impl Point {
+impl LegPoint {
     /// How many joints of a leg of `joints`, from its base, move it.
     #[must_use]
     pub const fn moved_by(self, joints: usize) -> usize {
         match self {
-            Point::Tip => joints,
-            Point::Joint(m) => m,
+            LegPoint::Tip => joints,
+            LegPoint::Joint(m) => m,
         }
     }
 }
@@ -76,8 +76,8 @@ const LEANING: f64 = 0.5;
 pub fn resolve<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
 ) -> Option<[f64; J]> {
     let (angles, left) = approach(leg, from, point, target, axes, None, TURNS)?;
@@ -90,8 +90,8 @@ pub fn resolve<const J: usize>(
 pub fn resolve_towards<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
@@ -102,8 +102,8 @@ pub fn resolve_towards<const J: usize>(
 pub(crate) fn resolve_piece<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
@@ -114,12 +114,12 @@ fn lean_within<const J: usize>(
     most: usize,
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
-    if point == Point::Joint(2) && axes == PLANE {
+    if point == LegPoint::Joint(2) && axes == PLANE {
         return two_joints(leg, from, target, posture);
     }
     let (angles, left) = approach(leg, from, point, target, axes, Some(posture), most)?;
@@ -131,8 +131,8 @@ fn lean_within<const J: usize>(
 pub fn nearest<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
 ) -> Option<[f64; J]> {
     approach(leg, from, point, target, axes, None, TURNS).map(|(angles, _)| angles)
@@ -143,8 +143,8 @@ pub fn nearest<const J: usize>(
 fn approach<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
     mut posture: Option<&[f64; J]>,
     most: usize,
@@ -183,8 +183,8 @@ fn lean<const J: usize>(angles: &[f64; J], posture: &[f64; J]) -> [f64; J] {
 
 fn gap<const J: usize>(
     chain: &Chain<J>,
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
 ) -> Option<Vector3<f64>> {
     let mut gap = Vector3::from(target) - Vector3::from(chain.point(point)?);

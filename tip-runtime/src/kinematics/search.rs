@@ -5,9 +5,9 @@
 //! over the limits (multiples of the square roots of primes, modulo 1: Richtmyer, *The Evaluation of
 //! Definite Integrals, and a Quasi-Monte-Carlo Method*, 1951).
 
-use super::{Point, resolve};
+use super::{LegPoint, resolve};
 use crate::command::MAX;
-use crate::model::{Axes, Leg};
+use crate::model::{Axes, Leg, Point};
 
 /// Postures to start from, besides the initial one. Of the reachable targets of random chains these
 /// are enough for 99.9 %.
@@ -21,8 +21,8 @@ const PRIMES: [f64; MAX] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0];
 #[must_use]
 pub fn search<const J: usize>(
     leg: &Leg<J>,
-    point: Point,
-    target: [f64; 3],
+    point: LegPoint,
+    target: Point,
     axes: Axes,
 ) -> Option<[f64; J]> {
     starts(leg).find_map(|from| resolve(leg, &from, point, target, axes))

@@ -2,7 +2,7 @@
 //! Robotics*, ch. 5.9: `τ = Jᵀ F`). Forces are in N, torques in N·m, Jacobians in mm/rad.
 
 use super::chain::rows_that_count;
-use super::{Chain, Point};
+use super::{Chain, LegPoint};
 use crate::model::Axes;
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
@@ -16,7 +16,7 @@ impl<const J: usize> Chain<J> {
     /// The joint torques with which `point` pushes by `force`: `Jᵀ F`. `None` if there is no such
     /// point.
     #[must_use]
-    pub fn torques_of_force(&self, point: Point, force: [f64; 3]) -> Option<[f64; J]> {
+    pub fn torques_of_force(&self, point: LegPoint, force: [f64; 3]) -> Option<[f64; J]> {
         let torques = self.jacobian_of(point)?.transpose() * Vector3::from(force);
         Some((torques / MILLIMETRES_PER_METRE).into())
     }
@@ -26,7 +26,7 @@ impl<const J: usize> Chain<J> {
     #[must_use]
     pub fn force_of_torques(
         &self,
-        point: Point,
+        point: LegPoint,
         torques: &[f64; J],
         axes: Axes,
     ) -> Option<[f64; 3]> {

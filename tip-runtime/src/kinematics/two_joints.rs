@@ -5,7 +5,7 @@
 
 use super::ROUNDING;
 use super::chain::RADIANS_PER_DEGREE;
-use crate::model::{Joint, Leg, Range};
+use crate::model::{Joint, Leg, Point, Range};
 use nalgebra::Vector2;
 
 /// A second joint that is bent less than this is straight, and may bend to either side: deg.
@@ -20,7 +20,7 @@ const STRETCH: f64 = 1e-12;
 pub(super) fn two_joints<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
-    [x, y, _]: [f64; 3],
+    [x, y, _]: Point,
     posture: &[f64; J],
 ) -> Option<[f64; J]> {
     let [first, second, ..] = leg.joints.as_slice() else {

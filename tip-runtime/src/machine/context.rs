@@ -4,6 +4,7 @@ use super::devices::{Devices, whole_byte};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
 use crate::console::Console;
 use crate::fault::Fault;
+use crate::model::Point;
 use crate::program::{Context, Robot};
 use crate::record::Sink;
 use crate::special::{Call, Special};
@@ -78,7 +79,7 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
         self.devices.vibrate(joint, vibration)
     }
 
-    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+    fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault> {
         self.devices.pull(point, to, stiffness)
     }
 
@@ -86,7 +87,7 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
         self.devices.torques(leg)
     }
 
-    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault> {
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault> {
         self.devices.inverse(leg, from, position)
     }
 

@@ -4,6 +4,7 @@ use super::context::StepContext;
 use super::devices::Devices;
 use super::state::{State, Status};
 use super::wires::Wires;
+use crate::command::Port;
 use crate::console::Console;
 use crate::controller::ControllerView;
 use crate::emergency::{Emergency, Report};
@@ -207,6 +208,7 @@ fn sample<'a, const J: usize>(
     state: &State,
 ) -> Sample<'a> {
     let sensors = robot.sensors();
+    let soles = sensors.inputs.of(Port::Paw(1));
     let senses_torque = !matches!(controller.robot().family, Family::Titan);
     Sample {
         cycle: state.cycles,
@@ -219,8 +221,8 @@ fn sample<'a, const J: usize>(
         } else {
             &[]
         },
-        paws: sensors.paws,
-        knobs: sensors.knobs,
-        antenna: sensors.antenna,
+        paws: soles.get(..sensors.angles.len()).unwrap_or(soles),
+        knobs: sensors.inputs.of(Port::Knob(1)),
+        antenna: sensors.inputs.get(Port::Antenna).unwrap_or(0.0),
     }
 }

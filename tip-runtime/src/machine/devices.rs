@@ -6,6 +6,7 @@ use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
 use crate::controller::ControllerView;
 use crate::fault::Fault;
 use crate::hardware::SensorsView;
+use crate::model::Point;
 use crate::program::Robot;
 use crate::vibration::Vibration;
 
@@ -40,7 +41,7 @@ impl<const J: usize> Devices<'_, '_, J> {
     fn channel(&self, channel: u8) -> Result<f64, Fault> {
         match analog::wire(channel, self.sensors.angles.len(), J).ok_or(Fault::Domain)? {
             Wire::Joint(leg, joint) => self.joint(leg, joint),
-            Wire::Knob(knob) => self.knob(knob),
+            Wire::Input(port) => self.input(port),
             Wire::Open => Ok(0.0),
         }
     }
@@ -53,8 +54,11 @@ impl<const J: usize> Devices<'_, '_, J> {
         }
     }
 
-    fn knob(&self, knob: usize) -> Result<f64, Fault> {
-        self.sensors.knobs.get(knob).copied().ok_or(Fault::Domain)
+    fn input(&self, port: Port) -> Result<f64, Fault> {
+        let legs = self.sensors.angles.len();
+        let has = !matches!(port, Port::Paw(leg) if usize::from(leg) > legs);
+        let volts = self.sensors.inputs.get(port).filter(|_| has);
+        volts.ok_or(Fault::Domain)
     }
 }
 
@@ -68,7 +72,7 @@ pub(super) fn whole_byte(value: Option<f64>) -> Result<u8, Fault> {
     }
 }
 
-/// The place in an array of a leg, joint or knob that counts from 1; past every array if it is 0.
+/// The place in an array of a leg or joint that counts from 1; past every array if it is 0.
 fn index(number: u8) -> usize {
     usize::from(number).wrapping_sub(1)
 }
@@ -98,10 +102,8 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
     fn analog(&self, port: Port) -> Result<f64, Fault> {
         let volts = match port {
             Port::Channel(channel) => self.channel(channel)?,
-            Port::Knob(knob) => self.knob(index(knob))?,
             Port::Joint(leg, joint) => self.joint(index(leg), index(joint))?,
-            Port::Paw(leg) => *self.sensors.paws.get(index(leg)).ok_or(Fault::Domain)?,
-            Port::Antenna => self.sensors.antenna,
+            port => self.input(port)?,
         };
         if volts.is_finite() {
             Ok(volts)
@@ -122,7 +124,7 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
                 .get(usize::from(n))
                 .copied()
                 .unwrap_or(false),
-            Flag::Antenna => self.sensors.antenna >= TOUCH,
+            Flag::Antenna => self.input(Port::Antenna).is_ok_and(|volts| volts >= TOUCH),
         }
     }
 
@@ -136,7 +138,7 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
         self.controller.vibrate(joint, vibration)
     }
 
-    fn pull(&mut self, point: Target, to: [f64; 3], stiffness: [f64; 3]) -> Result<(), Fault> {
+    fn pull(&mut self, point: Target, to: Point, stiffness: [f64; 3]) -> Result<(), Fault> {
         self.controller.pull(point, to, stiffness)
     }
 
@@ -144,7 +146,7 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
         self.controller.torques(leg)
     }
 
-    fn inverse(&self, leg: u8, from: &[f64; MAX], position: [f64; 3]) -> Result<[f64; MAX], Fault> {
+    fn inverse(&self, leg: u8, from: &[f64; MAX], position: Point) -> Result<[f64; MAX], Fault> {
         self.controller.inverse(leg, from, position)
     }
 

@@ -1,6 +1,6 @@
 //! Descriptions in Rust: constants with a default for whatever they leave out.
 
-use super::{Inverse, Joint, Leg, Model, Range, generic};
+use super::{Inverse, Joint, Leg, Model, Point, Range, generic};
 
 /// How far beyond the working limits the potentiometers measure: deg.
 const OUTER: f64 = 5.0;
@@ -48,7 +48,7 @@ impl Joint {
 impl<const J: usize> Leg<J> {
     /// A leg whose first joint is at `base` (mm, in the robot frame); all its angles are 0 at first.
     #[must_use]
-    pub const fn at(base: [f64; 3], joints: [Joint; J]) -> Self {
+    pub const fn at(base: Point, joints: [Joint; J]) -> Self {
         Leg {
             base,
             joints,

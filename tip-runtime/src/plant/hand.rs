@@ -21,7 +21,7 @@
 //! // The floor is at −130 mm; the cylinder is 60 mm high and stands under the palm's middle.
 //! let plant = SimulatedHand::new(&hand::MODEL).with_scene(&Scene::CYLINDER);
 //! let cylinder = plant.objects()[0].expect("it is there");
-//! let [x, y] = cylinder.position;
+//! let [x, y, _] = cylinder.position;
 //! assert!(x.abs() < 1e-9 && (y + 100.0).abs() < 1e-9);
 //!
 //! let [left, right, _] = plant.fingertips();
@@ -43,7 +43,7 @@ use super::{Grasp, Limbs, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use crate::model::Model;
+use crate::model::{Model, Point};
 use crate::scene::{OBJECTS, Scene};
 use grip::{FingerPlant, Grip};
 
@@ -55,7 +55,7 @@ type Vector = nalgebra::Vector2<f64>;
 #[non_exhaustive]
 pub struct Fingertip {
     /// Where it is: mm.
-    pub position: [f64; 3],
+    pub position: Point,
     /// With what force the last link pushes the floor: N.
     pub on_floor: [f64; 3],
     /// With what force the last link pushes objects: N.
@@ -76,12 +76,12 @@ impl Fingertip {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ObjectState {
-    /// Its centre: mm.
-    pub position: [f64; 2],
+    /// Its centre: mm; z is 0.
+    pub position: Point,
     /// deg.
     pub angle: f64,
-    /// Of its centre: mm/s.
-    pub velocity: [f64; 2],
+    /// Of its centre: mm/s; along z 0.
+    pub velocity: [f64; 3],
     /// deg/s.
     pub spin: f64,
     /// How far its lowest point is above the floor: mm.

@@ -39,7 +39,7 @@ use super::{Limbs, Motion, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use crate::model::{Leg, Model};
+use crate::model::{Leg, Model, Point};
 use crate::scene::Floor;
 use ground::Ground;
 use legs::{LegPlant, Legs};
@@ -50,7 +50,7 @@ use nalgebra::Vector3;
 #[non_exhaustive]
 pub struct Foot {
     /// Where it is in the world: mm.
-    pub position: [f64; 3],
+    pub position: Point,
     /// How much of the robot it carries: N.
     pub load: f64,
     /// How far it has slipped along the floor since it touched down: mm; 0 in the air.
@@ -153,7 +153,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     }
 
     /// The centre of mass in the world: mm.
-    pub fn centre_of_mass(&self) -> [f64; 3] {
+    pub fn centre_of_mass(&self) -> Point {
         let centre = self.ground.body.point(self.ground.mass.centre);
         self.ground.floor.point(centre)
     }
@@ -265,4 +265,5 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
     }
 }
 
-type Point = Vector3<f64>;
+/// In mm, or without a unit.
+type Vector = Vector3<f64>;

@@ -20,7 +20,8 @@ impl Moved<'_> {
     /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
         if let Some(Motion { pose, .. }) = &self.motion {
-            let pose = [pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw];
+            let [x, y, z] = pose.position;
+            let pose = [x, y, z, pose.roll, pose.pitch, pose.yaw];
             out.write_str(r#","pose":"#)?;
             numbers(out, &pose)?;
         }

@@ -19,7 +19,7 @@ const RISE: [Step; 2] = [
 fn stand_up_lifts_the_body_and_sit_down_lays_it_on_its_belly() {
     let up = run(&RISE);
     let body = up.hardware().body();
-    assert!((body.z - 250.0).abs() < 3.0, "{body:?}");
+    assert!((body.position[2] - 250.0).abs() < 3.0, "{body:?}");
     assert_eq!(up.hardware().belly_load(), 0.0);
     const UP_AND_DOWN: [Step; 3] = [
         RISE[0],
@@ -28,7 +28,7 @@ fn stand_up_lifts_the_body_and_sit_down_lays_it_on_its_belly() {
     ];
     let down = run(&UP_AND_DOWN);
     let body = down.hardware().body();
-    assert!((body.z - 200.0).abs() < 3.0, "{body:?}");
+    assert!((body.position[2] - 200.0).abs() < 3.0, "{body:?}");
     assert!(down.hardware().belly_load() > 0.0);
 }
 
@@ -49,7 +49,7 @@ fn four_feet_swept_together_take_the_body_along() {
     ];
     let machine = run(&SWEEP);
     let body = machine.hardware().body();
-    assert!((body.y - 80.0).abs() < 1.0, "{body:?}");
+    assert!((body.position[1] - 80.0).abs() < 1.0, "{body:?}");
     assert_eq!(machine.hardware().falls(), 0);
     let slip = machine.hardware().worst_slip();
     assert!(slip <= 1.0, "{slip}");

@@ -2,7 +2,7 @@
 
 use crate::shapes::{ARM, Dice, PENDULUM, TRIPOD, Z, every_shape};
 use nalgebra::{Matrix3, SMatrix, SVector};
-use tip_runtime::kinematics::{Chain, Point, inverse, nearest, resolve, within_limits};
+use tip_runtime::kinematics::{Chain, LegPoint, inverse, nearest, resolve, within_limits};
 use tip_runtime::model::{Inverse, Joint, Leg, Model, Range};
 
 const SPACE: [bool; 3] = [true; 3];
@@ -124,7 +124,7 @@ fn a_joint_at_its_limit_leaves_the_rest_of_the_way_to_the_others() {
         let leg = Leg::at([0.0; 3], [upper, lower]);
         let target = [60.0, side * 200.0, 0.0];
         let start = [0.0, side * 30.0];
-        let found = nearest(&leg, &start, Point::Tip, target, SPACE);
+        let found = nearest(&leg, &start, LegPoint::Tip, target, SPACE);
         let [upper, lower] = found.expect("a tip");
         let towards = f64::atan2(200.0, 60.0 - 100.0).to_degrees();
         assert_eq!(upper, 0.0);
@@ -140,7 +140,7 @@ fn jacobians_are_what_small_turns_do() {
         for leg in &model.legs {
             let posture = dice.posture(leg);
             let chain = Chain::new(leg, &posture);
-            let points = (0..J).map(Point::Joint).chain([Point::Tip]);
+            let points = (0..J).map(LegPoint::Joint).chain([LegPoint::Tip]);
             for point in points {
                 let jacobian = chain.point_jacobian(point).expect("it is there");
                 for (m, column) in jacobian.iter().enumerate() {
@@ -174,7 +174,7 @@ fn redundant_legs_turn_by_the_least_amount() {
         for leg in &model.legs {
             let [x, y, z] = foot(leg, &leg.initial);
             let target = [x + 1e-3, y - 2e-3, z + 1.5e-3];
-            let to = resolve(leg, &leg.initial, Point::Tip, target, SPACE).expect("near");
+            let to = resolve(leg, &leg.initial, LegPoint::Tip, target, SPACE).expect("near");
             let turn = SVector::<f64, J>::from(to) - SVector::from(leg.initial);
             let jacobian = SMatrix::from(Chain::new(leg, &leg.initial).foot_jacobian());
             let spent = idle(&jacobian, turn).norm();

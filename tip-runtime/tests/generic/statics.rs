@@ -1,7 +1,7 @@
 //! Forces at the foot and the torques that they are felt by.
 
 use crate::shapes::{Z, every_shape};
-use tip_runtime::kinematics::{Chain, Point};
+use tip_runtime::kinematics::{Chain, LegPoint};
 use tip_runtime::model::{Joint, Leg, Model};
 
 const SPACE: [bool; 3] = [true; 3];
@@ -12,11 +12,11 @@ fn a_force_is_felt_again_in_the_torques_that_make_it() {
         for leg in &model.legs {
             let chain = Chain::new(leg, &leg.initial);
             // What the joints feel of any force is a force that needs no more of them.
-            let torques = chain.torques_of_force(Point::Tip, [3.0, -2.0, 5.0]);
+            let torques = chain.torques_of_force(LegPoint::Tip, [3.0, -2.0, 5.0]);
             let torques = torques.expect("a tip");
-            let felt = chain.force_of_torques(Point::Tip, &torques, SPACE);
+            let felt = chain.force_of_torques(LegPoint::Tip, &torques, SPACE);
             let felt = felt.expect("not singular");
-            let again = chain.torques_of_force(Point::Tip, felt).expect("a tip");
+            let again = chain.torques_of_force(LegPoint::Tip, felt).expect("a tip");
             for (again, torque) in again.iter().zip(torques) {
                 assert!((again - torque).abs() < 1e-9);
             }
@@ -38,7 +38,7 @@ fn length(vector: [f64; 3]) -> f64 {
 #[test]
 fn nothing_is_felt_by_a_joint_that_the_foot_does_not_turn_about() {
     let upright = Leg::at([0.0; 3], [Joint::revolute(Z, [0.0, 0.0, 100.0])]);
-    let felt = Chain::new(&upright, &[0.0]).force_of_torques(Point::Tip, &[1.0], SPACE);
+    let felt = Chain::new(&upright, &[0.0]).force_of_torques(LegPoint::Tip, &[1.0], SPACE);
     assert_eq!(felt, None);
 }
 
@@ -48,8 +48,9 @@ fn nothing_is_felt_by_a_joint_that_the_foot_does_not_turn_about() {
 fn two_links_lose_a_direction_of_force_when_they_are_stretched_out() {
     let link = Joint::revolute(Z, [100.0, 0.0, 0.0]);
     let leg = Leg::at([0.0; 3], [link, link]);
-    let felt =
-        |bent: f64| Chain::new(&leg, &[0.0, bent]).force_of_torques(Point::Tip, &[1.0; 2], SPACE);
+    let felt = |bent: f64| {
+        Chain::new(&leg, &[0.0, bent]).force_of_torques(LegPoint::Tip, &[1.0; 2], SPACE)
+    };
     assert_eq!(felt(0.0142), None);
     assert!(felt(0.0144).is_some());
     assert_eq!(felt(-0.0142), None);

@@ -3,7 +3,7 @@
 use crate::program::{Step, bench, run};
 use crate::shapes::{ARM, BIPED, HEXAPOD, NINE, PENDULUM, SLED, SPIDER, TRIPOD};
 use tip_runtime::command::{Op, Target};
-use tip_runtime::kinematics::{Chain, Point};
+use tip_runtime::kinematics::{Chain, LegPoint};
 use tip_runtime::model::{Inverse, Model, generic};
 use tip_runtime::plant::SimulatedPlant;
 
@@ -44,7 +44,8 @@ fn all_legs_carry_a_robot_that_stands() {
         assert!((carried - weight(model)).abs() < 1e-6, "{carried}");
         assert_eq!(plant.contacts(), [true; L]);
         assert_eq!((plant.belly_load(), plant.falls()), (0.0, 0));
-        assert!((plant.body().z - 130.0).abs() < 2.5, "{:?}", plant.body());
+        let [_, _, up] = plant.body().position;
+        assert!((up - 130.0).abs() < 2.5, "{:?}", plant.body());
         assert!(plant.margin() > 50.0);
     }
     stands(&TRIPOD);
@@ -65,7 +66,7 @@ fn what_is_bolted_down_stays_and_cannot_fall() {
         assert_eq!(fault, None, "{}", model.name);
         let plant = bench.hardware();
         assert_eq!(plant.body(), before);
-        assert_eq!((before.x, before.y, before.z), (0.0, 0.0, 0.0));
+        assert_eq!(before.position, [0.0; 3]);
         assert_eq!((plant.falls(), plant.belly_load()), (0, 0.0));
         assert!(plant.feet().iter().all(|foot| !foot.touches()));
     }
@@ -161,11 +162,12 @@ fn a_hexapod_walks_with_either_inverse_kinematics() {
         let plant = bench.hardware();
         assert_eq!(plant.falls(), 0);
         // Half a stride each time that a tripod carries the body.
-        assert!((plant.body().y - 120.0).abs() < 12.0, "{:?}", plant.body());
-        assert!(plant.body().x.abs() < 1.0 && plant.body().yaw.abs() < 0.5);
+        let [right, forward, _] = plant.body().position;
+        assert!((forward - 120.0).abs() < 12.0, "{:?}", plant.body());
+        assert!(right.abs() < 1.0 && plant.body().yaw.abs() < 0.5);
         ends.push(plant.body());
     }
-    let gap = ends[0].y - ends[1].y;
+    let gap = ends[0].position[1] - ends[1].position[1];
     assert!(gap.abs() < 1e-3, "{ends:?}");
 }
 
@@ -192,7 +194,7 @@ fn a_foot_on_a_spring_comes_to_rest_on_the_floor() {
     // middle.
     let chain = Chain::new(&model.legs[0], &angles);
     let of_foot = chain.foot_jacobian()[1];
-    let knee = chain.point_jacobian(Point::Joint(2)).expect("a knee");
+    let knee = chain.point_jacobian(LegPoint::Joint(2)).expect("a knee");
     let to_knee = knee[1][2];
     let pull: f64 = (0..3)
         .map(|axis| of_foot[axis] * (target[axis] - chain.foot()[axis]))

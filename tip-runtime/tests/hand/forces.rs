@@ -5,7 +5,7 @@ use tip_runtime::command::{Op, Target, Teach, Value};
 use tip_runtime::controller::Controller;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::Sensors;
-use tip_runtime::kinematics::{Chain, Point};
+use tip_runtime::kinematics::{Chain, LegPoint};
 use tip_runtime::model::{generic, hand};
 
 // clauses: 7.1 7.10
@@ -84,12 +84,12 @@ fn torques_beyond_a_force_are_left_out() {
     let chain = Chain::new(&hand::MODEL.legs[0], &[10.0, 30.0, 40.0]);
     let torques = [0.03, 0.05, -0.02];
     let force = chain
-        .force_of_torques(Point::Tip, &torques, [true, true, false])
+        .force_of_torques(LegPoint::Tip, &torques, [true, true, false])
         .expect("regular");
-    let explained = chain.torques_of_force(Point::Tip, force).expect("a tip");
+    let explained = chain.torques_of_force(LegPoint::Tip, force).expect("a tip");
     for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
         let along = chain
-            .torques_of_force(Point::Tip, direction)
+            .torques_of_force(LegPoint::Tip, direction)
             .expect("a tip");
         let rest: f64 = (0..3).map(|m| (torques[m] - explained[m]) * along[m]).sum();
         close(rest, 0.0, 1e-12);

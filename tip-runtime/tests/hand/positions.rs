@@ -4,7 +4,7 @@ use crate::rig::{F1, Hand, J11, J12, J13, all_close, close};
 use nalgebra::Matrix3;
 use tip_runtime::command::{Command, Op, Poll, Target, Teach, Value};
 use tip_runtime::fault::Fault;
-use tip_runtime::kinematics::{Chain, Point, resolve};
+use tip_runtime::kinematics::{Chain, LegPoint, resolve};
 use tip_runtime::model::hand;
 
 const ALL: Target = Target::All;
@@ -46,7 +46,7 @@ fn a_small_step_is_the_least_turn() {
     for from in [[-40.0, 10.0, 80.0], [10.0, 30.0, 40.0], [30.0, 60.0, 20.0]] {
         let [x, y, z] = tip_of(from);
         let angles =
-            resolve(finger, &from, Point::Tip, [x + 1e-3, y - 2e-3, z], PLANE).expect("near");
+            resolve(finger, &from, LegPoint::Tip, [x + 1e-3, y - 2e-3, z], PLANE).expect("near");
         all_close(tip_of(angles), [x + 1e-3, y - 2e-3, 0.0], 1e-8);
         // What keeps the tip in place is across both rows of the Jacobian: no share of it is spent.
         let jacobian = Matrix3::from(Chain::new(finger, &from).foot_jacobian());
@@ -65,7 +65,7 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
     for x in (-150..=20).step_by(10) {
         for y in (-150..=-60).step_by(10) {
             let target = [f64::from(x), f64::from(y), 0.0];
-            if let Some(angles) = resolve(finger, &finger.initial, Point::Tip, target, PLANE) {
+            if let Some(angles) = resolve(finger, &finger.initial, LegPoint::Tip, target, PLANE) {
                 all_close(tip_of(angles), target, 1e-6);
                 for (joint, angle) in finger.joints.iter().zip(angles) {
                     assert!(joint.limits.contains(angle));
@@ -76,7 +76,7 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
     let near = resolve(
         finger,
         &finger.initial,
-        Point::Tip,
+        LegPoint::Tip,
         [-60.0, -159.9, 0.0],
         PLANE,
     );
@@ -84,7 +84,7 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
     let far = resolve(
         finger,
         &finger.initial,
-        Point::Tip,
+        LegPoint::Tip,
         [-60.0, -160.1, 0.0],
         PLANE,
     );
@@ -93,7 +93,7 @@ fn what_is_found_is_within_the_limits_and_what_is_not_is_far() {
     let end = resolve(
         finger,
         &finger.initial,
-        Point::Tip,
+        LegPoint::Tip,
         [-60.0, -160.0, 0.0],
         PLANE,
     );

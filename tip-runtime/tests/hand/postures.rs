@@ -57,7 +57,7 @@ fn a_fingertip_that_is_there_already_stays_while_its_joints_return() {
     let there = tip_runtime::kinematics::resolve(
         &hand::MODEL.legs[0],
         &[-55.0, 40.0, 45.0],
-        tip_runtime::kinematics::Point::Tip,
+        tip_runtime::kinematics::LegPoint::Tip,
         tip,
         [true, true, false],
     );

@@ -112,7 +112,7 @@ fn a_disc_rolls_down_a_slope_and_slides_where_friction_is_small() {
         let before = object(&plant);
         write(&mut plant, &outputs(held()), cycles(0.1));
         let after = object(&plant);
-        let speed = |velocity: [f64; 2]| velocity[0].hypot(velocity[1]) / 1000.0;
+        let speed = |velocity: [f64; 3]| velocity[0].hypot(velocity[1]) / 1000.0;
         let gained = (speed(after.velocity) - speed(before.velocity)) / 0.1;
         let spun = (after.spin - before.spin).to_radians() / 0.1;
         let angle = 0.3_f64.atan();
@@ -175,7 +175,7 @@ fn energy_is_never_gained() {
     for _ in 0..cycles(1.5) {
         write(&mut plant, &outputs(held()), 1);
         let state = object(&plant);
-        let [x, y] = state.velocity.map(|velocity| velocity / 1000.0);
+        let [x, y, _] = state.velocity.map(|velocity| velocity / 1000.0);
         let spin = state.spin.to_radians();
         let motion = 0.05 * (x * x + y * y) / 2.0 + inertia * spin * spin / 2.0;
         let height = 0.05 * G * (state.position[1] + 130.0) / 1000.0;

@@ -118,7 +118,7 @@ fn the_palm_feels_what_reaches_it() {
     let mut sensors = Sensors::ZERO;
     let mut antenna = |plant: &mut Plant| {
         plant.read(&mut sensors).expect("good sensors");
-        sensors.antenna
+        sensors.inputs.get(Port::Antenna).expect("a palm")
     };
     assert_eq!(antenna(&mut plant), 0.0);
     let lift = |y: f64| Outputs {
@@ -159,7 +159,7 @@ fn inputs_read_what_somebody_set() {
     assert!(!plant.set_sensor(Port::Joint(4, 1), 0.0));
     let mut sensors = Sensors::ZERO;
     plant.read(&mut sensors).expect("good sensors");
-    assert_eq!(sensors.knobs[0], 2.5);
+    assert_eq!(sensors.inputs.get(Port::Knob(1)), Some(2.5));
     assert_eq!(sensors.angles[0][0], 0.0);
     assert_eq!(sensors.slider, [0.0, -130.0, 0.0]);
 }

@@ -59,9 +59,12 @@ fn the_body_travels_one_stride_with_each_cycle_of_a_crawl() {
     for cycle in 1..=3 {
         crawl(&mut rig, Flaw::None);
         let body = rig.plant.body();
-        assert!(close(body.y, f64::from(cycle) * STRIDE, 1.0), "{body:?}");
         assert!(
-            close(body.x, 0.0, 1.0) && close(body.yaw, 0.0, 0.3),
+            close(body.position[1], f64::from(cycle) * STRIDE, 1.0),
+            "{body:?}"
+        );
+        assert!(
+            close(body.position[0], 0.0, 1.0) && close(body.yaw, 0.0, 0.3),
             "{body:?}"
         );
     }
@@ -74,7 +77,7 @@ fn a_crawl_with_one_sweep_reversed_is_found_out() {
     let mut rig = Rig::standing();
     crawl(&mut rig, Flaw::ReversedSweep);
     assert!(rig.plant.worst_slip() > 10.0);
-    assert!(rig.plant.body().y < 0.9 * STRIDE);
+    assert!(rig.plant.body().position[1] < 0.9 * STRIDE);
 }
 
 #[test]

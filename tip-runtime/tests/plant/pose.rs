@@ -8,7 +8,7 @@ use tip_runtime::plant::{Floor, SimulatedPlant};
 fn at_the_start_belly_and_feet_share_the_weight() {
     let rig = Rig::new();
     let body = rig.plant.body();
-    assert!(close(body.z, 200.0, 0.5), "{body:?}");
+    assert!(close(body.position[2], 200.0, 0.5), "{body:?}");
     assert!(close(body.roll, 0.0, 1e-9) && close(body.pitch, 0.0, 1e-9));
     let feet: f64 = rig.loads().iter().sum();
     assert!(feet > 10.0 && rig.plant.belly_load() > 10.0);
@@ -19,11 +19,11 @@ fn at_the_start_belly_and_feet_share_the_weight() {
 #[test]
 fn feet_that_push_down_lift_the_body_and_feet_in_the_air_leave_it_on_its_belly() {
     let mut rig = Rig::standing();
-    assert!(close(rig.plant.body().z, 250.0, 1.0));
+    assert!(close(rig.plant.body().position[2], 250.0, 1.0));
     assert_eq!(rig.plant.belly_load(), 0.0);
     assert!(close(rig.loads().iter().sum(), WEIGHT, 1e-6));
     rig.move_to(stance(-150.0));
-    assert!(close(rig.plant.body().z, 200.0, 1.0));
+    assert!(close(rig.plant.body().position[2], 200.0, 1.0));
     assert_eq!(rig.loads(), [0.0; 4]);
     let belly = rig.plant.belly_load();
     assert!(close(belly, WEIGHT, 1e-6), "{belly} {:?}", rig.plant.body());
@@ -41,15 +41,15 @@ fn a_symmetrical_stance_shares_the_weight_equally() {
 #[test]
 fn the_body_travels_what_its_feet_sweep() {
     let mut rig = Rig::standing();
-    let start = rig.plant.body();
+    let [x, y, z] = rig.plant.body().position;
     rig.change(|feet| feet.iter_mut().for_each(|foot| foot[1] -= 100.0));
     let body = rig.plant.body();
     // The legs give a little under the weight that moves to the front.
-    assert!(close(body.y - start.y, 100.0, 0.3), "{body:?}");
-    assert!(close(body.x, start.x, 0.1) && close(body.z, start.z, 0.1));
+    assert!(close(body.position[1] - y, 100.0, 0.3), "{body:?}");
+    assert!(close(body.position[0], x, 0.1) && close(body.position[2], z, 0.1));
     rig.change(|feet| feet.iter_mut().for_each(|foot| foot[0] += 30.0));
     let body = rig.plant.body();
-    assert!(close(body.x - start.x, -30.0, 0.1), "{body:?}");
+    assert!(close(body.position[0] - x, -30.0, 0.1), "{body:?}");
     assert!(rig.plant.worst_slip() <= 1.0);
 }
 
@@ -65,7 +65,7 @@ fn the_body_turns_against_its_feet() {
     });
     let body = rig.plant.body();
     assert!(close(body.yaw, 0.1_f64.to_degrees(), 0.01), "{body:?}");
-    assert!(close(body.x, 0.0, 0.1) && close(body.y, 0.0, 0.1));
+    assert!(close(body.position[0], 0.0, 0.1) && close(body.position[1], 0.0, 0.1));
     // Feet on a chord of the circle squeeze in between.
     assert!(rig.plant.worst_slip() <= 1.0);
 }
@@ -92,7 +92,7 @@ fn a_higher_floor_lifts_everything() {
         ..Floor::LEVEL
     };
     let rig = Rig::on(SimulatedPlant::new(&titan8::MODEL).with_floor(floor));
-    assert!(close(rig.plant.body().z, 230.0, 0.5));
+    assert!(close(rig.plant.body().position[2], 230.0, 0.5));
     assert!(close(rig.plant.feet()[0].position[2], 30.0, 0.5));
 }
 
@@ -122,7 +122,11 @@ fn on_a_slope_the_body_stands_parallel_and_its_lower_feet_carry_more() {
     );
     rig.change(|feet| feet.iter_mut().for_each(|foot| foot[1] -= CENTIMETRE));
     let climbed = rig.plant.body();
-    assert!(close(climbed.z - body.z, CENTIMETRE * libm::sin(up), 0.05));
+    assert!(close(
+        climbed.position[2] - body.position[2],
+        CENTIMETRE * libm::sin(up),
+        0.05
+    ));
 }
 
 #[test]

@@ -7,22 +7,29 @@ use tip_runtime::hardware::{Hardware, Outputs};
 use tip_runtime::model::hand;
 use tip_runtime::plant::{Plant, SimulatedHand};
 
+/// What the soles of the four legs read: V.
+fn soles(rig: &mut Rig) -> [f64; 4] {
+    let inputs = rig.sensors().inputs;
+    [1, 2, 3, 4].map(|leg| inputs.get(Port::Paw(leg)).expect("a sole"))
+}
+
 // clauses: 7.32
 #[test]
 fn soles_measure_five_volts_for_two_hundred_newtons() {
     let mut rig = Rig::standing();
-    for volts in rig.sensors().paws {
+    for volts in soles(&mut rig) {
         assert!(close(volts, WEIGHT / 4.0 / 40.0, 1e-6), "{volts}");
     }
     rig.change(|feet| feet.iter_mut().for_each(|foot| foot[2] = -150.0));
-    assert_eq!(rig.sensors().paws, [0.0; 4]);
+    assert_eq!(soles(&mut rig), [0.0; 4]);
 }
 
 // clauses: 7.32
 #[test]
 fn what_nothing_drives_reads_zero() {
-    let sensors = Rig::standing().sensors();
-    assert_eq!((sensors.knobs, sensors.antenna), ([0.0; 3], 0.0));
+    let inputs = Rig::standing().sensors().inputs;
+    assert_eq!(inputs.of(Port::Knob(1)), [0.0; 3]);
+    assert_eq!(inputs.get(Port::Antenna), Some(0.0));
 }
 
 // clauses: 7.32
@@ -38,8 +45,9 @@ fn a_set_input_reads_what_it_was_set_to() {
     assert!(plant.set_sensor(Port::Joint(1, 3), 2.5));
     let angles = plant.angles();
     let sensors = rig.sensors();
-    assert_eq!(sensors.knobs, [8.0, 0.0, -1.5]);
-    assert_eq!((sensors.paws[3], sensors.antenna), (4.5, 2.0));
+    assert_eq!(sensors.inputs.of(Port::Knob(1)), [8.0, 0.0, -1.5]);
+    assert_eq!(sensors.inputs.get(Port::Paw(4)), Some(4.5));
+    assert_eq!(sensors.inputs.get(Port::Antenna), Some(2.0));
     assert_eq!(sensors.angles[0][2], 116.25);
     assert_eq!(rig.plant.angles(), angles);
     assert_eq!(sensors.angles[0][1], angles[0][1]);

@@ -1,6 +1,6 @@
 //! A controller on ideal servos: every joint is measured where it was commanded to be.
 
-use tip_runtime::command::{Command, Op, Poll, Target, Value};
+use tip_runtime::command::{Command, Op, Poll, Port, Target, Value};
 use tip_runtime::controller::Controller;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{JointCommand, Sensors};
@@ -45,6 +45,11 @@ impl Rig {
     /// Where the commands put foot `n`.
     pub(crate) fn foot(&self, n: usize) -> [f64; 3] {
         Chain::new(&self.model.legs[n - 1], &self.commanded()[n - 1]).foot()
+    }
+
+    /// What the sole of foot `n` reads from now on: V.
+    pub(crate) fn sole(&mut self, n: usize, volts: f64) {
+        assert!(self.sensors.inputs.set(Port::Paw(n as u8), volts));
     }
 
     /// Phase 1: the sensors are read.

@@ -16,7 +16,6 @@ use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Operand, VariableKind, Word};
 use tip_runtime::command::{Port, Target, Teach};
-use tip_runtime::model::Family;
 
 impl Resolver<'_> {
     pub(super) fn teach(
@@ -115,7 +114,6 @@ impl Resolver<'_> {
     }
 
     fn port(&mut self, operand: &Operand, id: &str) -> Option<Port> {
-        let family = self.robot.signature().family;
         let named = inputs::find(id, self.names.edition);
         let found = named.filter(|(port, row)| {
             let joint = port.joint();
@@ -129,12 +127,7 @@ impl Resolver<'_> {
                 name: id.into(),
             };
             let inventory = inventory(self.robot);
-            let soles = || format!("{}…{}", Port::Paw(1), Port::Paw(4));
-            let others = match family {
-                Family::Titan => vec![soles(), Port::Antenna.to_string()],
-                Family::Hand => vec![Port::Antenna.to_string()],
-                Family::Generic => Vec::new(),
-            };
+            let others: Vec<String> = inputs::others(self.robot).collect();
             let help = match others.is_empty() {
                 true => Commanding::Inputs { inventory },
                 false => Commanding::InputsWith {

@@ -2,6 +2,7 @@
 
 use super::Edition;
 use super::commands::Robots;
+use crate::robot::Robot;
 use std::mem::discriminant;
 use tip_runtime::command::Port;
 
@@ -67,6 +68,18 @@ pub fn find(word: &str, edition: Edition) -> Option<(Port, &'static Row)> {
 /// The inputs besides joints.
 pub fn named() -> impl Iterator<Item = Port> {
     INPUTS.iter().flat_map(|row| row.port.named())
+}
+
+/// The kinds that a robot has besides knobs and joints, each as its inputs are named.
+pub(crate) fn others(robot: Robot) -> impl Iterator<Item = String> {
+    let rows = INPUTS.iter().filter(move |row| row.robots.contains(robot));
+    let rows = rows.filter(|row| !matches!(row.port, Port::Knob(_)));
+    rows.filter_map(
+        |row| match (row.port.named().next()?, row.port.named().last()?) {
+            (only, last) if only == last => Some(only.to_string()),
+            (first, last) => Some(format!("{first}…{last}")),
+        },
+    )
 }
 
 #[cfg(test)]

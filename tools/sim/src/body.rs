@@ -10,7 +10,7 @@ use crate::shell::Shell;
 use tip_runtime::command::Port;
 use tip_runtime::kinematics::Chain;
 use tip_runtime::machine::{Machine, Mismatch};
-use tip_runtime::model::{self, Forces, Inverse, Leg, Model};
+use tip_runtime::model::{self, Forces, Inverse, Leg, Model, Point};
 use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
 
 /// A model, and what simulates it, whatever its size.
@@ -33,7 +33,7 @@ pub struct Anatomy {
     /// Joints of each leg.
     pub joints: usize,
     /// Where each foot is in the initial posture: mm.
-    pub feet: Vec<[f64; 3]>,
+    pub feet: Vec<Point>,
 }
 
 /// How a robot is simulated, and what is around it.
@@ -104,7 +104,7 @@ impl<const L: usize, const J: usize> Sized<L, J> {
 /// Where each foot is in the initial posture: mm.
 // Out of line, or it would be copied for each number of legs.
 #[inline(never)]
-fn feet<const J: usize>(legs: &[Leg<J>]) -> Vec<[f64; 3]> {
+fn feet<const J: usize>(legs: &[Leg<J>]) -> Vec<Point> {
     let foot = |leg: &Leg<J>| Chain::new(leg, &leg.initial).foot();
     legs.iter().map(foot).collect()
 }

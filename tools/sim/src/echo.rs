@@ -1,8 +1,8 @@
 //! A robot that is cheap to simulate: joints are at once where they are commanded to be.
 
-use tip_runtime::command::{KNOBS, Port};
-use tip_runtime::hardware::{JointCommand, Outputs, Sensors};
-use tip_runtime::model::{self, Forces, Leg, Model, Range, Slider};
+use tip_runtime::command::Port;
+use tip_runtime::hardware::{Inputs, JointCommand, Outputs, Sensors};
+use tip_runtime::model::{self, Forces, Leg, Model, Point, Range, Slider};
 
 /// How far a joint with all its torque turns in a cycle: deg.
 const DRIFT: f64 = 0.3;
@@ -12,13 +12,11 @@ const DRIFT: f64 = 0.3;
 pub(crate) struct Echo {
     joints: Vec<Joint>,
     /// V.
-    paws: Vec<f64>,
-    /// V.
-    knobs: [f64; KNOBS],
-    /// V.
-    antenna: f64,
+    inputs: Inputs,
+    /// How many soles it has: one on each leg, if it stands on them.
+    soles: usize,
     /// mm.
-    slider: [f64; 3],
+    slider: Point,
     /// What a joint drives its link with while something is touched, in the robot's torque unit.
     resistance: f64,
     /// The most that a joint can do, in the same unit.
@@ -40,7 +38,7 @@ impl Echo {
         let mut echo = Self::of(&model.legs, model.forces.as_ref(), model.slider.as_ref());
         // Only a body that stands on its legs has soles.
         if model.body.is_none() {
-            echo.paws.clear();
+            echo.soles = 0;
         }
         echo
     }
@@ -62,9 +60,8 @@ impl Echo {
             .flat_map(|leg| leg.joints.iter().zip(&leg.initial));
         Echo {
             joints: joints.map(resting).collect(),
-            paws: vec![0.0; legs.len()],
-            knobs: [0.0; KNOBS],
-            antenna: 0.0,
+            inputs: Inputs::all(0.0),
+            soles: legs.len(),
             slider: slider.map_or([0.0; 3], |slider| slider.initial),
             resistance: forces.map_or(0.0, |forces| 2.0 * forces.search_torque),
             torque_max: forces.map_or(1.0, |forces| forces.torque_max),
@@ -79,9 +76,8 @@ impl Echo {
 
     pub(crate) fn read<const L: usize, const J: usize>(&self, into: &mut Sensors<L, J>) {
         let angles = into.angles.as_flattened_mut();
-        self.measure(angles, into.torques.as_flattened_mut(), &mut into.paws);
-        into.knobs = self.knobs;
-        into.antenna = self.antenna;
+        self.measure(angles, into.torques.as_flattened_mut());
+        into.inputs = self.inputs;
         into.slider = self.slider;
     }
 
@@ -90,15 +86,12 @@ impl Echo {
         self.slider = outputs.slider;
     }
 
-    /// What joints and soles read, leg by leg.
+    /// What joints read, leg by leg.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    fn measure(&self, angles: &mut [f64], torques: &mut [f64], paws: &mut [f64]) {
+    fn measure(&self, angles: &mut [f64], torques: &mut [f64]) {
         for (joint, (angle, torque)) in self.joints.iter().zip(angles.iter_mut().zip(torques)) {
             (*angle, *torque) = (joint.angle, joint.torque);
-        }
-        for (read, paw) in paws.iter_mut().zip(&self.paws) {
-            *read = *paw;
         }
     }
 
@@ -125,13 +118,8 @@ impl Echo {
 
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
     pub(crate) fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        let input = match port {
-            Port::Knob(n) => self.knobs.get_mut(usize::from(n).wrapping_sub(1)),
-            Port::Paw(n) => self.paws.get_mut(usize::from(n).wrapping_sub(1)),
-            Port::Antenna => Some(&mut self.antenna),
-            Port::Channel(_) | Port::Joint(..) => None,
-        };
-        input.map(|input| *input = volts).is_some()
+        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > self.soles);
+        !lacks && self.inputs.set(port, volts)
     }
 }
 
@@ -141,7 +129,6 @@ impl Clone for Echo {
     fn clone(&self) -> Self {
         Echo {
             joints: self.joints.clone(),
-            paws: self.paws.clone(),
             ..*self
         }
     }

@@ -34,9 +34,9 @@ fn a_walk_travels_from_where_it_began_to_where_it_is() -> Outcome {
     run.to_end(Limit::NONE);
     let motion = run.motion().expect("it walks");
     let (travel, pose) = (motion.travel, motion.pose);
-    close(travel.x, pose.x - began.x, 1e-9);
-    close(travel.y, pose.y - began.y, 1e-9);
-    close(travel.z, pose.z - began.z, 1e-9);
+    close(travel.x, pose.position[0] - began.position[0], 1e-9);
+    close(travel.y, pose.position[1] - began.position[1], 1e-9);
+    close(travel.z, pose.position[2] - began.position[2], 1e-9);
     close(travel.turn, pose.yaw - began.yaw, 0.1);
     // Six strides of 200 mm, and it sits down as it sat.
     close(travel.y, 1200.0, 15.0);

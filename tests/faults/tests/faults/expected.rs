@@ -63,16 +63,9 @@ impl Expected {
             }
             Place::Slider(_) if model.slider.is_none() => Expected::GoesOn,
             Place::Slider(_) if !is_number => Expected::StopsAtOnce(Fault::SliderSensor),
-            Place::Sole(_) if matches!(model.family, Family::Hand) => Expected::GoesOn,
-            Place::Knob(knob) if !is_number => {
-                Expected::StopsWhereRead(Fault::Sensor(Port::Knob(number(knob))))
-            }
-            Place::Sole(n) if !is_number => {
-                Expected::StopsWhereRead(Fault::Sensor(Port::Paw(number(n))))
-            }
-            Place::Antenna if !is_number => Expected::StopsWhereRead(Fault::Sensor(Port::Antenna)),
-            Place::Torque(..) | Place::Slider(_) | Place::Knob(_) => Expected::GoesOnWithIt,
-            Place::Sole(_) | Place::Antenna => Expected::GoesOnWithIt,
+            Place::Input(Port::Paw(_)) if matches!(model.family, Family::Hand) => Expected::GoesOn,
+            Place::Input(port) if !is_number => Expected::StopsWhereRead(Fault::Sensor(port)),
+            Place::Torque(..) | Place::Slider(_) | Place::Input(_) => Expected::GoesOnWithIt,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Where a sensor can go wrong.
 
+use tip_runtime::command::Port;
 use tip_runtime::hardware::Sensors;
 
 /// One number that a robot measures; legs and joints count from 0.
@@ -7,9 +8,7 @@ use tip_runtime::hardware::Sensors;
 pub(crate) enum Place {
     Angle(usize, usize),
     Torque(usize, usize),
-    Knob(usize),
-    Sole(usize),
-    Antenna,
+    Input(Port),
     Slider(usize),
 }
 
@@ -19,9 +18,9 @@ impl Place {
         let joints = || (0..L).flat_map(|n| (0..J).map(move |m| (n, m)));
         let mut all: Vec<Place> = joints().map(|(n, m)| Place::Angle(n, m)).collect();
         all.extend(joints().map(|(n, m)| Place::Torque(n, m)));
-        all.extend((0..3).map(Place::Knob));
-        all.extend((0..L).map(Place::Sole));
-        all.push(Place::Antenna);
+        let soles = (1..).take(L).map(Port::Paw);
+        let inputs = Port::Knob(1).named().chain(soles).chain([Port::Antenna]);
+        all.extend(inputs.map(Place::Input));
         all.extend((0..3).map(Place::Slider));
         all
     }
@@ -33,9 +32,7 @@ impl Place {
         match self {
             Place::Angle(n, m) => &mut sensors.angles[n][m],
             Place::Torque(n, m) => &mut sensors.torques[n][m],
-            Place::Knob(i) => &mut sensors.knobs[i],
-            Place::Sole(n) => &mut sensors.paws[n],
-            Place::Antenna => &mut sensors.antenna,
+            Place::Input(port) => sensors.inputs.get_mut(port).expect("a robot may have it"),
             Place::Slider(axis) => &mut sensors.slider[axis],
         }
     }
@@ -45,9 +42,10 @@ impl Place {
         match self {
             Place::Angle(..) => "joint angle",
             Place::Torque(..) => "joint torque",
-            Place::Knob(_) => "knob",
-            Place::Sole(_) => "sole",
-            Place::Antenna => "antenna",
+            Place::Input(Port::Knob(_)) => "knob",
+            Place::Input(Port::Paw(_)) => "sole",
+            Place::Input(Port::Antenna) => "antenna",
+            Place::Input(Port::Channel(_) | Port::Joint(..)) => unreachable!(),
             Place::Slider(_) => "slider",
         }
     }

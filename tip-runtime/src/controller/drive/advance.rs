@@ -7,8 +7,8 @@ use crate::controller::params::{JointParams, LegParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
 use crate::fault::Fault;
-use crate::kinematics::{Chain, Point, ROUNDING};
-use crate::model::{Inverse, Joint, Leg, Range};
+use crate::kinematics::{Chain, LegPoint, ROUNDING};
+use crate::model::{Inverse, Joint, Leg, Point, Range};
 
 /// What holds for every leg while they move on.
 #[derive(Clone, Copy)]
@@ -64,12 +64,12 @@ impl<const J: usize> LegDrive<J> {
                 result
             }
             Drive::Foot(mut foot) => {
-                let result = self.advance_point(Point::Tip, &mut foot, leg, going);
+                let result = self.advance_point(LegPoint::Tip, &mut foot, leg, going);
                 self.drive = Drive::Foot(foot);
                 result
             }
             Drive::Third(mut third, mut tracks) => {
-                let point = self.advance_point(Point::Joint(THIRD), &mut third, leg, going);
+                let point = self.advance_point(LegPoint::Joint(THIRD), &mut third, leg, going);
                 let joints = self.advance_joints(&mut tracks, THIRD, leg, going);
                 self.drive = Drive::Third(third, tracks);
                 point.and(joints)
@@ -151,7 +151,7 @@ impl<const J: usize> LegDrive<J> {
 
     fn advance_point(
         &mut self,
-        point: Point,
+        point: LegPoint,
         track: &mut Track<3>,
         leg: &Mover<'_, J>,
         going: &Going,
@@ -192,13 +192,13 @@ impl<const J: usize> LegDrive<J> {
     /// leg comes from: a foot that stays where it is needs no second solution.
     fn solve(
         &mut self,
-        point: Point,
+        point: LegPoint,
         track: &Track<3>,
         leg: &Mover<'_, J>,
         going: &Going,
     ) -> Result<[f64; J], Fault> {
         let foot = track.position();
-        let is_closed = going.inverse == Inverse::YawPitchPitch && point == Point::Tip;
+        let is_closed = going.inverse == Inverse::YawPitchPitch && point == LegPoint::Tip;
         let solved = self.solved.filter(|solved| is_same(solved.foot, foot));
         if let Some(solved) = solved.filter(|_| is_closed) {
             return Ok(solved.angles);
@@ -221,7 +221,7 @@ impl<const J: usize> LegDrive<J> {
 
     fn advance_soft_point(
         &mut self,
-        point: Point,
+        point: LegPoint,
         track: &mut Track<3>,
         leg: &Mover<'_, J>,
         going: &Going,
@@ -280,6 +280,6 @@ impl<const J: usize> LegDrive<J> {
 }
 
 /// Whether two places are the same to the bit.
-fn is_same(a: [f64; 3], b: [f64; 3]) -> bool {
+fn is_same(a: Point, b: Point) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }

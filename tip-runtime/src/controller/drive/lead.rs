@@ -9,7 +9,7 @@ use super::guide::{Guide, Line};
 use super::reach::has_few_joints;
 use super::search::{Outcome, Search};
 use super::trial::PointOfLeg;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 use crate::model::{Inverse, Leg};
 
 /// Who decides about joints to spare.
@@ -27,7 +27,7 @@ impl<const J: usize> Lead<J> {
     /// On the path of a point along `line`, for a leg at the angles `from`.
     pub(in crate::controller) fn to_place(
         inverse: Inverse,
-        point: Point,
+        point: LegPoint,
         from: &[f64; J],
         line: Line,
     ) -> Self {
@@ -45,7 +45,7 @@ impl<const J: usize> Lead<J> {
         line: Line,
         initial: [f64; J],
     ) -> Self {
-        if has_choice::<J>(inverse, Point::Tip) {
+        if has_choice::<J>(inverse, LegPoint::Tip) {
             Lead::Sought(Search::new(*from, line, Some(initial)))
         } else {
             Lead::None
@@ -57,7 +57,7 @@ impl<const J: usize> Lead<J> {
         &mut self,
         leg: &Leg<J>,
         inverse: Inverse,
-        point: Point,
+        point: LegPoint,
         from: &[f64; J],
         place: [f64; 3],
     ) {
@@ -106,6 +106,6 @@ impl<const J: usize> Lead<J> {
 }
 
 /// Whether enough joints move a point for every direction, and a closed form does not decide.
-fn has_choice<const J: usize>(inverse: Inverse, point: Point) -> bool {
+fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     inverse != Inverse::YawPitchPitch && !has_few_joints::<J>(inverse, point)
 }

@@ -4,14 +4,14 @@ use crate::command::Target;
 use crate::controller::targets::number;
 use crate::controller::trajectory::Track;
 use crate::fault::Fault;
-use crate::kinematics::{self, Chain, Point};
-use crate::model::{Inverse, Leg};
+use crate::kinematics::{self, Chain, LegPoint};
+use crate::model::{Inverse, Leg, Point};
 
 /// What the language calls a point of leg `n`.
-pub(in crate::controller) fn name(point: Point, n: u8) -> Target {
+pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     match point {
-        Point::Tip => Target::Foot(n),
-        Point::Joint(m) => Target::Joint(n, number(m)),
+        LegPoint::Tip => Target::Foot(n),
+        LegPoint::Joint(m) => Target::Joint(n, number(m)),
     }
 }
 
@@ -22,15 +22,15 @@ pub(in crate::controller) fn name(point: Point, n: u8) -> Target {
 pub(in crate::controller) fn reach<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
-    (point, n): (Point, u8),
+    (point, n): (LegPoint, u8),
     from: &[f64; J],
-    position: [f64; 3],
+    position: Point,
 ) -> Result<[f64; J], Fault> {
     let out_of_reach = Fault::OutOfReach(name(point, n));
     if inverse != Inverse::YawPitchPitch {
         return kinematics::resolve(leg, from, point, position, inverse.axes()).ok_or(out_of_reach);
     }
-    if point != Point::Tip {
+    if point != LegPoint::Tip {
         return Err(out_of_reach);
     }
     let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
@@ -49,7 +49,7 @@ pub(in crate::controller) fn reach<const J: usize>(
 pub(super) fn follow<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
-    (point, n): (Point, u8),
+    (point, n): (LegPoint, u8),
     from: &[f64; J],
     (track, posture): (&Track<3>, Option<[f64; J]>),
 ) -> Result<[f64; J], Fault> {
@@ -72,10 +72,10 @@ pub(super) fn follow<const J: usize>(
 pub(in crate::controller) fn nearest_place<const J: usize>(
     inverse: Inverse,
     leg: &Leg<J>,
-    point: Point,
+    point: LegPoint,
     from: &[f64; J],
-    position: [f64; 3],
-) -> [f64; 3] {
+    position: Point,
+) -> Point {
     if !has_few_joints::<J>(inverse, point) {
         return position;
     }
@@ -85,7 +85,7 @@ pub(in crate::controller) fn nearest_place<const J: usize>(
 }
 
 /// Whether too few joints move a point for every direction that counts.
-pub(super) fn has_few_joints<const J: usize>(inverse: Inverse, point: Point) -> bool {
+pub(super) fn has_few_joints<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     let directions = inverse.axes().iter().filter(|counts| **counts).count();
     point.moved_by(J) < directions
 }

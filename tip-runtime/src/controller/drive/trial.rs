@@ -1,7 +1,7 @@
 //! A line that is tried out before a leg sets off, piece by piece.
 
 use super::guide::{Guide, Line};
-use crate::kinematics::{Point, resolve_piece};
+use crate::kinematics::{LegPoint, resolve_piece};
 use crate::model::{Axes, Leg};
 
 /// Pieces of a line are no longer than this share of it.
@@ -20,7 +20,7 @@ const LEAP: f64 = 6.0;
 #[derive(Clone, Copy)]
 pub(super) struct PointOfLeg<'a, const J: usize> {
     pub(super) leg: &'a Leg<J>,
-    pub(super) point: Point,
+    pub(super) point: LegPoint,
     pub(super) axes: Axes,
 }
 

@@ -4,7 +4,7 @@ use super::JointParams;
 use crate::command::{Command, Op, Target, Value};
 use crate::controller::{ControllerView, targets};
 use crate::fault::Fault;
-use crate::kinematics::Point;
+use crate::kinematics::LegPoint;
 
 /// Three operands along x, y and z.
 type Axes = [f64; 3];
@@ -84,8 +84,8 @@ impl<const J: usize> ControllerView<'_, J> {
         let (n, point) = self.point_of(target)?;
         let foot = &mut targets::leg_mut(&mut self.legs, n)?.params.foot;
         match point {
-            Point::Tip => foot.foot_limit = limit,
-            Point::Joint(_) => foot.third_limit = limit,
+            LegPoint::Tip => foot.foot_limit = limit,
+            LegPoint::Joint(_) => foot.third_limit = limit,
         }
         Ok(())
     }

@@ -192,10 +192,12 @@ fn read_ports(_: &mut Scalars, cx: &mut dyn Context) -> Result<Flow, Fault> {
 fn every_input_reads_in_volts_by_channel_and_by_name() {
     let mut machine = bench(&[read_ports, end], &[]);
     let sensors = &mut machine.hardware_mut().sensors;
-    sensors.knobs = [1.25, f64::NAN, -3.0];
+    for (knob, volts) in (1..).zip([1.25, f64::NAN, -3.0]) {
+        sensors.inputs.set(Port::Knob(knob), volts);
+    }
     // J11 ranges over ±65 degrees up to its outer limits: half way is 2.5 V.
     sensors.angles[0][0] = 32.5;
-    sensors.paws[3] = 4.0;
-    sensors.antenna = 0.75;
+    sensors.inputs.set(Port::Paw(4), 4.0);
+    sensors.inputs.set(Port::Antenna, 0.75);
     assert_eq!(machine.cycle(), Status::Running);
 }

@@ -8,8 +8,9 @@ use super::overlap::Surface;
 use super::slider::SliderServo;
 use super::thing::{Palm, Thing};
 use super::{Fingertip, ObjectState};
+use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
-use crate::model::{Leg, Model, Whole};
+use crate::model::{Leg, Model, Point, Whole};
 use crate::scene::{OBJECTS, Scene};
 
 /// The longest step: ms.
@@ -142,9 +143,9 @@ impl<S: ?Sized> Grip<S> {
             let thing = thing?;
             let body = &thing.body;
             Some(ObjectState {
-                position: (body.centre * 1000.0).into(),
+                position: in_space(body.centre * 1000.0),
                 angle: body.angle.to_degrees(),
-                velocity: (body.velocity * 1000.0).into(),
+                velocity: in_space(body.velocity * 1000.0),
                 spin: body.spin.to_degrees(),
                 clearance: thing.clearance(&floor) * 1000.0,
                 highest: thing.highest * 1000.0,
@@ -175,12 +176,13 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
             *torques = finger.torques(self.torque_unit);
         }
         let touched = self.things.iter().flatten().any(|thing| thing.at_palm);
-        *sensors.antenna = f64::from(u8::from(touched));
+        let volts = f64::from(u8::from(touched));
+        sensors.inputs.set(Port::Antenna, volts);
         *sensors.slider = self.slider.position;
     }
 
     /// One control cycle of `period` ms. Without a period nothing moves.
-    pub(super) fn obey(&mut self, commands: &[[JointCommand; J]], slider: [f64; 3], period: f64) {
+    pub(super) fn obey(&mut self, commands: &[[JointCommand; J]], slider: Point, period: f64) {
         self.stopped = false;
         if !(period > 0.0 && period.is_finite()) {
             return;
@@ -275,4 +277,8 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
             rest = others;
         }
     }
+}
+
+fn in_space(vector: Vector) -> [f64; 3] {
+    [vector.x, vector.y, 0.0]
 }

@@ -2,7 +2,7 @@
 
 use super::Vector;
 use super::overlap::Surface;
-use crate::model::{Range, Slider};
+use crate::model::{Point, Range, Slider};
 use crate::plant::Floor;
 
 /// How fast it goes at most: mm/s.
@@ -13,7 +13,7 @@ const FASTEST: f64 = 1000.0;
 pub(super) struct SliderServo {
     travel: [Range; 3],
     /// mm.
-    pub(super) position: [f64; 3],
+    pub(super) position: Point,
     /// mm/s.
     velocity: [f64; 3],
 }
@@ -29,7 +29,7 @@ impl SliderServo {
     }
 
     /// Is sent somewhere, to arrive in `time` s; a position that is not a number leaves it where it is.
-    pub(super) fn send(&mut self, target: [f64; 3], time: f64) {
+    pub(super) fn send(&mut self, target: Point, time: f64) {
         let axes = self.velocity.iter_mut().zip(self.position);
         for ((velocity, at), (target, travel)) in axes.zip(target.iter().zip(self.travel)) {
             let way = target.max(travel.min).min(travel.max) - at;

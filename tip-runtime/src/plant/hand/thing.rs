@@ -5,7 +5,7 @@ use super::body::Body;
 use super::contact::{Bristle, Push};
 use super::finger::Finger;
 use super::overlap::{Surface, of_bodies, of_link};
-use crate::model::Range;
+use crate::model::{Point, Range};
 use crate::scene::{OBJECTS, Object};
 
 /// The coefficient of Coulomb friction of the palm; the object's counts if it is smaller.
@@ -132,7 +132,7 @@ pub(super) struct Palm {
 
 impl Palm {
     /// Between fingers that begin there (mm); `None` if there are none.
-    pub(super) fn between(bases: impl Iterator<Item = [f64; 3]>) -> Option<Self> {
+    pub(super) fn between(bases: impl Iterator<Item = Point>) -> Option<Self> {
         let around = |at: f64| Range::new(at / 1000.0, at / 1000.0);
         let join = |a: Range, b: Range| Range::new(a.min.min(b.min), a.max.max(b.max));
         let (x, y) = bases

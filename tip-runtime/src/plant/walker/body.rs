@@ -1,7 +1,7 @@
 //! Where the body is.
 
-use super::Point;
-use crate::model;
+use super::Vector;
+use crate::model::{self, Point};
 use nalgebra::{Matrix3, Rotation3, Unit};
 
 /// Position and attitude of the robot frame in the world: mm and deg.
@@ -10,12 +10,8 @@ use nalgebra::{Matrix3, Rotation3, Unit};
 /// front), then by roll about y (forward: + lowers the right side).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// To the right at the start.
-    pub x: f64,
-    /// Forward at the start.
-    pub y: f64,
-    /// Up.
-    pub z: f64,
+    /// The origin of the robot frame in the world: x to the right at the start, y forward at the start, z up.
+    pub position: Point,
     /// About the body's y axis.
     pub roll: f64,
     /// About the body's x axis.
@@ -25,16 +21,14 @@ pub struct Pose {
 }
 
 impl Pose {
-    pub(super) fn new([x, y, z]: [f64; 3], rotation: &Rotation3<f64>) -> Self {
+    pub(super) fn new(position: Point, rotation: &Rotation3<f64>) -> Self {
         let (right, forward, up) = (
-            rotation * Point::x(),
-            rotation * Point::y(),
-            rotation * Point::z(),
+            rotation * Vector::x(),
+            rotation * Vector::y(),
+            rotation * Vector::z(),
         );
         Pose {
-            x,
-            y,
-            z,
+            position,
             roll: libm::atan2(-right.z, up.z).to_degrees(),
             pitch: libm::asin(forward.z.clamp(-1.0, 1.0)).to_degrees(),
             yaw: libm::atan2(-forward.x, forward.y).to_degrees(),
@@ -46,7 +40,7 @@ impl Pose {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Body {
     /// The floor's normal in the robot frame.
-    pub(super) normal: Point,
+    pub(super) normal: Vector,
     /// The origin above the floor: mm.
     pub(super) height: f64,
     /// The origin along the floor: mm.
@@ -60,7 +54,7 @@ impl Body {
     /// Level, over the floor's origin: with its belly on the floor, or bolted down there.
     pub(super) fn standing(body: Option<&model::Body>) -> Self {
         Body {
-            normal: Point::z(),
+            normal: Vector::z(),
             height: body.map_or(0.0, |body| -body.z.min),
             x: 0.0,
             y: 0.0,
@@ -69,14 +63,14 @@ impl Body {
     }
 
     /// Tilts and lifts the body, keeping place and heading.
-    pub(super) fn rest(&mut self, normal: Point, height: f64) {
+    pub(super) fn rest(&mut self, normal: Vector, height: f64) {
         self.normal = normal;
         self.height = height;
     }
 
     /// The shortest turn that stands the floor's normal upright.
-    pub(super) fn levelling(normal: Point) -> Rotation3<f64> {
-        turn(normal, Point::z())
+    pub(super) fn levelling(normal: Vector) -> Rotation3<f64> {
+        turn(normal, Vector::z())
     }
 
     /// Turns the robot frame into the floor's.
@@ -86,19 +80,19 @@ impl Body {
 
     /// As [`rotation`](Self::rotation), with the turn that levels the body.
     pub(super) fn headed(&self, levelling: &Rotation3<f64>) -> Rotation3<f64> {
-        let up = Unit::new_unchecked(Point::z());
+        let up = Unit::new_unchecked(Vector::z());
         Rotation3::from_axis_angle(&up, self.heading) * levelling
     }
 
     /// A point of the robot frame, in the floor's.
-    pub(super) fn point(&self, point: Point) -> Point {
-        self.rotation() * point + Point::new(self.x, self.y, self.height)
+    pub(super) fn point(&self, point: Vector) -> Vector {
+        self.rotation() * point + Vector::new(self.x, self.y, self.height)
     }
 }
 
 /// The shortest turn from one unit vector to another that does not point the other way (Rodrigues'
 /// formula without an angle, which would lose small ones).
-pub(super) fn turn(from: Point, to: Point) -> Rotation3<f64> {
+pub(super) fn turn(from: Vector, to: Vector) -> Rotation3<f64> {
     let cross = from.cross(&to).cross_matrix();
     let matrix = Matrix3::identity() + cross + cross * cross / (1.0 + from.dot(&to));
     Rotation3::from_matrix_unchecked(matrix)
@@ -111,24 +105,24 @@ mod tests {
     #[test]
     fn the_shortest_turn_keeps_lengths_and_the_smallest_angles() {
         for lean in [0.0, 1e-12, 1e-3, 1.0] {
-            let from = Point::new(libm::sin(lean), 0.0, libm::cos(lean));
-            let turn = turn(from, Point::z());
-            assert!((turn * from - Point::z()).norm() < 1e-15);
-            assert!((turn * Point::y() - Point::y()).norm() < 1e-15);
+            let from = Vector::new(libm::sin(lean), 0.0, libm::cos(lean));
+            let turn = turn(from, Vector::z());
+            assert!((turn * from - Vector::z()).norm() < 1e-15);
+            assert!((turn * Vector::y() - Vector::y()).norm() < 1e-15);
             assert!((turn.matrix().determinant() - 1.0).abs() < 1e-15);
         }
     }
 
     #[test]
     fn angles_of_a_pose_have_the_documented_senses() {
-        let turned = |axis: Point, degrees: f64| {
+        let turned = |axis: Vector, degrees: f64| {
             let angle = degrees.to_radians();
             let rotation = Rotation3::from_axis_angle(&Unit::new_unchecked(axis), angle);
             let pose = Pose::new([1.0, 2.0, 3.0], &rotation);
             [pose.roll, pose.pitch, pose.yaw].map(libm::round)
         };
-        assert_eq!(turned(Point::y(), 20.0), [20.0, 0.0, 0.0]);
-        assert_eq!(turned(Point::x(), 20.0), [0.0, 20.0, 0.0]);
-        assert_eq!(turned(Point::z(), 20.0), [0.0, 0.0, 20.0]);
+        assert_eq!(turned(Vector::y(), 20.0), [20.0, 0.0, 0.0]);
+        assert_eq!(turned(Vector::x(), 20.0), [0.0, 20.0, 0.0]);
+        assert_eq!(turned(Vector::z(), 20.0), [0.0, 0.0, 20.0]);
     }
 }

@@ -1,6 +1,6 @@
 //! What can touch the floor.
 
-use super::Point;
+use super::Vector;
 use crate::model::Body;
 
 /// Something for each foot and for each corner of the belly.
@@ -40,17 +40,17 @@ impl<T: Copy, const L: usize> Contacts<T, L> {
     }
 }
 
-impl<const L: usize> Contacts<Point, L> {
+impl<const L: usize> Contacts<Vector, L> {
     /// The points that can touch the floor, in the robot frame.
-    pub(super) fn of(body: &Body, feet: [Point; L]) -> Self {
+    pub(super) fn of(body: &Body, feet: [Vector; L]) -> Self {
         let (x, y, z) = (body.x, body.y, body.z.min);
         Contacts {
             feet,
             belly: [
-                Point::new(x.min, y.min, z),
-                Point::new(x.max, y.min, z),
-                Point::new(x.max, y.max, z),
-                Point::new(x.min, y.max, z),
+                Vector::new(x.min, y.min, z),
+                Vector::new(x.max, y.min, z),
+                Vector::new(x.max, y.max, z),
+                Vector::new(x.min, y.max, z),
             ],
         }
     }

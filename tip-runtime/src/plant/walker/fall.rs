@@ -1,6 +1,6 @@
 //! Watches the centre of mass over the support polygon.
 
-use super::Point;
+use super::Vector;
 use super::contacts::Contacts;
 use super::polygon;
 
@@ -50,10 +50,10 @@ impl FallWatch {
     /// not have held it has tipped. `down` is the direction of gravity.
     pub(super) fn watch<const L: usize>(
         &mut self,
-        points: &Contacts<Point, L>,
+        points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
-        centre: Point,
-        down: Point,
+        centre: Vector,
+        down: Vector,
         cycle: u64,
     ) {
         let heights = points.feet.iter().map(|foot| foot.z);

@@ -1,7 +1,8 @@
 //! The floor as a walking robot meets it.
 
-use super::Point;
+use super::Vector;
 use super::body::{Body, Pose, turn};
+use crate::model::Point;
 use crate::scene::Floor;
 use nalgebra::Rotation3;
 
@@ -9,17 +10,17 @@ impl Floor {
     /// Turns the floor's frame (z along its normal) into the world's.
     fn tilt(&self) -> Rotation3<f64> {
         let [x, y] = self.slope;
-        let normal = Point::new(-x, -y, 1.0);
-        turn(Point::z(), normal / normal.norm())
+        let normal = Vector::new(-x, -y, 1.0);
+        turn(Vector::z(), normal / normal.norm())
     }
 
     /// The direction of gravity in the floor's frame.
-    pub(super) fn gravity(&self) -> Point {
-        self.tilt().inverse() * -Point::z()
+    pub(super) fn gravity(&self) -> Vector {
+        self.tilt().inverse() * -Vector::z()
     }
 
     /// A point of the floor's frame, in the world.
-    pub(super) fn point(&self, point: Point) -> [f64; 3] {
+    pub(super) fn point(&self, point: Vector) -> Point {
         let point = self.tilt() * point;
         [point.x, point.y, point.z + self.height]
     }
@@ -30,7 +31,7 @@ impl Floor {
     }
 
     /// Where the origin of a body of the floor's frame is, in the world.
-    pub(super) fn position(&self, body: &Body) -> [f64; 3] {
-        self.point(body.point(Point::zeros()))
+    pub(super) fn position(&self, body: &Body) -> Point {
+        self.point(body.point(Vector::zeros()))
     }
 }

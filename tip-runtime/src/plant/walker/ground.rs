@@ -1,6 +1,6 @@
 //! The body on its contacts with the floor.
 
-use super::Point;
+use super::Vector;
 use super::body::Body;
 use super::contacts::Contacts;
 use super::fall::FallWatch;
@@ -16,13 +16,13 @@ pub(super) trait Carrier {
     /// What every foot carries: N.
     fn loads(&self) -> &[f64];
     /// The direction of gravity in the robot's frame.
-    fn down(&self) -> Point;
+    fn down(&self) -> Vector;
     /// Whether nothing moves while the legs do not.
     fn is_at_rest(&self) -> bool;
     /// The body without legs: kg.
     fn body_mass(&self) -> f64;
     /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
-    fn feet(&mut self) -> &mut [Point];
+    fn feet(&mut self) -> &mut [Vector];
     /// Lets the body come to rest on its contacts, and takes stance feet along.
     fn settle(&mut self, mass: Mass);
 }
@@ -32,16 +32,16 @@ pub(super) trait Carrier {
 pub(super) struct Ground<const L: usize> {
     pub(super) floor: Floor,
     /// The direction of gravity in the floor's frame.
-    gravity: Point,
+    gravity: Vector,
     /// The same in the robot's frame, as the body lies now.
-    down: Point,
+    down: Vector,
     /// The body as its model has it, if there is one.
     model: Option<model::Body>,
     pub(super) mass: Mass,
     pub(super) body: Body,
     pub(super) start: Start,
     at_rest: bool,
-    feet: [Point; L],
+    feet: [Vector; L],
     pub(super) loads: Contacts<f64, L>,
     pub(super) stance: Stance<L>,
     pub(super) falls: FallWatch,
@@ -58,13 +58,13 @@ impl<const L: usize> Ground<L> {
         Ground {
             floor: Floor::LEVEL,
             gravity: Floor::LEVEL.gravity(),
-            down: Point::zeros(),
+            down: Vector::zeros(),
             model,
             mass: Mass::NONE,
             body,
             start: Start::at(&Floor::LEVEL, &body),
             at_rest: false,
-            feet: [Point::zeros(); L],
+            feet: [Vector::zeros(); L],
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
             falls: FallWatch::new(),
@@ -97,7 +97,7 @@ impl<const L: usize> Carrier for Ground<L> {
         &self.loads.feet
     }
 
-    fn down(&self) -> Point {
+    fn down(&self) -> Vector {
         self.down
     }
 
@@ -109,7 +109,7 @@ impl<const L: usize> Carrier for Ground<L> {
         self.model.map_or(0.0, |body| body.mass)
     }
 
-    fn feet(&mut self) -> &mut [Point] {
+    fn feet(&mut self) -> &mut [Vector] {
         &mut self.feet
     }
 

@@ -1,12 +1,13 @@
 //! The legs of a walking robot: joints that follow their commands under load, and the links that they
 //! turn.
 
-use super::Point;
+use super::Vector;
 use super::ground::Carrier;
 use super::links::{GRAVITY, LegLinks, Mass};
 use super::servo::{JointLoad, Servo, ServoDynamics, Stride};
 use super::support;
 use crate::analog;
+use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
 
@@ -45,7 +46,7 @@ impl<const J: usize> LegPlant<J> {
         &mut self,
         commands: &[JointCommand; J],
         load: f64,
-        gravity: Point,
+        gravity: Vector,
         stride: Stride,
     ) -> bool {
         let push = -gravity * load;
@@ -132,15 +133,16 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
             *angles = leg.servos.map(|servo| servo.angle);
             *torques = leg.servos.map(|servo| servo.torque);
         }
-        for (paw, load) in sensors.paws.iter_mut().zip(ground.loads()) {
-            *paw = analog::volts_of_load(*load);
+        for (leg, load) in (1..).zip(ground.loads()) {
+            let sole = Port::Paw(leg);
+            sensors.inputs.set(sole, analog::volts_of_load(*load));
         }
     }
 
     /// Adds up body (kg) and links.
     fn mass(&self, body: f64) -> Mass {
         let mut mass = body;
-        let mut moment = Point::zeros();
+        let mut moment = Vector::zeros();
         for leg in &self.each {
             for (joint, centre) in leg.model.joints.iter().zip(&leg.links.centres) {
                 mass += joint.mass;

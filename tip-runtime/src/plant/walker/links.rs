@@ -1,6 +1,6 @@
 //! Where the links are, what they weigh, and which torque a load asks of their joints.
 
-use super::Point;
+use super::Vector;
 use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
 
@@ -12,18 +12,18 @@ pub(super) const GRAVITY: f64 = 9.80665;
 pub(super) struct LegLinks<const J: usize> {
     /// The joint angles that put it there: deg.
     angles: [f64; J],
-    joints: [Point; J],
-    axes: [Point; J],
+    joints: [Vector; J],
+    axes: [Vector; J],
     /// The middle of each link, where its mass is taken to be.
-    pub(super) centres: [Point; J],
-    pub(super) foot: Point,
+    pub(super) centres: [Vector; J],
+    pub(super) foot: Vector,
 }
 
 /// All mass of the robot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
     /// In the robot frame: mm.
-    pub(super) centre: Point,
+    pub(super) centre: Vector,
     /// N.
     pub(super) weight: f64,
 }
@@ -31,7 +31,7 @@ pub(super) struct Mass {
 impl Mass {
     /// Not added up yet.
     pub(super) const NONE: Self = Mass {
-        centre: Point::new(0.0, 0.0, 0.0),
+        centre: Vector::new(0.0, 0.0, 0.0),
         weight: 0.0,
     };
 }
@@ -40,10 +40,10 @@ impl<const J: usize> LegLinks<J> {
     /// Not placed yet.
     pub(super) const NOWHERE: Self = LegLinks {
         angles: [f64::NAN; J],
-        joints: [Point::new(0.0, 0.0, 0.0); J],
-        axes: [Point::new(0.0, 0.0, 0.0); J],
-        centres: [Point::new(0.0, 0.0, 0.0); J],
-        foot: Point::new(0.0, 0.0, 0.0),
+        joints: [Vector::new(0.0, 0.0, 0.0); J],
+        axes: [Vector::new(0.0, 0.0, 0.0); J],
+        centres: [Vector::new(0.0, 0.0, 0.0); J],
+        foot: Vector::new(0.0, 0.0, 0.0),
     };
 
     /// Goes where the joints put it, if they have turned.
@@ -57,16 +57,16 @@ impl<const J: usize> LegLinks<J> {
     fn turn(&mut self, leg: &Leg<J>, angles: [f64; J]) {
         self.angles = angles;
         let mut turned = Rotation3::identity();
-        let mut at = Point::from(leg.base);
+        let mut at = Vector::from(leg.base);
         let places = self.joints.iter_mut().zip(&mut self.axes);
         let places = places.zip(&mut self.centres);
         for (((place, axis), centre), (joint, angle)) in places.zip(leg.joints.iter().zip(angles)) {
-            let own_axis = Point::from(joint.axis);
+            let own_axis = Vector::from(joint.axis);
             *place = at;
             *axis = turned * own_axis;
             let own_axis = Unit::new_unchecked(own_axis);
             turned *= Rotation3::from_axis_angle(&own_axis, angle.to_radians());
-            let link = turned * Point::from(joint.link);
+            let link = turned * Vector::from(joint.link);
             *centre = at + link / 2.0;
             at += link;
         }
@@ -76,7 +76,7 @@ impl<const J: usize> LegLinks<J> {
     /// How stiffly each joint feels a foot whose contact gives way by `stiffness` (N/mm) along
     /// `normal`: N·m/rad. All joints turn at once, so that a joint is lent what it shares with the
     /// others: row sums, which are no less than the stiffness of any motion of the leg.
-    pub(super) fn stiffness(&self, normal: Point, stiffness: f64) -> [f64; J] {
+    pub(super) fn stiffness(&self, normal: Vector, stiffness: f64) -> [f64; J] {
         let mut levers = [0.0; J];
         for (lever, (joint, axis)) in levers.iter_mut().zip(self.joints.iter().zip(&self.axes)) {
             *lever = libm::fabs(axis.cross(&(self.foot - joint)).dot(&normal));
@@ -88,7 +88,7 @@ impl<const J: usize> LegLinks<J> {
     /// Torque about each joint axis that the floor's `push` at the foot (N) and the links' own
     /// weight exert: Jᵀ F (e.g. Siciliano et al., Robotics, 2009, §3.8), N·m. `down` is the
     /// direction of gravity. All in the robot frame.
-    pub(super) fn load_torques(&self, leg: &Leg<J>, push: Point, down: Point) -> [f64; J] {
+    pub(super) fn load_torques(&self, leg: &Leg<J>, push: Vector, down: Vector) -> [f64; J] {
         let weight_of = |link: &Joint| down * link.mass * GRAVITY;
         let weights = leg.joints.each_ref().map(weight_of);
         let mut torques = [0.0; J];

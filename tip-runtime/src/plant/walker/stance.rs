@@ -1,6 +1,6 @@
 //! The body goes where its stance feet take it.
 
-use super::Point;
+use super::Vector;
 use super::body::Body;
 use super::contacts::Contacts;
 use nalgebra::{Rotation3, Vector2};
@@ -42,7 +42,7 @@ impl<const L: usize> Stance<L> {
     /// the robot frame into the floor's now.
     pub(super) fn follow(
         &mut self,
-        points: &Contacts<Point, L>,
+        points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         body: &mut Body,
     ) -> Rotation3<f64> {
@@ -57,7 +57,7 @@ impl<const L: usize> Stance<L> {
     /// What touched before and still does.
     fn stays(
         &self,
-        points: &Contacts<Point, L>,
+        points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         levelling: &Rotation3<f64>,
     ) -> Contacts<Option<Pair>, L> {
@@ -74,14 +74,14 @@ impl<const L: usize> Stance<L> {
 
     fn remember(
         &mut self,
-        points: &Contacts<Point, L>,
+        points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         body: &Body,
         rotation: &Rotation3<f64>,
     ) {
         let here = Vector2::new(body.x, body.y);
         let place =
-            |point: &Point, load: &f64| (*load > 0.0).then(|| (rotation * point).xy() + here);
+            |point: &Vector, load: &f64| (*load > 0.0).then(|| (rotation * point).xy() + here);
         let belly = points.belly.iter().zip(&loads.belly);
         for (old, (point, load)) in self.places.belly.iter_mut().zip(belly) {
             *old = place(point, load);

@@ -5,7 +5,7 @@
 //! `(a, b, h)`, so Newton's method with a line search finds the one minimum (Nocedal and Wright,
 //! Numerical Optimization, 2006, ch. 3). For large tilts the frame is turned and it is done again.
 
-use super::Point;
+use super::Vector;
 use super::body::Body;
 use super::contacts::Contacts;
 use nalgebra::{Cholesky, Matrix3, U3, Vector3};
@@ -31,17 +31,17 @@ const DAMPING: f64 = 1e-6;
 /// What presses the body down.
 pub(super) struct Load {
     /// The centre of mass in the robot frame: mm.
-    pub(super) centre: Point,
+    pub(super) centre: Vector,
     /// N.
     pub(super) weight: f64,
     /// Direction of gravity in the floor's frame.
-    pub(super) gravity: Point,
+    pub(super) gravity: Vector,
 }
 
 /// Where the floor is, seen from the body.
 pub(super) struct Support {
     /// Its normal in the robot frame.
-    pub(super) normal: Point,
+    pub(super) normal: Vector,
     /// The body's origin above it: mm.
     pub(super) height: f64,
     /// The rest was found; a body that tips is still moving.
@@ -50,7 +50,7 @@ pub(super) struct Support {
 
 /// Finds the rest nearest to how `body` was.
 pub(super) fn rest<const L: usize>(
-    points: &Contacts<Point, L>,
+    points: &Contacts<Vector, L>,
     load: &Load,
     body: &Body,
 ) -> Support {
@@ -68,7 +68,7 @@ pub(super) fn rest<const L: usize>(
             pull,
         };
         let plane = problem.solve(support.height);
-        let tilted = Point::new(plane.x, plane.y, 1.0);
+        let tilted = Vector::new(plane.x, plane.y, 1.0);
         let length = tilted.norm();
         support.normal = levelling.inverse() * (tilted / length);
         support.height = plane.z / length;
@@ -82,18 +82,18 @@ pub(super) fn rest<const L: usize>(
 
 /// What each contact carries: N.
 pub(super) fn loads<const L: usize>(
-    points: &Contacts<Point, L>,
-    normal: Point,
+    points: &Contacts<Vector, L>,
+    normal: Vector,
     height: f64,
 ) -> Contacts<f64, L> {
     points.map(|point| STIFFNESS * (-(normal.dot(&point) + height)).max(0.0))
 }
 
 /// The weight in a frame that is level on the floor, without the body's heading: N.
-fn pull(load: &Load, heading: f64) -> Point {
+fn pull(load: &Load, heading: f64) -> Vector {
     let (sin, cos) = (libm::sin(heading), libm::cos(heading));
     let gravity = load.gravity;
-    Point::new(
+    Vector::new(
         cos * gravity.x + sin * gravity.y,
         cos * gravity.y - sin * gravity.x,
         gravity.z,
@@ -101,9 +101,9 @@ fn pull(load: &Load, heading: f64) -> Point {
 }
 
 struct Problem<const L: usize> {
-    points: Contacts<Point, L>,
-    centre: Point,
-    pull: Point,
+    points: Contacts<Vector, L>,
+    centre: Vector,
+    pull: Vector,
 }
 
 /// How bent the energy is while certain contacts carry.

@@ -1,6 +1,7 @@
 //! How far the body has come.
 
 use super::body::Body;
+use crate::model::Point;
 use crate::scene::Floor;
 use core::f64::consts::{PI, TAU};
 
@@ -21,7 +22,7 @@ pub struct Travel {
 /// Where the body began, and how often it has turned round since.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Start {
-    position: [f64; 3],
+    position: Point,
     /// rad.
     heading: f64,
     revolutions: f64,

@@ -1,7 +1,7 @@
 //! A search spreads over cycles, and finds the same as without that.
 
 use super::{A_CYCLE, Outcome, PointOfLeg, Search, Stage};
-use crate::kinematics::{Chain, Point};
+use crate::kinematics::{Chain, LegPoint};
 use crate::model::{Inverse, hand};
 
 /// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
@@ -20,7 +20,12 @@ impl Dice {
 const LONGEST: usize = 18 * 414 / A_CYCLE + 1;
 
 /// What became of a search, in how many cycles; each is compared with as many steps.
-fn searched(point: Point, start: [f64; 3], to: [f64; 3], home: Option<[f64; 3]>) -> (bool, usize) {
+fn searched(
+    point: LegPoint,
+    start: [f64; 3],
+    to: [f64; 3],
+    home: Option<[f64; 3]>,
+) -> (bool, usize) {
     let leg = &hand::MODEL.legs[0];
     let place = Chain::new(leg, &start).point(point).expect("a point");
     let point = PointOfLeg {
@@ -59,9 +64,9 @@ fn no_cycle_solves_a_leg_more_often_than_the_bound() {
         let start = start.map(|(min, max)| dice.within(min, max));
         let [x, y] = [(-200.0, 80.0), (-150.0, 100.0)].map(|(min, max)| dice.within(min, max));
         let point = if number % 2 == 0 {
-            Point::Tip
+            LegPoint::Tip
         } else {
-            Point::Joint(2)
+            LegPoint::Joint(2)
         };
         match searched(point, start, [x, y, 0.0], None) {
             (true, 1) => at_once += 1,
