@@ -3,8 +3,9 @@
 use crate::settings::Settings;
 use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
-use tip_runtime::record::Ending;
-use tip_sim::{Inputs, Limit, Robot, Run};
+use tip_runtime::record::{Ending, JsonLines, Sink};
+use tip_sim::lockstep::{Divergence, Lockstep, Scout};
+use tip_sim::{Engine, Inputs, Limit, Robot, Run};
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -14,17 +15,77 @@ const ENDLESS: u64 = 100_000;
 /// # Errors
 /// The program is for another robot, what is to happen to it cannot, or it never ends.
 pub fn run(program: impl Program + Clone + 'static, settings: &Settings) -> Result<String, String> {
-    let inputs: Inputs = settings.inputs.parse().map_err(text)?;
+    let (inputs, limit) = inputs(settings)?;
     let run = Run::new(program, robot(settings)?).map_err(text)?;
     let mut run = run
         .with_events(&inputs.events)
         .map_err(text)?
         .with_trace(true);
-    let limit = inputs.cycles.unwrap_or(u64::MAX);
     let ending = run.to_end(Limit::cycles(limit.min(ENDLESS)));
+    ends(ending, limit)?;
+    Ok(run.trace())
+}
+
+/// The trace of the interpreter, while generated code does the same in lock-step.
+///
+/// # Errors
+/// As [`run`]; or they differ.
+pub(crate) fn both(
+    program: tipc::program::Program,
+    compiled: Engine,
+    settings: &Settings,
+) -> Result<String, String> {
+    let (mut inputs, limit) = inputs(settings)?;
+    inputs.cycles = Some(limit.min(ENDLESS));
+    let lockstep = Lockstep::new(program, compiled, &robot(settings)?).map_err(text)?;
+    if let Some(divergence) = lockstep.unlike() {
+        return Err(differ(&divergence));
+    }
+    let mut records = Records(JsonLines::new(String::new(), true));
+    let compared = lockstep.run(&inputs, &mut records).map_err(text)?;
+    match (compared.divergence, compared.ending) {
+        (Some(divergence), _) => Err(differ(&divergence)),
+        (None, None) => Err("the engines neither differ nor end".to_owned()),
+        (None, Some(ending)) => {
+            ends(ending, limit)?;
+            records.0.end(ending, compared.cycles);
+            Ok(records.0.into_inner())
+        }
+    }
+}
+
+/// Writes down what the interpreter does.
+struct Records(JsonLines<String>);
+
+impl Scout for Records {
+    fn sink(&mut self) -> Option<&mut dyn Sink> {
+        Some(&mut self.0)
+    }
+}
+
+fn differ(divergence: &Divergence) -> String {
+    let Divergence {
+        cycle,
+        step,
+        interpreted,
+        compiled,
+    } = divergence;
+    format!(
+        "in cycle {cycle}, step {step}, interpreter and generated code differ:\n  {interpreted}\n  {compiled}"
+    )
+}
+
+/// What happens to a run, and the most cycles that its case allows.
+fn inputs(settings: &Settings) -> Result<(Inputs, u64), String> {
+    let inputs: Inputs = settings.inputs.parse().map_err(text)?;
+    let limit = inputs.cycles.unwrap_or(u64::MAX);
+    Ok((inputs, limit))
+}
+
+fn ends(ending: Ending, limit: u64) -> Result<(), String> {
     match ending {
         Ending::Limit if limit > ENDLESS => Err(format!("it runs for more than {ENDLESS} cycles")),
-        _ => Ok(run.trace()),
+        _ => Ok(()),
     }
 }
 
@@ -49,7 +110,7 @@ fn robot(settings: &Settings) -> Result<Robot, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tip_sim::load;
+    use tip_sim::{Interpreter, load};
 
     #[test]
     fn what_cannot_happen_is_refused() {
@@ -65,5 +126,24 @@ mod tests {
         }
         // An input may read nonsense.
         assert!(outcome("--sensor", "ANTENNA=nan@0").is_ok());
+    }
+
+    #[test]
+    fn both_engines_give_the_trace_of_one() {
+        let robot = Robot::named("titan8").unwrap();
+        let loaded = |text: &str| tipc::load("p.prg", text.as_bytes(), &robot.options()).program;
+        let of = |text: &str| loaded(text).expect("it loads");
+        let text = "3.1\ntest\nDEF_VAR A\nA = 1\nSLEEP 60\nEND\n";
+        let settings = Settings::default();
+        let one = run(Interpreter::new(of(text)), &settings);
+        let same = |compiled: &str| {
+            let compiled = Engine::new(Interpreter::new(of(compiled)));
+            both(of(text), compiled, &settings)
+        };
+        assert_eq!(same(text), one);
+        let difference = same(&text.replace("A = 1", "A = 2")).unwrap_err();
+        assert!(difference.contains("cycle 0, step 0"), "{difference}");
+        let unlike = same(&text.replace("A = 1", "\nA = 1")).unwrap_err();
+        assert!(unlike.contains("differ"), "{unlike}");
     }
 }

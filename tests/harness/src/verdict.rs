@@ -3,12 +3,11 @@
 
 use crate::clauses;
 use crate::compare::matches;
-use crate::run::run;
+use crate::run::{both, run};
 use crate::seek::root;
 use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
-use tip_runtime::program::Program;
 use tip_sim::{Engine, Interpreter};
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
@@ -115,30 +114,11 @@ fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Engine {
 
 /// The trace of a program, states included; that of its generated code, if there is some, is the same.
 fn trace(program: tipc::program::Program, compiled: Option<Engine>, settings: &Settings) -> String {
-    let interpreter = Interpreter::new(program);
-    let Some(compiled) = compiled else {
-        return run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
+    let trace = match compiled {
+        Some(compiled) => both(program, compiled, settings),
+        None => run(Interpreter::new(program), settings),
     };
-    let same = |a: &dyn Program, b: &dyn Program| {
-        assert_eq!(a.signature(), b.signature());
-        assert_eq!((a.name(), a.title()), (b.name(), b.title()));
-        let lines = |program: &dyn Program| -> Vec<u32> {
-            (0..)
-                .map(|step| program.line(step))
-                .take_while(|line| *line > 0)
-                .collect()
-        };
-        assert_eq!(lines(a), lines(b), "the source lines of the steps");
-    };
-    same(&interpreter, &compiled);
-    let interpreted = run(interpreter, settings).unwrap_or_else(|error| panic!("{error}"));
-    let compiled = run(compiled, settings).unwrap_or_else(|error| panic!("{error}"));
-    let (a, b): (Vec<&str>, Vec<&str>) =
-        (interpreted.lines().collect(), compiled.lines().collect());
-    if let Err(difference) = matches(&a, &b) {
-        panic!("interpreter (expected) and generated code (found) differ {difference}");
-    }
-    interpreted
+    trace.unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A record without the hash of commands and measurements.

@@ -13,9 +13,9 @@ impl Writer {
                 command.robots.contains(robot) && !matches!(command.form, Form::Words(_))
             })
             .collect();
-        let command = self.dice.pick(&known);
+        let command = self.pick(&known);
         let name = match command.alias {
-            Some(alias) if self.dice.once_in(4) => alias,
+            Some(alias) if self.random.once_in(4) => alias,
             _ => command.name,
         };
         let arguments = match command.form {
@@ -23,7 +23,7 @@ impl Writer {
             Form::Special => self.special(),
             Form::Teach(targets) => self.teach(command, targets),
             Form::AdIn => self.ad_in(),
-            Form::KeyIn => self.dice.pick(&["", "B"]).to_owned(),
+            Form::KeyIn => self.pick(&["", "B"]).to_owned(),
             Form::Words(_) => String::new(),
         };
         let statement = format!("{name} {arguments}");
@@ -35,7 +35,7 @@ impl Writer {
     }
 
     fn arguments(&mut self, command: &Command, form: Arguments) -> String {
-        let hs = if form.hs && self.dice.once_in(4) {
+        let hs = if form.hs && self.random.once_in(4) {
             "HS "
         } else {
             ""
@@ -66,7 +66,7 @@ impl Writer {
         }
         match kinds.is_empty() {
             true => String::new(),
-            false => self.dice.pick(&kinds),
+            false => self.pick(&kinds),
         }
     }
 
@@ -80,7 +80,7 @@ impl Writer {
             Values::Position => self.several(command, form, target, POSITIONS, 3),
             Values::Angles if single => self.scalars(command, form, target, 1),
             Values::PerJoint if single => self.plain(command, form, 1),
-            Values::PerJoint if target == "ALL" && self.dice.once_in(2) => {
+            Values::PerJoint if target == "ALL" && self.random.once_in(2) => {
                 self.plain(command, form, 1)
             }
             Values::Angles | Values::PerJoint => {
@@ -93,7 +93,7 @@ impl Writer {
     fn plain(&mut self, command: &Command, form: Arguments, count: usize) -> String {
         let values: Vec<String> = (0..count)
             .map(|_| match self.takes_variable() {
-                true => self.dice.pick(VARS).to_owned(),
+                true => self.pick(VARS).to_owned(),
                 false => self.number(command, form.limit),
             })
             .collect();
@@ -111,11 +111,11 @@ impl Writer {
     ) -> String {
         if self.takes_variable() {
             let flag = if form.relative {
-                self.dice.pick(&["", "R ", "A "])
+                self.pick(&["", "R ", "A "])
             } else {
                 ""
             };
-            return format!("{flag}{}", self.dice.pick(structs));
+            return format!("{flag}{}", self.pick(structs));
         }
         self.scalars(command, form, target, count)
     }
@@ -131,14 +131,14 @@ impl Writer {
         let values: Vec<String> = (0..count)
             .map(|n| self.one(command, form, home.as_ref().map(|home| home[n])))
             .collect();
-        values.join(self.dice.pick(&[" ", ", "]))
+        values.join(self.pick(&[" ", ", "]))
     }
 
     /// A scalar with its flag, near where the target begins if that is known.
     fn one(&mut self, command: &Command, form: Arguments, home: Option<f64>) -> String {
         if self.takes_variable() {
             let flag = if form.relative {
-                self.dice.pick(&["", "R "])
+                self.pick(&["", "R "])
             } else {
                 ""
             };
@@ -146,11 +146,11 @@ impl Writer {
         }
         let number = self.number(command, form.limit);
         match home {
-            _ if form.relative && self.dice.once_in(3) => format!("R {number}"),
+            _ if form.relative && self.random.once_in(3) => format!("R {number}"),
             Some(home) => {
                 let flag = match form.from_target {
                     true => "A ",
-                    false => self.dice.pick(&["", "", "A "]),
+                    false => self.pick(&["", "", "A "]),
                 };
                 let delta: f64 = number.parse().expect("a number");
                 format!("{flag}{}", home + delta)
@@ -161,6 +161,6 @@ impl Writer {
 
     /// Whether variables stand in for numbers; what they hold may be out of range.
     fn takes_variable(&mut self) -> bool {
-        self.dice.once_in(if self.is_calm() { 24 } else { 5 })
+        self.random.once_in(if self.is_calm() { 24 } else { 5 })
     }
 }

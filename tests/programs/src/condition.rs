@@ -6,27 +6,27 @@ use tipc::language::flags;
 
 impl Writer {
     pub(crate) fn condition(&mut self) -> String {
-        if self.dice.once_in(3) {
-            let not = self.dice.pick(&["", "!"]);
+        if self.random.once_in(3) {
+            let not = self.pick(&["", "!"]);
             format!("{not}{}", self.flag())
         } else {
-            let relation = self.dice.pick(&["==", "<>", "<", ">", "<=", ">="]);
+            let relation = self.pick(&["==", "<>", "<", ">", "<=", ">="]);
             format!("{} {relation} {}", self.scalar(), self.scalar())
         }
     }
 
     fn flag(&mut self) -> String {
-        let family = self.dice.pick(&flags::families().collect::<Vec<_>>());
+        let family = self.pick(&flags::families().collect::<Vec<_>>());
         let is_hand = self.robot.signature().family == Family::Hand;
-        match self.dice.below(5) {
+        match self.random.below(5) {
             0 => {
                 let known = flags::words().take(if is_hand { 3 } else { 2 });
-                self.dice.pick(&known.collect::<Vec<_>>()).to_owned()
+                self.pick(&known.collect::<Vec<_>>()).to_owned()
             }
-            _ if family == "SPECIAL_FLAG" => format!("{family}{}", self.dice.below(10)),
+            _ if family == "SPECIAL_FLAG" => format!("{family}{}", self.random.below(10)),
             _ => {
                 let (foot, joint) = (self.foot(), self.joint());
-                let target = self.dice.pick(&[foot, joint, "ALL".to_owned()]);
+                let target = self.pick(&[foot, joint, "ALL".to_owned()]);
                 format!("{family}{target}")
             }
         }

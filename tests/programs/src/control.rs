@@ -5,7 +5,7 @@ use crate::writer::{COUNTERS, DEPTH, Writer};
 impl Writer {
     /// Some statements.
     pub(crate) fn block(&mut self) {
-        for _ in 0..1 + self.dice.below(2) {
+        for _ in 0..1 + self.random.below(2) {
             self.statement();
         }
     }
@@ -18,7 +18,7 @@ impl Writer {
 
     pub(crate) fn statement(&mut self) {
         let kinds = if self.depth < DEPTH { 34 } else { 24 };
-        match self.dice.below(kinds) {
+        match self.random.below(kinds) {
             0..=3 => self.scalar_equation(),
             4 => self.struct_equation(),
             5..=20 => self.robot_command(),
@@ -35,7 +35,7 @@ impl Writer {
     }
 
     fn rare_or_gosub(&mut self) {
-        match self.dice.once_in(2) {
+        match self.random.once_in(2) {
             true => self.gosub_label(),
             false => self.rarity(),
         }
@@ -45,12 +45,12 @@ impl Writer {
         let first = self.condition();
         self.line(&format!("IF {first} THEN"));
         self.nested();
-        for _ in 0..self.dice.below(2) {
+        for _ in 0..self.random.below(2) {
             let other = self.condition();
             self.line(&format!("ELSEIF {other} THEN"));
             self.nested();
         }
-        if self.dice.once_in(2) {
+        if self.random.once_in(2) {
             self.line("ELSE");
             self.nested();
         }
@@ -58,7 +58,7 @@ impl Writer {
     }
 
     fn counted_while(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], self.dice.below(4));
+        let (counter, rounds) = (COUNTERS[self.depth], self.random.below(4));
         self.line(&format!("{counter} = 0"));
         self.line(&format!("WHILE {counter} < {rounds}"));
         self.nested();
@@ -68,7 +68,7 @@ impl Writer {
 
     /// Left by chance: every flag and comparison may hold.
     fn repeat(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.dice.below(3));
+        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.random.below(3));
         self.line(&format!("{counter} = 0"));
         self.line("REPEAT");
         self.nested();
@@ -83,8 +83,8 @@ impl Writer {
 
     fn counted_for(&mut self) {
         let counter = COUNTERS[self.depth];
-        let last = 1 + self.dice.below(3);
-        let range = match self.dice.below(5) {
+        let last = 1 + self.random.below(3);
+        let range = match self.random.below(5) {
             0 => format!("{last} TO 1 STEP -1"),
             1 => format!("-0.5 TO {last} STEP .75"),
             2 if !self.is_calm() => {
@@ -96,14 +96,14 @@ impl Writer {
         };
         self.line(&format!("FOR {counter} = {range}"));
         self.nested();
-        let named = if self.dice.once_in(2) { counter } else { "" };
+        let named = if self.random.once_in(2) { counter } else { "" };
         self.line(format!("NEXT {named}").trim_end());
     }
 
     /// A jump over some statements.
     fn jump_ahead(&mut self) {
         let label = self.label();
-        if self.dice.once_in(3) {
+        if self.random.once_in(3) {
             self.line(&format!("GOTO {label}:"));
         } else {
             let condition = self.condition();
@@ -115,12 +115,12 @@ impl Writer {
 
     /// A loop over LOOP, entered by whatever is above it.
     fn jump_back(&mut self) {
-        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.dice.below(3));
+        let (counter, rounds) = (COUNTERS[self.depth], 1 + self.random.below(3));
         self.line(&format!("{counter} = 0"));
         self.line("LOOP:");
         self.line(&format!("{counter} += 1"));
         self.scalar_equation();
-        let jump = self.dice.pick(&["GOTO", "GOTO LOOP:"]);
+        let jump = self.pick(&["GOTO", "GOTO LOOP:"]);
         self.line(&format!("IF {counter} < {rounds} {jump}"));
     }
 
@@ -140,8 +140,8 @@ impl Writer {
         if self.subroutines == 0 || (self.in_subroutine && self.is_calm()) {
             return self.robot_command();
         }
-        let name = format!("SUB{}:", self.dice.below(self.subroutines));
-        match self.dice.below(3) {
+        let name = format!("SUB{}:", self.random.below(self.subroutines));
+        match self.random.below(3) {
             0 => self.line(&format!("CALL {name}")),
             1 => self.line(&format!("GOSUB {name}")),
             _ => {
@@ -157,7 +157,7 @@ impl Writer {
         let wild = ["RETURN", "EXIT", "D = SQRT -1", "B = ASIN 2", "C = 1 / 0"];
         let line = match self.is_calm() {
             true => "REM nothing happens",
-            false => self.dice.pick(&wild),
+            false => self.pick(&wild),
         };
         self.line(&format!("IF {condition} THEN"));
         self.line(line);

@@ -22,88 +22,81 @@ impl Writer {
     }
 
     fn calm_scalar(&mut self) {
-        let place = self.dice.below(FLOW.len() as u64 - 1) as usize;
+        let place = self.random.below(FLOW.len() as u64 - 1) as usize;
         let target = FLOW[place];
         let behind = &FLOW[place + 1..];
-        let (a, b) = (self.dice.pick(behind), self.dice.pick(behind));
-        let minus = self.dice.pick(&["", "", "-"]);
+        let (a, b) = (self.pick(behind), self.pick(behind));
+        let minus = self.pick(&["", "", "-"]);
         let constant = self.constant();
-        let line = match self.dice.below(12) {
+        let line = match self.random.below(12) {
             0 => format!("{target} = {minus}{a}"),
             1 => format!("{target} = {minus}{a} + {b}"),
             2 => format!("{target} = {constant} - {b}"),
             3 => format!("{target} = {a}*{constant}"),
-            4 => format!(
-                "{target} = {a} / {}",
-                self.dice.pick(&["2", "-4", "0.1", "3"])
-            ),
+            4 => format!("{target} = {a} / {}", self.pick(&["2", "-4", "0.1", "3"])),
             5 => format!("{target} = ATAN2 1 {minus}{a}"),
-            6 => format!("{target} = NORM {}", self.dice.pick(&["Q", "T"])),
-            7 => format!("{target} {} 0.25", self.dice.pick(&["+=", "-="])),
-            8 => format!("{target} {} .5", self.dice.pick(&["*=", "+="])),
+            6 => format!("{target} = NORM {}", self.pick(&["Q", "T"])),
+            7 => format!("{target} {} 0.25", self.pick(&["+=", "-="])),
+            8 => format!("{target} {} .5", self.pick(&["*=", "+="])),
             9 => {
                 self.line(&format!("{target} = SIN {minus}{a}"));
-                format!("{target} = {} {target}", self.dice.pick(&PARTIAL[1..]))
+                format!("{target} = {} {target}", self.pick(&PARTIAL[1..]))
             }
             10 => {
                 self.line(&format!("{target} = ABS {a}"));
                 format!("{target} = SQRT {target}")
             }
-            _ => format!("{target} = {} {minus}{a}", self.dice.pick(TOTAL)),
+            _ => format!("{target} = {} {minus}{a}", self.pick(TOTAL)),
         };
         self.line(&line);
     }
 
     fn wild_scalar(&mut self) {
-        let target = if self.dice.once_in(3) {
+        let target = if self.random.once_in(3) {
             self.member()
         } else {
             self.variable().to_owned()
         };
-        let update = self.dice.pick(&["=", "=", "=", "+=", "-=", "*=", "/="]);
+        let update = self.pick(&["=", "=", "=", "+=", "-=", "*=", "/="]);
         let (a, b) = (self.scalar(), self.scalar());
-        let value = match self.dice.below(12) {
+        let value = match self.random.below(12) {
             0..=2 => a,
-            3..=7 => format!("{a} {} {b}", self.dice.pick(&["+", "-", "*", "/", "+"])),
-            8 => format!("{} {a}", self.dice.pick(PARTIAL)),
-            9 => format!("{} {a}", self.dice.pick(TOTAL)),
+            3..=7 => format!("{a} {} {b}", self.pick(&["+", "-", "*", "/", "+"])),
+            8 => format!("{} {a}", self.pick(PARTIAL)),
+            9 => format!("{} {a}", self.pick(TOTAL)),
             10 => format!("ATAN2 {a} {b}"),
-            _ => format!("NORM {}", self.dice.pick(&["P", "Q", "S", "T"])),
+            _ => format!("NORM {}", self.pick(&["P", "Q", "S", "T"])),
         };
         self.line(&format!("{target} {update} {value}"));
     }
 
     pub(crate) fn struct_equation(&mut self) {
-        let names = self.dice.pick(&[POSITIONS, JOINTS]);
+        let names = self.pick(&[POSITIONS, JOINTS]);
         let (first, last) = (names[0], names[1]);
         let [target, a, b] = match self.is_calm() {
             true => [first, last, last],
-            false => [
-                self.dice.pick(names),
-                self.dice.pick(names),
-                self.dice.pick(names),
-            ],
+            false => [self.pick(names), self.pick(names), self.pick(names)],
         };
-        let rotation = self.dice.pick(&["ROT_X", "ROT_Y", "ROT_Z"]);
+        let rotation = self.pick(&["ROT_X", "ROT_Y", "ROT_Z"]);
         let updates: &[&str] = if self.is_calm() {
             &["="]
         } else {
             &["=", "=", "+=", "-=", "*=", "/="]
         };
-        let update = self.dice.pick(updates);
+        let update = self.pick(updates);
         let operations: &[&str] = if self.is_calm() {
             &["+", "-", "*"]
         } else {
             &["+", "-", "*", "/"]
         };
-        let value = match self.dice.below(5) {
+        let value = match self.random.below(5) {
             0 => a.to_owned(),
             1 if names == POSITIONS => format!("UNIT_VECT {a}"),
             2 | 3 if names == POSITIONS => {
-                let angle = self.dice.pick(&["D", "30", "-45", "C", "-B"]);
+                let angle = self.pick(&["D", "30", "-45", "C", "-B"]);
                 format!("{rotation} {a} {angle}")
             }
-            _ => format!("{a} {} {b}", self.dice.pick(operations)),
+            _ => format!("{a} {} {b}", self.pick(operations)),
         };
         self.line(&format!("{target} {update} {value}"));
     }

@@ -11,17 +11,17 @@ impl Writer {
     pub(crate) fn teach(&mut self, command: &Command, targets: Targets) -> String {
         let target = self.target(targets);
         let into = match command.meaning {
-            Meaning::Teach(Teach::Position | Teach::Force) => self.dice.pick(POSITIONS),
+            Meaning::Teach(Teach::Position | Teach::Force) => self.pick(POSITIONS),
             _ if target.starts_with('J') => return format!("{target} {}", self.scalar_target()),
-            _ => self.dice.pick(JOINTS),
+            _ => self.pick(JOINTS),
         };
         format!("{target} {into}")
     }
 
     fn scalar_target(&mut self) -> String {
-        match self.dice.once_in(2) {
+        match self.random.once_in(2) {
             true => self.joint_member(),
-            false => self.dice.pick(VARS).to_owned(),
+            false => self.pick(VARS).to_owned(),
         }
     }
 
@@ -35,30 +35,30 @@ impl Writer {
             self.joint(),
         ];
         if family == Family::Titan {
-            inputs.push(format!("PAW{}", 1 + self.dice.below(4)));
+            inputs.push(format!("PAW{}", 1 + self.random.below(4)));
         }
         if family != Family::Generic {
             inputs.push("ANTENNA".to_owned());
         }
-        format!("{} {}", self.dice.pick(&inputs), self.dice.pick(VARS))
+        format!("{} {}", self.pick(&inputs), self.pick(VARS))
     }
 
     pub(crate) fn special(&mut self) -> String {
-        if self.is_hand() && self.dice.below(3) > 0 {
+        if self.is_hand() && self.random.below(3) > 0 {
             return self.special_of_hand();
         }
         let [at_once, lasting, lamp, failing] = NATIVE;
         let last = if self.is_calm() { lamp } else { failing };
-        match self.dice.below(4) {
+        match self.random.below(4) {
             0 => format!("{at_once}"),
-            1 | 2 => format!("{lasting} {} {}", self.dice.below(6), self.dice.pick(VARS)),
+            1 | 2 => format!("{lasting} {} {}", self.random.below(6), self.pick(VARS)),
             _ => format!("{last}"),
         }
     }
 
     fn special_of_hand(&mut self) -> String {
-        let finger = self.dice.below(3);
-        match self.dice.below(8) {
+        let finger = self.random.below(3);
+        match self.random.below(8) {
             0 => "1 20".to_owned(),
             1 => "2 15".to_owned(),
             2 => "5 2 10".to_owned(),
@@ -67,11 +67,11 @@ impl Writer {
             5 => format!(
                 "{} {} {}",
                 11 + finger,
-                self.dice.below(8),
-                self.dice.pick(&["0.5", "2"])
+                self.random.below(8),
+                self.pick(&["0.5", "2"])
             ),
-            6 => format!("{} {}", 14 + finger, self.dice.pick(&["0", "20", "60"])),
-            _ => format!("20 {} {}", self.dice.below(2), self.dice.below(2)),
+            6 => format!("{} {}", 14 + finger, self.pick(&["0", "20", "60"])),
+            _ => format!("20 {} {}", self.random.below(2), self.random.below(2)),
         }
     }
 }

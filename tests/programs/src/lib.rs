@@ -6,7 +6,6 @@
 mod command;
 mod condition;
 mod control;
-mod dice;
 mod equation;
 mod inputs;
 mod number;
@@ -15,9 +14,9 @@ mod rust;
 mod text;
 mod writer;
 
-pub use dice::Dice;
 pub use rust::{Tamper, rust};
 
+use tip_sim::search::Random;
 use tipc::Robot;
 use writer::Writer;
 
@@ -47,14 +46,25 @@ enum Temper {
 
 /// The program of a seed. Half of them are for TITAN VIII, the others for the hand and the generic robot.
 pub fn program(seed: u64) -> Specimen {
-    let mut dice = Dice::new(seed);
-    let robot = dice.pick(&[Robot::Titan8, Robot::Hand, Robot::Titan8, Robot::Generic]);
-    let temper = dice.pick(&[Temper::Calm, Temper::Calm, Temper::Wild]);
+    let mut random = Random::new(seed);
+    let robot = pick(
+        &mut random,
+        &[Robot::Titan8, Robot::Hand, Robot::Titan8, Robot::Generic],
+    );
+    let temper = pick(&mut random, &[Temper::Calm, Temper::Calm, Temper::Wild]);
     Specimen {
         seed,
         robot,
-        source: Writer::new(dice, robot, temper).write(seed),
+        source: Writer::new(random, robot, temper).write(seed),
     }
+}
+
+/// One of several.
+///
+/// # Panics
+/// There is none.
+pub fn pick<T: Clone>(random: &mut Random, from: &[T]) -> T {
+    random.pick(from).expect("one of several").clone()
 }
 
 #[cfg(test)]

@@ -20,16 +20,13 @@ const FINGERS: [[f64; 3]; 3] = [
 impl Writer {
     /// A value of a command: small, and within its limit; wild programs break it now and then.
     pub(crate) fn number(&mut self, command: &Command, limit: Limit) -> String {
-        if !self.is_calm() && self.dice.once_in(12) {
-            return self
-                .dice
-                .pick(&["-1", "0", "1E9", "-0.0", "300"])
-                .to_owned();
+        if !self.is_calm() && self.random.once_in(12) {
+            return self.pick(&["-1", "0", "1E9", "-0.0", "300"]).to_owned();
         }
         let Range { min, max } = self.robot.facts().periods;
         let period = self.robot.facts().period;
         let size = self.size(command.unit);
-        let of = |writer: &mut Self, values: &[f64]| writer.dice.pick(values).to_string();
+        let of = |writer: &mut Self, values: &[f64]| writer.pick(values).to_string();
         match limit {
             Limit::Any => of(
                 self,
@@ -48,7 +45,7 @@ impl Writer {
                 &[min, period, period, 2.0 * period, 0.1 * max].map(|time| 1000.0 / time),
             ),
             Limit::Lamp => self
-                .dice
+                .random
                 .below(u64::from(self.robot.facts().lamps))
                 .to_string(),
             Limit::FloorType if self.is_hand() => of(self, &[1.0, 2.0]),

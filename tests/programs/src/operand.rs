@@ -21,22 +21,22 @@ const CONSTANTS: &[&str] = &[
 impl Writer {
     /// A number as it is written.
     pub(crate) fn constant(&mut self) -> &'static str {
-        self.dice.pick(CONSTANTS)
+        self.pick(CONSTANTS)
     }
 
     /// A whole scalar variable.
     pub(crate) fn variable(&mut self) -> &'static str {
         match self.is_calm() {
-            false if self.dice.once_in(5) => "VAR_KEY",
-            _ => self.dice.pick(VARS),
+            false if self.random.once_in(5) => "VAR_KEY",
+            _ => self.pick(VARS),
         }
     }
 
     /// A member of a struct.
     pub(crate) fn member(&mut self) -> String {
-        if self.dice.once_in(2) {
-            let axis = self.dice.pick(&["X", "Y", "Z"]);
-            format!("{}.{axis}", self.dice.pick(POSITIONS))
+        if self.random.once_in(2) {
+            let axis = self.pick(&["X", "Y", "Z"]);
+            format!("{}.{axis}", self.pick(POSITIONS))
         } else {
             self.joint_member()
         }
@@ -44,13 +44,13 @@ impl Writer {
 
     /// A member of a JOINT.
     pub(crate) fn joint_member(&mut self) -> String {
-        let joint = 1 + self.dice.below(u64::from(self.robot.signature().joints));
-        format!("{}.J{joint}", self.dice.pick(JOINTS))
+        let joint = 1 + self.random.below(u64::from(self.robot.signature().joints));
+        format!("{}.J{joint}", self.pick(JOINTS))
     }
 
     /// Any scalar operand.
     pub(crate) fn scalar(&mut self) -> String {
-        match self.dice.below(8) {
+        match self.random.below(8) {
             0..=2 => self.constant().to_owned(),
             3 => self.member(),
             4 => format!("-{}", self.variable()),
@@ -62,19 +62,19 @@ impl Writer {
     /// A foot or finger.
     pub(crate) fn foot(&mut self) -> String {
         let legs = self.robot.signature().legs;
-        format!("F{}", 1 + self.dice.below(u64::from(legs)))
+        format!("F{}", 1 + self.random.below(u64::from(legs)))
     }
 
     /// A joint.
     pub(crate) fn joint(&mut self) -> String {
         let joints = self.robot.signature().joints;
-        let joint = 1 + self.dice.below(u64::from(joints));
+        let joint = 1 + self.random.below(u64::from(joints));
         self.joint_numbered(joint)
     }
 
     /// The joint of that number of some leg.
     pub(crate) fn joint_numbered(&mut self, joint: u64) -> String {
         let legs = self.robot.signature().legs;
-        format!("J{}{joint}", 1 + self.dice.below(u64::from(legs)))
+        format!("J{}{joint}", 1 + self.random.below(u64::from(legs)))
     }
 }

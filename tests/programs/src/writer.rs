@@ -1,7 +1,8 @@
 //! The program as a whole: declarations, first values, the loop that it stays in, subroutines.
 
-use crate::{Dice, Temper};
+use crate::{Temper, pick};
 use std::fmt::Write as _;
+use tip_sim::search::Random;
 use tipc::Robot;
 
 /// Variables that equations and commands fill.
@@ -15,7 +16,7 @@ pub(crate) const JOINTS: &[&str] = &["S", "T"];
 pub(crate) const DEPTH: usize = COUNTERS.len();
 
 pub(crate) struct Writer {
-    pub(crate) dice: Dice,
+    pub(crate) random: Random,
     pub(crate) robot: Robot,
     pub(crate) temper: Temper,
     text: String,
@@ -28,10 +29,10 @@ pub(crate) struct Writer {
 }
 
 impl Writer {
-    pub(crate) fn new(mut dice: Dice, robot: Robot, temper: Temper) -> Self {
-        let subroutines = dice.pick(&[0, 0, 1, 1, 2]);
+    pub(crate) fn new(mut random: Random, robot: Robot, temper: Temper) -> Self {
+        let subroutines = pick(&mut random, &[0, 0, 1, 1, 2]);
         Writer {
-            dice,
+            random,
             robot,
             temper,
             text: String::new(),
@@ -42,6 +43,11 @@ impl Writer {
         }
     }
 
+    /// One of several.
+    pub(crate) fn pick<T: Clone>(&mut self, from: &[T]) -> T {
+        pick(&mut self.random, from)
+    }
+
     pub(crate) fn write(mut self, seed: u64) -> String {
         self.line("3.1");
         self.line(&format!("random program {seed}"));
@@ -49,7 +55,7 @@ impl Writer {
         self.first_values();
         self.stays();
         // After REM the program runs into its first subroutine.
-        let leaves = self.dice.pick(&["EXIT", "EXIT", "GOTO LAST:", "REM"]);
+        let leaves = self.pick(&["EXIT", "EXIT", "GOTO LAST:", "REM"]);
         self.line(leaves);
         for n in 0..self.subroutines {
             self.subroutine(n);
@@ -96,7 +102,7 @@ impl Writer {
         }
         let late = match self.temper {
             Temper::Calm => lines.len(),
-            Temper::Wild => self.dice.below(4 * lines.len() as u64) as usize,
+            Temper::Wild => self.random.below(4 * lines.len() as u64) as usize,
         };
         for (n, line) in lines.iter().enumerate() {
             if n == late {
@@ -107,14 +113,14 @@ impl Writer {
                 self.line(line);
             }
         }
-        if self.dice.below(4) > 0 {
+        if self.random.below(4) > 0 {
             self.line("EMG_OFF");
         }
     }
 
     /// The loop that most programs stay in until someone requests a halt.
     fn stays(&mut self) {
-        match self.dice.below(4) {
+        match self.random.below(4) {
             0 => {
                 self.line("WHILE !HALT_REQUEST");
                 self.body();
@@ -142,7 +148,7 @@ impl Writer {
     }
 
     fn body(&mut self) {
-        for _ in 0..1 + self.dice.below(3) {
+        for _ in 0..1 + self.random.below(3) {
             self.statement();
         }
     }
@@ -151,7 +157,7 @@ impl Writer {
         self.in_subroutine = true;
         self.line(&format!("SUBROUTINE SUB{n}:"));
         self.block();
-        if self.dice.once_in(3) {
+        if self.random.once_in(3) {
             let condition = self.condition();
             self.line(&format!("IF {condition} THEN"));
             self.line("RETURN");

@@ -109,7 +109,7 @@ const WORDS: &[&str] = &[
 // clauses: 8.1
 #[test]
 fn random_words() {
-    let mut random = Random(0x5EED_0001);
+    let mut random = Random::new(0x5EED_0001);
     for _ in 0..600 {
         let mut text = String::from("3.1\nrandom\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\n");
         for _ in 0..random.below(30) {
@@ -163,7 +163,7 @@ const STATEMENTS: &[&str] = &[
 // clauses: 6.5
 #[test]
 fn random_order() {
-    let mut random = Random(0x5EED_0002);
+    let mut random = Random::new(0x5EED_0002);
     for _ in 0..1500 {
         let mut text = String::from("3.1\norder\nDEF_VAR A B\nDEF_POS P\nDEF_JOINT Q\nB = 1\n");
         for _ in 0..random.below(25) {
@@ -192,7 +192,7 @@ fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
 // clauses: 1.1 8.1
 #[test]
 fn mutated_programs() {
-    let mut random = Random(0x5EED_0003);
+    let mut random = Random::new(0x5EED_0003);
     let mut paths = Vec::new();
     cases(
         &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../cases"),

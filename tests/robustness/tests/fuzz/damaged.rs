@@ -14,7 +14,7 @@ fn a_file_that_breaks_off_anywhere() {
 
 #[test]
 fn bytes_that_were_damaged() {
-    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new(0x9E37_79B9_7F4A_7C15);
     for _ in 0..2000 {
         let mut bytes = EXAMPLE.as_bytes().to_vec();
         for _ in 0..=random.below(4) {
@@ -31,7 +31,7 @@ fn bytes_that_were_damaged() {
 
 #[test]
 fn bytes_out_of_the_blue() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for length in 0..300 {
         let bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
         examine(&bytes);
