@@ -98,7 +98,7 @@ impl Measured<'_> {
                 if let Some(since) = frame.turning.insert(step, cycle) {
                     self.note(index, cycle - since);
                 }
-            } else if steps.binary_search(&step).is_err() {
+            } else if !steps.contains(step) {
                 frame.turning.remove(head);
             }
         }

@@ -4,21 +4,28 @@
 //! the maximum the longest one, and there is none where a path can loop. A call counts with what
 //! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
 //! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
-//! ten open calls are one. Each part takes time O(n log n) in the number of steps that it can pass.
+//! ten open calls are one. Subroutines and stretches take time O(n log n) in the number of steps that each can pass;
+//! so do all turns together, unless a jump leads into a loop from aside: its turn takes time in proportion to what is around it.
 
+mod costs;
 mod count;
 mod counted;
+mod counters;
 mod distance;
 mod graph;
 mod loops;
 mod render;
 mod rings;
+mod routines;
+mod steps;
+mod turns;
 
 #[cfg(test)]
 mod tests;
 
 pub use count::Count;
 pub use render::{human, json, short};
+pub use steps::Steps;
 
 use super::flow::{Flow, NodeId};
 use crate::Robot;
@@ -26,6 +33,7 @@ use crate::program::{Program, StepId};
 use distance::Place;
 use graph::Graph;
 use std::collections::BTreeSet;
+use turns::turns;
 
 /// A part of a program, and how many cycles it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,8 +56,8 @@ pub enum Span {
     Turn {
         /// That step; of a FOR, the first one of its body.
         head: StepId,
-        /// The steps that a turn can pass, in order.
-        steps: Vec<StepId>,
+        /// The steps that a turn can pass.
+        steps: Steps,
         /// How many turns a FOR over constants makes.
         turns: Option<u64>,
     },
@@ -113,24 +121,6 @@ fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
         })
     });
     returning.collect()
-}
-
-fn turns(flow: &Flow, graph: &Graph) -> Vec<Part> {
-    let loops = graph.loops();
-    let turn = |head: NodeId| {
-        let inside = loops.nodes(head);
-        let cycles = graph.turn(head, &inside)?;
-        let steps: BTreeSet<StepId> = inside.iter().map(|id| flow.nodes()[*id].step).collect();
-        Some(Part {
-            span: Span::Turn {
-                head: flow.nodes()[head].step,
-                steps: steps.into_iter().collect(),
-                turns: graph.turns_from(head),
-            },
-            cycles,
-        })
-    };
-    loops.heads().into_iter().filter_map(turn).collect()
 }
 
 fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> Vec<Part> {

@@ -1,13 +1,15 @@
-//! What the steps of a program cost, and where they lead: calls and counted loops as one edge.
+//! What the steps of a program cost, and where they lead: calls and loops inside as one edge.
 
 use super::Sampling;
+use super::costs::{cost, longest_sampling};
 use super::count::Count;
 use super::counted::{Counted, counted};
-use super::distance::{Edge, Place, distances};
+use super::distance::{Edge, Place, Search};
 use super::loops::Loops;
+use super::routines::Calls;
 use crate::analysis::flow::{Call, Flow, NodeId};
-use crate::language::commands;
-use crate::program::{Action, Op, Operand, Program};
+use crate::program::{Action, Program};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The flow of a program with its costs.
@@ -19,14 +21,19 @@ pub(super) struct Graph<'a> {
     counted: BTreeMap<NodeId, Counted>,
     /// What a call costs from its entry to its return; `None` if it never comes back.
     routines: BTreeMap<NodeId, Option<Count>>,
+    /// What a counted loop costs from its FOR to where it is left, once all calls are counted.
+    passed: RefCell<BTreeMap<NodeId, Vec<Edge>>>,
+    searches: RefCell<Vec<Search>>,
 }
 
-/// Where paths end, apart from the end of their frame.
-struct Limits<'a> {
+/// Where paths end, apart from the end of their frame, and what counts as one edge.
+pub(super) struct Limits<'a> {
     /// A node that is not passed.
-    stops: &'a dyn Fn(NodeId) -> bool,
+    pub(super) stops: &'a dyn Fn(NodeId) -> bool,
     /// A counted loop that cannot count as one edge, because paths end inside.
-    opens: &'a dyn Fn(&Counted) -> bool,
+    pub(super) opens: &'a dyn Fn(&Counted) -> bool,
+    /// What it costs to leave the loop that begins at a node, if that counts as one edge.
+    pub(super) closed: &'a dyn Fn(NodeId) -> Option<&'a [Edge]>,
 }
 
 impl<'a> Graph<'a> {
@@ -39,6 +46,8 @@ impl<'a> Graph<'a> {
             costs: actions.map(|action| cost(action, longest)).collect(),
             counted: counted(program, flow),
             routines: flow.calls().map(|call| (call.entry, None)).collect(),
+            passed: RefCell::default(),
+            searches: RefCell::default(),
         };
         graph.count_routines();
         graph
@@ -58,7 +67,8 @@ impl<'a> Graph<'a> {
             let back = node.call.filter(comes_back).map(|call| call.back);
             node.next.iter().copied().chain(back).collect()
         });
-        Loops::new(next.collect())
+        let entries = self.routines.keys().copied();
+        Loops::new(next.collect(), entries.chain([0]))
     }
 
     /// How often a counted loop runs its body that begins here.
@@ -67,14 +77,12 @@ impl<'a> Graph<'a> {
         self.counted.get(&head).map(|counted| counted.turns)
     }
 
-    /// One turn of the loop `inside`, from `head` until it is reached again.
-    pub(super) fn turn(&self, head: NodeId, inside: &BTreeSet<NodeId>) -> Option<Count> {
-        let limits = Limits {
-            stops: &|id| id == head || !inside.contains(&id),
-            opens: &|counted| counted.nodes.contains(&head),
-        };
-        let found = distances(head, |id| self.edges(id, &limits));
-        found.get(&Place::Stop(head)).copied()
+    /// From a node to where paths end.
+    pub(super) fn ends(&self, from: NodeId, limits: &Limits) -> BTreeMap<Place, Count> {
+        let mut search = self.searches.borrow_mut().pop().unwrap_or_default();
+        let found = search.ends(from, |id, edges| self.edges(id, limits, edges));
+        self.searches.borrow_mut().push(search);
+        found
     }
 
     /// From a node to the next ones among `labels`, to the return and to the end.
@@ -86,31 +94,24 @@ impl<'a> Graph<'a> {
         let limits = Limits {
             stops: &|id| labels.contains(&id),
             opens: &|counted| labels.range(counted.nodes.clone()).next().is_some(),
+            closed: &|_| None,
         };
-        distances(from, |id| self.edges(id, &limits))
+        self.ends(from, &limits)
     }
 
-    /// Counts the calls, those inside first, until nothing changes.
+    /// Counts the calls, those inside first, and those again that something changes for.
     fn count_routines(&mut self) {
-        let calls = self.calls_of_routines();
-        let order = inner_first(&calls);
-        let is_recursive = |entry: NodeId| reaches(&calls, entry).contains(&entry);
-        let recursive: BTreeSet<NodeId> = order
-            .iter()
-            .copied()
-            .filter(|entry| is_recursive(*entry))
-            .collect();
-        loop {
-            let mut changed = false;
-            for entry in &order {
-                let mut cycles = self.routine(*entry);
-                if recursive.contains(entry) {
-                    cycles = cycles.map(Count::unbounded);
-                }
-                changed |= self.routines.insert(*entry, cycles) != Some(cycles);
+        let calls = Calls::new(self.flow);
+        let mut open: BTreeSet<usize> = (0..calls.count()).collect();
+        while let Some(place) = open.pop_first() {
+            let entry = calls.entry(place);
+            let mut cycles = self.routine(entry);
+            if calls.is_recursive(place) {
+                cycles = cycles.map(Count::unbounded);
             }
-            if !changed {
-                return;
+            self.passed.borrow_mut().clear();
+            if self.routines.insert(entry, cycles) != Some(cycles) {
+                open.extend(calls.callers(place));
             }
         }
     }
@@ -119,47 +120,37 @@ impl<'a> Graph<'a> {
         let limits = Limits {
             stops: &|_| false,
             opens: &|_| false,
+            closed: &|_| None,
         };
-        let found = distances(entry, |id| self.edges(id, &limits));
-        found.get(&Place::Return).copied()
+        self.ends(entry, &limits).get(&Place::Return).copied()
     }
 
-    /// The entries that each subroutine calls itself.
-    fn calls_of_routines(&self) -> BTreeMap<NodeId, BTreeSet<NodeId>> {
-        let of_routine = |entry: &NodeId| {
-            let mut called = BTreeSet::new();
-            let mut seen = BTreeSet::new();
-            let mut open = vec![*entry];
-            while let Some(id) = open.pop() {
-                if !seen.insert(id) {
-                    continue;
-                }
-                let node = &self.flow.nodes()[id];
-                open.extend(node.next.iter());
-                open.extend(node.call.map(|call| call.back));
-                called.extend(node.call.map(|call| call.entry));
-            }
-            (*entry, called)
+    fn edges(&self, id: NodeId, limits: &Limits, edges: &mut Vec<Edge>) {
+        let onward = |edge: &Edge| Edge {
+            to: match edge.to {
+                Place::Stop(outside) => arrival(outside, limits),
+                place => place,
+            },
+            ..*edge
         };
-        self.routines.keys().map(of_routine).collect()
-    }
-
-    fn edges(&self, id: NodeId, limits: &Limits) -> Vec<Edge> {
+        if let Some(left) = (limits.closed)(id) {
+            return edges.extend(left.iter().map(onward));
+        }
         if let Some(counted) = self.counted.get(&id)
             && !(limits.opens)(counted)
         {
-            return self.past(id, counted, limits);
+            if !self.passed.borrow().contains_key(&id) {
+                let left = self.past(id, counted);
+                self.passed.borrow_mut().insert(id, left);
+            }
+            return edges.extend(self.passed.borrow()[&id].iter().map(onward));
         }
         let node = &self.flow.nodes()[id];
         let cost = self.costs[id];
-        let mut edges: Vec<Edge> = node
-            .next
-            .iter()
-            .map(|next| Edge {
-                to: arrival(*next, limits),
-                cost,
-            })
-            .collect();
+        edges.extend(node.next.iter().map(|next| Edge {
+            to: arrival(*next, limits),
+            cost,
+        }));
         if let Some(call) = node.call
             && let Some(inner) = self.routines[&call.entry]
         {
@@ -180,19 +171,19 @@ impl<'a> Graph<'a> {
                 cost,
             });
         }
-        edges
     }
 
     /// A counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
-    fn past(&self, head: NodeId, counted: &Counted, limits: &Limits) -> Vec<Edge> {
+    fn past(&self, head: NodeId, counted: &Counted) -> Vec<Edge> {
         let inner = Limits {
             stops: &|id| id == counted.next || !counted.nodes.contains(&id),
             opens: &|_| false,
+            closed: &|_| None,
         };
         let body = counted.nodes.start;
         let mut found = match body == counted.next {
             true => BTreeMap::from([(Place::Stop(body), Count::exactly(0))]),
-            false => distances(body, |id| self.edges(id, &inner)),
+            false => self.ends(body, &inner),
         };
         let to_next = found.remove(&Place::Stop(counted.next));
         let turn = to_next.map(|to_next| to_next.then(self.costs[counted.next]));
@@ -200,22 +191,15 @@ impl<'a> Graph<'a> {
         let mut edges = Vec::new();
         if let Some(turn) = turn {
             edges.push(Edge {
-                to: arrival(counted.exit, limits),
+                to: Place::Stop(counted.exit),
                 cost: before.then(turn.times(counted.turns)),
             });
         }
         let earlier = turn.map_or(Count::exactly(0), |turn| turn.at_most(counted.turns - 1));
-        for (place, cycles) in found {
-            let to = match place {
-                Place::Stop(outside) => arrival(outside, limits),
-                Place::Return | Place::End => place,
-                Place::Pass(_) => continue,
-            };
-            edges.push(Edge {
-                to,
-                cost: before.then(earlier).then(cycles),
-            });
-        }
+        edges.extend(found.into_iter().map(|(to, cycles)| Edge {
+            to,
+            cost: before.then(earlier).then(cycles),
+        }));
         edges
     }
 }
@@ -227,105 +211,6 @@ fn arrival(id: NodeId, limits: &Limits) -> Place {
     }
 }
 
-/// Every subroutine after those that it calls, as far as they do not call each other.
-fn inner_first(calls: &BTreeMap<NodeId, BTreeSet<NodeId>>) -> Vec<NodeId> {
-    let mut order = Vec::new();
-    let mut seen = BTreeSet::new();
-    for entry in calls.keys() {
-        let mut open = vec![(*entry, false)];
-        while let Some((entry, is_done)) = open.pop() {
-            if is_done {
-                order.push(entry);
-            } else if seen.insert(entry) {
-                open.push((entry, true));
-                open.extend(calls[&entry].iter().map(|called| (*called, false)));
-            }
-        }
-    }
-    order
-}
-
-/// The subroutines that one calls, at any depth.
-fn reaches(calls: &BTreeMap<NodeId, BTreeSet<NodeId>>, entry: NodeId) -> BTreeSet<NodeId> {
-    let mut reached = BTreeSet::new();
-    let mut open = vec![entry];
-    while let Some(entry) = open.pop() {
-        for called in &calls[&entry] {
-            if reached.insert(*called) {
-                open.push(*called);
-            }
-        }
-    }
-    reached
-}
-
 fn action(program: &Program, step: u32) -> &Action {
     &program.steps()[step as usize].action
-}
-
-/// What a step costs by itself: one cycle, or the least of a step that waits.
-fn cost(action: &Action, longest_sampling: f64) -> Count {
-    let least = match action {
-        Action::KeyIn { .. } => 1,
-        Action::Command { op, arguments, .. } if commands::waits(*op) => {
-            match (op, arguments.first().map(|argument| argument.operand)) {
-                (Op::Sleep, Some(Operand::Constant(ms))) => slept(ms, longest_sampling),
-                _ => 1,
-            }
-        }
-        Action::Command { .. }
-        | Action::Nothing
-        | Action::SetScalar { .. }
-        | Action::SetStruct { .. }
-        | Action::If { .. }
-        | Action::ElseIf { .. }
-        | Action::Else { .. }
-        | Action::While { .. }
-        | Action::Goto { .. }
-        | Action::Until { .. }
-        | Action::For { .. }
-        | Action::Next { .. }
-        | Action::IfGoto { .. }
-        | Action::Gosub { .. }
-        | Action::IfGosub { .. }
-        | Action::Return
-        | Action::Finish(_)
-        | Action::TeachStruct { .. }
-        | Action::TeachScalar { .. }
-        | Action::AdIn { .. }
-        | Action::Message { .. } => return Count::exactly(1),
-    };
-    Count {
-        waits: true,
-        ..Count::exactly(least)
-    }
-}
-
-/// The cycles of SLEEP (clause 2.19).
-fn slept(ms: f64, sampling: f64) -> u64 {
-    // Out of range saturates; a negative time fails when it runs.
-    ((ms / sampling - 1e-9).ceil() as u64).max(1)
-}
-
-/// The longest sampling time that may be in force.
-fn longest_sampling(program: &Program, sampling: Sampling) -> f64 {
-    let set = program
-        .steps()
-        .iter()
-        .filter_map(|step| match &step.action {
-            Action::Command {
-                op: op @ (Op::SetSamplingTime | Op::SetSamplingFreq),
-                arguments,
-                ..
-            } => Some((*op, arguments.first()?.operand)),
-            _ => None,
-        });
-    let times = set.map(|(op, operand)| match (op, operand) {
-        (Op::SetSamplingTime, Operand::Constant(ms)) => ms,
-        (Op::SetSamplingFreq, Operand::Constant(hz)) if hz > 0.0 => 1000.0 / hz,
-        _ => sampling.longest,
-    });
-    times
-        .fold(sampling.standard, f64::max)
-        .min(sampling.longest)
 }

@@ -152,7 +152,7 @@ fn first_step(program: &Program, span: &Span) -> StepId {
 
 fn last_step(span: &Span) -> Option<StepId> {
     match span {
-        Span::Turn { steps, .. } => steps.last().copied(),
+        Span::Turn { steps, .. } => steps.last(),
         Span::Stretch {
             to: Stop::Label(step),
             ..
