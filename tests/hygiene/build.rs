@@ -31,7 +31,7 @@ fn hostile() -> Result<(), Box<dyn Error>> {
         runtime: "::robot".parse()?,
         ..emit::Options::default()
     };
-    let code = emit::pretty(&program, emit::emit(&program, &options))?;
+    let code = emit::pretty(&program, &options)?;
     let folder = std::env::var_os("OUT_DIR").ok_or("Cargo sets OUT_DIR")?;
     std::fs::write(std::path::Path::new(&folder).join("hostile.rs"), code)?;
     Ok(())

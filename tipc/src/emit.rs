@@ -35,6 +35,7 @@ use crate::analysis::assignment::Assignment;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
+use table::States;
 use tip_runtime::program::Signature;
 
 /// How the generated type is called and what it refers to.
@@ -83,15 +84,7 @@ pub(crate) fn header_of(source: &str, hash: u64) -> String {
 /// The same program and options give the same tokens, always.
 pub fn emit(program: &Program, options: &Options) -> TokenStream {
     let emitter = Emitter::new(program, options);
-    let lock = emitter.version_lock();
-    let states = emitter.states();
-    let structure = emitter.structure(&states.mentioned);
-    let inherent = emitter.inherent_impl(&states.mentioned);
-    let table = emitter.table(&states);
-    let default = emitter.default_impl();
-    let program = emitter.program_impl();
-    let robot = for_robot(emitter.program.signature, &emitter.name, emitter.runtime);
-    quote! { #lock #structure #inherent #table #default #program #robot }
+    emitter.items(&emitter.states())
 }
 
 /// A type of the program's name that causes no further errors: it implements the trait and does
@@ -173,6 +166,8 @@ struct Emitter<'a> {
     runtime: &'a TokenStream,
     name: Ident,
     assignment: Assignment,
+    /// Something reads "taken / not taken".
+    has_taken_state: bool,
     /// The labels that jumps may name: those whose name stands for one step only.
     labels: Vec<(u32, Ident)>,
 }
@@ -185,8 +180,24 @@ impl<'a> Emitter<'a> {
             runtime: &options.runtime,
             name: options.name_for(&program.source_name),
             assignment: Assignment::of(program),
+            has_taken_state: program
+                .steps
+                .iter()
+                .any(|step| step.action.passed_to().is_some()),
             labels: ident::label_constants(&program.labels),
         }
+    }
+
+    /// Everything, with these states.
+    fn items(&self, states: &States) -> TokenStream {
+        let lock = self.version_lock();
+        let structure = self.structure(&states.mentioned);
+        let inherent = self.inherent_impl(states);
+        let table = self.table(states);
+        let default = self.default_impl();
+        let program = self.program_impl();
+        let robot = for_robot(self.program.signature, &self.name, self.runtime);
+        quote! { #lock #structure #inherent #table #default #program #robot }
     }
 
     fn version_lock(&self) -> TokenStream {

@@ -49,10 +49,9 @@ fn write(steps: usize) -> Result<PathBuf, Box<dyn Error>> {
         visibility: "pub".parse()?,
         ..emit::Options::default()
     };
-    let tokens = emit::emit(&program, &options);
     fs::create_dir_all(folder())?;
     let file = folder().join(format!("steps{steps}.rs"));
-    fs::write(&file, emit::pretty(&program, tokens)?)?;
+    fs::write(&file, emit::pretty(&program, &options)?)?;
     Ok(file)
 }
 

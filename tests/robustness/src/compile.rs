@@ -1,7 +1,7 @@
 //! The whole path to generated code and listings: what the emitter writes is a Rust file, the same each time.
 
 use tipc::analysis::cycles::{Sampling, json, parts};
-use tipc::emit::{emit, pretty};
+use tipc::emit::pretty;
 use tipc::{Options, Robot, emit, listing, load};
 
 /// Compiles the bytes for each robot.
@@ -22,8 +22,7 @@ pub fn examine(bytes: &[u8]) {
         json(&program, &parts(&program, sampling), sampling);
         listing::label(&program);
         listing::object(&loaded.source, &loaded.module, &program);
-        let tokens = emit(&program, &emit::Options::default());
-        if let Err(error) = pretty(&program, tokens) {
+        if let Err(error) = pretty(&program, &emit::Options::default()) {
             panic!("{error}: {}", String::from_utf8_lossy(bytes));
         }
     }

@@ -1,6 +1,7 @@
 //! How Rust spells a program's state: the struct, its constructor and its implementations.
 
 use super::ident::field;
+use super::table::States;
 use super::text::in_comment;
 use super::{Emitter, header_of, word};
 use crate::program::{Variable, VariableKind};
@@ -10,14 +11,6 @@ use std::collections::BTreeSet;
 use tip_runtime::model::Family;
 
 impl Emitter<'_> {
-    /// Whether anything reads "taken / not taken".
-    pub(super) fn has_taken_state(&self) -> bool {
-        self.program
-            .steps
-            .iter()
-            .any(|step| step.action.passed_to().is_some())
-    }
-
     fn has_calls(&self, mentioned: &BTreeSet<String>) -> bool {
         mentioned.contains("calls")
     }
@@ -41,7 +34,7 @@ impl Emitter<'_> {
             let (field, kind) = (field(variable), self.field_type(variable));
             quote!(#field: #kind,)
         });
-        let not_taken = self.has_taken_state().then(|| quote!(not_taken: bool,));
+        let not_taken = self.has_taken_state.then(|| quote!(not_taken: bool,));
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack,));
@@ -61,10 +54,10 @@ impl Emitter<'_> {
     }
 
     /// The constructor and the tables.
-    pub(super) fn inherent_impl(&self, mentioned: &BTreeSet<String>) -> TokenStream {
+    pub(super) fn inherent_impl(&self, states: &States) -> TokenStream {
         let name = &self.name;
-        let constructor = self.constructor(mentioned);
-        let tables = self.tables(mentioned);
+        let constructor = self.constructor(&states.mentioned);
+        let tables = self.tables(states);
         quote! {
             #[allow(unused_qualifications, clippy::all, clippy::pedantic)]
             impl #name {
@@ -91,7 +84,7 @@ impl Emitter<'_> {
             };
             quote!(#field: #unassigned,)
         });
-        let not_taken = self.has_taken_state().then(|| quote!(not_taken: false,));
+        let not_taken = self.has_taken_state.then(|| quote!(not_taken: false,));
         let calls = self
             .has_calls(mentioned)
             .then(|| quote!(calls: #runtime::program::CallStack::new(),));
@@ -110,12 +103,10 @@ impl Emitter<'_> {
     }
 
     /// The source line of each step, and the steps of the labels that states name.
-    fn tables(&self, mentioned: &BTreeSet<String>) -> TokenStream {
-        let lines = self
-            .program
-            .steps
-            .iter()
-            .map(|step| Literal::u32_unsuffixed(step.line));
+    fn tables(&self, states: &States) -> TokenStream {
+        let States {
+            lines, mentioned, ..
+        } = states;
         let labels = self
             .labels
             .iter()
@@ -125,7 +116,7 @@ impl Emitter<'_> {
                 quote!(const #name: u32 = #step;)
             });
         quote! {
-            const LINES: &'static [u32] = &[#(#lines),*];
+            const LINES: &'static [u32] = &[#lines];
             #(#labels)*
         }
     }
@@ -133,7 +124,7 @@ impl Emitter<'_> {
     /// What the rows that are data need of a program.
     pub(super) fn state_impl(&self, name: &TokenStream) -> TokenStream {
         let taken = self
-            .has_taken_state()
+            .has_taken_state
             .then(|| quote!(self.not_taken = false;));
         quote! {
             impl State for #name {

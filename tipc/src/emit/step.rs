@@ -214,7 +214,7 @@ impl Emitter<'_> {
     /// From a false IF or ELSEIF on to a step, "not taken".
     fn skip(&self, step: StepId) -> TokenStream {
         let step = self.step_number(step);
-        if self.has_taken_state() {
+        if self.has_taken_state {
             quote!(self.skip(#step))
         } else {
             quote!(self.go(#step))

@@ -4,12 +4,16 @@ use super::Emitter;
 use super::ident::{identifier, state};
 use super::step::State;
 use super::text::in_comment;
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use crate::program::StepId;
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
 
 /// The states of a program.
+#[derive(Default)]
 pub(super) struct States {
+    /// The source line of each step.
+    pub(super) lines: TokenStream,
     rows: TokenStream,
     /// Those of the rows that need code, and what moves between states.
     functions: TokenStream,
@@ -17,33 +21,68 @@ pub(super) struct States {
     pub(super) mentioned: BTreeSet<String>,
 }
 
+/// What a step becomes.
+pub(super) struct Spelled {
+    pub(super) row: TokenStream,
+    /// What the row leads to, if it needs code.
+    pub(super) function: TokenStream,
+}
+
 impl Emitter<'_> {
     /// The states, and what moves between them.
     pub(super) fn states(&self) -> States {
-        let (mut rows, mut functions) = (TokenStream::new(), TokenStream::new());
+        let mut states = States::default();
         for (step, id) in self.program.steps.iter().zip(0..) {
-            let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
-            let doc = in_comment(&doc);
-            match self.state(id, &step.action) {
-                State::Row(row) => rows.extend(quote!(#[doc = #doc] #row,)),
-                State::Function(body) => {
-                    let name = state(id);
-                    rows.extend(quote!(Step::run(Self::#name),));
-                    functions.extend(function(&name, &doc, &body));
+            let line = Literal::u32_unsuffixed(step.line);
+            states.lines.extend(quote!(#line,));
+            let Spelled { row, function } = self.spelled(id);
+            states.mention([&row, &function]);
+            states.rows.extend(row);
+            states.functions.extend(function);
+        }
+        self.with_moves(states)
+    }
+
+    /// The states with one row, no line and no function in the place of all.
+    #[cfg(feature = "build")]
+    pub(super) fn outline(&self, row: TokenStream) -> States {
+        let mut states = States {
+            rows: row,
+            ..States::default()
+        };
+        for (_, id) in self.program.steps.iter().zip(0..) {
+            let Spelled { row, function } = self.spelled(id);
+            states.mention([&row, &function]);
+        }
+        self.with_moves(states)
+    }
+
+    fn with_moves(&self, mut states: States) -> States {
+        states.mentioned.insert("Step".to_owned());
+        states.mention([&self.state_impl(&TokenStream::new())]);
+        let moves = self.moves(&states.mentioned);
+        states.mention([&moves]);
+        states.functions.extend(moves);
+        states
+    }
+
+    /// What one step becomes.
+    pub(super) fn spelled(&self, id: StepId) -> Spelled {
+        let step = &self.program.steps[id as usize];
+        let doc = format!(" {}:{}: {}", self.program.source_name, step.line, step.text);
+        let doc = in_comment(&doc);
+        match self.state(id, &step.action) {
+            State::Row(row) => Spelled {
+                row: quote!(#[doc = #doc] #row,),
+                function: TokenStream::new(),
+            },
+            State::Function(body) => {
+                let name = state(id);
+                Spelled {
+                    row: quote!(Step::run(Self::#name),),
+                    function: function(&name, &doc, &body),
                 }
             }
-        }
-        let mut mentioned = BTreeSet::from(["Step".to_owned()]);
-        collect_words(&rows, &mut mentioned);
-        collect_words(&functions, &mut mentioned);
-        collect_words(&self.state_impl(&TokenStream::new()), &mut mentioned);
-        let moves = self.moves(&mentioned);
-        collect_words(&moves, &mut mentioned);
-        functions.extend(moves);
-        States {
-            rows,
-            functions,
-            mentioned,
         }
     }
 
@@ -53,6 +92,7 @@ impl Emitter<'_> {
             rows,
             functions,
             mentioned,
+            ..
         } = states;
         let imports = self.imports(mentioned);
         let name = &self.name;
@@ -106,6 +146,14 @@ impl Emitter<'_> {
         quote! {
             #option #result #ok #command #fault
             #row #ops #values #program
+        }
+    }
+}
+
+impl States {
+    fn mention<'a>(&mut self, tokens: impl IntoIterator<Item = &'a TokenStream>) {
+        for tokens in tokens {
+            collect_words(tokens, &mut self.mentioned);
         }
     }
 }

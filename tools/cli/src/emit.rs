@@ -83,8 +83,7 @@ fn as_rust(program: &Program) -> Result<String, Error> {
         visibility: quote::quote!(pub),
         ..rust::Options::default()
     };
-    let tokens = rust::emit(program, &options);
-    rust::pretty(program, tokens).map_err(|error| {
+    rust::pretty(program, &options).map_err(|error| {
         Error::Usage(format!(
             "{} cannot be spelt in Rust: {error}",
             program.source_name()

@@ -161,8 +161,8 @@ fn main() -> io::Result<()> {{
 }
 
 fn compiled(program: &Program) -> Result<String, Error> {
-    let tokens = emit::emit(program, &spelling("Verified"));
-    emit::pretty(program, tokens).map_err(|error| unspeakable(program.source_name(), &error))
+    let text = emit::pretty(program, &spelling("Verified"));
+    text.map_err(|error| unspeakable(program.source_name(), &error))
 }
 
 fn robot(description: &Description) -> Result<String, Error> {
