@@ -119,7 +119,9 @@ fn included(
 
 fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
     file::find(&path.value, invoking).map_err(|reason| {
-        let reason = Reading::System { error: reason };
+        let reason = Reading::System {
+            error: reason.into(),
+        };
         let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
         let missing = missing.about(&path.value);
         let (code, title) = (missing.code.id(), missing.title());

@@ -128,7 +128,7 @@ fn read<T>(
 fn not_toml(part: Part, error: &toml::de::Error) -> Diagnostic {
     let place = error.span().unwrap_or_default();
     let reason = Describing::NotToml {
-        error: error.message().to_owned(),
+        error: error.message().to_owned().into(),
     };
     let help = Describing::DescriptionsAreToml;
     fault(part, Span::new(place.start, place.end), reason, help)

@@ -4,7 +4,7 @@ mod undecodable;
 
 use crate::code::{Code, Level};
 use crate::language::Edition;
-use crate::message::{Lang, Message};
+use crate::message::{Cut, Lang, Message};
 use crate::source::Span;
 
 /// A second place that a diagnostic points at.
@@ -82,18 +82,23 @@ impl Diagnostic {
 
     /// The classical message, its subject filled in.
     pub fn message(&self) -> String {
+        self.filled(self.code.template())
+    }
+
+    /// A template with the subject in it: a path whole, of a name as much as is shown.
+    fn filled(&self, template: &str) -> String {
         let subject = self.subject.as_deref().unwrap_or_default();
-        self.code.template().replace("{}", subject)
+        match self.code {
+            Code::CannotWrite | Code::FileNotFound => template.replace("{}", subject),
+            _ => template.replace("{}", &Cut::word(subject).to_string()),
+        }
     }
 
     /// What people read first: of an error its reason, of a warning its message.
     pub fn headline(&self, lang: Lang) -> String {
         match self.level() {
             Level::Error => self.reason.in_lang(lang).to_string(),
-            Level::Warning => {
-                let subject = self.subject.as_deref().unwrap_or_default();
-                self.code.template_in(lang).replace("{}", subject)
-            }
+            Level::Warning => self.filled(self.code.template_in(lang)),
         }
     }
 

@@ -186,11 +186,11 @@ impl Config {
         let load = self.load(report)?;
         for (output, input) in outputs {
             report.depends_on(input)?;
+            files::claim(&output, input)?;
             let Some(program) = program(input, &load, report) else {
                 continue;
             };
-            let tokens = emit::emit(&program, &spelling);
-            let text = emit::pretty(&program, tokens).map_err(|error| no_rust(&error))?;
+            let text = emit::pretty(&program, &spelling).map_err(|error| no_rust(&error))?;
             files::write_if_changed(&output, &text)?;
         }
         report.outcome()
@@ -203,6 +203,7 @@ impl Config {
         if let Some(description) = describe(path, report)? {
             let outputs = outputs(&[path], &folder)?;
             for output in outputs.keys() {
+                files::claim(output, path)?;
                 let text = description
                     .pretty(&spelling)
                     .map_err(|error| no_rust(&error))?;
@@ -287,7 +288,7 @@ impl Report {
     fn depends_on(&mut self, input: &Path) -> Result<(), BuildError> {
         let path = input.display().to_string();
         if path.contains(['\n', '\r']) {
-            let path = emit::in_comment(&path);
+            let path = emit::in_comment(&path).into();
             return Err(BuildError::setting(Building::LineBreak { path }));
         }
         self.lines.push(format!("rerun-if-changed={path}"));
@@ -332,13 +333,17 @@ fn outputs<'a>(
         name.push(".rs");
         let output = folder.join(name);
         if let Some(other) = outputs.insert(output, *path) {
-            return Err(BuildError::setting(Building::SameOutput {
-                one: other.display().to_string(),
-                other: path.display().to_string(),
-            }));
+            return Err(same_output(other, path));
         }
     }
     Ok(outputs)
+}
+
+fn same_output(one: &Path, other: &Path) -> BuildError {
+    BuildError::setting(Building::SameOutput {
+        one: one.display().to_string().into(),
+        other: other.display().to_string().into(),
+    })
 }
 
 /// The tokens of a setting that must be a `T`.
@@ -351,25 +356,25 @@ fn tokens<T: syn::parse::Parse>(text: &str) -> Result<TokenStream, BuildError> {
 fn no_such_rust(text: &str, error: &dyn Display) -> BuildError {
     BuildError::setting(Building::NoRust {
         text: text.to_owned(),
-        error: error.to_string(),
+        error: error.to_string().into(),
     })
 }
 
 /// Settings that make no Rust file.
 fn no_rust(error: &dyn Display) -> BuildError {
-    let error = error.to_string();
+    let error = error.to_string().into();
     BuildError::setting(Building::Rust { error })
 }
 
 fn no_file(path: &Path) -> BuildError {
-    let path = path.display().to_string();
+    let path = path.display().to_string().into();
     BuildError::setting(Building::NoFile { path })
 }
 
 fn not_found(name: &str, error: &std::io::Error) -> Loaded {
     let (source, _) = Source::decode(name, b"", Encoding::Utf8);
     let reason = Reading::System {
-        error: error.to_string(),
+        error: error.to_string().into(),
     };
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])

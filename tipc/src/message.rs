@@ -2,6 +2,7 @@
 //!
 //! Each room that finds something has a table, and [`phrase`] one for each part of a sentence that
 //! varies. Nothing else spells a sentence, so that a text is changed in one place. Each language is a column.
+//! Quoted words are cut to 80 characters.
 
 #[macro_use]
 mod table;
@@ -26,6 +27,7 @@ pub(crate) mod say;
 mod structuring;
 mod suggesting;
 mod warning;
+mod word;
 
 #[cfg(feature = "build")]
 pub use building::Building;
@@ -45,6 +47,8 @@ pub use say::{Decimal, Lang, Letter};
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
 pub use warning::Warning;
+pub(crate) use word::Cut;
+pub use word::Text;
 
 use std::fmt::{self, Display, Formatter};
 

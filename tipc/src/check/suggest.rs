@@ -3,13 +3,16 @@
 /// How many candidates are looked at: a suggestion must not cost more than the check.
 const CANDIDATES: usize = 500;
 
+/// The longest word that something is suggested for: the time grows with the square of the length.
+const LONGEST: usize = 80;
+
 /// The candidate nearest to `word`, if it is near enough to be meant.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
     // Of one or two letters nearly every other name is near.
-    if word.len() < 3 {
+    if word.len() < 3 || word.len() > LONGEST {
         return None;
     }
     let allowed = 1 + word.len() / 5;
@@ -66,6 +69,9 @@ mod tests {
         assert_eq!(nearest("B", ["A", "C"]), None);
         assert_eq!(nearest("N2", ["N1"]), None);
         assert_eq!(nearest("N12", ["N11"]), Some("N11"));
+        let long = |letters: usize| "N".repeat(letters);
+        assert!(nearest(&long(80), [long(79).as_str()]).is_some());
+        assert_eq!(nearest(&long(81), [long(80).as_str()]), None);
     }
 
     #[test]

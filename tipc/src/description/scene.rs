@@ -93,7 +93,7 @@ fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagno
         SceneError::Friction | SceneError::Place => ("", Describing::OnlyNumbers),
     };
     let reason = Describing::Simulated {
-        error: error.to_string(),
+        error: error.to_string().into(),
     };
     fault(section.part, section.place_of(key), reason, help)
 }

@@ -6,8 +6,13 @@
 
 use super::BuildError;
 use crate::message::Building;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::{env, fs, io};
+
+/// What this build script generated so far: each file, and from what.
+static GENERATED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
 
 /// Where generated files go.
 pub(super) fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
@@ -22,6 +27,17 @@ pub(super) fn read(path: &Path) -> io::Result<Vec<u8>> {
     fs::read(path)
 }
 
+/// Refuses a file that another input of this build script is generated to already: it would be overwritten.
+pub(super) fn claim(output: &Path, input: &Path) -> Result<(), BuildError> {
+    let mut generated = GENERATED.lock().unwrap_or_else(PoisonError::into_inner);
+    let first = generated.entry(output.to_owned());
+    let first = first.or_insert_with(|| input.to_owned());
+    match first == input {
+        true => Ok(()),
+        false => Err(super::same_output(first, input)),
+    }
+}
+
 /// Leaves a file with this very text alone, so that nothing is rebuilt because of it.
 pub(super) fn write_if_changed(path: &Path, text: &str) -> Result<(), BuildError> {
     if fs::read(path).is_ok_and(|old| old == text.as_bytes()) {
@@ -32,8 +48,8 @@ pub(super) fn write_if_changed(path: &Path, text: &str) -> Result<(), BuildError
         .and_then(|()| fs::write(path, text))
         .map_err(|error| {
             BuildError::setting(Building::CannotWrite {
-                path: path.display().to_string(),
-                error: error.to_string(),
+                path: path.display().to_string().into(),
+                error: error.to_string().into(),
             })
         })
 }

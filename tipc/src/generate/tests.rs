@@ -120,6 +120,39 @@ fn a_program_compiles_to_a_file_of_its_whole_stem() {
 }
 
 #[test]
+fn what_another_call_generated_is_not_overwritten() {
+    let folder = folder("twice", &[("walk.prg", GOOD), ("walk.tip", GOOD)]);
+    generate(&Config::new(), &folder, &["walk.prg"]).0.unwrap();
+    let message = generate(&Config::new(), &folder, &["walk.tip"])
+        .0
+        .unwrap_err();
+    for told in ["walk.prg and ", "walk.tip would compile to the same file"] {
+        assert!(message.contains(told), "{message}");
+    }
+    let text = fs::read_to_string(folder.join("walk.rs")).unwrap();
+    assert!(text.contains("walk.prg"), "{text}");
+    generate(&Config::new(), &folder, &["walk.prg"]).0.unwrap();
+}
+
+#[cfg(feature = "robot-files")]
+#[test]
+fn a_robot_and_a_program_of_one_stem_do_not_share_a_file() {
+    let robot = "name = \"one\"\njoint = [{ axis = \"y\", link = [0, 0, -100], limits = [-90, 90] }]\n\
+                 leg = [{ base = [0, 0, 0] }]\n";
+    let folder = folder("stems", &[("walk.prg", GOOD), ("walk.toml", robot)]);
+    let mut config = Config::new();
+    config.out_dir(&folder);
+    let robot = folder.join("walk.toml");
+    config
+        .generate_robot(&robot, &mut Report::default())
+        .unwrap();
+    let message = generate(&config, &folder, &["walk.prg"]).0.unwrap_err();
+    assert!(message.contains("walk.toml and "), "{message}");
+    let text = fs::read_to_string(folder.join("walk.rs")).unwrap();
+    assert!(text.contains("WALK"), "{text}");
+}
+
+#[test]
 fn settings_reach_the_code() {
     let folder = folder("settings", &[("good.prg", GOOD), ("bad.prg", BAD)]);
     let mut config = Config::new();

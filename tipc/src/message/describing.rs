@@ -1,5 +1,6 @@
 //! What is said of descriptions of robots, and of scenes.
 
+use super::Text;
 use super::list::List;
 use super::phrase::{Joints, Kind, Table};
 use super::say::Letter;
@@ -9,7 +10,7 @@ messages! {
     Describing;
 
     // Any table of the file.
-    NotToml { error: String } "{error}", "{error}";
+    NotToml { error: Text } "{error}", "{error}";
     DescriptionsAreToml
         "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`",
         "記述はTOML形式です: `key = value`、`[table]`、`[[one of many tables]]`";
@@ -135,7 +136,7 @@ messages! {
     Shapes
         "a box has `size = [width, height]`, a disc `radius`, in mm",
         "箱は `size = [幅, 高さ]`、円板は `radius` で、単位はmmです";
-    Simulated { error: String } "{error}", "{error}";
+    Simulated { error: Text } "{error}", "{error}";
     TakeOneAway
         "take one of them away",
         "どちらか一方を消してください";

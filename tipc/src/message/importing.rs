@@ -1,5 +1,6 @@
 //! What is said of robots from URDF files.
 
+use super::Text;
 use super::list::{Faults, List};
 use super::phrase::{JointKind, Place};
 
@@ -8,7 +9,7 @@ messages! {
     Importing;
 
     // Why a file is refused.
-    NoUrdf { error: String }
+    NoUrdf { error: Text }
         "this is not URDF: {error}",
         "URDFとして読めません: {error}";
     TooDeep { element: String, most: u32 }

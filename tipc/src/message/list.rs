@@ -1,7 +1,7 @@
 //! Arguments that are several things.
 
 use super::say::{Said, Say};
-use super::{Lang, Message};
+use super::{Cut, Lang, Message};
 use std::fmt::{self, Formatter};
 
 /// The most pieces of a path that are shown.
@@ -13,7 +13,7 @@ pub struct List(pub Vec<String>);
 
 impl Say for List {
     fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0.join(", "))
+        f.write_str(&cut(&self.0).join(", "))
     }
 }
 
@@ -23,8 +23,16 @@ pub struct Quoted(pub Vec<String>);
 
 impl Say for Quoted {
     fn say(&self, _: Lang, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}`", self.0.join("`, `"))
+        write!(f, "`{}`", cut(&self.0).join("`, `"))
     }
+}
+
+/// Names, as much of each as is shown.
+fn cut(names: &[String]) -> Vec<String> {
+    names
+        .iter()
+        .map(|name| Cut::word(name).to_string())
+        .collect()
 }
 
 /// The lines of a path through a program: runs of steps without a jump, the first and the last line of each.

@@ -1,7 +1,7 @@
 //! What is said of programs of older versions.
 
-use super::Message;
 use super::phrase::{Changes, Declared, Loads, Questions};
+use super::{Message, Text};
 
 messages! {
     /// What the migration of a program says.
@@ -79,7 +79,7 @@ messages! {
     WordOfLanguage { word: String }
         "{word} is a word of the language in 3.1: what shall the variable be called?",
         "{word}は3.1の予約語です。変数を何という名前にしますか?";
-    Declares { line: String, declared: Declared }
+    Declares { line: Text, declared: Declared }
         "put in `{line}`{declared}",
         "`{line}` を入れます{declared}";
     OneVariable { old: String, name: String }
@@ -99,18 +99,18 @@ messages! {
     NoCommand { word: String }
         "{word} is not a command of version 3.1: what is meant?",
         "{word}は3.1のコマンドではありません。何のことですか?";
-    NoStatement { title: String, reason: Box<Message> }
+    NoStatement { title: Text, reason: Box<Message> }
         "this is not a statement of version 3.1 ({title}: {reason}): what is meant?",
         "これは3.1の文ではありません({title}: {reason})。何のことですか?";
 
     // The sentence at the end of the report.
-    AlreadyCurrent { file: String }
+    AlreadyCurrent { file: Text }
         "{file}: is a program of version 3.1 already, nothing is changed",
         "{file}: すでにバージョン3.1のプログラムです。何も変えません";
-    Migrated { file: String, changes: Changes, loads: Loads }
+    Migrated { file: Text, changes: Changes, loads: Loads }
         "{file}: {changes}, {loads}",
         "{file}: {changes}、{loads}";
-    ToAnswer { file: String, questions: Questions }
+    ToAnswer { file: Text, questions: Questions }
         "{file}: {questions} to answer first, nothing is written",
         "{file}: 先に{questions}に答えてください。何も書いていません";
 }

@@ -1,10 +1,12 @@
 //! What is said of files and their bytes.
 
+use super::Text;
+
 messages! {
     /// What reading says.
     Reading;
 
-    System { error: String } "{error}", "{error}";
+    System { error: Text } "{error}", "{error}";
     Folder
         "this is a folder: name the files in it, as FOLDER/*.prg",
         "これはフォルダです。フォルダ/*.prg のように中のファイルを指定してください";

@@ -2,7 +2,6 @@
 
 use super::Message;
 use crate::language::Keyword;
-use smol_str::SmolStr;
 use std::fmt::{self, Debug, Display, Formatter};
 use tip_runtime::command::Target;
 
@@ -56,17 +55,7 @@ macro_rules! alike {
     };
 }
 
-alike!(
-    char,
-    f64,
-    u32,
-    usize,
-    &'static str,
-    String,
-    SmolStr,
-    Keyword,
-    Target
-);
+alike!(char, f64, u32, usize, &'static str, Keyword, Target);
 
 impl Say for Box<Message> {
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {

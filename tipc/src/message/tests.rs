@@ -143,6 +143,10 @@ fn every_message_shows_odd_arguments_as_they_are() {
     for turn in sample::ODD {
         let odd = String::sample(turn);
         let quoted = format!("{odd:?}");
+        let odd = match odd.char_indices().nth(80) {
+            Some((end, _)) => odd[..end].to_owned(),
+            None => odd,
+        };
         for message in each(turn) {
             let has_odd = format!("{message:?}").contains(&quoted);
             for text in [english(&message), japanese(&message)] {
@@ -150,6 +154,23 @@ fn every_message_shows_odd_arguments_as_they_are() {
             }
         }
     }
+}
+
+#[test]
+fn words_are_cut_beyond_80_characters_and_texts_beyond_the_longest_path() {
+    let near = |count: usize| super::Suggesting::DidYouMean {
+        near: "歩".repeat(count).into(),
+    };
+    check(near(80), &format!("did you mean `{}`?", "歩".repeat(80)));
+    check(near(81), &format!("did you mean `{}…`?", "歩".repeat(80)));
+    let error = |count: usize| super::Reading::System {
+        error: "x".repeat(count).into(),
+    };
+    check(error(4096), &"x".repeat(4096));
+    check(error(1_000_000), &("x".repeat(4096) + "…"));
+    let long = || vec!["B".repeat(90), "C".to_owned()];
+    check(List(long()), &format!("{}…, C", "B".repeat(80)));
+    check(Quoted(long()), &format!("`{}…`, `C`", "B".repeat(80)));
 }
 
 #[test]

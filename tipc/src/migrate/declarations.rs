@@ -31,7 +31,7 @@ impl Migrator<'_> {
             for names in names.chunks(NAMES_PER_LINE) {
                 let line = format!("{keyword} {}", names.join(", "));
                 lines.push(line.clone());
-                let declared = declared(kind);
+                let (line, declared) = (line.into(), declared(kind));
                 self.change(above, Migrating::Declares { line, declared });
             }
         }

@@ -25,7 +25,7 @@ pub fn render_human(migration: &Migration, lang: Lang) -> String {
 }
 
 fn summary(migration: &Migration) -> Migrating {
-    let file = migration.source.name().to_owned();
+    let file = migration.source.name().to_owned().into();
     let (changes, questions) = (migration.changes().count(), migration.questions().count());
     match (changes, questions) {
         (0, 0) => Migrating::AlreadyCurrent { file },

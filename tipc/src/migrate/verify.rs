@@ -95,7 +95,7 @@ fn explained(finding: &Diagnostic) -> Migrating {
         return Migrating::NoEnd;
     }
     Migrating::NoStatement {
-        title: finding.message(),
+        title: finding.message().into(),
         reason: Box::new(finding.reason.clone()),
     }
 }

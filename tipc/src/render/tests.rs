@@ -15,7 +15,7 @@ fn at(source: &Source, code: Code, place: &str, reason: &str) -> Diagnostic {
 
 /// A message of any text.
 fn text(text: &str) -> Reading {
-    let error = text.to_owned();
+    let error = text.to_owned().into();
     Reading::System { error }
 }
 

@@ -52,7 +52,7 @@ impl fmt::Display for Error {
             Error::Usage(text) | Error::Failed(text) => f.write_str(text),
             Error::Interrupted(text) => write!(f, "interrupted {text}"),
             Error::CannotWrite { path, reason } => {
-                let error = reason.clone();
+                let error = reason.clone().into();
                 let reason = Reading::System { error };
                 let diagnostic = Diagnostic::new(Code::CannotWrite, Span::default(), reason)
                     .about(path.display().to_string());

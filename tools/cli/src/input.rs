@@ -73,7 +73,7 @@ fn unreadable(name: String, error: &io::Error) -> Loaded {
     let reason = match error.kind() {
         io::ErrorKind::IsADirectory => Reading::Folder,
         _ => Reading::System {
-            error: error.to_string(),
+            error: error.to_string().into(),
         },
     };
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);

@@ -3,7 +3,7 @@
 use crate::language::Keyword;
 use crate::language::keywords::KEYWORDS;
 use crate::message::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
-use crate::message::{Decimal, Letter, Message, Parsing};
+use crate::message::{Cut, Decimal, Letter, Message, Parsing, Text};
 use smol_str::SmolStr;
 use std::ops::Range;
 use tip_runtime::command::Target;
@@ -37,6 +37,13 @@ impl Sample for String {
             "{}{0}{x:?}\n\0`\"".into(),
         ];
         pick(turn, "WORD".into(), odd)
+    }
+}
+
+/// A word like the others in every turn: what it holds is cut elsewhere.
+impl Sample for Text {
+    fn sample(turn: usize) -> Self {
+        Text(Cut::word(&String::sample(turn)).to_string())
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
         ImportError::new(match error {
             Error::DtdDetected => Importing::Doctype,
             error => Importing::NoUrdf {
-                error: error.to_string(),
+                error: error.to_string().into(),
             },
         })
     })?;
