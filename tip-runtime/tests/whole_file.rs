@@ -57,6 +57,9 @@ fn a_name_of_the_greatest_length_can_be_written() {
         write(&path, text).expect("the folder is writable");
         assert_eq!(fs::read_to_string(&path).expect("it is there"), text);
     }
+    let longer = path.with_file_name("n".repeat(256));
+    let refused = WholeFile::create(&longer).expect_err("no name is so long");
+    assert_eq!(refused.kind(), std::io::ErrorKind::InvalidFilename);
 }
 
 #[test]

@@ -26,6 +26,7 @@ use crate::source::{Encoding, Source, Span};
 use edits::Edits;
 use header::Header;
 use lines::{Piece, Statement};
+use near::Moves;
 
 /// Whether something was changed or has to be asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -164,8 +165,9 @@ impl Migrator<'_> {
         let pieces = lines::read(self.source, title.first_line(), style.single());
         let spelling = variables::Variables::collect(self.source, &pieces, style);
         self.labels(&pieces);
+        let moves = Moves::of(self.source, &pieces);
         for statement in pieces.iter().filter_map(Piece::statement) {
-            self.statement(statement, style, &spelling, &pieces);
+            self.statement(statement, style, &spelling, &moves);
         }
         self.variables(&spelling);
         self.declare(&spelling, title);
@@ -177,7 +179,7 @@ impl Migrator<'_> {
         statement: &Statement,
         style: header::Style,
         variables: &variables::Variables,
-        pieces: &[Piece],
+        moves: &Moves,
     ) {
         match statement.keyword.as_str() {
             "MESSAGE" if style.typed() => self.message(statement, variables),
@@ -186,7 +188,7 @@ impl Migrator<'_> {
             "REM" => {}
             "DEF_VAR" | "DEF_POS" | "DEF_JOINT" => self.clashes(statement),
             "FOR" => self.for_statement(statement),
-            "WAIT_NEAR" => self.wait_near(statement, variables, pieces),
+            "WAIT_NEAR" => self.wait_near(statement, variables, moves),
             _ if statement.is_equation() => self.sign(statement),
             _ => self.command(statement),
         }

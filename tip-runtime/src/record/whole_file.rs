@@ -34,6 +34,8 @@ impl WholeFile {
             }
             // What a link leads to is replaced, not the link.
             Ok(found) => Self::beside(fs::canonicalize(path)?, Some(found.permissions())),
+            // Under the name of a part it could be written, and never take its place.
+            Err(error) if is_no_name(&error) => Err(error),
             Err(_) => Self::beside(path.to_path_buf(), None),
         }
     }
@@ -74,6 +76,12 @@ impl WholeFile {
         }
         Ok(())
     }
+}
+
+/// Too long, or with a NUL in it.
+fn is_no_name(error: &io::Error) -> bool {
+    use io::ErrorKind::{InvalidFilename, InvalidInput};
+    matches!(error.kind(), InvalidFilename | InvalidInput)
 }
 
 /// What a new file may be: all that the user's mask leaves.

@@ -6,7 +6,7 @@ use crate::language::Edition;
 use crate::language::reserved::is_reserved;
 use crate::message::Migrating;
 use crate::source::Span;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// The one word that may be a label all the same.
 const LOOP: &str = "LOOP";
@@ -19,12 +19,14 @@ impl Migrator<'_> {
         let names: HashSet<String> = declared.iter().map(|span| upper(*span)).collect();
         let statements = pieces.iter().filter_map(Piece::statement);
         let jumps = statements.flat_map(|statement| statement.jumps());
+        let mut free: HashMap<String, String> = HashMap::new();
         for span in jumps.chain(declared).collect::<Vec<Span>>() {
             let name = self.source.slice(span).to_ascii_uppercase();
             let clashes =
                 names.contains(&name) && name != LOOP && is_reserved(&name, Edition::V3_1);
             if clashes {
-                let new = free_name(&name, &names);
+                let new = free.entry(name.clone());
+                let new = new.or_insert_with(|| free_name(&name, &names)).clone();
                 self.rename(span, &new);
                 self.change(span, Migrating::Label { name, new });
             }

@@ -5,7 +5,8 @@ use super::lines::{Piece, Statement};
 use super::variables::Variables;
 use crate::lex::{Kind, Token};
 use crate::message::Migrating;
-use crate::source::Span;
+use crate::source::{Source, Span};
+use std::collections::BTreeSet;
 
 /// Commands that put their target under position control.
 const POSITIONS: &[&str] = &[
@@ -42,7 +43,7 @@ impl Migrator<'_> {
         &mut self,
         statement: &Statement,
         variables: &Variables,
-        pieces: &[Piece],
+        moves: &Moves,
     ) {
         let [word, target, values @ ..] = statement.tokens.as_slice() else {
             return;
@@ -64,7 +65,7 @@ impl Migrator<'_> {
         if target.kind != Kind::Word || !is_target(&name) || !is_plain {
             return;
         }
-        let measure = self.measure(&name, pieces);
+        let measure = moves.measure(&name);
         if measure == Measure::Both {
             return self.ask_measure(value.span, &name);
         }
@@ -98,43 +99,57 @@ impl Migrator<'_> {
         let target = target.to_owned();
         self.question(place, Migrating::WhichMeasure { target });
     }
+}
+
+/// What the commands of a program move, and how.
+#[derive(Debug, Default)]
+pub(super) struct Moves {
+    /// The words behind commands of [`POSITIONS`].
+    positions: BTreeSet<String>,
+    /// The words behind those of [`ANGLES`].
+    angles: BTreeSet<String>,
+    /// There is one of [`WHOLE_BODY`].
+    whole_body: bool,
+}
+
+impl Moves {
+    /// Those of a program.
+    pub(super) fn of(source: &Source, pieces: &[Piece]) -> Self {
+        let mut moves = Moves::default();
+        for statement in pieces.iter().filter_map(Piece::statement) {
+            let words = statement.words().skip(1);
+            let words = words.map(|word| source.slice(word).to_ascii_uppercase());
+            match statement.keyword.as_str() {
+                keyword if POSITIONS.contains(&keyword) => moves.positions.extend(words),
+                keyword if ANGLES.contains(&keyword) => moves.angles.extend(words),
+                keyword => moves.whole_body |= WHOLE_BODY.contains(&keyword),
+            }
+        }
+        moves
+    }
 
     /// How the program moves what WAIT_NEAR waits for; where it does not, by the kind of the target.
-    fn measure(&self, target: &str, pieces: &[Piece]) -> Measure {
+    fn measure(&self, target: &str) -> Measure {
         let is_joint = target.starts_with('J');
-        let itself = |word: &str| target == "ALL" || word == target;
-        let positions =
-            self.moved(POSITIONS, pieces, itself) || (!is_joint && self.runs(WHOLE_BODY, pieces));
-        match (positions, self.moved(ANGLES, pieces, itself)) {
+        let moves = |words: &BTreeSet<String>| match target {
+            "ALL" => !words.is_empty(),
+            _ => words.contains(target),
+        };
+        let positions = moves(&self.positions) || (!is_joint && self.whole_body);
+        match (positions, moves(&self.angles)) {
             (true, true) => Measure::Both,
             (true, false) => Measure::Position,
             (false, true) => Measure::Angle,
             (false, false) if is_joint => Measure::Angle,
             (false, false) => {
                 let joints = target.replacen('F', "J", 1);
-                let of_leg = |word: &str| word.starts_with(&joints);
-                match self.moved(ANGLES, pieces, of_leg) {
+                let mut of_leg = self.angles.range(joints.clone()..);
+                match of_leg.next().is_some_and(|word| word.starts_with(&joints)) {
                     true => Measure::Angle,
                     false => Measure::Position,
                 }
             }
         }
-    }
-
-    /// Whether the program has one of these commands followed by such a word.
-    fn moved(&self, commands: &[&str], pieces: &[Piece], word: impl Fn(&str) -> bool) -> bool {
-        let mut statements = pieces.iter().filter_map(Piece::statement);
-        statements.any(|statement| {
-            let mut words = statement.words().skip(1);
-            commands.contains(&statement.keyword.as_str())
-                && words.any(|span| word(&self.slice(span).to_ascii_uppercase()))
-        })
-    }
-
-    /// Whether the program has one of these commands.
-    fn runs(&self, commands: &[&str], pieces: &[Piece]) -> bool {
-        let mut statements = pieces.iter().filter_map(Piece::statement);
-        statements.any(|statement| commands.contains(&statement.keyword.as_str()))
     }
 }
 

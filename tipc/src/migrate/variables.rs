@@ -54,6 +54,8 @@ pub(super) struct Variables {
     numberless: Vec<Span>,
     /// Where names first appear that are too long for a declaration.
     too_long: Vec<(Span, String)>,
+    /// How VARs are spelt.
+    vars: HashSet<String>,
     /// Names that the program declares itself.
     declared: HashSet<String>,
 }
@@ -114,6 +116,9 @@ impl Variables {
         if name.len() > NAME_LIMIT {
             self.too_long.push((place, name.clone()));
         }
+        if prefix == Prefix::Var {
+            self.vars.insert(name.clone());
+        }
         entry.insert(name).clone()
     }
 
@@ -147,8 +152,7 @@ impl Variables {
 
     /// Whether a placeholder of today would name it.
     pub(super) fn is_var(&self, name: &str) -> bool {
-        let spelt = |(key, known): (&Key, &String)| key.0 == Prefix::Var && known == name;
-        self.spelling.iter().any(spelt) || self.declared.contains(name)
+        self.vars.contains(name) || self.declared.contains(name)
     }
 }
 

@@ -184,7 +184,7 @@ fn one_file(file: usize, fault: &Fault) {
     bench.require_no_parts();
 }
 
-fn require_refused(bench: &Bench, outcome: Outcome, before: &Texts) {
+pub(super) fn require_refused(bench: &Bench, outcome: Outcome, before: &Texts) {
     let outcome = outcome.expect(1);
     require_told(&outcome);
     assert_eq!(outcome.out, "", "no cycle may run");
