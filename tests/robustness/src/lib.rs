@@ -4,9 +4,13 @@
 
 pub mod compile;
 pub mod description;
+#[cfg(unix)]
+pub mod files;
 pub mod load;
 mod lossless;
 pub mod migrate;
+pub mod names;
 pub mod run;
 pub mod scene;
+pub mod terminal;
 pub mod urdf;

@@ -36,4 +36,6 @@ macro_rules! targets {
     };
 }
 
-targets! { compile description load migrate run scene urdf }
+targets! { compile description load migrate names run scene terminal urdf }
+#[cfg(unix)]
+targets! { files }
