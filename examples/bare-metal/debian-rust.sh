@@ -1,21 +1,10 @@
 # Read by the scripts beside it: a compiler with the source of its libraries, which the stock toolchain
 # has not. Debian packages one; it is unpacked below the target folder, nothing is installed.
 
+. ../../tests/need.sh
+
 target=${CARGO_TARGET_DIR:-$PWD/target}
 unpacked=$target/debian-rust
-
-# Something needed is not to be had: that is no failure.
-skip() {
-  printf 'SKIPPED: %s\n' "$*" >&2
-  exit 77
-}
-
-need() {
-  local tool
-  for tool in "$@"; do
-    command -v "$tool" >/dev/null || skip "$tool is not installed"
-  done
-}
 
 # The package of which a package depends whose name begins as told.
 dependency() {

@@ -11,7 +11,7 @@ fn scripts() -> Vec<PathBuf> {
     for folder in [".ci", "benches", "examples", "tests", "tools"] {
         collect(&root().join(folder), &mut found);
     }
-    assert!(found.len() > 6, "the scripts are found: {found:?}");
+    assert!(found.len() > 9, "the scripts are found: {found:?}");
     found
 }
 
@@ -149,4 +149,135 @@ fn each_script_begins_with_what_it_does() {
         let says = first.is_some_and(|line| line.starts_with("# ") && line.len() > 30);
         assert!(says, "{}: {first:?}", path.display());
     }
+}
+
+/// What every machine has.
+#[cfg(target_os = "linux")]
+const USUAL: [&str; 14] = [
+    "awk", "bash", "cat", "dirname", "find", "grep", "mkdir", "mktemp", "rm", "sed", "sort",
+    "stat", "tr", "uname",
+];
+
+/// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
+#[cfg(target_os = "linux")]
+const NEEDS: [(&str, &[&str], &[&str]); 9] = [
+    ("benches/builds", &["cli"], &["strip is not installed"]),
+    (
+        "examples/bare-metal/cortex-m.sh",
+        &[],
+        &[
+            "qemu-system-arm is not installed",
+            "readelf is not installed",
+        ],
+    ),
+    (
+        "examples/bare-metal/wasm.sh",
+        &[],
+        &["node is not installed"],
+    ),
+    (
+        "tests/advisories/run",
+        &[],
+        &["cargo-deny is not installed: cargo install cargo-deny"],
+    ),
+    (
+        "tests/coverage/run",
+        &[],
+        &[
+            "no nightly toolchain",
+            "cargo-llvm-cov is not installed: cargo install cargo-llvm-cov",
+        ],
+    ),
+    (
+        "tests/fuzz/minimise",
+        &[],
+        &[
+            "no nightly toolchain",
+            "cargo-fuzz is not installed: cargo install cargo-fuzz",
+        ],
+    ),
+    (
+        "tests/fuzz/run",
+        &[],
+        &[
+            "no nightly toolchain",
+            "cargo-fuzz is not installed: cargo install cargo-fuzz",
+        ],
+    ),
+    (
+        "tests/mutants/run",
+        &["lower"],
+        &["cargo-mutants is not installed: cargo install cargo-mutants"],
+    ),
+    ("tests/readme/run", &[], &["git is not installed"]),
+];
+
+/// On a machine that lacks every tool, and on one that has Cargo alone.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_script_names_every_tool_that_it_lacks_and_does_nothing() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::process::Command;
+
+    let named = scripts().into_iter().filter(|path| {
+        let is_run = path.extension().is_none()
+            || fs::metadata(path).is_ok_and(|found| found.permissions().mode() & 1 == 1);
+        // Those beside the gate need the toolchain alone.
+        is_run && !path.starts_with(root().join(".ci"))
+    });
+    let named: BTreeSet<PathBuf> = named.collect();
+    let tried: BTreeSet<PathBuf> = NEEDS.iter().map(|(name, ..)| root().join(name)).collect();
+    assert_eq!(named, tried, "each script has its row");
+
+    let bin = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-tools");
+    let _ = fs::remove_dir_all(&bin);
+    fs::create_dir_all(&bin).expect("the target folder is writable");
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    for name in USUAL {
+        let mut folders = std::env::split_paths(&path);
+        let tool = folders.find_map(|folder| fs::canonicalize(folder.join(name)).ok());
+        symlink(tool.expect("every machine has it"), bin.join(name)).expect("a link");
+    }
+    for has_cargo in [false, true] {
+        if has_cargo {
+            for name in ["cargo", "rustc"] {
+                let path = bin.join(name);
+                fs::write(&path, "#!/bin/sh\necho \"$@\" >>\"$0.asked\"\nexit 1\n")
+                    .expect("a script");
+                fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).expect("it is ours");
+            }
+        }
+        for (name, arguments, needs) in NEEDS {
+            let folder = root().join(name);
+            let folder = folder.parent().expect("a folder");
+            let before = fs::read_dir(folder).expect("it is there").count();
+            let output = Command::new("bash")
+                .arg(root().join(name))
+                .args(arguments)
+                .env_clear()
+                .env("PATH", &bin)
+                .output()
+                .expect("bash starts");
+            let told = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(77), "{name}: {told}");
+            assert_eq!(
+                told.contains("SKIPPED: cargo is not installed"),
+                !has_cargo,
+                "{name}: {told}"
+            );
+            for need in needs {
+                assert!(told.contains(need), "{name}: {need}: {told}");
+            }
+            assert_eq!(
+                fs::read_dir(folder).expect("it is there").count(),
+                before,
+                "{name}"
+            );
+        }
+    }
+    let asked = fs::read_to_string(bin.join("cargo.asked")).expect("for a toolchain");
+    assert!(
+        asked.lines().all(|line| line == "+nightly --version"),
+        "{asked}"
+    );
 }
