@@ -130,6 +130,8 @@ impl Case {
                 .collect();
         }
         let forms = match &statement.kind {
+            // Its first word is none of any form.
+            StatementKind::Broken(_) if code == tipc::code::Code::UnknownCommand => Vec::new(),
             StatementKind::Broken(_) => {
                 let text = self.loaded.source.slice(statement.span);
                 sentence::meant(text, &self.names)
