@@ -7,7 +7,7 @@ pub mod random;
 
 pub use differential::{stopped, traced};
 pub use generated::case;
-pub use tip_harness::{Settings, cases, checked, clauses, matches, root, run, stops};
+pub use tip_harness::{Settings, cases, checked, clauses, each_use, matches, root, run, stops};
 
 /// The examples of the reference compile and run.
 #[cfg(doctest)]

@@ -15,4 +15,4 @@ pub use compare::matches;
 pub use run::run;
 pub use seek::{cases, root};
 pub use settings::Settings;
-pub use verdict::{Compiled, checked, stopped, traced};
+pub use verdict::{Compiled, checked, each_use, stopped, traced};

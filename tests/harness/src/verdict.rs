@@ -9,8 +9,9 @@ use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
 use tip_sim::{Engine, Interpreter};
-use tipc::code::{Code, Level};
+use tipc::code::Level;
 use tipc::diagnostic::Diagnostic;
+use tipc::message::{Message, Naming};
 use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.
@@ -94,11 +95,9 @@ pub fn checked(case: &str) {
 }
 
 /// A finding; of a name that is not declared, one at each place that uses it.
-fn each_use(finding: &Diagnostic) -> Vec<Diagnostic> {
-    let uses = finding
-        .labels
-        .iter()
-        .filter(|_| finding.code == Code::UnknownVariable);
+pub fn each_use(finding: &Diagnostic) -> Vec<Diagnostic> {
+    let also = Message::from(Naming::AlsoHere);
+    let uses = finding.labels.iter().filter(|label| label.text == also);
     let mut places = vec![finding.clone()];
     places.extend(uses.map(|label| {
         let mut place = finding.clone();

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use tip_sim::Interpreter;
 use tip_tests::stops::{Stop, wanting};
-use tip_tests::{Settings, root, run};
+use tip_tests::{Settings, each_use, root, run};
 use tipc::diagnostic::Diagnostic;
 use tipc::parse::parse;
 use tipc::syntax::{self, Module, Operand, StatementKind};
@@ -85,8 +85,8 @@ impl Case {
             let cell = seen.0.entry((row, self.robot.name(), outcome)).or_default();
             cell.insert(self.name.clone());
         };
-        for diagnostic in &self.loaded.diagnostics {
-            for (row, outcome) in self.refused(rows, diagnostic) {
+        for diagnostic in self.loaded.diagnostics.iter().flat_map(each_use) {
+            for (row, outcome) in self.refused(rows, &diagnostic) {
                 note(row, outcome);
             }
         }
