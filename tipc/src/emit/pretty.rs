@@ -88,7 +88,7 @@ impl Emitter<'_> {
     }
 }
 
-/// Rows as they stand in a table that fits on no line: the comment of the last one sees to that.
+/// Rows in the layout of a table of several lines: the comment of the last one sees to that.
 fn rows(rows: TokenStream) -> Result<String, syn::Error> {
     let text = laid_out(quote! {
         const _: () = {
@@ -102,7 +102,7 @@ fn rows(rows: TokenStream) -> Result<String, syn::Error> {
     Ok(rows[..end].to_owned())
 }
 
-/// Functions as they stand in an `impl`.
+/// Functions in the layout of an `impl`.
 fn functions(functions: TokenStream) -> Result<String, syn::Error> {
     let text = laid_out(quote!(const _: () = { impl P { #functions } };))?;
     let (_, functions) = split(&text, "    impl P {\n");
@@ -116,7 +116,7 @@ fn fill(out: &mut String, numbers: impl Iterator<Item = u32>) {
     let mut column = 0;
     while let Some(number) = numbers.next() {
         let word = number.to_string();
-        // The comma behind the last one is there only because the table takes several lines, and counts for nothing.
+        // The comma after the last one is there only because the table takes several lines, and counts for nothing.
         let comma = usize::from(numbers.peek().is_some());
         let is_first = column == 0;
         if !is_first && column + " ".len() + word.len() + comma <= COLUMNS {

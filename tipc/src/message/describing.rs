@@ -65,7 +65,7 @@ messages! {
         "a name has {most} characters at most",
         "名前は{most}文字までです";
     NotInName { character: Letter }
-        "{character} cannot stand in a name",
+        "{character} cannot be part of a name",
         "名前の中に{character}は使えません";
     KnownRobot
         "this is the name of a robot that the compiler knows itself",
@@ -123,7 +123,7 @@ messages! {
         "this cannot be a number of lamps",
         "これはランプの個数になりません";
     SliderOutside { at: f64 }
-        "the slider stands at {at} first, which is outside",
+        "the slider starts at {at}, which is outside",
         "スライダの初期位置{at}が範囲の外にあります";
 
     // Scenes.

@@ -264,7 +264,7 @@ messages! {
         "a member is written `P.X` or `Q.J2`",
         "メンバは `P.X` や `Q.J2` のように書きます";
     ForeignInName { character: SmolStr }
-        "`{character}` cannot stand in a name or a number",
+        "`{character}` cannot be part of a name or a number",
         "名前や数値の中に `{character}` は書けません";
     NoParentheses
         "the language has no parentheses: one operation an equation, and `SIN A` for a function",

@@ -29,7 +29,7 @@ impl Lang {
     }
 }
 
-/// What can stand in a message: each table of messages, and each argument.
+/// What a message is made of: each table of messages, and each argument.
 pub(crate) trait Say {
     /// Writes it in a language.
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result;

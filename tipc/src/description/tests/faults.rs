@@ -264,7 +264,7 @@ fn times_and_travels_that_leave_their_ranges() {
     );
     only(
         &with("[slider]\ninitial = [0, 9, 0]\ny = [10, 20]"),
-        "6:5: the slider stands at 9 first, which is outside (`y` is [min, max] in mm)",
+        "6:5: the slider starts at 9, which is outside (`y` is [min, max] in mm)",
     );
 }
 
@@ -275,8 +275,8 @@ fn a_name_that_is_none() {
         ("", "a robot needs a name"),
         ("  ", "a robot needs a name"),
         (" a", "a name neither begins nor ends with a blank"),
-        ("a\\nb", "'\\n' cannot stand in a name"),
-        ("a/b", "'/' cannot stand in a name"),
+        ("a\\nb", "'\\n' cannot be part of a name"),
+        ("a/b", "'/' cannot be part of a name"),
         (
             "generic",
             "this is the name of a robot that the compiler knows itself",

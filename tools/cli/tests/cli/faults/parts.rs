@@ -1,4 +1,4 @@
-//! What becomes of parts of files, and of what stands in their place: a run begins each file under another name.
+//! What happens to unfinished files, and to others of their name: a run writes each file under another name first.
 
 use super::Row;
 use super::bench::{Bench, FILES, RUN};
