@@ -87,7 +87,10 @@ impl Parser<'_> {
                 return;
             }
         }
-        self.report_missing_end();
+        // A comment of another language that never ends has swallowed it.
+        if !self.in_comment {
+            self.report_missing_end();
+        }
     }
 
     /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.

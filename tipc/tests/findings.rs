@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use tipc::message::Lang;
+use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
-use tipc::{Options, load};
+use tipc::{Loaded, Options, load};
 
 /// The programs, in order.
 fn programs() -> Vec<PathBuf> {
@@ -66,4 +66,40 @@ fn one_mistake_is_one_error() {
         let limit = if several.contains(&&*name) { 2 } else { 1 };
         assert_eq!(found.len(), limit, "{name}: {found:#?}");
     }
+}
+
+fn check(statements: &str) -> Loaded {
+    let text = format!("3.1\nA title\n{statements}\nEND\n");
+    load("findings.prg", text.as_bytes(), &Options::default())
+}
+
+#[test]
+fn a_comment_of_c_ends_where_it_ends() {
+    let help = |statements: &str| {
+        let loaded = check(statements);
+        let [finding] = loaded.diagnostics.as_slice() else {
+            panic!("{statements}: {:#?}", loaded.diagnostics);
+        };
+        finding.help.as_ref().map(Message::to_string)
+    };
+    let mark = Some("a comment starts with `//`".to_owned());
+    assert_eq!(help("/* one; two */"), mark);
+    assert_eq!(help("/* see http://example.com */"), mark);
+    let each = Some("start each line of a comment with `//`".to_owned());
+    assert_eq!(help("/* one\n FOO; two */"), each);
+    assert_eq!(help("/* never closed\nFOO"), each);
+    // What follows the comment is judged again.
+    let after = check("/* one; two */\nFOO");
+    assert_eq!(after.diagnostics.len(), 2);
+}
+
+#[test]
+fn jumps_belong_to_the_first_label_without_its_colon() {
+    let loaded = check("START\nSTART\nGOTO START:\nGOTO START:");
+    let labels: Vec<usize> = loaded
+        .diagnostics
+        .iter()
+        .map(|one| one.labels.len())
+        .collect();
+    assert_eq!(labels, [2, 0], "{:#?}", loaded.diagnostics);
 }

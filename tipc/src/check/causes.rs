@@ -7,7 +7,7 @@ use crate::lex::{Kind, lex};
 use crate::message::{Habit, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, StatementKind, upper_case};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Lets findings about one name be one finding, at the first place.
 pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
@@ -23,16 +23,18 @@ fn labels_without_colon(module: &Module, found: &mut Vec<Diagnostic>) {
         let name = finding.subject.clone().unwrap_or_default();
         jumps.entry(name).or_default().push(finding.span);
     }
-    let mut meant = Vec::new();
+    let mut meant = HashSet::new();
     for finding in found
         .iter_mut()
         .filter(|it| it.code == Code::UnknownCommand)
     {
         let name = finding.subject.as_deref().unwrap_or_default();
-        let Some(places) = jumps.get(name).filter(|_| is_alone(module, finding.span)) else {
+        // The first word of that name is the label, so that no jump is listed twice.
+        let is_alone = is_alone(module, finding.span);
+        let Some(places) = is_alone.then(|| jumps.remove(name)).flatten() else {
             continue;
         };
-        meant.push(name.to_owned());
+        meant.insert(name.to_owned());
         finding.reason = Parsing::LabelColonMissing.into();
         finding.help = Some(Parsing::WriteLabel { name: name.into() }.into());
         let labels = places

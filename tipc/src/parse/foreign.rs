@@ -18,7 +18,9 @@ impl Parser<'_> {
     /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
     pub(super) fn foreign_comment(&mut self, span: Span) {
         let text = self.source.slice(span);
-        self.in_comment = text.starts_with(OPENS) && !text.contains("*/");
+        // A `;` and a `//` are part of it, too.
+        let line = self.source.slice(Span::new(span.start, self.line.span.end));
+        self.in_comment = text.starts_with(OPENS) && !line.contains("*/");
         if let Some(foreign) = foreign_run(self.text, span) {
             self.report_foreign(foreign);
             return self.push(StatementKind::Broken(Shape::Plain), span);

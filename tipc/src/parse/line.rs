@@ -146,19 +146,19 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
 /// The text with half-width letters, digits and signs for full-width ones.
 pub(super) fn narrow(text: &str) -> String {
     text.chars()
-        .map(|char| match char {
-            '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0).unwrap_or(char),
-            _ => char,
-        })
+        .map(|char| narrow_char(char).unwrap_or(char))
         .collect()
 }
 
 /// The same characters half-width, if they are full-width letters, digits or signs.
 fn half_width(text: &str) -> Option<String> {
-    text.chars()
-        .map(|char| match char {
-            '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
-            _ => None,
-        })
-        .collect()
+    text.chars().map(narrow_char).collect()
+}
+
+/// The half-width form of a full-width letter, digit or sign.
+fn narrow_char(char: char) -> Option<char> {
+    match char {
+        '\u{FF01}'..='\u{FF5E}' => char::from_u32(char as u32 - 0xFEE0),
+        _ => None,
+    }
 }

@@ -15,6 +15,9 @@ const NEAR: u32 = 30;
 /// The most bytes of a line that are shown.
 const SHOWN: usize = 4096;
 
+/// The most other places that are shown.
+const PLACES: usize = 8;
+
 /// Some lines, with a line end after each, and where they are. Lines are put together again, so that an old
 /// carriage return does not blur them, and that a far place or an endless line does not drag the whole file along.
 struct Window {
@@ -145,7 +148,13 @@ fn origin<'a>(name: &'a str, source: &Source, diagnostic: &Diagnostic) -> Origin
 fn windows(source: &Source, diagnostic: &Diagnostic) -> Vec<Window> {
     let line = |span: Span| source.line_column(span.start).0;
     let own = line(diagnostic.span);
-    let labels = || diagnostic.labels.iter().map(|label| line(label.span));
+    let labels = || {
+        diagnostic
+            .labels
+            .iter()
+            .take(PLACES)
+            .map(|label| line(label.span))
+    };
     let near = |other: &u32| other.abs_diff(own) <= NEAR;
     let first = labels().filter(near).fold(own, u32::min);
     let last = labels().filter(near).fold(own, u32::max);
@@ -169,7 +178,7 @@ fn snippet<'a>(
             .span(range)
             .label(at_place(diagnostic, lang))
     });
-    let labels = diagnostic.labels.iter().filter_map(|label| {
+    let labels = diagnostic.labels.iter().take(PLACES).filter_map(|label| {
         let range = window.range(source, label.span)?;
         let kind = AnnotationKind::Context;
         Some(kind.span(range).label(printable(label.text.in_lang(lang))))

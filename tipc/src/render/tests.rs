@@ -98,6 +98,18 @@ error[E207]: this is never closed
 }
 
 #[test]
+fn of_very_many_places_the_first_are_shown() {
+    let text = format!("3.1\nt\n{}END", "SLEEP N\n".repeat(5000));
+    let loaded = crate::load("many.prg", text.as_bytes(), &crate::Options::default());
+    let [finding] = loaded.diagnostics.as_slice() else {
+        panic!("{} findings", loaded.diagnostics.len());
+    };
+    assert_eq!(finding.labels.len(), 4999);
+    let shown = human(&loaded.source, finding, Style::default());
+    assert_eq!(shown.matches("used here too").count(), 8, "{shown}");
+}
+
+#[test]
 fn a_place_at_the_end_of_a_line_has_its_caret() {
     let source = source("walk.prg", "3.1\r\nt\r\nA =\r\nEND");
     let place = Span::new(span(&source, "A =").end, span(&source, "A =").end);
