@@ -4,6 +4,7 @@ use super::Status;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
+use tip_sim::verify::NotBuilt;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Reading;
@@ -18,6 +19,13 @@ pub(super) enum Error {
     Failed(String),
     /// Ctrl-C ended it; how far it came.
     Interrupted(String),
+    /// The same, after what cargo says of it.
+    Cargo {
+        /// What is wrong.
+        reason: String,
+        /// What cargo says.
+        said: String,
+    },
     /// A file cannot be written.
     CannotWrite {
         /// Which one.
@@ -41,7 +49,17 @@ impl Error {
         match self {
             Error::Usage(_) => Status::Usage,
             Error::Interrupted(_) => Status::Interrupted,
-            Error::Failed(_) | Error::CannotWrite { .. } => Status::Failure,
+            Error::Failed(_) | Error::Cargo { .. } | Error::CannotWrite { .. } => Status::Failure,
+        }
+    }
+}
+
+impl From<NotBuilt> for Error {
+    fn from(error: NotBuilt) -> Self {
+        match error {
+            NotBuilt::NoProject { reason, said } => Error::Cargo { reason, said },
+            NotBuilt::CannotWrite { path, reason } => Error::CannotWrite { path, reason },
+            other => Error::Failed(other.to_string()),
         }
     }
 }
@@ -49,7 +67,9 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Error::Usage(text) | Error::Failed(text) => f.write_str(text),
+            Error::Usage(text) | Error::Failed(text) | Error::Cargo { reason: text, .. } => {
+                f.write_str(text)
+            }
             Error::Interrupted(text) => write!(f, "interrupted {text}"),
             Error::CannotWrite { path, reason } => {
                 let error = reason.clone().into();

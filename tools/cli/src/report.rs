@@ -70,6 +70,9 @@ pub(super) fn findings(loaded: &Loaded, shown: Shown) {
 
 /// An error that is about no program.
 pub(super) fn error(error: &Error) {
+    if let Error::Cargo { said, .. } = error {
+        complain(said);
+    }
     let level = match error {
         Error::Interrupted(_) => "",
         _ => "error: ",

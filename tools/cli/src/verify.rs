@@ -1,24 +1,21 @@
 //! `tipc verify`: compiled code against the reference interpreter, on searched or given inputs.
 
 mod certificate;
-mod engines;
 mod finding;
-mod package;
-mod project;
 mod watched;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::checked::checked;
 use super::error::Error;
+use super::robot::ChosenRobot;
 use super::{Status, interrupt, output, scene};
 use certificate::certificate;
 use clap::Args;
-use engines::Engines;
 use finding::finding;
-use package::Package;
-use project::Project;
+use std::fs;
 use std::path::PathBuf;
 use tip_sim::search::{self, Failed};
+use tip_sim::verify::{Project, Subject};
 use watched::{Watched, building, interrupted_building};
 
 /// `tipc verify`
@@ -67,17 +64,26 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
         return Ok(Status::Failure);
     };
     let project = Project::find(arguments.manifest_path.as_deref())?;
-    let package = Package::new(arguments, &checked, &scene, &project)?;
+    scene::around(checked.robot.simulated()?, &scene)?;
+    let name = arguments.file.display().to_string();
+    let source =
+        fs::read(&arguments.file).map_err(|error| Error::Failed(format!("{name}: {error}")))?;
+    let options = arguments.source.options(checked.robot.robot());
+    let subject = Subject::new(&name, &source, options, &checked.program).with_scene(scene);
+    let subject = match &checked.robot {
+        ChosenRobot::Named(_) => subject,
+        ChosenRobot::Described(description) => subject.on(description),
+    };
     building();
-    let built = project.build(&package.write(&project)?);
-    let executable = built.map_err(interrupted_building)?;
+    let built = project.engines(&subject).map_err(Error::from);
+    let built = built.map_err(interrupted_building)?;
     let inputs = arguments.inputs.inputs();
     let runs = if inputs.events.is_empty() {
         arguments.runs
     } else {
         1
     };
-    let mut engines = Watched::new(Engines::start(&executable)?, runs);
+    let mut engines = Watched::new(built.given_up_if(interrupt::is_requested), runs);
     let compared = search::verify(&mut engines, &checked.program, &inputs, arguments.runs);
     drop(engines);
     let (tally, diverging) = compared.map_err(|failed| match failed {

@@ -32,6 +32,8 @@ mod trace;
 mod transcript;
 #[cfg(feature = "urdf")]
 pub mod urdf;
+#[cfg(feature = "verify")]
+pub mod verify;
 
 pub use body::Anatomy;
 pub use cycle::{Asked, Cycle};

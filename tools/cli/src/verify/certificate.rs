@@ -2,10 +2,10 @@
 
 use super::super::checked::Checked;
 use super::super::scene::SceneChoice;
-use super::project::{Project, VERSION};
 use std::fmt::Write as _;
 use tip_runtime::printable::Printable;
 use tip_sim::search::Tally;
+use tip_sim::verify::{Project, VERSION};
 use tipc::analysis::spots::Spot;
 use tipc::program::Step;
 

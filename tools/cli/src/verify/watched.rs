@@ -85,13 +85,16 @@ impl<E> Watched<E> {
     }
 }
 
-impl<E: Engines<Error = Error>> Engines for Watched<E> {
+impl<E: Engines> Engines for Watched<E>
+where
+    Error: From<E::Error>,
+{
     type Error = Error;
 
     fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
         let answer = match interrupt::is_requested() {
             true => Err(self.interrupted()),
-            false => self.engines.ask(inputs),
+            false => self.engines.ask(inputs).map_err(Error::from),
         };
         match answer {
             // They were given up.

@@ -1,7 +1,6 @@
 //! The user's project, as cargo reports it: where the runtime comes from, and the build.
 
-use super::super::error::Error;
-use super::super::report;
+use super::error::NotBuilt;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, IsTerminal};
@@ -9,14 +8,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// The version of this tool; that of the project's crates must be the same.
-pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// The version of this crate; that of the project's runtime must be the same.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 const WHERE: &str = "run it in the folder of a project that depends on tip-runtime, or name its Cargo.toml by --manifest-path";
 
 /// A cargo project that depends on the runtime.
 #[derive(Debug)]
-pub(super) struct Project {
+pub struct Project {
     /// Where cargo runs, so that the project's configuration and toolchain count.
     folder: PathBuf,
     /// Where packages are written and built.
@@ -31,13 +30,16 @@ pub(super) struct Project {
 
 impl Project {
     /// The project around the current folder, or that of a manifest.
-    pub(super) fn find(manifest: Option<&Path>) -> Result<Self, Error> {
+    ///
+    /// # Errors
+    /// There is none, it does not depend on tip-runtime, or on that of another version.
+    pub fn find(manifest: Option<&Path>) -> Result<Self, NotBuilt> {
         let folder = match manifest.and_then(Path::parent) {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
         let folder = fs::canonicalize(folder)
-            .map_err(|error| Error::Failed(format!("{}: {error}; {WHERE}", folder.display())))?;
+            .map_err(|error| NotBuilt::Failed(format!("{}: {error}; {WHERE}", folder.display())))?;
         let metadata = metadata(&folder)?;
         let packages = metadata["packages"]
             .as_array()
@@ -45,7 +47,7 @@ impl Project {
         let package = |name: &str| packages.iter().find(|package| package["name"] == name);
         let runtime = package("tip-runtime").ok_or_else(|| {
             let folder = folder.display();
-            Error::Failed(format!(
+            NotBuilt::Failed(format!(
                 "the project in {folder} does not depend on tip-runtime: {WHERE}"
             ))
         })?;
@@ -68,8 +70,8 @@ impl Project {
         })
     }
 
-    /// Builds the package at `manifest` in release mode; gives its executable. Cargo talks to the user itself.
-    pub(super) fn build(&self, manifest: &Path) -> Result<PathBuf, Error> {
+    /// Builds the package at `manifest` in release mode; gives its executable.
+    pub(super) fn build(&self, manifest: &Path) -> Result<PathBuf, NotBuilt> {
         let mut command = Command::new(cargo());
         command
             .args([
@@ -97,7 +99,7 @@ impl Project {
             messages.filter_map(|message| message["executable"].as_str().map(PathBuf::from));
         match executables.next_back() {
             Some(executable) if output.status.success() => Ok(executable),
-            _ => Err(Error::Failed(format!(
+            _ => Err(NotBuilt::Failed(format!(
                 "cargo could not build {} ({}): it says above why. Without a network, `cargo fetch` in the project first; \
                  an error in src/program.rs is a defect of tipc",
                 manifest.display(),
@@ -107,7 +109,7 @@ impl Project {
     }
 
     /// What a tool of the project says of its version.
-    pub(super) fn version_of(&self, variable: &str, tool: &str) -> String {
+    pub fn version_of(&self, variable: &str, tool: &str) -> String {
         let tool = env::var_os(variable).unwrap_or_else(|| tool.into());
         let output = Command::new(tool)
             .arg("--version")
@@ -123,8 +125,8 @@ fn cargo() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-fn no_cargo(error: io::Error) -> Error {
-    Error::Failed(match error.kind() {
+fn no_cargo(error: io::Error) -> NotBuilt {
+    NotBuilt::Failed(match error.kind() {
         io::ErrorKind::NotFound => {
             "cargo is not there, and it has to build the program: https://rustup.rs installs it"
                 .to_owned()
@@ -134,31 +136,30 @@ fn no_cargo(error: io::Error) -> Error {
 }
 
 /// Everything that cargo knows of the project.
-fn metadata(folder: &Path) -> Result<Value, Error> {
+fn metadata(folder: &Path) -> Result<Value, NotBuilt> {
     let mut command = Command::new(cargo());
     command
         .args(["metadata", "--format-version", "1"])
         .current_dir(folder);
     let output = command.output().map_err(no_cargo)?;
     if !output.status.success() {
-        report::complain(&String::from_utf8_lossy(&output.stderr));
-        return Err(Error::Failed(format!(
-            "cargo knows no project in {}: {WHERE}",
-            folder.display()
-        )));
+        return Err(NotBuilt::NoProject {
+            reason: format!("cargo knows no project in {}: {WHERE}", folder.display()),
+            said: String::from_utf8_lossy(&output.stderr).into_owned(),
+        });
     }
     serde_json::from_slice(&output.stdout)
-        .map_err(|error| Error::Failed(format!("cargo metadata: {error}")))
+        .map_err(|error| NotBuilt::Failed(format!("cargo metadata: {error}")))
 }
 
 /// Both engines must be of one version, which is that of this tool.
-fn same_version(package: &Value) -> Result<(), Error> {
+fn same_version(package: &Value) -> Result<(), NotBuilt> {
     let text = |key: &str| package[key].as_str().unwrap_or_default();
     let (name, version) = (text("name"), text("version"));
     if version == VERSION {
         return Ok(());
     }
-    Err(Error::Failed(format!(
+    Err(NotBuilt::Failed(format!(
         "the project has {name} {version}, this is tipc {VERSION}: `cargo install tipc-cli --version {version}` \
          installs the one that belongs to it"
     )))
@@ -187,7 +188,7 @@ fn source(package: &Value) -> String {
 }
 
 /// The tip-sim that belongs to a runtime whose project has none: from the same registry, repository or checkout.
-fn beside(runtime: &Value, source: &str) -> Result<String, Error> {
+fn beside(runtime: &Value, source: &str) -> Result<String, NotBuilt> {
     if !source.starts_with("path") {
         return Ok(source.to_owned());
     }
@@ -195,7 +196,7 @@ fn beside(runtime: &Value, source: &str) -> Result<String, Error> {
     if folder.join("Cargo.toml").exists() {
         return Ok(format!("path = {}", quoted(&folder.to_string_lossy())));
     }
-    Err(Error::Failed(
+    Err(NotBuilt::Failed(
         "the project has tip-runtime from a folder, and no tip-sim: add it as a dev-dependency, so that the interpreter can be built"
             .to_owned(),
     ))

@@ -1,17 +1,17 @@
 //! The package that is built: the user's program as Rust and as text, its robot, and a loop that answers requests.
 
-use super::super::checked::Checked;
-use super::super::error::Error;
-use super::super::robot::ChosenRobot;
-use super::super::{output, scene};
-use super::Verify;
+use super::Subject;
+use super::error::NotBuilt;
 use super::project::Project;
+use crate::robot::Robot;
 use proc_macro2::{Ident, Span};
 use quote::quote;
-use std::fs;
+use std::error::Error;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::PathBuf;
-use tip_runtime::plant::Scene;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+use tip_runtime::record::WholeFile;
 use tipc::description::Description;
 use tipc::emit;
 use tipc::program::Program;
@@ -23,23 +23,15 @@ pub(super) struct Package {
 }
 
 impl Package {
-    /// The package for one program on one robot over one scene.
-    pub(super) fn new(
-        arguments: &Verify,
-        checked: &Checked,
-        scene: &Scene,
-        project: &Project,
-    ) -> Result<Self, Error> {
-        let program = &checked.program;
-        let file = &arguments.file;
-        let source = fs::read(file)
-            .map_err(|error| Error::Failed(format!("{}: {error}", file.display())))?;
+    /// The package for one program on one robot in one scene.
+    pub(super) fn new(subject: &Subject<'_>, project: &Project) -> Result<Self, NotBuilt> {
+        let program = subject.program;
         let mut files = vec![
-            ("src/source.prg", source),
+            ("src/source.prg", subject.source.to_vec()),
             ("src/program.rs", compiled(program)?.into_bytes()),
-            ("src/main.rs", main(arguments, checked, scene)?.into_bytes()),
+            ("src/main.rs", main(subject)?.into_bytes()),
         ];
-        if let ChosenRobot::Described(description) = &checked.robot {
+        if let Some(description) = subject.description {
             files.push(("src/robot.rs", robot(description)?.into_bytes()));
         }
         let mut hasher = DefaultHasher::new();
@@ -54,19 +46,19 @@ impl Package {
     }
 
     /// Writes what is not there yet, so that cargo builds nothing twice; gives the manifest.
-    pub(super) fn write(&self, project: &Project) -> Result<PathBuf, Error> {
+    pub(super) fn write(&self, project: &Project) -> Result<PathBuf, NotBuilt> {
         let folder = project.target.join(&self.name);
         let sources = folder.join("src");
-        fs::create_dir_all(&sources).map_err(|error| Error::cannot_write(&sources, error))?;
+        fs::create_dir_all(&sources).map_err(|error| cannot_write(&sources, &error))?;
         for (name, content) in &self.files {
             let path = folder.join(name);
             if fs::read(&path).ok().as_ref() != Some(content) {
-                output::replace(&path, content)?;
+                replace(&path, content)?;
             }
         }
         // The project's own versions of everything; a project without a lock file has none yet.
         if let Ok(lock) = fs::read(&project.lock) {
-            output::replace(&folder.join("Cargo.lock"), lock)?;
+            replace(&folder.join("Cargo.lock"), &lock)?;
         }
         Ok(folder.join("Cargo.toml"))
     }
@@ -113,19 +105,23 @@ opt-level = 3
     )
 }
 
-fn main(arguments: &Verify, checked: &Checked, scene: &Scene) -> Result<String, Error> {
-    scene::around(checked.robot.simulated()?, scene)?;
-    let name = checked.robot.robot().name();
-    let (module, robot) = match &checked.robot {
-        ChosenRobot::Named(_) => (
+fn main(subject: &Subject<'_>) -> Result<String, NotBuilt> {
+    let Subject {
+        name: source,
+        options,
+        scene,
+        ..
+    } = subject;
+    simulated(subject)?;
+    let name = options.robot.name();
+    let (module, robot) = match subject.description {
+        None => (
             "",
             format!("Robot::named({name:?}).expect(\"tipc knows it\")"),
         ),
-        ChosenRobot::Described(_) => ("mod robot;\n", "Robot::of(&robot::ROBOT)".to_owned()),
+        Some(_) => ("mod robot;\n", "Robot::of(&robot::ROBOT)".to_owned()),
     };
-    let options = arguments.source.options(checked.robot.robot());
     let (version, encoding) = (options.tip_version, options.encoding);
-    let source = arguments.file.display().to_string();
     // A scene's debug form is Rust.
     Ok(format!(
         r#"//! Compiled code and interpreter, run by run as standard input asks for them. Written by `tipc verify`.
@@ -160,12 +156,23 @@ fn main() -> io::Result<()> {{
     ))
 }
 
-fn compiled(program: &Program) -> Result<String, Error> {
+/// The robot in its scene, as the package puts it there.
+fn simulated(subject: &Subject<'_>) -> Result<Robot, NotBuilt> {
+    let failed = |error: &dyn Error| NotBuilt::Failed(error.to_string());
+    let robot = match subject.description {
+        None => Robot::named(subject.options.robot.name()).map_err(|error| failed(&error))?,
+        Some(description) => Robot::described(description),
+    };
+    let robot = robot.with_scene(&subject.scene);
+    robot.map_err(|error| failed(&error))
+}
+
+fn compiled(program: &Program) -> Result<String, NotBuilt> {
     let text = emit::pretty(program, &spelling("Verified"));
     text.map_err(|error| unspeakable(program.source_name(), &error))
 }
 
-fn robot(description: &Description) -> Result<String, Error> {
+fn robot(description: &Description) -> Result<String, NotBuilt> {
     let text = description.pretty(&spelling("ROBOT"));
     text.map_err(|error| unspeakable(description.name(), &error))
 }
@@ -178,6 +185,22 @@ fn spelling(name: &str) -> emit::Options {
     }
 }
 
-fn unspeakable(what: &str, error: &impl std::fmt::Display) -> Error {
-    Error::Failed(format!("{what} cannot be spelt in Rust: {error}"))
+/// Writes a file, or leaves it as it was.
+fn replace(path: &Path, content: &[u8]) -> Result<(), NotBuilt> {
+    let written = WholeFile::create(path).and_then(|mut file| {
+        file.write_all(content)?;
+        file.commit()
+    });
+    written.map_err(|error| cannot_write(path, &error))
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> NotBuilt {
+    NotBuilt::CannotWrite {
+        path: path.to_owned(),
+        reason: error.to_string(),
+    }
+}
+
+fn unspeakable(what: &str, error: &impl std::fmt::Display) -> NotBuilt {
+    NotBuilt::Failed(format!("{what} cannot be spelt in Rust: {error}"))
 }

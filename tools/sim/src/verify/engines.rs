@@ -1,37 +1,37 @@
 //! The process in which both engines run: it may die or hang, and then says so by name.
 
-use super::super::error::Error;
-use super::super::interrupt;
+use super::error::NotBuilt;
+use crate::event::Inputs;
+use crate::lockstep::{Answer, LIMIT};
+use crate::search;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
-use tip_sim::Inputs;
-use tip_sim::lockstep::{Answer, LIMIT};
-use tip_sim::search;
 
 /// A run may take this long, and so much more for each of its cycles.
 const PATIENCE: Duration = Duration::from_secs(60);
 const PATIENCE_PER_CYCLE: Duration = Duration::from_millis(1);
 
-/// Ctrl-C is noticed so soon.
+/// How soon it is noticed that nobody waits for the answer any more.
 const NAP: Duration = Duration::from_millis(100);
 
 /// Both engines, in a process of their own.
 #[derive(Debug)]
-pub(super) struct Engines {
+pub struct Engines {
     process: Child,
     requests: ChildStdin,
     answers: Receiver<String>,
+    given_up: fn() -> bool,
 }
 
 impl Engines {
     /// Starts what was built.
-    pub(super) fn start(executable: &Path) -> Result<Self, Error> {
+    pub(super) fn start(executable: &Path) -> Result<Self, NotBuilt> {
         let cannot = |reason: &dyn std::fmt::Display| {
-            Error::Failed(format!("{} does not start: {reason}", executable.display()))
+            NotBuilt::Failed(format!("{} does not start: {reason}", executable.display()))
         };
         let mut command = Command::new(executable);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -49,7 +49,27 @@ impl Engines {
             process,
             requests,
             answers,
+            given_up: || false,
         })
+    }
+
+    /// A run ends without an answer as soon as this is true: after Ctrl-C, say.
+    #[must_use]
+    pub fn given_up_if(mut self, given_up: fn() -> bool) -> Self {
+        self.given_up = given_up;
+        self
+    }
+
+    /// The next answer, if it comes in time and nobody gives it up.
+    fn answer(&self, patience: Duration) -> Result<String, RecvTimeoutError> {
+        let begin = Instant::now();
+        loop {
+            let left = patience.saturating_sub(begin.elapsed());
+            match self.answers.recv_timeout(left.min(NAP)) {
+                Err(RecvTimeoutError::Timeout) if !left.is_zero() && !(self.given_up)() => {}
+                answer => return answer,
+            }
+        }
     }
 }
 
@@ -63,31 +83,16 @@ fn apart(command: &mut Command) {
 #[cfg(not(unix))]
 fn apart(_: &mut Command) {}
 
-impl Engines {
-    /// The next answer, if it comes in time and nobody interrupts.
-    fn answer(&self, patience: Duration) -> Result<String, RecvTimeoutError> {
-        let begin = Instant::now();
-        loop {
-            let left = patience.saturating_sub(begin.elapsed());
-            match self.answers.recv_timeout(left.min(NAP)) {
-                Err(RecvTimeoutError::Timeout) if !left.is_zero() && !interrupt::is_requested() => {
-                }
-                answer => return answer,
-            }
-        }
-    }
-}
-
 impl search::Engines for Engines {
-    type Error = Error;
+    type Error = NotBuilt;
 
-    fn ask(&mut self, inputs: &Inputs) -> Result<Answer, Error> {
+    fn ask(&mut self, inputs: &Inputs) -> Result<Answer, NotBuilt> {
         // A process that is gone shows when its answer is missing.
         let _ = writeln!(self.requests, "{inputs}").and_then(|()| self.requests.flush());
         let cycles = u32::try_from(inputs.cycles.unwrap_or(LIMIT)).unwrap_or(u32::MAX);
         let patience = PATIENCE.saturating_add(PATIENCE_PER_CYCLE.saturating_mul(cycles));
         let broken =
-            |what: String| Error::Failed(format!("{what} in a run with the inputs `{inputs}`"));
+            |what: String| NotBuilt::Failed(format!("{what} in a run with the inputs `{inputs}`"));
         match self.answer(patience) {
             Ok(line) => line.parse().map_err(broken),
             Err(RecvTimeoutError::Timeout) => {
@@ -117,7 +122,7 @@ impl Drop for Engines {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
-    use tip_sim::search::Engines as _;
+    use crate::search::Engines as _;
 
     fn complaint(executable: &str) -> String {
         let engines = Engines::start(Path::new(executable));
