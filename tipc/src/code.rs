@@ -1,4 +1,9 @@
-//! The table of diagnostic codes: the classical message and level of each.
+//! The table of diagnostic codes: the classical message and level of each. A code that covers several kinds of mistakes,
+//! as `E205`, is their class, and each [`Mistake`] has a finer code of its own, as `E205-03`.
+
+mod mistake;
+
+pub use mistake::Mistake;
 
 use crate::language::Edition;
 use crate::message::Lang;

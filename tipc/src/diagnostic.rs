@@ -2,7 +2,7 @@
 
 mod undecodable;
 
-use crate::code::{Code, Level};
+use crate::code::{Code, Level, Mistake};
 use crate::language::Edition;
 use crate::message::{Cut, Lang, Message};
 use crate::source::Span;
@@ -21,7 +21,7 @@ pub struct Label {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnostic {
-    /// What it is about.
+    /// The class of what it is about.
     pub code: Code,
     /// The name or file that the message's `{}` stands for.
     pub subject: Option<String>,
@@ -73,6 +73,12 @@ impl Diagnostic {
     pub fn help(mut self, help: impl Into<Message>) -> Self {
         self.help = Some(help.into());
         self
+    }
+
+    /// Its finest code: that of its kind of mistake, as `E205-03`, or that of its class if this covers one kind only.
+    pub fn id(&self) -> &'static str {
+        let mistake = Mistake::of(self.code, &self.reason);
+        mistake.map_or(self.code.id(), |mistake| mistake.id)
     }
 
     /// How grave it is.

@@ -117,7 +117,7 @@ macro_rules! tables {
 
         /// The rows of every table.
         #[cfg(test)]
-        const ROWS: &[&[tests::Row]] = &[$( $( #[$meta] )* $table::ROWS, )*];
+        pub(crate) const ROWS: &[&[tests::Row]] = &[$( $( #[$meta] )* $table::ROWS, )*];
 
         /// The messages of every table, with the arguments of a turn.
         #[cfg(test)]

@@ -84,7 +84,7 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let name = printable(source.name());
     let title = level(diagnostic.level(), style.lang)
         .primary_title(printable(diagnostic.headline(style.lang)))
-        .id(diagnostic.code.id());
+        .id(diagnostic.id());
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
         group = group.element(origin(&name, source, diagnostic));

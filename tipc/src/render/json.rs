@@ -17,7 +17,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
         push_member(&mut out, "kind", kind.name());
     }
     push_member(&mut out, "message", &diagnostic.message());
-    push_member(&mut out, "code", diagnostic.code.id());
+    push_member(&mut out, "code", diagnostic.id());
     push_member(&mut out, "file", source.name());
     push_number(&mut out, "line", line);
     push_number(&mut out, "column", column);

@@ -10,7 +10,7 @@ use tip_runtime::printable::Printable;
 /// whatever the file is called: what could act on a terminal is an escape.
 pub fn short(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
-    let (level, code) = (diagnostic.level(), diagnostic.code.id());
+    let (level, code) = (diagnostic.level(), diagnostic.id());
     let headline = diagnostic.headline(lang);
     let classical = match level {
         Level::Error => format!(" (TIP_ERR:{})", diagnostic.message()),

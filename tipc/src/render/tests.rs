@@ -118,7 +118,7 @@ fn a_place_at_the_end_of_a_line_has_its_caret() {
         &source,
         &diagnostic,
         "
-error[E107]: an operand is missing here
+error[E107-03]: an operand is missing here
  --> walk.prg:3:4
   |
 3 | A =
@@ -192,7 +192,7 @@ fn people_read_in_their_language() {
         .label(span(&source, "WHILE"), Parsing::TextEndsHere);
     let shown = human(&source, &error, Style::default().lang(Lang::Japanese));
     let expected = "
-エラー[E205]: ここにはTHENを書きます
+エラー[E205-17]: ここにはTHENを書きます
  --> walk.prg:3:14
   |
 3 | WHILE KB_HIT DO

@@ -3,7 +3,7 @@
 use crate::links::anchor;
 use crate::{hold, read};
 use std::fmt::Write as _;
-use tipc::code::Code;
+use tipc::code::{Code, Mistake};
 use tipc::language::Edition;
 use tipc::language::commands::{COMMANDS, Command, Cycles};
 use tipc::language::flags::FLAGS;
@@ -11,6 +11,7 @@ use tipc::language::functions::FUNCTIONS;
 use tipc::language::inputs::INPUTS;
 use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
+use tipc::message::Lang;
 
 /// How many clauses each chapter has.
 const CLAUSES: [usize; 11] = [12, 25, 6, 9, 1, 7, 48, 1, 5, 1, 1];
@@ -23,6 +24,7 @@ fn reference() -> String {
 fn the_tables_of_the_reference_are_those_of_the_compiler() {
     let text = reference();
     let fresh = replace(&text, "codes", &codes());
+    let fresh = replace(&fresh, "finer codes", &finer_codes());
     let fresh = replace(&fresh, "commands", &commands());
     hold("docs/language.md", &text, &fresh);
 }
@@ -108,6 +110,15 @@ fn codes() -> String {
         let level = code.level(Edition::default()).name();
         let message = code.template().replace("{}", "…");
         let _ = writeln!(table, "| {} | {level} | `{message}` |", code.id());
+    }
+    table + "\n"
+}
+
+fn finer_codes() -> String {
+    let mut table = String::from("\n| code | kind of mistake |\n|---|---|\n");
+    for mistake in Mistake::ALL {
+        let title = mistake.title(Lang::English);
+        let _ = writeln!(table, "| {} | {title} |", mistake.id);
     }
     table + "\n"
 }

@@ -6,17 +6,20 @@ use super::choices::LangName;
 use super::error::Error;
 use super::{Status, output, shown};
 use clap::Args;
+use std::fmt::Write as _;
+use tipc::code::{Code, Mistake};
 use tipc::message::Lang;
 
 /// `tipc explain`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc explain E205
+  tipc explain E205           with a list of the finer codes
+  tipc explain E205-03
   tipc explain W109 --lang ja
 
 Exit status: 0 if there is such a code, 2 otherwise.")]
 pub(super) struct Explain {
-    /// The code of a finding, as E205 or W109
+    /// The code of a finding, as E205-03 or W109, or the class of one, as E205
     #[arg(value_name = "CODE")]
     code: String,
 
@@ -30,14 +33,44 @@ pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
     let page = pages::PAGES.iter().find(|page| page.code == code);
     let Some(page) = page else {
-        let codes: Vec<&str> = pages::PAGES.iter().map(|page| page.code).collect();
+        let codes: Vec<&str> = Code::ALL.iter().map(|code| code.id()).collect();
         let codes = codes.join(", ");
         let text = format!("no finding has the code {code}; the codes are {codes}");
         return Err(Error::Usage(text));
     };
-    output::print(match shown::lang(arguments.lang) {
+    let lang = shown::lang(arguments.lang);
+    let text = match lang {
         Lang::Japanese => page.japanese,
         _ => page.english,
-    })?;
+    };
+    output::print(format!("{text}{}", related(page.code, lang)))?;
     Ok(Status::Success)
+}
+
+/// The codes that have to do with one: the finer ones of a class, the class of a finer one.
+fn related(code: &str, lang: Lang) -> String {
+    let is_japanese = lang == Lang::Japanese;
+    if let Some(mistake) = Mistake::ALL.iter().find(|mistake| mistake.id == code) {
+        let class = mistake.class.id();
+        return match is_japanese {
+            true => format!("\n`tipc explain {class}` に、{class}のほかのコードがあります。\n"),
+            false => format!("\n`tipc explain {class}` lists the other codes of {class}.\n"),
+        };
+    }
+    let class = Code::ALL.iter().find(|class| class.id() == code);
+    let finer = class
+        .into_iter()
+        .flat_map(|class| Mistake::of_class(*class));
+    let mut text = String::new();
+    for mistake in finer {
+        if text.is_empty() {
+            text += match is_japanese {
+                true => "\n## 細かいコード\n\n",
+                false => "\n## Its finer codes\n\n",
+            };
+        }
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "- `{}`: {}", mistake.id, mistake.title(lang));
+    }
+    text
 }

@@ -128,7 +128,7 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
 /// A finding about a file that has no text.
 fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     let file = diagnostic.subject.as_deref().unwrap_or_default();
-    let (code, reason) = (diagnostic.code.id(), diagnostic.reason.in_lang(lang));
+    let (code, reason) = (diagnostic.id(), diagnostic.reason.in_lang(lang));
     let text = format!("error[{code}]: {file}: {reason}");
     let (headline, classical) = (Printable::line(text), Printable::line(diagnostic.title()));
     format!("{headline}\n  = note: {classical}")

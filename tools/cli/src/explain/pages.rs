@@ -19,16 +19,28 @@ macro_rules! pages {
 }
 
 pages! {
-    "E101" "E102" "E103" "E104" "E105" "E106" "E107" "E108" "E201"
-    "E202" "E203" "E204" "E205" "E206" "E207" "E301" "E401" "E402"
-    "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
+    "E101" "E102" "E103" "E104"
+    "E105" "E105-01" "E105-02" "E105-03" "E105-04" "E105-05" "E105-06"
+    "E106"
+    "E107" "E107-01" "E107-02" "E107-03" "E107-04" "E107-05" "E107-06" "E107-07"
+    "E108" "E201" "E202" "E203"
+    "E204" "E204-01" "E204-02" "E204-03" "E204-04" "E204-05"
+    "E205" "E205-01" "E205-02" "E205-03" "E205-04" "E205-05" "E205-06" "E205-07" "E205-08"
+    "E205-09" "E205-10" "E205-11" "E205-12" "E205-13" "E205-14" "E205-15" "E205-16" "E205-17"
+    "E205-18" "E205-19" "E205-20" "E205-21" "E205-22" "E205-23" "E205-24" "E205-25" "E205-26"
+    "E205-27"
+    "E206"
+    "E207" "E207-01" "E207-02" "E207-03" "E207-04" "E207-05" "E207-06" "E207-07" "E207-08"
+    "E301" "E401" "E402" "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
 }
 
 #[cfg(test)]
 mod tests {
     use super::PAGES;
-    use tipc::code::Code;
+    use tipc::code::{Code, Mistake};
     use tipc::description::{parse, parse_scene};
+    use tipc::diagnostic::Diagnostic;
+    use tipc::message::Lang;
     use tipc::{Options, load};
 
     /// The blocks of a page: the wrong one and the right one, or none of a code that no text causes.
@@ -37,36 +49,74 @@ mod tests {
         parts.filter_map(|block| block.split_once('\n')).collect()
     }
 
+    /// What a page is about: a class, or a kind of mistake in it.
+    struct About {
+        class: Code,
+        mistake: Option<&'static Mistake>,
+    }
+
+    impl About {
+        /// What each page is about, in order.
+        fn all() -> Vec<About> {
+            let of = |class: &Code| {
+                let class = *class;
+                let mistakes = Mistake::of_class(class).map(Some);
+                let subjects = std::iter::once(None).chain(mistakes);
+                subjects.map(move |mistake| About { class, mistake })
+            };
+            Code::ALL.iter().flat_map(of).collect()
+        }
+
+        fn id(&self) -> &'static str {
+            self.mistake.map_or(self.class.id(), |mistake| mistake.id)
+        }
+
+        fn title(&self, lang: Lang) -> String {
+            match self.mistake {
+                Some(mistake) => mistake.title(lang).to_owned(),
+                None => self.class.template().replace("{}", "…"),
+            }
+        }
+
+        /// What a page about it shows of a finding's code.
+        fn code(&self, finding: &Diagnostic) -> &'static str {
+            match self.mistake {
+                Some(_) => finding.id(),
+                None => finding.code.id(),
+            }
+        }
+    }
+
     /// The codes of what is wrong with a block.
-    fn codes((kind, text): (&str, &str), code: Code) -> Vec<Code> {
-        let found = match (kind, code) {
+    fn codes((kind, text): (&str, &str), about: &About) -> Vec<&'static str> {
+        let found = match (kind, about.class) {
             ("tip", _) => load("page.prg", text.as_bytes(), &Options::default()).diagnostics,
             (_, Code::Scene) => parse_scene("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
             (_, _) => parse("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
         };
-        found.iter().map(|finding| finding.code).collect()
+        found.iter().map(|finding| about.code(finding)).collect()
     }
 
     #[test]
     fn every_code_has_its_page_and_every_page_its_code() {
         let pages: Vec<&str> = PAGES.iter().map(|page| page.code).collect();
-        let codes: Vec<&str> = Code::ALL.iter().map(|code| code.id()).collect();
+        let codes: Vec<&str> = About::all().iter().map(About::id).collect();
         assert_eq!(pages, codes);
     }
 
     #[test]
     fn the_programs_of_each_page_are_wrong_and_right() {
         // What no text causes.
-        let without = ["E101", "E102", "E103", "E104"];
-        for (page, code) in PAGES.iter().zip(Code::ALL) {
+        let without = ["E101", "E102", "E103", "E104", "E105-06"];
+        for (page, about) in PAGES.iter().zip(About::all()) {
             let english = blocks(page.english);
             assert_eq!(english, blocks(page.japanese), "{}", page.code);
             match english.as_slice() {
                 [wrong, right] => {
-                    assert_eq!(codes(*wrong, *code), [*code], "{}", page.code);
-                    assert_eq!(codes(*right, *code), [], "{}", page.code);
+                    assert_eq!(codes(*wrong, &about), [page.code], "wrong");
+                    assert_eq!(codes(*right, &about), [""; 0], "{}: right", page.code);
                 }
                 blocks => assert!(
                     blocks.is_empty() && without.contains(&page.code),
@@ -78,11 +128,13 @@ mod tests {
     }
 
     #[test]
-    fn each_page_begins_with_its_code_and_message() {
-        for (page, code) in PAGES.iter().zip(Code::ALL) {
-            let title = code.template().replace("{}", "…");
-            let start = format!("# {}: {title}\n", page.code);
-            for text in [page.english, page.japanese] {
+    fn each_page_begins_with_its_code_and_title() {
+        for (page, about) in PAGES.iter().zip(About::all()) {
+            for (lang, text) in [
+                (Lang::English, page.english),
+                (Lang::Japanese, page.japanese),
+            ] {
+                let start = format!("# {}: {}\n", page.code, about.title(lang));
                 assert!(text.starts_with(&start), "{text}");
             }
         }

@@ -174,7 +174,7 @@ fn shift_jis_is_found_out_or_forced() {
     let outcome = folder.tipc(&short).expect(1);
     assert_eq!(
         outcome.lines(),
-        ["sj.prg:3:14: error[E204]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")"]
+        ["sj.prg:3:14: error[E204-01]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")"]
     );
     let forced = folder
         .tipc(&[&short[..], &["--encoding", "shift_jis"]].concat())
@@ -246,8 +246,8 @@ fn people_choose_their_language() {
     let folder = Folder::new("lang").program("p.prg", "IF KB_HIT\nENDIF\nEND");
     let short = ["check", "--message-format", "short", "p.prg"];
     let english =
-        "p.prg:3:10: error[E205]: THEN, GOTO or GOSUB belongs here (TIP_ERR:Wrong argument)";
-    let japanese = "p.prg:3:10: error[E205]: ここにはTHEN、GOTO、GOSUBのどれかを書きます (TIP_ERR:Wrong argument)";
+        "p.prg:3:10: error[E205-17]: THEN, GOTO or GOSUB belongs here (TIP_ERR:Wrong argument)";
+    let japanese = "p.prg:3:10: error[E205-17]: ここにはTHEN、GOTO、GOSUBのどれかを書きます (TIP_ERR:Wrong argument)";
     for (language, line) in [("en", english), ("ja", japanese)] {
         let chosen = [&short[..], &["--lang", language]].concat();
         assert_eq!(folder.tipc(&chosen).expect(1).lines(), [line]);
@@ -270,6 +270,14 @@ fn a_code_is_explained_in_both_languages() {
     let english = page(&["explain", "e206"]);
     assert!(english.starts_with("# E206: unknown variable"), "{english}");
     assert!(english.contains("DEF_VAR N"), "{english}");
+    let class = page(&["explain", "E205"]);
+    assert!(class.contains("- `E205-03`: a missing target\n"), "{class}");
+    let finer = page(&["explain", "e205-03"]);
+    assert!(finer.starts_with("# E205-03: a missing target"), "{finer}");
+    assert!(
+        finer.ends_with("`tipc explain E205` lists the other codes of E205.\n"),
+        "{finer}"
+    );
     let japanese = page(&["explain", "E206", "--lang", "ja"]);
     assert!(japanese.contains("宣言されていない"), "{japanese}");
     let unknown = folder.tipc(&["explain", "E999"]).expect(2);
@@ -326,8 +334,7 @@ fn a_program_may_come_from_standard_input() {
     let program = std::fs::File::open(folder.path("p.prg")).expect("a program");
     let mut command = folder.command(&["check", "--message-format", "short", "-"]);
     let output = command.stdin(program).output().expect("tipc runs");
-    let line =
-        "standard input:3:1: error[E204]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")";
+    let line = "standard input:3:1: error[E204-01]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")";
     assert_eq!(String::from_utf8_lossy(&output.stdout).trim_end(), line);
 }
 

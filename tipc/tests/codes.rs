@@ -1,0 +1,72 @@
+//! Every finding has its finest code, whatever is wrong with a program.
+#![expect(clippy::disallowed_methods, reason = "programs are files")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use tipc::code::Mistake;
+use tipc::{Options, load};
+
+/// About as many words of a program are left out, doubled or taken for another.
+const MOST: usize = 4;
+
+/// All programs in a folder and the folders in it, in order.
+fn programs(folder: &Path, found: &mut Vec<PathBuf>) {
+    let entries = fs::read_dir(folder).expect("a folder of programs");
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            programs(&path, found);
+        } else if path.extension().is_some_and(|end| end == "prg") {
+            found.push(path);
+        }
+    }
+}
+
+/// The program with a word left out, doubled, or taken for the next one, for some of its words.
+fn variants(text: &str) -> Vec<String> {
+    let words: Vec<&str> = text.split_whitespace().skip(2).collect();
+    let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
+    let stride = words.len() / MOST + 1;
+    let mut variants = Vec::new();
+    for pair in words.windows(2).step_by(stride) {
+        let (start, end) = (place(pair[0]), place(pair[0]) + pair[0].len());
+        for instead in ["", &format!("{0} {0}", pair[0]), pair[1]] {
+            variants.push(format!("{}{instead}{}", &text[..start], &text[end..]));
+        }
+    }
+    variants
+}
+
+#[track_caller]
+fn check(path: &Path, bytes: &[u8]) {
+    for finding in load("codes.prg", bytes, &Options::default()).diagnostics {
+        let is_plain = Mistake::of_class(finding.code).next().is_none();
+        assert!(
+            is_plain || finding.id() != finding.code.id(),
+            "{}: {:?} has no finer code:\n{}",
+            path.display(),
+            finding.reason,
+            String::from_utf8_lossy(bytes)
+        );
+    }
+}
+
+#[test]
+fn every_finding_about_a_program_or_a_variant_of_it_has_its_finest_code() {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    programs(&package.join("tests/findings"), &mut found);
+    programs(&package.join("../tests/cases"), &mut found);
+    for path in &found {
+        let bytes = fs::read(path).expect("a program");
+        check(path, &bytes);
+        if let Ok(text) = std::str::from_utf8(&bytes) {
+            variants(text)
+                .iter()
+                .for_each(|variant| check(path, variant.as_bytes()));
+        }
+    }
+}
