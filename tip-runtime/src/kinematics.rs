@@ -24,6 +24,7 @@
 //! ```
 
 mod chain;
+mod frames;
 mod inverse;
 mod resolved_rate;
 mod search;
@@ -31,6 +32,7 @@ mod statics;
 mod two_joints;
 
 pub use chain::Chain;
+pub use frames::{Frame, frames};
 pub use inverse::inverse;
 pub(crate) use resolved_rate::resolve_piece;
 pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards};

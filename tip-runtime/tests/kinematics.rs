@@ -4,7 +4,7 @@
 mod rig;
 
 use rig::Dice;
-use tip_runtime::kinematics::{Chain, LegPoint, inverse, within_limits};
+use tip_runtime::kinematics::{Chain, LegPoint, frames, inverse, within_limits};
 use tip_runtime::model::{Inverse, Leg, Range, titan8};
 
 const LEGS: [Leg<3>; 4] = titan8::MODEL.legs;
@@ -47,6 +47,34 @@ fn forward_agrees_with_the_written_out_formula() {
                 .map(|joint| dice.within(joint.limits.min, joint.limits.max));
             let foot = Chain::new(leg, &angles).foot();
             assert!(close(foot, closed_form(leg, angles), 1e-9), "{angles:?}");
+        }
+    }
+}
+
+/// A frame begins at its joint; joint axis and link, given in it, lead to the next one.
+#[test]
+fn frames_of_links_are_where_the_chain_is() {
+    let mut dice = Dice::new(2);
+    for leg in &LEGS {
+        for _ in 0..100 {
+            let angles = leg
+                .joints
+                .map(|joint| dice.within(joint.limits.min, joint.limits.max));
+            let chain = Chain::new(leg, &angles);
+            let ends = chain.joints().skip(1).chain([chain.foot()]);
+            let links = frames(leg.base, &leg.joints, &angles).zip(&leg.joints);
+            let mut before = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            for ((place, end), (frame, joint)) in chain.joints().zip(ends).zip(links) {
+                assert_eq!(frame.at, place);
+                assert!(close(frame.point(joint.link), end, 1e-9), "{angles:?}");
+                // A joint does not move its own axis.
+                let axis = [0, 1, 2].map(|i| (0..3).map(|j| before[j][i] * joint.axis[j]).sum());
+                assert!(
+                    close(frame.direction(joint.axis), axis, 1e-12),
+                    "{angles:?}"
+                );
+                before = frame.axes;
+            }
         }
     }
 }

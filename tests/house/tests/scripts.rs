@@ -160,7 +160,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 9] = [
+const NEEDS: [(&str, &[&str], &[&str]); 10] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "examples/bare-metal/cortex-m.sh",
@@ -210,6 +210,7 @@ const NEEDS: [(&str, &[&str], &[&str]); 9] = [
         &["cargo-mutants is not installed: cargo install cargo-mutants"],
     ),
     ("tests/readme/run", &[], &["git is not installed"]),
+    ("tests/urdf/run", &[], &["python3 is not installed"]),
 ];
 
 /// On a machine that lacks every tool, and on one that has Cargo alone.

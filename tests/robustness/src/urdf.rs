@@ -1,15 +1,22 @@
-//! Robots from URDF: what is imported is a description with a sound model, or there is a reason.
+//! Robots from URDF: what is imported is a description with a sound model, which can be exported again, or there is a
+//! reason.
 
 use crate::description;
-use tip_sim::urdf::import;
+use tip_sim::Robot;
+use tip_sim::urdf::{export, import};
 
 /// Imports the bytes, bad ones replaced as the command line does.
 ///
 /// # Panics
-/// What comes of them is no description, or there is no reason.
+/// What comes of them is no description, or what is exported of that is none, or there is no reason.
 pub fn examine(bytes: &[u8]) {
     match import("random.urdf", &String::from_utf8_lossy(bytes)) {
-        Ok(import) => description::examine(import.toml.as_bytes()),
+        Ok(found) => {
+            description::examine(found.toml.as_bytes());
+            let robot = Robot::description(&found.toml).expect("it was examined");
+            let again = import("again.urdf", &export(&robot));
+            assert!(again.is_ok(), "{again:?}: {}", found.toml);
+        }
         Err(error) => assert!(!error.to_string().is_empty()),
     }
 }

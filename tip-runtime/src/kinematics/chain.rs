@@ -1,7 +1,7 @@
 //! Where the joints of a leg are, and how they move its foot.
 
 use super::LegPoint;
-use crate::model::{Axes, Leg, Point};
+use crate::model::{Axes, Joint, Leg, Point};
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
 pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
@@ -20,6 +20,36 @@ pub struct Chain<const J: usize> {
     foot: Vector3<f64>,
 }
 
+/// A chain that grows joint by joint: where it ends, and how the last link is turned.
+pub(super) struct Growing {
+    end: Vector3<f64>,
+    turned: Rotation3<f64>,
+}
+
+impl Growing {
+    /// Before its first joint, which is at `base`: mm.
+    pub(super) fn at(base: Point) -> Self {
+        Growing {
+            end: Vector3::from(base),
+            turned: Rotation3::identity(),
+        }
+    }
+
+    /// Goes on by a joint at `angle` (deg) and its link; the place and axis of the joint.
+    pub(super) fn grow(&mut self, joint: &Joint, angle: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let local = Unit::new_unchecked(Vector3::from(joint.axis));
+        let at = (self.end, self.turned * local.into_inner());
+        self.turned *= Rotation3::from_axis_angle(&local, angle * RADIANS_PER_DEGREE);
+        self.end += self.turned * Vector3::from(joint.link);
+        at
+    }
+
+    /// The axes of the last link: its x, y and z.
+    pub(super) fn axes(&self) -> [[f64; 3]; 3] {
+        (*self.turned.matrix()).into()
+    }
+}
+
 impl<const J: usize> Chain<J> {
     /// Forward kinematics of `leg` at `angles` (deg).
     #[must_use]
@@ -29,15 +59,12 @@ impl<const J: usize> Chain<J> {
             axes: [Vector3::zeros(); J],
             foot: Vector3::from(leg.base),
         };
-        let mut frame = Rotation3::identity();
+        let mut growing = Growing::at(leg.base);
         let slots = chain.places.iter_mut().zip(chain.axes.iter_mut());
         for ((place, axis), (joint, angle)) in slots.zip(leg.joints.iter().zip(angles)) {
-            let local = Unit::new_unchecked(Vector3::from(joint.axis));
-            *place = chain.foot;
-            *axis = frame * local.into_inner();
-            frame *= Rotation3::from_axis_angle(&local, angle * RADIANS_PER_DEGREE);
-            chain.foot += frame * Vector3::from(joint.link);
+            (*place, *axis) = growing.grow(joint, *angle);
         }
+        chain.foot = growing.end;
         chain
     }
 

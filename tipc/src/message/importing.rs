@@ -143,6 +143,12 @@ messages! {
     Walks
         "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it",
         "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください";
+    BodyOfBox
+        "the robot walks; its body is the box of link body",
+        "ロボットは歩きます。胴体はリンクbodyの箱です";
+    Slider
+        "the prismatic joints that end in link floor became the slider that carries the floor (FLOOR)",
+        "リンクfloorに至る直動関節を、床を載せるスライダ(FLOOR)にしました";
     BodyMass
         "assumed: the body weighs 1 kg",
         "仮定: 胴体の質量は1 kg";

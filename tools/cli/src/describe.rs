@@ -1,15 +1,16 @@
 //! `tipc robot`: descriptions of robots.
 
+mod export;
+mod import;
+
 use super::choices::Format;
 use super::error::Error;
 use super::shown::Shown;
 use super::{Status, input, output, report};
 use clap::{Args, Subcommand};
 use std::fmt::Write as _;
-use std::fs;
 use std::path::PathBuf;
-use tip_runtime::printable::Printable;
-use tip_sim::{Anatomy, Robot, urdf};
+use tip_sim::{Anatomy, Robot};
 
 /// What to do with a robot's description.
 #[derive(Debug, Subcommand)]
@@ -17,7 +18,9 @@ pub(super) enum RobotVerb {
     /// Report everything that is wrong with a description, or what the robot has
     Check(CheckRobot),
     /// Make a description of a URDF file
-    Import(Import),
+    Import(import::Import),
+    /// Write a robot as URDF
+    Export(export::Export),
 }
 
 /// `tipc robot check`
@@ -35,32 +38,12 @@ pub(super) struct CheckRobot {
     pub(super) shown: Shown,
 }
 
-/// `tipc robot import`
-#[derive(Debug, Args)]
-#[command(
-    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
-foot is the link at the end, on a fixed joint. A report on standard error lists what was assumed and what was dropped.
-
-Example:
-  tipc robot import quadruped.urdf -o quadruped.toml
-
-Exit status: 0 if the description is written, 1 otherwise."
-)]
-pub(super) struct Import {
-    /// The URDF file; xacro has to be expanded first
-    #[arg(value_name = "FILE.urdf")]
-    pub(super) file: PathBuf,
-
-    /// Write to a file instead of standard output
-    #[arg(short, long, value_name = "OUT.toml")]
-    pub(super) out: Option<PathBuf>,
-}
-
 /// Does what the command line says.
 pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
     match verb {
         RobotVerb::Check(arguments) => check(arguments),
-        RobotVerb::Import(arguments) => import(arguments),
+        RobotVerb::Import(arguments) => import::import(arguments),
+        RobotVerb::Export(arguments) => export::export(arguments),
     }
 }
 
@@ -112,34 +95,4 @@ fn summary(robot: &Robot) -> String {
         let _ = writeln!(text, "  F{number}  {x:.1} {y:.1} {z:.1}");
     }
     text
-}
-
-/// Writes the description that a URDF file makes; the report goes to standard error.
-fn import(arguments: &Import) -> Result<Status, Error> {
-    let path = &arguments.file;
-    let name = Printable::line(path.display());
-    let read = fs::read(path).map_err(|reason| reason.to_string());
-    let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let imported = text.and_then(|text| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        urdf::import(&name, &text).map_err(|reason| reason.to_string())
-    });
-    let imported = match imported {
-        Ok(imported) => imported,
-        Err(reason) => {
-            report::complain(&format!("error: {name}: {}\n", Printable::line(reason)));
-            return Ok(Status::Failure);
-        }
-    };
-    match &arguments.out {
-        Some(out) => {
-            output::refuse_inputs(out, &[path])?;
-            output::replace(out, &imported.toml)?;
-        }
-        None => output::print(&imported.toml)?,
-    }
-    for line in &imported.report {
-        report::complain(&format!("{name}: {}\n", Printable::line(line)));
-    }
-    Ok(Status::Success)
 }

@@ -8,9 +8,11 @@ use crate::plant::Plant;
 use crate::rig::Rig;
 use crate::shell::Shell;
 use tip_runtime::command::Port;
-use tip_runtime::kinematics::Chain;
+use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
-use tip_runtime::model::{self, Forces, Inverse, Leg, Model, Point};
+use tip_runtime::model::{
+    self, Family, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards,
+};
 use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
 
 /// A model, and what simulates it, whatever its size.
@@ -24,6 +26,8 @@ pub(crate) trait Body {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Anatomy {
+    /// Whose commands it understands.
+    pub family: Family,
     /// Its body, if it walks.
     pub body: Option<model::Body>,
     /// What it can do with torques and forces, if anything.
@@ -32,8 +36,50 @@ pub struct Anatomy {
     pub inverse: Inverse,
     /// Joints of each leg.
     pub joints: usize,
+    /// Its legs or fingers, F1 first.
+    pub legs: Vec<Limb>,
+    /// The slider that carries the floor under a hand, if it has one.
+    pub slider: Option<Slider>,
+    /// Its parameters at program start.
+    pub standards: Standards,
     /// Where each foot is in the initial posture: mm.
     pub feet: Vec<Point>,
+}
+
+/// A leg or finger: a serial chain of any number of joints.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Limb {
+    /// The first joint in the robot frame: mm.
+    pub base: Point,
+    /// The joints from base to foot.
+    pub joints: Vec<Joint>,
+    /// The initial posture: deg.
+    pub initial: Vec<f64>,
+}
+
+impl<const J: usize> From<&Leg<J>> for Limb {
+    fn from(leg: &Leg<J>) -> Self {
+        Limb {
+            base: leg.base,
+            joints: leg.joints.to_vec(),
+            initial: leg.initial.to_vec(),
+        }
+    }
+}
+
+impl Limb {
+    /// The frame of each link at these angles (deg), from base to foot.
+    pub fn frames(&self, angles: &[f64]) -> Vec<Frame> {
+        frames(self.base, &self.joints, angles).collect()
+    }
+
+    /// Where the foot is at these angles (deg), in the robot frame: mm.
+    pub fn foot(&self, angles: &[f64]) -> Point {
+        let last = frames(self.base, &self.joints, angles).zip(&self.joints);
+        last.last()
+            .map_or(self.base, |(frame, joint)| frame.point(joint.link))
+    }
 }
 
 /// How a robot is simulated, and what is around it.
@@ -101,22 +147,20 @@ impl<const L: usize, const J: usize> Sized<L, J> {
     }
 }
 
-/// Where each foot is in the initial posture: mm.
-// Out of line, or it would be copied for each number of legs.
-#[inline(never)]
-fn feet<const J: usize>(legs: &[Leg<J>]) -> Vec<Point> {
-    let foot = |leg: &Leg<J>| Chain::new(leg, &leg.initial).foot();
-    legs.iter().map(foot).collect()
-}
-
 impl<const L: usize, const J: usize> Body for Sized<L, J> {
     fn anatomy(&self) -> Anatomy {
+        let legs: Vec<Limb> = self.model.legs.iter().map(Limb::from).collect();
+        let feet = legs.iter().map(|leg| leg.foot(&leg.initial)).collect();
         Anatomy {
+            family: self.model.family,
             body: self.model.body,
             forces: self.model.forces,
             inverse: self.model.inverse,
             joints: J,
-            feet: feet(&self.model.legs),
+            legs,
+            slider: self.model.slider,
+            standards: self.model.standards,
+            feet,
         }
     }
 

@@ -35,7 +35,7 @@ pub mod urdf;
 #[cfg(feature = "verify")]
 pub mod verify;
 
-pub use body::Anatomy;
+pub use body::{Anatomy, Limb};
 pub use cycle::{Asked, Cycle};
 #[cfg(feature = "robot-files")]
 pub use described::NotDescribed;

@@ -1,4 +1,5 @@
-//! Robots from URDF files: each serial chain of revolute joints becomes a leg of a description.
+//! Robots from URDF files, and as URDF files. [`import`] makes of each serial chain of revolute joints a leg of a
+//! description; [`export`] writes any robot.
 //!
 //! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
 //! what it needs and URDF lacks is assumed. The report lists both.
@@ -29,18 +30,25 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod body;
 mod chain;
 mod check;
+mod export;
+mod frame;
 mod given;
 mod node;
 mod pose;
 mod read;
 mod robot;
 mod schema;
+mod shape;
 mod tree;
 mod values;
 mod version;
 mod write;
+mod xml;
+
+pub use export::export;
 
 use chain::Chain;
 use pose::Pose;
@@ -50,6 +58,7 @@ use tipc::description;
 use tipc::message::Importing;
 use tipc::message::list::Faults;
 use tree::Tree;
+use write::Found;
 
 /// A description that was made of a URDF file.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,11 +95,12 @@ impl ImportError {
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
     let robot = read::robot(text)?;
     let tree = Tree::new(&robot)?;
-    let body = tree.rigid(tree.root(), Pose::ROBOT_FRAME);
-    let first_joints = tree.movable(&body);
+    let base = tree.rigid(tree.base(), Pose::ROBOT_FRAME);
+    let mut first_joints = tree.movable(&base);
+    first_joints.retain(|(joint, pose)| !body::is_slider(&tree, joint, *pose));
     if first_joints.is_empty() {
         return Err(ImportError::new(Importing::NoTurningJoint {
-            link: tree.root().to_owned(),
+            link: tree.base().to_owned(),
         }));
     }
     let legs = first_joints
@@ -98,8 +108,15 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
         .map(|(joint, pose)| Chain::follow(&tree, joint, pose))
         .collect::<Result<Vec<_>, _>>()?;
     check_sizes(&legs)?;
-    let mass = body.iter().map(|(link, _)| link.mass).sum();
-    let (toml, report) = write::description(source_name, &robot.name, mass, &legs);
+    let found = Found {
+        name: &robot.name,
+        is_bolted_down: tree.is_bolted_down(),
+        mass: base.iter().map(|(link, _)| link.mass).sum(),
+        extents: body::extents(&base),
+        slider: body::slider(&tree, &base),
+        legs: &legs,
+    };
+    let (toml, report) = write::description(source_name, &found);
     match description::parse(source_name, toml.as_bytes()) {
         Ok(_) => Ok(Import { toml, report }),
         Err(loaded) => {

@@ -183,6 +183,66 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
 }
 
 #[test]
+fn a_robot_is_written_as_urdf() {
+    let folder = Folder::new("exported").file("pendulum.urdf", URDF);
+    let titan = folder.tipc(&["robot", "export", "--urdf"]).expect(0);
+    assert!(
+        titan.out.contains("<robot name=\"titan8\">"),
+        "{}",
+        titan.out
+    );
+    assert_eq!(titan.out.matches("type=\"revolute\"").count(), 12);
+    let to_file = [
+        "robot",
+        "export",
+        "--urdf",
+        "--robot",
+        "hand",
+        "-o",
+        "hand.urdf",
+    ];
+    assert_eq!(folder.tipc(&to_file).expect(0).out, "");
+    let hand = folder.read("hand.urdf");
+    assert_eq!(hand.matches("type=\"prismatic\"").count(), 1, "{hand}");
+
+    // A URDF file becomes regular: its joint is J11, its foot F1.
+    let regular = folder
+        .tipc(&["robot", "export", "--urdf", "--robot", "pendulum.urdf"])
+        .expect(0);
+    assert!(
+        regular.out.contains("<joint name=\"J11\""),
+        "{}",
+        regular.out
+    );
+    let foot = "<child link=\"F1\"/>\n  <origin xyz=\"0 0 -0.5\"";
+    assert!(regular.out.contains(foot), "{}", regular.out);
+}
+
+#[test]
+fn a_robot_that_cannot_be_written_leaves_nothing() {
+    let folder = Folder::new("not-exported")
+        .file("pendulum.urdf", URDF)
+        .file("bad.toml", "name = \"bad\"\nlegs = 6\n");
+    let export = |arguments: &[&str], status| {
+        let all = [&["robot", "export"], arguments].concat();
+        folder.tipc(&all).expect(status).err
+    };
+    assert!(export(&[], 2).contains("--urdf"));
+    assert!(export(&["--urdf", "--robot", "titan9"], 2).contains("titan8, hand and generic"));
+    let bad = export(&["--urdf", "--robot", "bad.toml", "-o", "out.urdf"], 1);
+    assert!(bad.contains("bad.toml"), "{bad}");
+    let gone = export(&["--urdf", "--robot", "gone.urdf", "-o", "out.urdf"], 1);
+    assert!(gone.contains("gone.urdf"), "{gone}");
+    assert!(!folder.has("out.urdf"));
+    let itself = export(
+        &["--urdf", "--robot", "pendulum.urdf", "-o", "pendulum.urdf"],
+        1,
+    );
+    assert!(itself.contains("which is being read"), "{itself}");
+    assert_eq!(folder.read("pendulum.urdf"), URDF);
+}
+
+#[test]
 fn robot_check_shows_every_fault() {
     let folder = Folder::new("robot-check").file("bad.toml", "name = \"bad\"\nlegs = 6\n");
     let outcome = folder

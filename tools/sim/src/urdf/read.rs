@@ -26,14 +26,16 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
     check::element(node, &ROBOT, version)?;
     Ok(Robot {
         name: string(node, "name"),
-        links: elements(node, "link").map(link).collect(),
+        links: elements(node, "link")
+            .map(|node| link(node, version))
+            .collect(),
         joints: elements(node, "joint")
             .map(|node| joint(node, version))
             .collect(),
     })
 }
 
-fn link(node: Node<'_, '_>) -> Link {
+fn link(node: Node<'_, '_>, version: Version) -> Link {
     let inertial = elements(node, "inertial").next();
     let mass = inertial.and_then(|inertial| elements(inertial, "mass").next());
     Link {
@@ -41,7 +43,19 @@ fn link(node: Node<'_, '_>) -> Link {
         mass: mass
             .and_then(|mass| value(mass, "value"))
             .unwrap_or_default(),
+        boxes: elements(node, "visual")
+            .filter_map(|visual| boxed(visual, version))
+            .collect(),
     }
+}
+
+/// Where the box of a visual is, and its size, if it is one.
+fn boxed(visual: Node<'_, '_>, version: Version) -> Option<(Origin, [f64; 3])> {
+    let geometry = elements(visual, "geometry").next()?;
+    let size = elements(geometry, "box").next()?.attribute("size");
+    let origin = elements(visual, "origin").next();
+    let origin = origin.map_or_else(Origin::default, |node| origin_of(node, version));
+    Some((origin, size.and_then(vector)?))
 }
 
 fn joint(node: Node<'_, '_>, version: Version) -> Joint {
@@ -55,7 +69,7 @@ fn joint(node: Node<'_, '_>, version: Version) -> Joint {
             .unwrap_or(Kind::Fixed),
         parent: link("parent"),
         child: link("child"),
-        origin: child("origin").map_or_else(Origin::default, |node| origin(node, version)),
+        origin: child("origin").map_or_else(Origin::default, |node| origin_of(node, version)),
         axis: child("axis")
             .and_then(|axis| axis.attribute("xyz"))
             .and_then(vector)
@@ -65,7 +79,7 @@ fn joint(node: Node<'_, '_>, version: Version) -> Joint {
     }
 }
 
-fn origin(node: Node<'_, '_>, version: Version) -> Origin {
+fn origin_of(node: Node<'_, '_>, version: Version) -> Origin {
     let turns = node.attribute("quat_xyzw");
     let turns = turns.filter(|_| version >= Version::V1_1);
     let rpy = match turns.and_then(quaternion) {

@@ -1,6 +1,7 @@
 //! Links and joints as the tree that they must be.
 
 use super::ImportError;
+use super::frame::WORLD;
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,9 +83,17 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// The link that carries all others.
-    pub(super) fn root(&self) -> &'a str {
-        self.root
+    /// The link that carries all others; of a robot that is bolted down to a link `world`, the one that is fixed there.
+    pub(super) fn base(&self) -> &'a str {
+        match self.joints(self.root) {
+            [only] if self.is_bolted_down() && is_fixed(only) => &only.child,
+            _ => self.root,
+        }
+    }
+
+    /// Whether the robot hangs on a link `world`, which by convention does not move.
+    pub(super) fn is_bolted_down(&self) -> bool {
+        self.root == WORLD
     }
 
     fn joints(&self, link: &str) -> &[&'a Joint] {

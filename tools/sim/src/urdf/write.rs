@@ -3,6 +3,7 @@
 use super::chain::{Chain, Turning};
 use super::robot::Kind;
 use std::fmt::Write as _;
+use tip_runtime::model::{Range, Slider};
 use tipc::Robot;
 use tipc::message::Importing;
 use tipc::message::list::List;
@@ -14,13 +15,22 @@ const STRONGEST: f64 = 1e5;
 /// How far the assumed body reaches above and below the first joints: mm.
 const HALF_HEIGHT: f64 = 50.0;
 
+/// What a file holds.
+pub(super) struct Found<'a> {
+    pub(super) name: &'a str,
+    /// Whether it says so.
+    pub(super) is_bolted_down: bool,
+    /// Of all that stays with the base: kg.
+    pub(super) mass: f64,
+    /// Of the body, if it says: mm.
+    pub(super) extents: Option<[Range; 3]>,
+    pub(super) slider: Option<Slider>,
+    pub(super) legs: &'a [Chain<'a>],
+}
+
 /// The text, and what was assumed or dropped.
-pub(super) fn description(
-    source_name: &str,
-    name: &str,
-    body_mass: f64,
-    legs: &[Chain<'_>],
-) -> (String, Vec<Importing>) {
+pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<Importing>) {
+    let legs = found.legs;
     let mut report = vec![
         Importing::Frames,
         Importing::Dropped,
@@ -30,7 +40,7 @@ pub(super) fn description(
     let mut text = format!(
         "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
         comment(source_name),
-        robot_name(name)
+        robot_name(found.name)
     );
     for (number, leg) in (1..).zip(legs) {
         let what = Importing::Leg {
@@ -41,7 +51,8 @@ pub(super) fn description(
         report.push(what.clone());
         let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));
     }
-    body(&mut text, body_mass, legs, &mut report);
+    body(&mut text, found, &mut report);
+    slider(&mut text, found.slider.as_ref(), &mut report);
     let velocities = legs
         .iter()
         .flat_map(|leg| &leg.joints)
@@ -62,10 +73,10 @@ pub(super) fn description(
 
 fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
     let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
-    let mut text = format!("base = {}\njoint = [\n", vector(base.map(measure)));
+    let mut text = format!("base = {}\njoint = [\n", vector(base.map(place)));
     let behind = leg.joints.iter().skip(1).map(|next| next.at);
     for (turning, next) in leg.joints.iter().zip(behind.chain([leg.foot])) {
-        let link = [0, 1, 2].map(|i| measure(next[i] - turning.at[i]));
+        let link = [0, 1, 2].map(|i| place(next[i] - turning.at[i]));
         let _ = writeln!(
             text,
             "    {{ axis = {}, link = {}{} }}, # {}",
@@ -109,42 +120,68 @@ fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
     text
 }
 
-/// A box around the first joints, for a robot that can stand on its legs.
-fn body(text: &mut String, mass: f64, legs: &[Chain<'_>], report: &mut Vec<Importing>) {
-    if legs.len() < 3 {
+/// The body of a robot that can stand on its legs.
+fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
+    let can_stand = found.legs.len() >= 3 || found.extents.is_some();
+    if found.is_bolted_down || !can_stand {
         report.push(Importing::BoltedDown);
         return;
     }
-    report.push(Importing::Walks);
-    let bases = || {
-        legs.iter()
-            .filter_map(|leg| leg.joints.first())
-            .map(|first| first.at)
-    };
-    let extent = |axis: usize, more: f64| {
-        let at = || bases().map(|base| base[axis]);
-        let low = at().fold(f64::INFINITY, f64::min) - more;
-        let high = at().fold(f64::NEG_INFINITY, f64::max) + more;
-        format!("[{}, {}]", measure(low), measure(high))
-    };
-    let _ = write!(
-        text,
-        "\n[body]\nx = {}\ny = {}\nz = {}\n",
-        extent(0, 0.0),
-        extent(1, 0.0),
-        extent(2, HALF_HEIGHT)
-    );
-    if mass > 0.0 {
-        let _ = writeln!(text, "mass = {}", measure(mass));
+    report.push(match found.extents {
+        Some(_) => Importing::BodyOfBox,
+        None => Importing::Walks,
+    });
+    let extents = found.extents.unwrap_or_else(|| around(found.legs));
+    text.push_str("\n[body]\n");
+    for (axis, range) in ["x", "y", "z"].into_iter().zip(extents) {
+        let _ = writeln!(text, "{axis} = {}", interval(range));
+    }
+    if found.mass > 0.0 {
+        let _ = writeln!(text, "mass = {}", measure(found.mass));
     } else {
         report.push(Importing::BodyMass);
     }
+}
+
+/// A box around the first joints.
+fn around(legs: &[Chain<'_>]) -> [Range; 3] {
+    [(0, 0.0), (1, 0.0), (2, HALF_HEIGHT)].map(|(axis, more)| {
+        let firsts = || legs.iter().filter_map(|leg| leg.joints.first());
+        let at = || firsts().map(|first| first.at[axis]);
+        Range::new(
+            at().fold(f64::INFINITY, f64::min) - more,
+            at().fold(f64::NEG_INFINITY, f64::max) + more,
+        )
+    })
+}
+
+fn slider(text: &mut String, slider: Option<&Slider>, report: &mut Vec<Importing>) {
+    let Some(slider) = slider else {
+        return;
+    };
+    report.push(Importing::Slider);
+    let initial = vector(slider.initial.map(measure));
+    let _ = write!(text, "\n[slider]\ninitial = {initial}\n");
+    for (axis, range) in ["x", "y", "z"].into_iter().zip(slider.travel) {
+        if range.min < range.max {
+            let _ = writeln!(text, "{axis} = {}", interval(range));
+        }
+    }
+}
+
+fn interval(range: Range) -> String {
+    format!("[{}, {}]", measure(range.min), measure(range.max))
 }
 
 /// A measure without the dust that changes of units and frames leave: to a millionth.
 fn measure(value: f64) -> f64 {
     // Adding 0 makes of −0 a plain 0.
     (value * 1e6).round() / 1e6 + 0.0
+}
+
+/// A length (mm) without that dust, and fine enough for what lies in one line to stay there: closed forms ask for that.
+fn place(value: f64) -> f64 {
+    (value * 1e9).round() / 1e9 + 0.0
 }
 
 /// A unit vector, to the twelfth digit.

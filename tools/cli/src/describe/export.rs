@@ -1,0 +1,102 @@
+//! `tipc robot export`: a robot in a form that other tools read.
+
+use super::import::{self, is_urdf};
+use super::{Status, output, report};
+use crate::error::Error;
+use crate::robot::RobotChoice;
+use crate::shown::Shown;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use tip_sim::{Robot, urdf};
+
+/// `tipc robot export`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
+forward, y left and z up. A robot that is bolted down hangs on the link world. A slider becomes prismatic joints to the link floor.
+
+Examples:
+  tipc robot export --urdf -o titan8.urdf
+  tipc robot export --urdf --robot hexapod.toml -o hexapod.urdf
+
+Exit status: 0 if the file is written, 1 otherwise."
+)]
+pub(crate) struct Export {
+    /// Write URDF, with boxes, cylinders and spheres for its shapes
+    #[arg(long, required = true)]
+    urdf: bool,
+
+    /// The robot: titan8, hand, generic, a description, or a URDF file that is to be made regular
+    #[arg(
+        long,
+        value_name = "NAME|FILE.toml|FILE.urdf",
+        default_value = "titan8"
+    )]
+    robot: Model,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT.urdf")]
+    out: Option<PathBuf>,
+
+    #[command(flatten)]
+    shown: Shown,
+}
+
+/// Where the robot comes from.
+#[derive(Clone, Debug)]
+enum Model {
+    Robot(RobotChoice),
+    Urdf(PathBuf),
+}
+
+impl FromStr for Model {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match is_urdf(Path::new(text)) {
+            true => Ok(Model::Urdf(text.into())),
+            false => text.parse().map(Model::Robot),
+        }
+    }
+}
+
+/// Writes the robot.
+pub(super) fn export(arguments: &Export) -> Result<Status, Error> {
+    let Some(robot) = robot(arguments)? else {
+        return Ok(Status::Failure);
+    };
+    let text = urdf::export(&robot);
+    match &arguments.out {
+        Some(out) => {
+            let file = match &arguments.robot {
+                Model::Robot(choice) => choice.file(),
+                Model::Urdf(path) => Some(path.as_path()),
+            };
+            output::refuse_inputs(out, file.as_slice())?;
+            output::replace(out, text)?;
+        }
+        None => output::print(text)?,
+    }
+    Ok(Status::Success)
+}
+
+/// The robot; none if something was found in its file, and reported.
+fn robot(arguments: &Export) -> Result<Option<Robot>, Error> {
+    match &arguments.robot {
+        Model::Robot(choice) => match choice.load() {
+            Ok(robot) => Ok(Some(robot.simulated()?)),
+            Err(loaded) => {
+                report::findings(&loaded, arguments.shown);
+                Ok(None)
+            }
+        },
+        Model::Urdf(path) => {
+            let Some(imported) = import::read(path) else {
+                return Ok(None);
+            };
+            let robot = Robot::description(&imported.toml);
+            robot.map(Some).map_err(|bad| Error::Usage(bad.to_string()))
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! `tipc robot import`: a description of a URDF file.
+
+use super::{Status, output, report};
+use crate::error::Error;
+use clap::Args;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tip_runtime::printable::Printable;
+use tip_sim::urdf;
+
+/// `tipc robot import`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
+foot is the link at the end, on a fixed joint. A report on standard error lists what was assumed and what was dropped.
+
+Example:
+  tipc robot import quadruped.urdf -o quadruped.toml
+
+Exit status: 0 if the description is written, 1 otherwise."
+)]
+pub(crate) struct Import {
+    /// The URDF file; xacro has to be expanded first
+    #[arg(value_name = "FILE.urdf")]
+    file: PathBuf,
+
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "OUT.toml")]
+    out: Option<PathBuf>,
+}
+
+/// Whether the name of a file says that it holds URDF.
+pub(super) fn is_urdf(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "urdf")
+}
+
+/// The description that a URDF file makes; why there is none goes to standard error.
+pub(super) fn read(path: &Path) -> Option<urdf::Import> {
+    let read = fs::read(path).map_err(|reason| reason.to_string());
+    let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let imported = text.and_then(|text| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        urdf::import(&name, &text).map_err(|reason| reason.to_string())
+    });
+    let complain = |reason: &String| {
+        let (name, reason) = (Printable::line(path.display()), Printable::line(reason));
+        report::complain(&format!("error: {name}: {reason}\n"));
+    };
+    imported.inspect_err(complain).ok()
+}
+
+/// Writes the description; the report goes to standard error.
+pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
+    let path = &arguments.file;
+    let Some(imported) = read(path) else {
+        return Ok(Status::Failure);
+    };
+    match &arguments.out {
+        Some(out) => {
+            output::refuse_inputs(out, &[path])?;
+            output::replace(out, &imported.toml)?;
+        }
+        None => output::print(&imported.toml)?,
+    }
+    let name = Printable::line(path.display());
+    for line in &imported.report {
+        report::complain(&format!("{name}: {}\n", Printable::line(line)));
+    }
+    Ok(Status::Success)
+}

@@ -1,0 +1,97 @@
+//! Writes a robot as URDF, and where its links are in 1,000 random postures: what `tests/urdf/run` has judged by others.
+//!
+//! `cargo run -p tip-sim --example poses --features urdf -- FOLDER titan8 hexapod.toml quadruped.urdf`
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+use tip_runtime::model::Range;
+use tip_sim::{Anatomy, Robot, urdf};
+
+const POSES: usize = 1000;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = env::args().skip(1);
+    let folder = arguments.next().ok_or("which folder?")?;
+    for robot in arguments {
+        let name = Path::new(&robot).file_name().ok_or("which robot?")?;
+        let to = Path::new(&folder).join(name);
+        let robot = load(Path::new(&robot))?;
+        fs::write(to.with_extension("urdf"), urdf::export(&robot))?;
+        fs::write(to.with_extension("poses"), poses(&robot.anatomy()))?;
+    }
+    Ok(())
+}
+
+fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
+    let text = || fs::read_to_string(robot);
+    let ending = robot.extension().and_then(|ending| ending.to_str());
+    Ok(match ending {
+        Some("toml") => Robot::description(&text()?)?,
+        Some("urdf") => Robot::description(&urdf::import("robot.urdf", &text()?)?.toml)?,
+        _ => Robot::named(&robot.to_string_lossy())?,
+    })
+}
+
+/// A line `joint NAME DEGREES` for each joint, or `slider AXIS MM`, and a line `link NAME X Y Z` with its three axes, all of it
+/// in the robot frame in mm; a blank line after each pose.
+fn poses(anatomy: &Anatomy) -> String {
+    let mut random = Random(1);
+    let mut text = String::new();
+    for _ in 0..POSES {
+        // Writing to a String cannot fail.
+        let _ = pose(&mut text, anatomy, &mut random);
+        text.push('\n');
+    }
+    text
+}
+
+fn pose(text: &mut String, anatomy: &Anatomy, random: &mut Random) -> std::fmt::Result {
+    for (number, leg) in (1..).zip(&anatomy.legs) {
+        let angles: Vec<f64> = leg
+            .joints
+            .iter()
+            .map(|joint| random.of(joint.limits))
+            .collect();
+        for (joint, angle) in (1..).zip(&angles) {
+            writeln!(text, "joint J{number}{joint} {angle}")?;
+        }
+        for (joint, frame) in (1..).zip(leg.frames(&angles)) {
+            let [x, y, z] = frame.at;
+            write!(text, "link link{number}{joint} {x} {y} {z}")?;
+            for part in frame.axes.as_flattened() {
+                write!(text, " {part}")?;
+            }
+            writeln!(text)?;
+        }
+        let [x, y, z] = leg.foot(&angles);
+        writeln!(text, "link F{number} {x} {y} {z}")?;
+    }
+    if let Some(slider) = &anatomy.slider {
+        let at = slider.travel.map(|range| random.of(range));
+        for (axis, (at, range)) in ["x", "y", "z"].iter().zip(at.iter().zip(slider.travel)) {
+            if range.min < range.max {
+                writeln!(text, "slider floor_{axis} {at}")?;
+            }
+        }
+        let [x, y, z] = at;
+        writeln!(text, "link floor {x} {y} {z}")?;
+    }
+    Ok(())
+}
+
+/// Numbers that look random and are the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn of(&mut self, range: Range) -> f64 {
+        // Knuth's MMIX.
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        let part = (self.0 >> 11) as f64 / (1u64 << 53) as f64;
+        range.min + part * (range.max - range.min)
+    }
+}

@@ -1,0 +1,254 @@
+//! A robot as URDF text.
+
+use super::frame::{self, BASE, BODY, FLOOR, WORLD, length};
+use super::shape::{Shape, Solid};
+use super::xml;
+use crate::body::{Anatomy, Limb};
+use crate::robot::Robot;
+use std::f64::consts::FRAC_PI_2;
+use tip_runtime::command::Target;
+use tip_runtime::model::{Body, Family, Joint, Point, Slider};
+
+/// How thick a link is drawn, against the mean length of all links.
+const THICKNESS: f64 = 0.1;
+/// How much thicker a joint is drawn than its link.
+const KNUCKLE: f64 = 1.3;
+/// How fast the slider of a simulated hand goes: m/s.
+const SLIDER_SPEED: f64 = 1.0;
+/// The slider's effort, of which the model says nothing: N.
+const SLIDER_EFFORT: f64 = 100.0;
+/// How thick the slider's plate is drawn: mm.
+const PLATE: f64 = 5.0;
+
+const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<!-- Made by `tipc robot export`. m, rad, kg, N·m; x forward, y left, z up (REP 103).
+     J11 to Jnm are the joints of the language, with its signs and zeros; link11 to linknm what they carry; F1 to Fn the feet
+     or fingertips. While all joints are at 0 all frames are parallel to base_link, the robot frame.
+     Thickness of links and looks are not of the model; masses are spread evenly along the links. -->
+"#;
+
+/// A robot as URDF: its frames, limits, masses and inertias, drawn by boxes, cylinders and spheres. A robot that walks has
+/// `base_link` as its root; one that is bolted down hangs on the link `world`.
+///
+/// ```
+/// use tip_sim::{Robot, urdf};
+///
+/// let text = urdf::export(&Robot::named("hand")?);
+/// assert!(text.contains("<joint name=\"J11\" type=\"revolute\">"));
+/// assert!(text.contains("<joint name=\"floor_y\" type=\"prismatic\">"), "its slider");
+/// # Ok::<(), tip_sim::UnknownRobot>(())
+/// ```
+#[must_use]
+pub fn export(robot: &Robot) -> String {
+    let anatomy = robot.anatomy();
+    let mut writer = Writer {
+        text: HEAD.to_owned(),
+        thickness: thickness(&anatomy.legs),
+        speed: anatomy.standards.omega_max.to_radians(),
+    };
+    writer.line(&format!("<robot name=\"{}\">", xml::escaped(robot.name())));
+    writer.line("<material name=\"body\"><color rgba=\"0.35 0.4 0.45 1\"/></material>");
+    writer.line("<material name=\"limb\"><color rgba=\"0.9 0.55 0.15 1\"/></material>");
+    match &anatomy.body {
+        Some(body) => writer.walking(body),
+        None => writer.bolted_down(&anatomy),
+    }
+    for (number, leg) in (1..).zip(&anatomy.legs) {
+        writer.leg(number, leg);
+    }
+    if let Some(slider) = &anatomy.slider {
+        writer.slider(slider, &anatomy);
+    }
+    writer.line("</robot>");
+    writer.text
+}
+
+/// How thick links are drawn: mm.
+fn thickness(legs: &[Limb]) -> f64 {
+    let joints = legs.iter().flat_map(|leg| &leg.joints);
+    let lengths: Vec<f64> = joints
+        .map(|joint| length(joint.link))
+        .filter(|length| *length > 0.0)
+        .collect();
+    THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
+}
+
+struct Writer {
+    text: String,
+    /// mm.
+    thickness: f64,
+    /// Of every joint: rad/s.
+    speed: f64,
+}
+
+/// A joint of the file.
+struct Hinge<'a> {
+    name: &'a str,
+    parent: &'a str,
+    child: &'a str,
+    /// Where it is in the frame of its parent: mm.
+    at: Point,
+}
+
+impl Writer {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    fn link(&mut self, name: &str, solid: &Solid) {
+        self.text.push_str(&solid.link(name));
+    }
+
+    fn joint(&mut self, hinge: &Hinge<'_>, kind: &str, turned: [f64; 3], rest: &str) {
+        let Hinge {
+            name,
+            parent,
+            child,
+            at,
+        } = hinge;
+        let (at, rpy) = (xml::vector(frame::metres(*at)), xml::vector(turned));
+        self.line(&format!(
+            "<joint name=\"{name}\" type=\"{kind}\">\n  \
+             <parent link=\"{parent}\"/><child link=\"{child}\"/>\n  \
+             <origin xyz=\"{at}\" rpy=\"{rpy}\"/>{rest}\n</joint>"
+        ));
+    }
+
+    fn fixed(&mut self, hinge: &Hinge<'_>) {
+        self.joint(hinge, "fixed", [0.0; 3], "");
+    }
+
+    /// A base with a body that the legs carry.
+    fn walking(&mut self, body: &Body) {
+        self.link(BASE, &Solid::default());
+        let ranges = [body.x, body.y, body.z];
+        let solid = Solid {
+            mass: body.mass,
+            shapes: vec![Shape::block(ranges, "body")],
+            // The simulation takes its mass to be at the origin.
+            centre: Some([0.0; 3]),
+        };
+        self.link(BODY, &solid);
+        self.fixed(&Hinge {
+            name: "body_fixed",
+            parent: BASE,
+            child: BODY,
+            at: [0.0; 3],
+        });
+    }
+
+    /// A base that stays where it is, drawn as a plate through the first joints.
+    fn bolted_down(&mut self, anatomy: &Anatomy) {
+        self.link(WORLD, &Solid::default());
+        let plate = Solid {
+            shapes: vec![Shape::block(
+                frame::around(&anatomy.legs, self.thickness),
+                "body",
+            )],
+            ..Solid::default()
+        };
+        self.link(BASE, &plate);
+        // Of the hand y is the height.
+        let turned = match anatomy.family {
+            Family::Hand => [0.0, -FRAC_PI_2, 0.0],
+            Family::Titan | Family::Generic => [0.0; 3],
+        };
+        let hinge = Hinge {
+            name: "base_fixed",
+            parent: WORLD,
+            child: BASE,
+            at: [0.0; 3],
+        };
+        self.joint(&hinge, "fixed", turned, "");
+    }
+
+    fn leg(&mut self, number: u8, leg: &Limb) {
+        let (mut parent, mut at) = (BASE.to_owned(), leg.base);
+        for (joint, of) in (1..).zip(&leg.joints) {
+            let (name, child) = (Target::Joint(number, joint), format!("link{number}{joint}"));
+            self.link(&child, &self.limb(of));
+            let hinge = Hinge {
+                name: &name.to_string(),
+                parent: &parent,
+                child: &child,
+                at,
+            };
+            let rest = format!(
+                "\n  <axis xyz=\"{}\"/>\n  <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>",
+                xml::vector(frame::direction(of.axis)),
+                of.limits.min.to_radians(),
+                of.limits.max.to_radians(),
+                of.torque,
+                self.speed
+            );
+            self.joint(&hinge, "revolute", [0.0; 3], &rest);
+            (parent, at) = (child, of.link);
+        }
+        let foot = Target::Foot(number).to_string();
+        self.link(&foot, &Solid::default());
+        self.fixed(&Hinge {
+            name: &format!("{foot}_fixed"),
+            parent: &parent,
+            child: &foot,
+            at,
+        });
+    }
+
+    /// What a joint carries: a rod to the next one.
+    fn limb(&self, joint: &Joint) -> Solid {
+        let ball = Shape::ball(KNUCKLE * self.thickness, "body");
+        let rod =
+            (length(joint.link) > 0.0).then(|| Shape::rod(joint.link, self.thickness, "limb"));
+        Solid {
+            mass: joint.mass,
+            shapes: rod.into_iter().chain([ball]).collect(),
+            centre: None,
+        }
+    }
+
+    /// A joint for each axis along which the slider goes, and the plate that carries the floor. All of them are at 0 where the
+    /// slider is at first.
+    fn slider(&mut self, slider: &Slider, anatomy: &Anatomy) {
+        let goes = |axis: &usize| slider.travel[*axis].min < slider.travel[*axis].max;
+        let axes: Vec<usize> = (0..3).filter(goes).collect();
+        let (mut parent, mut at) = (BASE.to_owned(), slider.initial);
+        for axis in &axes {
+            let name = ["floor_x", "floor_y", "floor_z"][*axis];
+            let child = format!("{name}_carriage");
+            self.link(&child, &Solid::default());
+            let mut along = [0.0; 3];
+            along[*axis] = 1.0;
+            let rest = format!(
+                "\n  <axis xyz=\"{}\"/>\n  <limit lower=\"{}\" upper=\"{}\" effort=\"{SLIDER_EFFORT}\" velocity=\"{SLIDER_SPEED}\"/>",
+                xml::vector(frame::direction(along)),
+                (slider.travel[*axis].min - slider.initial[*axis]) / 1000.0,
+                (slider.travel[*axis].max - slider.initial[*axis]) / 1000.0,
+            );
+            let hinge = Hinge {
+                name,
+                parent: &parent,
+                child: &child,
+                at,
+            };
+            self.joint(&hinge, "prismatic", [0.0; 3], &rest);
+            (parent, at) = (child, [0.0; 3]);
+        }
+        let up = if anatomy.family == Family::Hand { 1 } else { 2 };
+        let mut plate = frame::around(&anatomy.legs, 10.0 * self.thickness);
+        // Its upper side is where the floor is, in its own frame.
+        plate[up].min = -PLATE;
+        plate[up].max = 0.0;
+        let solid = Solid {
+            shapes: vec![Shape::block(plate, "body")],
+            ..Solid::default()
+        };
+        self.link(FLOOR, &solid);
+        self.fixed(&Hinge {
+            name: "floor_fixed",
+            parent: &parent,
+            child: FLOOR,
+            at,
+        });
+    }
+}
