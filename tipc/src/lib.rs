@@ -14,6 +14,8 @@ pub mod emit;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod foreign;
+#[cfg(feature = "tools")]
+pub mod format;
 #[cfg(feature = "build")]
 pub mod generate;
 pub mod language;

@@ -1,6 +1,6 @@
 //! The classical listing files (T.I.P. 3.1 §4-2, §10-4, §11).
 
-mod formal;
+pub(crate) mod formal;
 mod object;
 
 pub use object::object;
@@ -16,7 +16,7 @@ use crate::syntax::Module;
 pub fn formal(source: &Source, module: &Module) -> String {
     let mut text = String::new();
     for statement in module.steps() {
-        text.push_str(&formal::line(source, statement));
+        formal::write(&mut text, source, statement, '\t');
         text.push('\n');
     }
     text

@@ -13,6 +13,8 @@ mod calculating;
 mod commanding;
 #[cfg(feature = "robot-files")]
 mod describing;
+#[cfg(feature = "tools")]
+mod formatting;
 mod habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 mod importing;
@@ -35,6 +37,8 @@ pub use calculating::Calculating;
 pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
+#[cfg(feature = "tools")]
+pub use formatting::Formatting;
 pub use habit::Habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
@@ -68,6 +72,8 @@ tables! {
     Importing,
     #[cfg(feature = "tools")]
     Migrating,
+    #[cfg(feature = "tools")]
+    Formatting,
     #[cfg(feature = "build")]
     Building,
 }

@@ -29,6 +29,8 @@ pub(crate) use guess::looks_like;
 pub use lines::{Line, Lines};
 pub use position::{Position, Unit};
 pub use span::Span;
+#[cfg(feature = "tools")]
+pub(crate) use width::byte_length;
 pub(crate) use width::first_beyond;
 
 use decode::{Decoded, MARK, decode};

@@ -1,6 +1,7 @@
-//! Prints how long the front end takes, and rustc over emitted code, as the tables of docs/performance.md; or loads one
-//! program, for instructions to be counted: `compiler mixed 20000`.
+//! Prints how long the front end and the formatter take, and rustc over emitted code, as the tables of docs/performance.md;
+//! or loads one program, for instructions to be counted: `compiler mixed 20000`.
 
+mod formatter;
 mod front_end;
 mod long;
 mod rustc;
@@ -12,9 +13,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.as_slice() {
         [] => {
             front_end::print();
+            formatter::print();
             rustc::print()
         }
+        [kind] if kind == "format" => {
+            formatter::print();
+            Ok(())
+        }
         [kind, lines] => front_end::load_one(kind, lines.parse()?),
-        _ => Err("give nothing, or a kind of program and its lines".into()),
+        _ => Err("give nothing, format, or a kind of program and its lines".into()),
     }
 }

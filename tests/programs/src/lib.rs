@@ -12,9 +12,11 @@ mod number;
 mod operand;
 mod rust;
 mod text;
+mod untidy;
 mod writer;
 
 pub use rust::{Tamper, rust};
+pub use untidy::untidy;
 
 use tip_sim::search::Random;
 use tipc::Robot;

@@ -1,4 +1,5 @@
-//! A statement's line of FORMAL.TMP: its fields separated by tabs (T.I.P. 3.1 §10-4-2).
+//! A statement as its fields, in capital letters: a line of FORMAL.TMP has tabs between them (T.I.P. 3.1 §10-4-2), a
+//! formatted program blanks.
 
 use crate::language::Keyword;
 use crate::source::{Source, Span};
@@ -6,20 +7,23 @@ use crate::syntax::{
     Arithmetic, Condition, Expression, Jump, Relation, Statement, StatementKind, Then,
 };
 
-/// The line of one statement of a source.
-pub(super) fn line(source: &Source, statement: &Statement) -> String {
+/// Writes the fields of one statement of a source, with a separator between them.
+pub(crate) fn write(text: &mut String, source: &Source, statement: &Statement, separator: char) {
     let mut line = Line {
         source,
-        text: String::new(),
+        start: text.len(),
+        text,
+        separator,
     };
     line.statement(&statement.kind, statement.span);
-    line.text
 }
 
 /// A line as it grows, field by field.
 struct Line<'a> {
     source: &'a Source,
-    text: String,
+    start: usize,
+    text: &'a mut String,
+    separator: char,
 }
 
 impl Line<'_> {
@@ -105,8 +109,8 @@ impl Line<'_> {
     }
 
     fn field(&mut self, text: &str) {
-        if !self.text.is_empty() {
-            self.text.push('\t');
+        if self.text.len() > self.start {
+            self.text.push(self.separator);
         }
         self.text.push_str(text);
     }

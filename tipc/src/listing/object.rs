@@ -3,7 +3,7 @@
 mod record;
 mod slot;
 
-use super::formal::line;
+use super::formal;
 use crate::language::Keyword;
 use crate::language::commands::find;
 use crate::language::functions::Operation;
@@ -27,10 +27,12 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
         texts: 0,
     };
     let steps = module.steps().zip(program.steps()).enumerate();
+    let mut line = String::new();
     steps
         .map(|(number, (statement, step))| {
-            let formal = line(source, statement);
-            listing.record(&formal, &step.action).text(number, count)
+            line.clear();
+            formal::write(&mut line, source, statement, '\t');
+            listing.record(&line, &step.action).text(number, count)
         })
         .collect()
 }

@@ -38,6 +38,15 @@ pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
     None
 }
 
+/// How many bytes of code page 932 spell `text`; on a terminal, how many columns it takes.
+#[cfg(feature = "tools")]
+pub(crate) fn byte_length(text: &str) -> usize {
+    match text.is_ascii() {
+        true => text.len(),
+        false => text.chars().map(char_length).sum(),
+    }
+}
+
 fn char_length(char: char) -> usize {
     match char {
         '\0'..='\u{80}' | '\u{A5}' | '\u{FF61}'..='\u{FF9F}' => 1,

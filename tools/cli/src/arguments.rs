@@ -40,7 +40,8 @@ impl SourceArguments {
     }
 }
 
-fn version_number(text: &str) -> Result<f64, String> {
+/// A version of the language.
+pub(super) fn version_number(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(number) if f64::is_finite(number) && number > 0.0 => Ok(number),
         _ => Err("a version is a number such as 3.1".to_owned()),

@@ -21,6 +21,15 @@ pub(super) fn load(path: &Path, options: &Options) -> Loaded {
     }
 }
 
+/// The bytes of the program at `path`, and how findings call it.
+pub(super) fn bytes(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
+    let name = name(path);
+    match read(path) {
+        Ok(bytes) => Ok((name, bytes)),
+        Err(error) => Err(Box::new(unreadable(name, &error))),
+    }
+}
+
 /// Migrates the program at `path`.
 pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let name = name(path);
@@ -51,16 +60,21 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 /// What stands for standard input in the place of a file.
 const STANDARD_INPUT: &str = "-";
 
+/// Whether this is no file but standard input.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path.to_str() == Some(STANDARD_INPUT)
+}
+
 /// How findings call a file.
 fn name(path: &Path) -> String {
-    match path.to_str() {
-        Some(STANDARD_INPUT) => "standard input".to_owned(),
-        _ => path.display().to_string(),
+    match is_standard(path) {
+        true => "standard input".to_owned(),
+        false => path.display().to_string(),
     }
 }
 
 fn read(path: &Path) -> io::Result<Vec<u8>> {
-    if path.to_str() != Some(STANDARD_INPUT) {
+    if !is_standard(path) {
         return fs::read(path);
     }
     let mut bytes = Vec::new();

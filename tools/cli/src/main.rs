@@ -10,6 +10,7 @@ mod describe;
 mod emit;
 mod error;
 mod explain;
+mod fmt;
 mod input;
 mod interrupt;
 mod migrate;
@@ -34,6 +35,7 @@ use std::process::ExitCode;
     after_help = "A first session:
   tipc check walk.prg                 report all its errors at once
   tipc run walk.prg                   run it on the simulated TITAN VIII
+  tipc fmt walk.prg                   lay it out in the one style
   tipc emit rust walk.prg -o walk.rs  write it as Rust source
   tipc cycles walk.prg                count the control cycles of its parts
   tipc verify walk.prg                compare its compiled code with the interpreter
@@ -57,6 +59,8 @@ enum Verb {
     Check(check::Check),
     /// Run a program on the simulated robot
     Run(run::Run),
+    /// Lay programs out in the one style
+    Fmt(fmt::Fmt),
     /// Write a program in another form
     Emit(emit::Emit),
     /// Count the control cycles that the parts of a program take
@@ -105,6 +109,7 @@ fn main() -> ExitCode {
     let outcome = match &arguments.verb {
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
+        Verb::Fmt(arguments) => fmt::fmt(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),

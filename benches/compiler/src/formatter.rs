@@ -1,0 +1,32 @@
+//! Bytes to bytes in the style: the program is loaded, laid out, loaded again and compared.
+
+use crate::long::KINDS;
+use std::time::Instant;
+use tipc::Options;
+use tipc::format::format;
+
+/// How many lines the programs have.
+const LINES: usize = 100_000;
+/// How often each is formatted; the quickest time counts, since others were disturbed.
+const TIMES: usize = 7;
+
+/// Prints the lines formatted in a second, of programs in small letters, so that every line changes, each with a comment.
+pub(crate) fn print() {
+    println!("| formatted program of {LINES} lines | ms | lines/s |\n|---|---:|---:|");
+    for (name, write) in KINDS {
+        let text = write(LINES).to_lowercase().replace('\n', " // note\n");
+        let lines = text.lines().count() as f64;
+        let seconds = (0..TIMES).map(|_| seconds(&text)).fold(f64::MAX, f64::min);
+        println!("| {name} | {:.0} | {:.0} |", seconds * 1e3, lines / seconds);
+    }
+    println!();
+}
+
+fn seconds(text: &str) -> f64 {
+    let start = Instant::now();
+    let formatted = format("long.prg", text.as_bytes(), &Options::default());
+    let seconds = start.elapsed().as_secs_f64();
+    let formatted = formatted.expect("a program");
+    assert!(formatted != text.as_bytes());
+    seconds
+}

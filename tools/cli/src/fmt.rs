@@ -1,0 +1,178 @@
+//! `tipc fmt`: programs in the one style.
+
+use super::arguments::version_number;
+use super::choices::EncodingName;
+use super::error::Error;
+use super::robot::RobotChoice;
+use super::shown::Shown;
+use super::{Status, input, output, report};
+use clap::Args;
+use similar::TextDiff;
+use std::path::{Path, PathBuf};
+use tip_runtime::printable::Printable;
+use tipc::code::Level;
+use tipc::format::{Refusal, format};
+use tipc::message::Formatting;
+use tipc::source::Source;
+use tipc::{Loaded, Options, Robot};
+
+/// `tipc fmt`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "There is one style and no option of it: blocks indented by two blanks, capital letters, one blank between words and
+around operators, comments of neighbouring lines in one column. Lines stay apart, and no byte of a comment, of a text, of
+the first two lines or of what follows END changes: docs/style.md. What is written loads to the same program, which each
+call checks. A file with errors is left as it is.
+
+Examples:
+  tipc fmt walk.prg turn.prg
+  tipc fmt --check *.prg      name the files that are not in the style
+  tipc fmt --diff walk.prg    show what would change
+  tipc fmt - < walk.prg       from standard input to standard output
+
+Exit status: 0 if every file is in the style now, 1 if one is left as it is, or is not in the style with --check or
+--diff."
+)]
+pub(super) struct Fmt {
+    /// The programs; '-' is standard input
+    #[arg(value_name = "FILE", required = true)]
+    pub(super) files: Vec<PathBuf>,
+
+    /// Write nothing, and print the names of the files that would change
+    #[arg(long)]
+    pub(super) check: bool,
+
+    /// Write nothing, and print what would change
+    #[arg(long, conflicts_with = "check")]
+    pub(super) diff: bool,
+
+    /// The robot that the programs are for, if it is none that has a name
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    pub(super) robot: Option<RobotChoice>,
+
+    /// The version of the language that line 1 must name
+    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
+    tip_version: f64,
+
+    /// How the files spell text; auto takes UTF-8 if it is valid, else Shift_JIS
+    #[arg(long, value_enum, default_value = "auto")]
+    encoding: EncodingName,
+
+    #[command(flatten)]
+    pub(super) shown: Shown,
+}
+
+/// Lays out each file; one that has to be left as it is makes the whole command fail.
+pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
+    let robots = match &arguments.robot {
+        None => Robot::ALL.to_vec(),
+        Some(choice) => match choice.load() {
+            Ok(robot) => vec![robot.robot()],
+            Err(loaded) => {
+                report::findings(&loaded, arguments.shown);
+                return Ok(Status::Failure);
+            }
+        },
+    };
+    let mut status = Status::Success;
+    for path in &arguments.files {
+        let done = match input::bytes(path) {
+            Ok((name, bytes)) => arguments.file(path, &name, &bytes, &robots)?,
+            Err(loaded) => {
+                report::findings(&loaded, arguments.shown);
+                false
+            }
+        };
+        if !done {
+            status = Status::Failure;
+        }
+    }
+    Ok(status)
+}
+
+impl Fmt {
+    /// Whether the file is in the style, or is now.
+    fn file(&self, path: &Path, name: &str, bytes: &[u8], robots: &[Robot]) -> Result<bool, Error> {
+        let formatted = match self.formatted(name, bytes, robots) {
+            Ok(formatted) => formatted,
+            Err(refusal) => {
+                self.explain(name, &refusal);
+                return Ok(false);
+            }
+        };
+        let changes = formatted != bytes;
+        if self.check || self.diff {
+            if changes && self.check {
+                output::print(format!("{}\n", Printable::line(name)))?;
+            } else if changes {
+                output::print(self.difference(name, bytes, &formatted))?;
+            }
+            return Ok(!changes);
+        }
+        if input::is_standard(path) {
+            output::print(&formatted)?;
+        } else if changes {
+            output::replace(path, &formatted)?;
+        }
+        Ok(true)
+    }
+
+    /// Formatted for the first robot that it loads for; else what is wrong with it for the one that it suits best.
+    fn formatted(&self, name: &str, bytes: &[u8], robots: &[Robot]) -> Result<Vec<u8>, Refusal> {
+        let mut best: Option<Box<Loaded>> = None;
+        for robot in robots {
+            let options = Options {
+                robot: *robot,
+                tip_version: self.tip_version,
+                encoding: self.encoding.encoding(),
+            };
+            match format(name, bytes, &options) {
+                Err(Refusal::Findings(found)) => {
+                    if best
+                        .as_ref()
+                        .is_none_or(|best| errors(&found) < errors(best))
+                    {
+                        best = Some(found);
+                    }
+                }
+                other => return other,
+            }
+        }
+        Err(best.map_or(Refusal::Because(Formatting::DoesNotLoad), Refusal::Findings))
+    }
+
+    /// Says why a file is left as it is.
+    fn explain(&self, name: &str, refusal: &Refusal) {
+        let reason = match refusal {
+            Refusal::Findings(loaded) => {
+                report::findings(loaded, self.shown);
+                &Formatting::DoesNotLoad
+            }
+            Refusal::Because(reason) => reason,
+        };
+        let reason = reason.in_lang(self.shown.lang());
+        report::complain(&format!("{}: {reason}\n", Printable::line(name)));
+    }
+
+    /// Both texts, line by line, as patches show them.
+    fn difference(&self, name: &str, before: &[u8], after: &[u8]) -> String {
+        let text = |bytes| {
+            let (source, _) = Source::decode(name, bytes, self.encoding.encoding());
+            source.text().to_owned()
+        };
+        let (before, after) = (text(before), text(after));
+        let name = Printable::line(name).to_string();
+        let diff = TextDiff::from_lines(before.as_str(), after.as_str());
+        let mut diff = diff.unified_diff();
+        diff.header(&name, &format!("{name} (formatted)"))
+            .to_string()
+    }
+}
+
+fn errors(loaded: &Loaded) -> usize {
+    let errors = loaded
+        .diagnostics
+        .iter()
+        .filter(|one| one.level() == Level::Error);
+    errors.count()
+}
