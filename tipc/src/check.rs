@@ -17,7 +17,6 @@ mod ranges;
 mod resolve;
 mod resolved;
 mod structure;
-mod suggest;
 mod targets;
 mod usage;
 mod uses;
@@ -35,8 +34,6 @@ use resolve::Known;
 pub(crate) use resolved::{
     Arguments, Assignment, Counting, Receiver, Resolved, ResolvedModule, StatementId,
 };
-#[cfg(feature = "robot-files")]
-pub(crate) use suggest::nearest;
 
 /// What the passes found out about a module.
 #[derive(Debug)]
@@ -45,13 +42,17 @@ pub(crate) struct Checked<'m> {
     pub(crate) symbols: Symbols,
     /// The module with all that its words stand for, unless a statement of it could not be resolved.
     pub(crate) resolved: Option<ResolvedModule<'m>>,
-    /// All findings.
+    /// All findings, those of the parser among them.
     pub(crate) found: Vec<Diagnostic>,
 }
 
-/// Runs every pass over a module.
-pub(crate) fn check<'m>(source: &Source, module: &'m Module, robot: Robot) -> Checked<'m> {
-    let mut found = Vec::new();
+/// Runs every pass over a module, in which the parser found these mistakes.
+pub(crate) fn check<'m>(
+    source: &Source,
+    module: &'m Module,
+    robot: Robot,
+    mut found: Vec<Diagnostic>,
+) -> Checked<'m> {
     let names = Names::collect(module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
     let blocks = structure::blocks(module, &mut found);

@@ -34,14 +34,14 @@ const fn row(words: &'static str, means: Means, habit: Habit) -> Row {
 /// Words with blanks between, what they mean, and what to write.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT", Means::Statement, Habit::ShowText),
+    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT TEXT", Means::Statement, Habit::ShowText),
     row("ELIF ELSIF ELSE_IF ELSEIFTHEN", Means::Keyword(Keyword::ElseIf), Habit::ElseIf),
     row("FI END_IF IFEND END-IF", Means::Keyword(Keyword::EndIf), Habit::EndIf),
     row("ENDWHILE END_WHILE ENDW WHEND WHILEEND WHILE_END", Means::Keyword(Keyword::Wend), Habit::Wend),
     row("ENDFOR END_FOR FOREND FOR_END", Means::Keyword(Keyword::Next), Habit::Next),
     row("ENDSUB END_SUB SUB_END ENDSUBROUTINE END_SUBROUTINE ENDPROC ENDFUNC ENDFUNCTION END_FUNCTION ENDPROCEDURE", Means::Keyword(Keyword::SubEnd), Habit::SubEnd),
     row("RET", Means::Statement, Habit::Return),
-    row("DO DONE", Means::Statement, Habit::Loops),
+    row("DO", Means::Statement, Habit::Loops),
     row("BREAK LEAVE EXITFOR EXIT_FOR EXITWHILE EXIT_WHILE", Means::Statement, Habit::Break),
     row("CONTINUE CYCLE", Means::Statement, Habit::Continue),
     row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER", Means::Statement, Habit::Wait),
@@ -57,22 +57,71 @@ const ROWS: &[Row] = &[
     row("INPUT INKEY INKEY$ GETCH GETKEY READKEY SCANF READ", Means::Statement, Habit::KeyIn),
     row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ", Means::Statement, Habit::AdIn),
     row("OUT DOUT LED LAMP", Means::Statement, Habit::Lamp),
-    row("SWITCH SELECT CASE", Means::Statement, Habit::Cases),
+    row("SWITCH SELECT", Means::Statement, Habit::Cases),
     row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
     row("HOME RESET INIT", Means::Statement, Habit::Home),
     row("{ } BEGIN", Means::Statement, Habit::Braces),
-    row(LOOP, Means::Statement, Habit::LoopLabel),
     row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
 ];
 
 /// What the first word of a statement is in another language.
 pub(crate) fn statement(word: &str) -> Option<&'static Row> {
+    find(ROWS, word).or_else(|| find(PARTS, word))
+}
+
+fn find(rows: &'static [Row], word: &str) -> Option<&'static Row> {
     let is_it = |row: &&Row| {
-        row.words
-            .split(' ')
-            .any(|one| one.eq_ignore_ascii_case(word))
+        let mut words = row.words.split(' ');
+        words.any(|one| one.eq_ignore_ascii_case(word))
     };
-    ROWS.iter().find(is_it)
+    rows.iter().find(is_it)
+}
+
+/// First words that go on with what one of [`ROWS`] began: alone they are as wrong as that one.
+#[rustfmt::skip]
+const PARTS: &[Row] = &[
+    row("CASE DEFAULT OTHERWISE ENDSWITCH END_SWITCH ENDSELECT END_SELECT ESAC", Means::Statement, Habit::Cases),
+    row("DONE OD", Means::Statement, Habit::Loops),
+    row(LOOP, Means::Statement, Habit::LoopLabel),
+];
+
+/// Whether a word goes on with what the word `first` began in another language.
+pub(crate) fn goes_on(first: &str, word: &str) -> bool {
+    let (begun, part) = (find(ROWS, first), find(PARTS, word));
+    begun.zip(part).is_some_and(|(begun, part)| {
+        let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
+        begun.habit == part.habit || is_loop
+    })
+}
+
+/// The words of other languages for the end of a block, after END, and what ends it here.
+pub(crate) fn ends(word: &str) -> Option<Keyword> {
+    match find(ROWS, word)?.means {
+        Means::Keyword(Keyword::Subroutine) => Some(Keyword::SubEnd),
+        _ => None,
+    }
+}
+
+/// Whether a word opens the block of a condition in another language.
+pub(crate) fn opens_block(word: &str) -> bool {
+    ["DO", "BEGIN", ":"]
+        .iter()
+        .any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// A function of other languages.
+pub(crate) fn is_function(word: &str) -> bool {
+    const FUNCTIONS: &str =
+        "MAX MIN MOD RND RAND RANDOM POW EXP LOG LOG10 LN SGN SIGN FLOOR CEIL ROUND FIX SQR HYPOT";
+    FUNCTIONS
+        .split(' ')
+        .any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// Whether a word is a unit, which no number has.
+pub(crate) fn is_unit(word: &str) -> bool {
+    const UNITS: &str = "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ";
+    UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// The marks of comments in other languages.
@@ -116,7 +165,11 @@ mod tests {
     #[test]
     fn no_word_of_the_language_is_foreign_and_none_stands_twice() {
         let mut seen = HashSet::new();
-        for word in ROWS.iter().flat_map(|row| row.words.split(' ')) {
+        for word in ROWS
+            .iter()
+            .chain(PARTS)
+            .flat_map(|row| row.words.split(' '))
+        {
             assert!(seen.insert(word), "{word} twice");
             assert!(keywords::find(word, Edition::V3_1).is_none(), "{word}");
             assert!(commands::find(word).is_none(), "{word}");

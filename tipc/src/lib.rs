@@ -32,6 +32,7 @@ pub mod program;
 pub mod render;
 mod robot;
 pub mod source;
+mod suggest;
 pub mod symbols;
 pub mod syntax;
 mod warn;

@@ -81,8 +81,8 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (symbols, program) = if wrong_version {
         (Symbols::default(), None)
     } else {
-        let checked = check(&source, &module, options.robot);
-        diagnostics.extend(checked.found);
+        let checked = check(&source, &module, options.robot, diagnostics);
+        diagnostics = checked.found;
         judge(&mut diagnostics, module.edition);
         let is_sound = diagnostics
             .iter()

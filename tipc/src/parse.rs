@@ -1,8 +1,11 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
+mod assignment;
+mod braces;
 mod command;
 mod condition;
 mod control;
+mod declaration;
 mod equation;
 mod foreign;
 pub(crate) mod header;
@@ -41,6 +44,8 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         step: 0,
         tokens: Vec::new(),
         in_comment: false,
+        braces: Vec::new(),
+        hyphened: Vec::new(),
         module: Module {
             edition: Edition::of(tip_version),
             title: header::title(source),
@@ -74,6 +79,10 @@ struct Parser<'a> {
     tokens: Vec<Token>,
     /// A comment of another language has begun and not yet ended.
     in_comment: bool,
+    /// The braces that are open, which are reported: whether each begins a block.
+    braces: Vec<bool>,
+    /// Names with a `-`, as written in declarations, which are reported.
+    hyphened: Vec<String>,
     module: Module,
     diagnostics: Vec<Diagnostic>,
 }

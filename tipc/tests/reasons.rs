@@ -303,7 +303,7 @@ fn a_name_without_a_value_is_told_why() {
     let titan = |statements| help(statements, Robot::Titan8);
     assert_eq!(
         titan("SLEEP KB_HIT"),
-        "`KB_HIT` is a word of the language and does not stand for a number"
+        "an event flag stands alone: `IF KB_HIT GOTO L1:`, or `!KB_HIT`"
     );
     assert_eq!(titan("SLEEP TIME"), "declare it: `DEF_VAR TIME`");
 }

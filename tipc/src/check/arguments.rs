@@ -2,17 +2,18 @@
 
 use super::resolve::Resolver;
 use super::resolved::{self, Resolved};
-use super::suggest::nearest;
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
+use crate::language::Keyword;
 use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
 use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
+use crate::suggest::nearest;
 use crate::syntax::{Operand, Word};
 use tip_runtime::command::{FAST, Op, Target};
 
@@ -116,12 +117,29 @@ impl Resolver<'_> {
             }
             None => {
                 let command = name.node.clone();
-                (Commanding::NoCommand { word: command }, meant_by(word))
+                let help = match self.is_after_text(name.span) {
+                    true => Habit::SemicolonEndsText.into(),
+                    false => meant_by(word),
+                };
+                (Commanding::NoCommand { word: command }, help)
             }
         };
         let fault = Diagnostic::new(Code::UnknownCommand, name.span, reason);
         self.report(fault.about(word).help(help));
         None
+    }
+
+    /// Whether a `;` ended a text of MESSAGE or REM right before this place.
+    fn is_after_text(&self, place: Span) -> bool {
+        let before = self.source_before(place).map(str::trim_end);
+        let Some(before) = before.and_then(|before| before.strip_suffix(';')) else {
+            return false;
+        };
+        let last = before.rsplit(';').next().unwrap_or_default();
+        let first = last.split_whitespace().next().unwrap_or_default();
+        [Keyword::Message, Keyword::Rem]
+            .iter()
+            .any(|text| first.eq_ignore_ascii_case(text.word()))
     }
 
     fn robot(

@@ -2,8 +2,9 @@
 
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
+use crate::foreign;
 use crate::language::keywords::{self, Keyword};
-use crate::lex::{Kind, lex};
+use crate::lex::{Kind, Token, lex, split_comment};
 use crate::message::{Habit, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, StatementKind, upper_case};
@@ -13,6 +14,9 @@ use std::collections::{HashMap, HashSet};
 pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     found.sort_by_key(|finding| finding.span);
     labels_without_colon(module, found);
+    labels_after_end(source, module, found);
+    parts_of_statements(found);
+    same_text(source, found);
     undeclared(source, module, found);
 }
 
@@ -46,6 +50,106 @@ fn labels_without_colon(module: &Module, found: &mut Vec<Diagnostic>) {
         let name = finding.subject.as_ref();
         finding.code != Code::UnknownLabel || !name.is_some_and(|name| meant.contains(name))
     });
+}
+
+/// Labels that stand after END are one mistake: END stands too early.
+fn labels_after_end(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+    let is_missing = |finding: &Diagnostic| finding.code == Code::UnknownLabel;
+    let end = module.statements.last();
+    let Some(end) = end.filter(|it| it.kind == StatementKind::End && found.iter().any(is_missing))
+    else {
+        return;
+    };
+    let after = labels_in(source, Span::new(end.span.end, source.text().len()));
+    let mut first: Option<Diagnostic> = None;
+    found.retain_mut(|finding| {
+        let name = finding.subject.as_deref().unwrap_or_default();
+        let Some(place) = after.get(name).filter(|_| is_missing(finding)) else {
+            return true;
+        };
+        match &mut first {
+            Some(first) => {
+                first.labels.push(label(finding.span, Naming::AlsoHere));
+            }
+            None => {
+                let finding = finding.clone();
+                let finding = finding.label(end.span, Habit::EndsTheText);
+                first = Some(
+                    finding
+                        .label(*place, Habit::StandsAfterEnd)
+                        .help(Habit::AfterEnd),
+                );
+            }
+        }
+        false
+    });
+    found.extend(first);
+    found.sort_by_key(|finding| finding.span);
+}
+
+/// The labels and the names of SUBROUTINEs in a part of the text, each at its first place.
+fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
+    let mut all = HashMap::new();
+    let mut tokens = Vec::new();
+    let lines = source.lines().map(|line| line.span);
+    for line in lines.filter(|line| line.start >= span.start) {
+        tokens.clear();
+        let (code, _) = split_comment(source.text(), line);
+        lex(source.text(), code, &mut tokens);
+        let word = |token: &Token| upper_case(source.slice(token.span));
+        let name = match tokens.as_slice() {
+            [name, colon, ..] if colon.kind == Kind::Colon => name,
+            [first, name, ..] if word(first) == Keyword::Subroutine.word() => name,
+            _ => continue,
+        };
+        all.entry(word(name).to_string()).or_insert(name.span);
+    }
+    all
+}
+
+/// `CASE` belongs to the SWITCH before it: one statement of another language is one mistake.
+fn parts_of_statements(found: &mut Vec<Diagnostic>) {
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    let mut begun: Option<usize> = None;
+    for finding in found.drain(..) {
+        let word = finding.subject.clone().unwrap_or_default();
+        let is_unknown = finding.code == Code::UnknownCommand;
+        if let Some(first) = begun.map(|at| &mut kept[at])
+            && is_unknown
+            && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
+        {
+            first.labels.push(label(finding.span, Habit::GoesOn));
+            continue;
+        }
+        if is_unknown && foreign::statement(&word).is_some() {
+            begun = Some(kept.len());
+        }
+        kept.push(finding);
+    }
+    *found = kept;
+}
+
+/// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
+fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
+    let mut first_of: HashMap<String, usize> = HashMap::new();
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        let same = match &finding.help {
+            Some(Message::Habit(Habit::NoArray { name })) => Some(name.to_string()),
+            Some(Message::Parsing(Parsing::PlainNames)) => {
+                Some(source.slice(finding.span).to_owned())
+            }
+            _ => None,
+        };
+        match same.as_ref().and_then(|same| first_of.get(same)) {
+            Some(at) => kept[*at].labels.push(label(finding.span, Naming::AlsoHere)),
+            None => {
+                first_of.extend(same.map(|same| (same, kept.len())));
+                kept.push(finding);
+            }
+        }
+    }
+    *found = kept;
 }
 
 /// Whether a statement at this place is this word alone.

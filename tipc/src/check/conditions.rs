@@ -1,7 +1,10 @@
 //! Conditions (T.I.P. 3.1 §6).
 
 use super::resolve::Resolver;
+use super::targets::word;
 use crate::code::Code;
+use crate::language::flags;
+use crate::message::Habit;
 use crate::program::Condition;
 use crate::syntax;
 
@@ -13,8 +16,15 @@ impl Resolver<'_> {
                 relation,
                 right,
             } => {
+                let is_flag = word(left).is_some_and(|name| self.is_flag(name));
                 let left = self.number(left, Code::Argument);
+                if left.is_none() && is_flag {
+                    // What it is compared with is not wrong for itself.
+                    return None;
+                }
+                let told = self.found.len();
                 let right = self.number(right, Code::Argument);
+                self.suggest_key(told);
                 Some(Condition::Compare {
                     left: left?,
                     relation: *relation,
@@ -25,6 +35,22 @@ impl Resolver<'_> {
                 flag: self.flag(name)?,
                 negated: *negated,
             }),
+        }
+    }
+
+    fn is_flag(&self, name: &str) -> bool {
+        self.names.find(name).is_none() && flags::find(name, self.names.edition).is_some()
+    }
+
+    /// A letter that is compared with and not declared may be that of a key.
+    fn suggest_key(&mut self, told: usize) {
+        for fault in &mut self.found[told..] {
+            let name = fault.subject.as_deref().unwrap_or_default();
+            let is_key = name.len() == 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
+            if fault.code == Code::UnknownVariable && is_key {
+                let character = name.into();
+                fault.help = Some(Habit::CharacterOrVariable { character }.into());
+            }
         }
     }
 }

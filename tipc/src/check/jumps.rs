@@ -2,13 +2,13 @@
 
 use super::blocks::{BlockKind, Blocks};
 use super::labels::Labels;
-use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::LOOP;
 use crate::message::phrase::Entered;
 use crate::message::{Naming, Structuring};
 use crate::source::Span;
+use crate::suggest::nearest;
 use crate::syntax::{Jump, JumpKind, Module, StatementKind};
 
 /// Finds the statement that each jump leads to.

@@ -1,15 +1,16 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
-use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
+use crate::language::commands::{self, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
-use crate::language::{Edition, Keyword};
+use crate::language::{Edition, Keyword, flags, functions};
 use crate::message::{Habit, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
+use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
@@ -101,7 +102,9 @@ impl Names {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
-            self.refused.insert(name.to_owned());
+            let array = name.split_once(['(', '[']);
+            self.refused
+                .insert(array.map_or(name, |(name, _)| name).to_owned());
             return;
         }
         if is_motion_flag(name, self.edition) {
@@ -116,7 +119,12 @@ impl Names {
         let name = word.node.as_str();
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !is_variable_name(name) {
-            let help = Naming::VariableCharacters;
+            let help: Message = match name.split_once(['(', '[']) {
+                Some((array, _)) if is_variable_name(array) => {
+                    Habit::NoArray { name: array.into() }.into()
+                }
+                _ => Naming::VariableCharacters.into(),
+            };
             return Some(fault(Naming::NoVariableName { word: name.into() }).help(help));
         }
         if is_reserved(name, self.edition) {
@@ -232,13 +240,27 @@ impl Names {
         Diagnostic::new(shape, span, reason).help(help)
     }
 
+    /// What to write in place of a word of the language where a number belongs.
+    fn instead_of(&self, word: &str) -> Message {
+        if flags::find(word, self.edition).is_some() {
+            return Habit::FlagAlone { flag: word.into() }.into();
+        }
+        if functions::find(word, self.edition).is_some() {
+            let function = word.into();
+            return Habit::FunctionInEquation { function }.into();
+        }
+        match commands::find(word).map(|command| command.meaning) {
+            Some(Meaning::KeyIn) => Habit::KeyIn.into(),
+            Some(Meaning::AdIn) => Habit::AdIn.into(),
+            _ => Naming::NumberBelongsHere.into(),
+        }
+    }
+
     fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
         let help: Message = match nearest(name, known) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-            None if is_reserved(name, self.edition) => {
-                Naming::NoNumber { word: name.into() }.into()
-            }
+            None if is_reserved(name, self.edition) => self.instead_of(name),
             None => match foreign::constant(name) {
                 Some(value) => Habit::Number {
                     word: name.into(),
@@ -248,7 +270,10 @@ impl Names {
                 None => declare(name, guess).into(),
             },
         };
-        let reason = Naming::NotDeclared { name: name.into() };
+        let reason = match is_reserved(name, self.edition) {
+            true => Naming::NoNumber { word: name.into() },
+            false => Naming::NotDeclared { name: name.into() },
+        };
         Diagnostic::new(Code::UnknownVariable, span, reason)
             .about(name)
             .help(help)

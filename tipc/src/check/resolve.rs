@@ -91,6 +91,10 @@ impl Resolver<'_> {
                 for name in names {
                     self.uses.declare(name);
                 }
+                if self.slice(statement.span).contains('=') {
+                    // A value in a declaration is reported; it was to assign the name.
+                    self.uses.excuse(self.known.source, statement.span);
+                }
                 Resolved::Define
             }
             StatementKind::Label(name) => {

@@ -3,6 +3,7 @@
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
+use crate::foreign;
 use crate::language::Keyword;
 use crate::message::{Habit, Parsing, Structuring};
 use crate::source::Span;
@@ -75,6 +76,7 @@ impl Matcher<'_> {
             Shape::Next => self.close(index, BlockKind::For, Keyword::Next),
             Shape::Subroutine => self.open(BlockKind::Subroutine, index),
             Shape::SubEnd => self.close(index, BlockKind::Subroutine, Keyword::SubEnd),
+            Shape::Close => self.close_innermost(index),
         }
     }
 
@@ -178,6 +180,13 @@ impl Matcher<'_> {
         }
     }
 
+    fn close_innermost(&mut self, index: usize) {
+        match self.open.last().map(|open| open.kind) {
+            Some(kind) => self.close(index, kind, kind.closer()),
+            None => self.result.around[index] = None,
+        }
+    }
+
     /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
     fn unwind(&mut self, index: usize, kind: BlockKind, name: Keyword) -> Option<Open> {
         // A block that leaves a SUBROUTINE open would take all of its rest along.
@@ -189,7 +198,10 @@ impl Matcher<'_> {
             .filter(|depth| self.open[*depth].kind == kind);
         let Some(depth) = reachable else {
             self.result.around[index] = self.current();
-            if self.is_owed(index, kind, name) {
+            // A word that was to be this one is reported.
+            let is_reported =
+                matches!(self.module.statements[index].kind, StatementKind::Broken(_));
+            if self.is_owed(index, kind, name) || is_reported {
                 return None;
             }
             let (opener, closer) = (kind.opener(), kind.closer());
@@ -239,9 +251,20 @@ impl Matcher<'_> {
         let block = &mut self.result.blocks[open.block];
         block.broken = true;
         block.end = met.map_or(usize::MAX, |(index, _)| index);
+        if self.is_reported(open.first) {
+            return self.owed.push(Owed {
+                kind: open.kind,
+                fault: None,
+            });
+        }
         let reason = Structuring::NotClosed { opener };
         let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
             .help(Structuring::CloseWith { closer });
+        if let Some(place) = self.return_in(&open) {
+            fault = fault
+                .label(place, Structuring::ReturnOfGosub)
+                .help(Habit::SubEnd);
+        }
         if let Some(nested) = open.nested.first() {
             let text = Structuring::SubroutineBefore { closer };
             fault = fault.label(self.place(*nested), text);
@@ -263,20 +286,36 @@ impl Matcher<'_> {
         self.found.push(fault);
     }
 
+    /// The RETURN that was to close a SUBROUTINE.
+    fn return_in(&self, open: &Open) -> Option<Span> {
+        if open.kind != BlockKind::Subroutine {
+            return None;
+        }
+        let inside = self.module.statements[open.first + 1..].iter();
+        let mut inside = inside.take_while(|it| it.kind.shape() != Shape::Subroutine);
+        let found = inside.find(|it| it.kind == StatementKind::Return)?;
+        Some(found.span)
+    }
+
     /// `END IF` ends the program, and whatever is open with it.
     fn ended_in_two_words(&mut self) -> Option<()> {
         let second = self.module.after_end.as_ref()?;
         let innermost = self.open.last()?;
         let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
-        if second.node != opener.word() {
+        if second.node != opener.word() && foreign::ends(&second.node) != Some(closer) {
             return None;
         }
         let end = self.module.statements.last()?.span;
         let reason = Habit::EndInTwo {
             word: opener.into(),
         };
-        let help = Habit::InOneWord {
-            word: closer.into(),
+        let help = match closer {
+            Keyword::Wend => Habit::Wend,
+            Keyword::Next => Habit::Next,
+            Keyword::SubEnd => Habit::SubEnd,
+            _ => Habit::InOneWord {
+                word: closer.into(),
+            },
         };
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
             .label(self.place(innermost.first), Structuring::Open { opener })
@@ -321,6 +360,12 @@ impl Matcher<'_> {
                 .help(help);
             self.found.push(fault);
         }
+    }
+
+    /// Whether a statement is wrong in itself, which is reported.
+    fn is_reported(&self, index: usize) -> bool {
+        let kind = &self.module.statements[index].kind;
+        matches!(kind, StatementKind::Broken(_))
     }
 
     fn place(&self, index: usize) -> Span {

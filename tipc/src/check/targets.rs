@@ -1,17 +1,18 @@
 //! Targets and event flags of the robot at hand (T.I.P. 3.1 §6-2, §10-3-5).
 
 use super::resolve::Resolver;
-use super::suggest::nearest;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{Joints, Targets};
+use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
 use crate::message::list::List;
 use crate::message::phrase::Inventory;
 use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
+use crate::suggest::nearest;
 use crate::syntax::{Operand, OperandKind, Word};
 use tip_runtime::command::{Flag, Target};
 
@@ -41,7 +42,16 @@ impl Resolver<'_> {
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
-            return self.refuse_target(first.span, reason);
+            return match word(first) {
+                // The form of the command will be its help.
+                None => self.refuse(Code::Argument, first.span, reason),
+                Some(word) if is_joint_of_no_leg(word) => {
+                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                    self.report(fault.help(Habit::JointName));
+                    None
+                }
+                Some(_) => self.refuse_target(first.span, reason),
+            };
         };
         if !self.robot.has(target) {
             let robot = self.robot.name();
@@ -124,6 +134,12 @@ impl Resolver<'_> {
             None => flags_of(self.robot).into(),
         }
     }
+}
+
+/// `J1`, `J2`: a joint without its leg.
+fn is_joint_of_no_leg(word: &str) -> bool {
+    let number = word.strip_prefix(JOINT).unwrap_or_default();
+    number.len() == 1 && number.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// The event flags of a robot.

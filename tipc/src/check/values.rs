@@ -7,6 +7,7 @@ use super::resolved;
 use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
 use crate::language::commands::{Arguments, Values};
 use crate::message::phrase::Numbers;
 use crate::message::{Commanding, Habit};
@@ -119,12 +120,43 @@ impl Resolver<'_> {
                 let reason = Commanding::FlagBeforeNumber { flag: flag.into() };
                 return self.refuse(Code::Argument, operand.span, reason);
             }
+            let told = self.found.len();
             let number = self.number(operand, Code::Argument);
+            if number.is_none() && self.explain_word(name, form, operand, told) {
+                return None;
+            }
             values.push(number.map(|operand| Argument { operand, mark }));
             rest = behind;
         }
+        // How many there are does not count where one of them is wrong.
+        let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         self.no_more(name, rest)?;
-        values.into_iter().collect()
+        Some(values)
+    }
+
+    /// Helps with a word that is reported where a number belongs, if what follows it would be reported for the same
+    /// reason: a second target, or a flag without a blank, as `R50`.
+    fn explain_word(
+        &mut self,
+        name: &Word,
+        form: Arguments,
+        operand: &Operand,
+        told: usize,
+    ) -> bool {
+        let Some(text) = word(operand) else {
+            return false;
+        };
+        let habit = if text.parse::<Target>().is_ok() {
+            let command = name.node.clone();
+            Some(Habit::OneTarget { command })
+        } else {
+            glued_flag(form, text)
+        };
+        let Some((habit, fault)) = habit.zip(self.found.get_mut(told)) else {
+            return false;
+        };
+        fault.help = Some(habit.into());
+        true
     }
 
     /// So many constants or VARs.
@@ -198,7 +230,7 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                if let Some(habit) = self.comma_in_number(operand) {
+                if let Some(habit) = self.extra_word(name, operand) {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
@@ -215,6 +247,19 @@ impl Resolver<'_> {
                 };
                 self.refuse(Code::Argument, operand.span, reason)
             }
+        }
+    }
+
+    /// What an argument too many is.
+    fn extra_word(&self, name: &Word, operand: &Operand) -> Option<Habit> {
+        match word(operand) {
+            Some(FAST) => Some(Habit::FastFirst {
+                command: name.node.clone(),
+            }),
+            Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
+                Some(Habit::NoUnit)
+            }
+            _ => self.comma_in_number(operand),
         }
     }
 
@@ -255,6 +300,18 @@ impl Resolver<'_> {
 /// Whether a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
+}
+
+/// `R50`, where `R 50` was meant.
+fn glued_flag(form: Arguments, word: &str) -> Option<Habit> {
+    let flag = [RELATIVE, ABSOLUTE].into_iter().find(|flag| {
+        let number = word.strip_prefix(*flag).unwrap_or_default();
+        form.motion && !number.is_empty() && number.chars().all(|c| c.is_ascii_digit())
+    })?;
+    Some(Habit::FlagApart {
+        flag,
+        number: word[flag.len()..].into(),
+    })
 }
 
 /// The flag in the place of a number, even after a sign.

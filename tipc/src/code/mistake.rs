@@ -101,6 +101,8 @@ mistakes! {
         Commanding { StructForNumber ConstantOrVar };
     Equation "E107-07" "a function with too many or too few operands", "関数に渡す値の過不足":
         Calculating { OtherOperands };
+    Equation "E107-08" "an operator of another language", "ほかの言語の演算子":
+        Habit { NoOperator };
 
     UnknownCommand "E204-01" "a word that is not a command", "コマンドではない語":
         Commanding { NoCommand };
@@ -111,7 +113,7 @@ mistakes! {
     UnknownCommand "E204-04" "a label without its colon", "コロンのないラベル":
         Parsing { LabelColonMissing };
     UnknownCommand "E204-05" "an equation of another language", "ほかの言語の式":
-        Habit { NoOperator CompareAsStatement };
+        Habit { NoOperator SplitOperator CompareAsStatement };
 
     Argument "E205-01" "too few arguments", "引数の不足":
         Commanding { TooFew Missing }
@@ -154,7 +156,8 @@ mistakes! {
         Habit { ThenJumps OneLineIf };
     Argument "E205-18" "a FOR or NEXT of another form", "FORとNEXTの形の誤り":
         Parsing { ToBelongsHere ForEnds VariableBelongsHere AssignmentBelongsHere NextNamesItsVariable }
-        Commanding { CountsVar };
+        Commanding { CountsVar }
+        Habit { ForCounts };
     Argument "E205-19" "an incomplete label", "不完全なラベル":
         Parsing {
             LabelBelongsHere LabelMissing BlankBeforeColon LabelColonMissing LabelNameMissing
@@ -176,7 +179,8 @@ mistakes! {
         Parsing { NoNumber NoMember ForeignInName ConstantTooLarge NoOperand }
         Naming { NoMember };
     Argument "E205-26" "words after the end of a statement", "文の終わりの後に続く語":
-        Parsing { NothingBehind };
+        Parsing { NothingBehind }
+        Habit { NoBraces };
     Argument "E205-27" "a MESSAGE without a blank", "空白のないMESSAGE":
         Parsing { BlankBehindMessage };
 

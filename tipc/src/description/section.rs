@@ -1,12 +1,12 @@
 //! A table of the file, read key by key: every value that cannot be used is reported at its place.
 
 use super::keys::Part;
-use crate::check::nearest;
 use crate::diagnostic::Diagnostic;
 use crate::message::list::List;
 use crate::message::phrase::Kind;
 use crate::message::{Describing, Message, Suggesting};
 use crate::source::Span;
+use crate::suggest::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

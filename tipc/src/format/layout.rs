@@ -226,7 +226,12 @@ impl Edge {
                 Edge::Opens
             }
             Shape::ElseIf | Shape::Else => Edge::Parts,
-            Shape::EndIf | Shape::Wend | Shape::Until | Shape::Next | Shape::SubEnd => Edge::Closes,
+            Shape::EndIf
+            | Shape::Wend
+            | Shape::Until
+            | Shape::Next
+            | Shape::SubEnd
+            | Shape::Close => Edge::Closes,
             Shape::Plain | Shape::OneLineIf => Edge::Inside,
         }
     }

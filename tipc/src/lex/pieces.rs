@@ -82,7 +82,9 @@ impl<'a> Pieces<'a> {
     fn label_end(&self, word: Span) -> Option<usize> {
         let bytes = &self.text.as_bytes()[..self.trimmed_end];
         let colon = skip_delimiters(bytes, word.end);
+        // `A := 1` is the assignment of another language.
         let is_label = bytes.get(colon) == Some(&b':')
+            && bytes.get(colon + 1) != Some(&b'=')
             && (colon == word.end || !takes_text(&self.text[word.start..word.end]));
         is_label.then_some(colon + 1)
     }

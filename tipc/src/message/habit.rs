@@ -38,8 +38,8 @@ messages! {
         "go on with `GOTO L1:`, and put `L1:` before the WEND, UNTIL or NEXT",
         "次の回に進むには `GOTO L1:` と書き、WEND、UNTIL、NEXTの前に `L1:` を置きます";
     Wait
-        "`SLEEP 200` waits 200 ms, `WAIT_INPOS ALL` until all motions have ended",
-        "200 ms待つのは `SLEEP 200`、全ての動作の終わりを待つのは `WAIT_INPOS ALL` です";
+        "`SLEEP 200` waits 200 ms, `WAIT_INPOS ALL` until all motions have ended, `REPEAT` … `UNTIL KB_HIT` until a flag is set",
+        "200 ms待つのは `SLEEP 200`、全ての動作の終わりを待つのは `WAIT_INPOS ALL`、フラグを待つのは `REPEAT` … `UNTIL KB_HIT` です";
     Declare
         "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`",
         "変数の宣言は `DEF_VAR A` (数値)、`DEF_POS P`、`DEF_JOINT Q` です";
@@ -79,12 +79,18 @@ messages! {
     Home
         "`INITIAL_POSTURE ALL` goes to the initial posture",
         "初期姿勢に戻るのは `INITIAL_POSTURE ALL` です";
+    NoBraces
+        "there are no braces",
+        "波括弧は使えません";
     Braces
         "blocks have no braces: IF ends with ENDIF, WHILE with WEND, FOR with NEXT",
         "ブロックに波括弧は使いません。IFはENDIF、WHILEはWEND、FORはNEXTで閉じます";
     LoopLabel
         "a label ends with a colon: `LOOP:`",
         "ラベルの後にはコロンが必要です: `LOOP:`";
+    GoesOn
+        "this belongs to it",
+        "これもその一部です";
     OneFile
         "a program is one file: put the statements here",
         "プログラムは1つのファイルです。ここに直接書いてください";
@@ -94,6 +100,43 @@ messages! {
     Glued { command: &'static str }
         "put a blank after {command}, and leave parentheses and quotes out",
         "{command}の後に空白を入れ、括弧や引用符は取ってください";
+
+    FastFirst { command: SmolStr }
+        "HS stands right after the command: `{command} HS …`",
+        "HSはコマンドのすぐ後に書きます: `{command} HS …`";
+    FlagApart { flag: &'static str, number: SmolStr }
+        "a blank stands after {flag}: `{flag} {number}`",
+        "{flag}の後には空白を入れます: `{flag} {number}`";
+    OneTarget { command: SmolStr }
+        "{command} has one target: write a line for each",
+        "{command}の対象は1つです。対象ごとに1行ずつ書いてください";
+    JointName
+        "a joint is named by its leg and its number: `J12` is joint 2 of leg 1",
+        "関節は脚の番号と関節の番号で表します。`J12` は脚1の関節2です";
+    ArgumentNames
+        "write the numbers alone, in the order of the command's form",
+        "名前は付けず、決まった順に数値だけを書いてください";
+    NoUnit
+        "write the number alone: lengths are in mm, angles in deg, times in ms",
+        "数値だけを書きます。長さはmm、角度はdeg、時間はmsです";
+    NoHex { value: u32 }
+        "constants are decimal: write `{value}`",
+        "定数は10進数です。`{value}` と書いてください";
+    NoLineNumbers { name: SmolStr }
+        "a jump leads to a label, not to a line: put `{name}:` before a statement and write `{name}:` here",
+        "行番号へは飛べません。飛び先に `{name}:` を置き、ここにも `{name}:` と書いてください";
+    SemicolonEndsText
+        "`;` ends the text before it: what follows is a statement",
+        "`;` で文字列が終わり、その後は別の文になります";
+    AfterEnd
+        "END ends the text of the program: move it below the last SUBROUTINE, and write EXIT here",
+        "ENDより後は読まれません。ENDは最後のSUBROUTINEの後に移し、ここはEXITにしてください";
+    EndsTheText
+        "the text of the program ends here",
+        "プログラムはここで終わりです";
+    StandsAfterEnd
+        "this stands after END",
+        "これはENDより後にあります";
 
     // Comments.
     Comment
@@ -113,6 +156,30 @@ messages! {
     WriteSigned { text: SmolStr }
         "as a sign write `{text}`; between two operands it calculates",
         "符号なら `{text}` と書きます。2つの値の間なら計算になります";
+    Update { name: SmolStr }
+        "write it in one piece, as `{name} += 1`",
+        "`{name} += 1` のように続けて書いてください";
+    SplitOperator { sign: SmolStr }
+        "no blank stands inside `{sign}`",
+        "`{sign}` の途中に空白は入れられません";
+    Power
+        "there is no power: multiply, as `A = B * B`",
+        "べき乗はありません。`A = B * B` のように掛け算で書いてください";
+    Remainder
+        "there is no remainder: of A by B it is `Q = A / B`, `Q = INT Q`, `Q *= B`, `R1 = A - Q`",
+        "剰余の演算はありません。AをBで割った余りは `Q = A / B`、`Q = INT Q`、`Q *= B`、`R1 = A - Q` で求めます";
+    NoFunction { word: SmolStr }
+        "there is no function {word}; there are INT, ABS, SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, DEG2RAD, RAD2DEG, NORM",
+        "{word}という関数はありません。あるのはINT、ABS、SQRT、SIN、COS、TAN、ASIN、ACOS、ATAN、ATAN2、DEG2RAD、RAD2DEG、NORMです";
+    EachMember
+        "a POS or JOINT is filled member by member: `P.X = 391`, `P.Y = 201`, `P.Z = -150`",
+        "POSやJOINTにはメンバごとに代入します: `P.X = 391`、`P.Y = 201`、`P.Z = -150`";
+    FunctionInEquation { function: SmolStr }
+        "a function stands in an equation only: `A = {function} B` on the line before, and A here",
+        "関数は式の中だけで使えます。前の行に `A = {function} B` と書き、ここにはAを書いてください";
+    CalculateArgument
+        "calculate in an equation on the line before; a sign has a blank before it: `100 -20`",
+        "計算は前の行の式で行います。符号なら前に空白を入れてください: `100 -20`";
     CompareAsStatement
         "`==` compares; `=` assigns",
         "`==` は比較です。代入は `=` です";
@@ -126,7 +193,35 @@ messages! {
         "a declaration assigns no value",
         "宣言と同時に代入はできません";
 
+    NoHyphen { name: SmolStr }
+        "a name has no `-`: write `{name}`",
+        "名前に `-` は使えません。`{name}` と書いてください";
+    NoArray { name: SmolStr }
+        "there are no arrays: declare `{name}1`, `{name}2` and so on",
+        "配列はありません。`{name}1`、`{name}2` のように別々に宣言してください";
+
     // Conditions.
+    WriteRelation { relation: &'static str }
+        "write `{relation}`",
+        "`{relation}` と書いてください";
+    CalculateBefore
+        "calculate in an equation on the line before, and compare its variable",
+        "計算は前の行の式で行い、その変数を比較してください";
+    BlockBegins
+        "the block begins on the next line: WHILE ends with WEND, UNTIL ends its REPEAT",
+        "ブロックは次の行から始まります。WHILEはWENDで閉じ、UNTILはREPEATを閉じます";
+    FlagAlone { flag: SmolStr }
+        "an event flag stands alone: `IF {flag} GOTO L1:`, or `!{flag}`",
+        "イベントフラグは `IF {flag} GOTO L1:` や `!{flag}` のように単独で書きます";
+    Character { character: SmolStr }
+        "a key is compared with `CHAR_{character}`",
+        "キーは `CHAR_{character}` と比較します";
+    CharacterOrVariable { character: SmolStr }
+        "declare it with `DEF_VAR {character}`; the key is `CHAR_{character}`",
+        "変数なら `DEF_VAR {character}` と宣言します。キーなら `CHAR_{character}` です";
+    ForCounts
+        "FOR counts a variable from one number TO another",
+        "FORでは変数をある値からある値まで(TO)数えます";
     AndOr { word: SmolStr }
         "a condition is one comparison or one flag: there is no {word}",
         "条件式は比較1つかフラグ1つです。{word}は使えません";

@@ -63,6 +63,9 @@ messages! {
     NoNumber { word: SmolStr }
         "`{word}` is a word of the language and does not stand for a number",
         "`{word}` はこの言語の予約語で、数値にはなりません";
+    NumberBelongsHere
+        "a number or a variable belongs here",
+        "ここには数値か変数を書きます";
     Declare { name: SmolStr }
         "declare it: `DEF_VAR {name}`, `DEF_POS {name}` or `DEF_JOINT {name}`",
         "`DEF_VAR {name}`、`DEF_POS {name}`、`DEF_JOINT {name}` のどれかで宣言してください";

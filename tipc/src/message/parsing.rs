@@ -47,6 +47,9 @@ messages! {
     TakeOut
         "take it out, or put it into a comment",
         "取るか、コメントの中に移してください";
+    PlainNames
+        "names and words are made of A-Z, 0-9 and `_`",
+        "名前や語に使えるのはA-Z、0-9、`_` です";
     NotAlone { word: SmolStr }
         "{word} must be alone on its line",
         "{word}は1行に単独で書きます";

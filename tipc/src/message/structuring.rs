@@ -134,4 +134,7 @@ messages! {
     PutJumpAbove
         "put GOTO, RETURN or EXIT above it",
         "その上にGOTO、RETURN、EXITのどれかを置いてください";
+    ReturnOfGosub
+        "RETURN ends a part that GOSUB calls, not a SUBROUTINE",
+        "RETURNはGOSUBで呼ぶ部分の終わりです。SUBROUTINEは閉じません";
 }

@@ -2,8 +2,10 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
+use crate::language::Keyword;
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Parsing};
+use crate::message::phrase::End;
+use crate::message::{Habit, Message, Parsing};
 use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
 
 impl Reader<'_> {
@@ -54,7 +56,11 @@ impl Reader<'_> {
     fn comparison(&mut self, left: Operand, relation: Relation) -> Parsed<Condition> {
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
-            return Err(self.fault_with_help(token.span, reason, Parsing::Relations));
+            let help: Message = match (relation, token.kind) {
+                (Relation::Gt, Kind::Relation(Relation::Lt)) => Habit::WriteNotEqual.into(),
+                _ => Parsing::Relations.into(),
+            };
+            return Err(self.fault_with_help(token.span, reason, help));
         }
         let right = self.operand_before_keyword()?;
         match self.peek() {
@@ -92,12 +98,42 @@ impl Reader<'_> {
         if token.kind == Kind::Not {
             return self.fault_with_help(token.span, Habit::NotEqual, Habit::WriteNotEqual);
         }
-        let reason = match token.kind {
-            Kind::Assign(None) => Parsing::AssignsComparesNothing,
-            Kind::Arithmetic(_) => Parsing::ConditionCannotCalculate,
-            _ => Parsing::RelationBelongsHere,
+        let turned = match self.peek_second().filter(|next| !next.spaced) {
+            Some(Token {
+                kind: Kind::Relation(relation @ (Relation::Gt | Relation::Lt)),
+                span,
+                ..
+            }) => Some((relation, token.span.to(span))),
+            _ => None,
         };
-        self.fault_with_help(token.span, reason, Parsing::Relations)
+        match (token.kind, turned) {
+            (Kind::Assign(None), Some((relation, place))) => {
+                let relation = if relation == Relation::Gt { ">=" } else { "<=" };
+                let help = Habit::WriteRelation { relation };
+                self.fault_with_help(place, Parsing::NoRelation, help)
+            }
+            (Kind::Assign(None), None) => {
+                let reason = Parsing::AssignsComparesNothing;
+                self.fault_with_help(token.span, reason, Parsing::Relations)
+            }
+            (Kind::Arithmetic(_), _) => {
+                let reason = Parsing::ConditionCannotCalculate;
+                self.fault_with_help(token.span, reason, Habit::CalculateBefore)
+            }
+            _ => self.fault_with_help(token.span, Parsing::RelationBelongsHere, Parsing::Relations),
+        }
+    }
+
+    /// What is wrong after a condition that opens a block as in another language: `WHILE A < 3 DO`.
+    pub(super) fn opened(&self) -> Option<Fault> {
+        let word = self.peek().filter(|_| self.left() == 1)?;
+        let text = self.slice(word.span);
+        let opens = foreign::opens_block(text) || self.at_word(Keyword::Then);
+        opens.then(|| {
+            let end = End::Condition;
+            let help = Habit::BlockBegins;
+            self.fault_with_help(word.span, Parsing::NothingBehind { end }, help)
+        })
     }
 
     fn flag(&self, operand: Operand) -> Parsed<Condition> {

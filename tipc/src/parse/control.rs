@@ -4,9 +4,13 @@ use super::reader::{Fault, Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Parsing};
+use crate::message::{Habit, Message, Parsing, Suggesting};
 use crate::source::Span;
-use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then};
+use crate::suggest::nearest;
+use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case};
+
+/// The words that follow the condition of an IF.
+const AFTER_IF: [Keyword; 3] = [Keyword::Then, Keyword::Goto, Keyword::Gosub];
 
 /// A statement and, if something after it is wrong, what; or only what is wrong.
 pub(super) type Read = Parsed<(StatementKind, Parsed<()>)>;
@@ -77,7 +81,12 @@ impl Reader<'_> {
             let help = Parsing::GosubCalls;
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
-        let help = Parsing::WriteThenOrJump;
+        let word = self.peek().map(|token| upper_case(self.slice(token.span)));
+        let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
+        let help: Message = match near {
+            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            None => Parsing::WriteThenOrJump.into(),
+        };
         self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
     }
 
@@ -87,9 +96,10 @@ impl Reader<'_> {
             Some(_) => self.expect_end(End::Word {
                 word: Keyword::Then.into(),
             }),
-            None => Err(self
-                .joined()
-                .unwrap_or_else(|| self.fault(self.here(), Parsing::ThenBelongsHere))),
+            None => Err(self.joined().unwrap_or_else(|| {
+                let help = Habit::ElseIf;
+                self.fault_with_help(self.here(), Parsing::ThenBelongsHere, help)
+            })),
         };
         Ok((StatementKind::ElseIf { keyword, condition }, end))
     }
@@ -107,7 +117,7 @@ impl Reader<'_> {
     }
 
     fn end_of_condition(&self) -> Parsed<()> {
-        match self.joined() {
+        match self.joined().or_else(|| self.opened()) {
             Some(fault) => Err(fault),
             None => self.expect_end(End::Condition),
         }

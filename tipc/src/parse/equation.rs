@@ -2,10 +2,12 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
+use crate::foreign;
+use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::Parsing;
-use crate::syntax::{Equation, Expression, Operand, OperandKind};
+use crate::message::{Habit, Message, Parsing};
+use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
 /// Whether the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
 pub(super) fn looks_like_one(tokens: &[Token]) -> bool {
@@ -81,9 +83,17 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
         }) => operation,
         Some(token) => {
             let reason = Parsing::OperatorOrNothing;
-            return Err(reader.fault_with_help(token.span, reason, Parsing::OneOperation));
+            let help = instead(reader, &left, token);
+            return Err(reader.fault_with_help(token.span, reason, help));
         }
     };
+    if let Some(second) = reader.peek().filter(|_| operation == Arithmetic::Mul)
+        && second.kind == Kind::Arithmetic(Arithmetic::Mul)
+    {
+        let text = reader.slice(second.span).into();
+        let reason = Parsing::NoOperand { text };
+        return Err(reader.fault_with_help(second.span, reason, Habit::Power));
+    }
     let right = reader.operand()?;
     refuse_function(reader, &right, edition)?;
     match reader.left() {
@@ -95,6 +105,37 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
         _ => {
             Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, Parsing::OneOperation))
         }
+    }
+}
+
+/// What to write in place of what follows the first operand.
+fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
+    let word = upper_case(reader.slice(token.span));
+    let first = upper_case(reader.slice(left.span));
+    let next = reader.peek();
+    match word.as_str() {
+        "^" => return Habit::Power.into(),
+        "%" | "MOD" => return Habit::Remainder.into(),
+        _ => {}
+    }
+    if let Some(number) = reader.comma_number(left.span, token.span) {
+        return number.into();
+    }
+    if foreign::is_function(&first) {
+        return Habit::NoFunction { word: first }.into();
+    }
+    match commands::find(&first).map(|command| command.meaning) {
+        Some(Meaning::AdIn) => return Habit::AdIn.into(),
+        Some(Meaning::KeyIn) => return Habit::KeyIn.into(),
+        _ => {}
+    }
+    if foreign::is_unit(&word) {
+        return Habit::NoUnit.into();
+    }
+    match next.map(|next| next.kind) {
+        Some(Kind::Assign(_)) => Parsing::NextStatementElsewhere.into(),
+        Some(_) if word.starts_with(|c: char| c.is_ascii_digit()) => Habit::EachMember.into(),
+        _ => Parsing::OneOperation.into(),
     }
 }
 

@@ -5,11 +5,66 @@ use super::shape::meant;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign::{self, Means};
-use crate::language::{Keyword, commands, keywords};
+use crate::language::commands::{self, COMMANDS};
+use crate::language::{Edition, Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Message};
+use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::source::Span;
-use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, Word, upper_case};
+use crate::suggest::nearest;
+use crate::syntax::{Shape, StatementKind, VariableKind, Word, upper_case};
+
+/// The command whose name is nearest to a word of letters; names with digits are rather labels.
+fn misspelt(word: &str) -> Option<&'static str> {
+    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+    let names = COMMANDS.iter().map(|command| command.name);
+    word.chars().all(is_letter).then(|| nearest(word, names))?
+}
+
+/// What a misspelt word is to the statements around it, if it is anything to them.
+fn means(command: &str) -> Option<Means> {
+    let keyword = keywords::find(command, Edition::default())?;
+    Some(match keyword {
+        Keyword::DefVar => Means::Declaration(VariableKind::Var),
+        Keyword::DefPos => Means::Declaration(VariableKind::Pos),
+        Keyword::DefJoint => Means::Declaration(VariableKind::Joint),
+        Keyword::If
+        | Keyword::ElseIf
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::While
+        | Keyword::Wend
+        | Keyword::Repeat
+        | Keyword::Until
+        | Keyword::For
+        | Keyword::Next
+        | Keyword::Subroutine
+        | Keyword::SubEnd => Means::Keyword(keyword),
+        _ => return None,
+    })
+}
+
+/// Whether the rest of a statement is that of its misspelt keyword.
+fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
+    let Means::Keyword(keyword) = means else {
+        return true;
+    };
+    let has = |word: Keyword| {
+        let is_it = |token: &Token| {
+            let text = &text[token.span.start..token.span.end];
+            text.eq_ignore_ascii_case(word.word())
+        };
+        tokens.iter().any(is_it)
+    };
+    match keyword {
+        Keyword::For => has(Keyword::To),
+        Keyword::If => has(Keyword::Then) || has(Keyword::Goto) || has(Keyword::Gosub),
+        Keyword::Next => tokens.len() <= 2,
+        Keyword::Else | Keyword::EndIf | Keyword::Wend | Keyword::Repeat | Keyword::SubEnd => {
+            tokens.len() == 1
+        }
+        _ => true,
+    }
+}
 
 /// How a comment of other languages begins that may have several lines.
 const OPENS: &str = "/*";
@@ -40,6 +95,7 @@ impl Parser<'_> {
     /// A statement that begins with no word of the language, if it is known from other languages.
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         self.assignment(tokens)
+            .or_else(|| self.brace(word, tokens))
             .or_else(|| self.foreign_word(word, tokens))
     }
 
@@ -48,31 +104,38 @@ impl Parser<'_> {
         if commands::find(&text).is_some() {
             return None;
         }
-        let row = foreign::statement(&text)?;
+        let (means, help): (_, Message) = match foreign::statement(&text) {
+            Some(row) => (row.means, row.habit.clone().into()),
+            None => {
+                let near = misspelt(&text)?;
+                (
+                    means(near).filter(|means| fits(means, self.text, tokens))?,
+                    Suggesting::DidYouMean { near: near.into() }.into(),
+                )
+            }
+        };
         let reason = Commanding::NoCommand { word: text.clone() };
-        match row.means {
+        let kind = match means {
             // The checker knows whether it is a variable.
-            Means::Statement => None,
-            Means::Keyword(Keyword::Subroutine) => {
-                self.report_unknown(word, &text, reason, row.habit.clone());
-                Some(self.subroutine_named(word, tokens))
-            }
-            Means::Keyword(keyword) => {
-                self.report_unknown(word, &text, reason, row.habit.clone());
-                Some(StatementKind::Broken(meant(keyword)))
-            }
+            Means::Statement => return None,
             // A label without its colon may be such a word, too.
-            Means::Declaration(_) if tokens.len() < 2 => None,
-            Means::Declaration(kind) => {
-                self.report_unknown(word, &text, reason, row.habit.clone());
-                let is_name = |token: &&Token| {
-                    let text = self.source.slice(token.span);
-                    !text.starts_with(|first: char| first.is_ascii_digit())
-                };
-                let names: Vec<Token> = tokens.iter().filter(is_name).copied().collect();
-                Some(self.define(kind, word, &names, true))
+            Means::Declaration(_) if tokens.len() < 2 => return None,
+            Means::Declaration(_) if self.is_called(tokens) => {
+                self.report_unknown(word, &text, reason, Habit::Subroutine);
+                return Some(StatementKind::Broken(Shape::Plain));
             }
-        }
+            Means::Keyword(Keyword::Subroutine) => self.subroutine_named(word, tokens),
+            Means::Keyword(keyword) => StatementKind::Broken(meant(keyword, self.text, tokens)),
+            Means::Declaration(kind) => self.define(kind, word, tokens, true),
+        };
+        self.report_unknown(word, &text, reason, help);
+        Some(kind)
+    }
+
+    /// `DEF WALK()`: a routine, not a variable.
+    fn is_called(&self, tokens: &[Token]) -> bool {
+        let name = tokens.get(1).map(|token| self.source.slice(token.span));
+        name.is_some_and(|name| name.contains("()"))
     }
 
     /// A routine that begins with another word: what calls it is not wrong.
@@ -90,40 +153,8 @@ impl Parser<'_> {
         }
     }
 
-    /// `A++`, `A--` and `A == 1`.
-    fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
-        let [name, operator, rest @ ..] = tokens else {
-            return None;
-        };
-        let word = upper_case(self.source.slice(name.span));
-        let (reason, help) = match (operator.kind, rest) {
-            (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), [second])
-                if second.kind == operator.kind =>
-            {
-                let sign = if sign == Arithmetic::Add { "+" } else { "-" };
-                let help = Habit::Increment {
-                    name: word.clone(),
-                    sign: sign.into(),
-                };
-                let place = operator.span.to(second.span);
-                let sign = self.source.slice(place).into();
-                (Habit::NoOperator { sign }, help)
-            }
-            (Kind::Relation(Relation::Eq), _) => {
-                let name = word.clone();
-                (Habit::CompareAsStatement, Habit::Assign { name })
-            }
-            _ => return None,
-        };
-        if name.kind != Kind::Word {
-            return None;
-        }
-        self.report_unknown(name.span, &word, reason, help);
-        Some(StatementKind::Broken(Shape::Plain))
-    }
-
     /// A first word that the language lacks.
-    fn report_unknown(
+    pub(super) fn report_unknown(
         &mut self,
         place: Span,
         word: &str,

@@ -3,7 +3,7 @@
 use super::reader::{Parsed, Reader};
 use crate::language::Keyword;
 use crate::lex::Kind;
-use crate::message::Parsing;
+use crate::message::{Habit, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Jump, Word};
 
@@ -52,7 +52,12 @@ impl Reader<'_> {
                 Err(self.fault_with_help(gap, Parsing::BlankBeforeColon, help))
             }
             _ => {
-                let help = Parsing::WriteLabel { name: word.node };
+                let name = word.node;
+                let is_number = name.chars().all(|c| c.is_ascii_digit());
+                let help: Message = match is_number {
+                    true => Habit::NoLineNumbers { name }.into(),
+                    false => Parsing::WriteLabel { name }.into(),
+                };
                 Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help))
             }
         }

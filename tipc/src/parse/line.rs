@@ -74,10 +74,14 @@ impl Parser<'_> {
             _ => Parsing::ForeignCharacters,
         };
         let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
-        if let Some(narrow) = half_width(text) {
+        if text.starts_with('、') {
+            diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow: ",".into() });
+        } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if foreign::is_comment(self.source.slice(self.line.span).trim()) {
             diagnostic = diagnostic.help(Habit::Comment);
+        } else if text.chars().all(char::is_alphabetic) {
+            diagnostic = diagnostic.help(Parsing::PlainNames);
         } else {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
@@ -139,7 +143,8 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
         | Shape::For
         | Shape::Next
         | Shape::Subroutine
-        | Shape::SubEnd => None,
+        | Shape::SubEnd
+        | Shape::Close => None,
     }
 }
 

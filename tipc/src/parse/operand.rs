@@ -1,9 +1,10 @@
 //! Operands: constants, names, members, and their signs.
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::language::Keyword;
+use crate::foreign;
+use crate::language::{Keyword, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Parsing};
+use crate::message::{Habit, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
 
@@ -74,7 +75,11 @@ impl Reader<'_> {
     fn glued(&self, token: Token) -> Fault {
         let text = self.slice(token.span).into();
         let reason = Parsing::BetweenArguments { text };
-        let help = Parsing::SeparateArguments;
+        let help: Message = match token.kind {
+            Kind::Arithmetic(_) => Habit::CalculateArgument.into(),
+            Kind::Assign(_) => Habit::ArgumentNames.into(),
+            _ => Parsing::SeparateArguments.into(),
+        };
         self.fault_with_help(token.span, reason, help)
     }
 
@@ -138,11 +143,10 @@ impl Reader<'_> {
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => Err(self.fault(span, Parsing::ConstantTooLarge)),
-            Err(_) => Err(self.fault_with_help(
-                span,
-                Parsing::NoNumber { word: word.into() },
-                Parsing::Constants,
-            )),
+            Err(_) => {
+                let reason = Parsing::NoNumber { word: word.into() };
+                Err(self.fault_with_help(span, reason, meant_by_number(word)))
+            }
         }
     }
 
@@ -168,11 +172,47 @@ impl Reader<'_> {
     fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
         let character = self.slice(place).into();
         let reason = Parsing::ForeignInName { character };
-        if word.contains(['(', ')']) {
-            let help = Parsing::NoParentheses;
-            return self.fault_with_help(place, reason, help);
+        self.fault_with_help(place, reason, meant_by_name(word))
+    }
+}
+
+/// What to write in place of a word that starts as a number.
+fn meant_by_number(word: &str) -> Message {
+    let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
+    let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
+    let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
+    match hex.and_then(|hex| u32::from_str_radix(hex, 16).ok()) {
+        Some(value) => Habit::NoHex { value }.into(),
+        None if foreign::is_unit(unit) && !number.is_empty() => Habit::NoUnit.into(),
+        None => Parsing::Constants.into(),
+    }
+}
+
+/// What to write in place of a word with characters that no name has.
+fn meant_by_name(word: &str) -> Message {
+    let quotes = ['\'', '"'];
+    let within = word.trim_matches(quotes);
+    let is_char = word.starts_with(quotes) && within.len() == 1 && word.len() == 3;
+    if is_char && within.chars().all(|c| c.is_ascii_alphanumeric()) {
+        let character = within.to_ascii_uppercase().into();
+        return Habit::Character { character }.into();
+    }
+    if foreign::is_comment(word) {
+        return Habit::Comment.into();
+    }
+    if let Some((name, _)) = word
+        .split_once(['(', '['])
+        .filter(|(name, _)| !name.is_empty())
+    {
+        if functions::words().any(|function| function.eq_ignore_ascii_case(name)) {
+            return Parsing::NoParentheses.into();
         }
-        self.fault_with_help(place, reason, Parsing::NameCharacters)
+        let name = upper_case(name);
+        return Habit::NoArray { name }.into();
+    }
+    match word.contains(['(', ')']) {
+        true => Parsing::NoParentheses.into(),
+        false => Parsing::NameCharacters.into(),
     }
 }
 

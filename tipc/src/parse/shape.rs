@@ -39,15 +39,14 @@ pub(super) fn shape(keyword: Option<Keyword>, text: &str, tokens: &[Token]) -> S
     }
 }
 
-/// The shape of a statement that one of these words was meant to be.
-pub(super) fn meant(keyword: Keyword) -> Shape {
+/// The shape of a statement that was meant to begin with `keyword`.
+pub(super) fn meant(keyword: Keyword, text: &str, tokens: &[Token]) -> Shape {
     match keyword {
-        Keyword::ElseIf => Shape::ElseIf,
+        Keyword::Else => Shape::Else,
         Keyword::EndIf => Shape::EndIf,
         Keyword::Wend => Shape::Wend,
-        Keyword::Next => Shape::Next,
-        Keyword::SubEnd => Shape::SubEnd,
-        _ => Shape::Plain,
+        Keyword::Repeat => Shape::Repeat,
+        keyword => shape(Some(keyword), text, tokens),
     }
 }
 

@@ -2,17 +2,15 @@
 
 use super::control::Read;
 use super::line::not_alone;
-use super::reader::{Fault, Reader};
+use super::reader::Reader;
 use super::shape::shape;
 use super::{Flow, Parser, equation};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
-use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Habit, Naming, Parsing};
+use crate::lex::{Token, lex};
 use crate::source::Span;
-use crate::syntax::{Shape, StatementKind, VariableKind, Word};
+use crate::syntax::{Shape, StatementKind, VariableKind};
 
 impl Parser<'_> {
     /// Reads the statement at `span`, whose first word is `word` (empty before an operator).
@@ -37,6 +35,7 @@ impl Parser<'_> {
                 self.foreign_comment(span);
                 return Flow::NextLine;
             }
+            Some(Keyword::For) if self.is_for_of_c(word, span) => return self.for_of_c(span),
             keyword => self.words(keyword, word, span),
         }
         Flow::Continue
@@ -51,7 +50,12 @@ impl Parser<'_> {
             self.report_foreign(foreign);
         }
         let keyword = keyword.or_else(|| self.narrow_keyword(word).filter(|_| foreign.is_some()));
+        let before = self.diagnostics.len();
+        let brace = self.take_brace(&mut tokens);
         let kind = self.kind(keyword, word, &tokens, foreign.is_some());
+        if let Some(brace) = brace {
+            self.opened_brace(brace, before);
+        }
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
         }
@@ -80,7 +84,7 @@ impl Parser<'_> {
             }
             Some((_, Start::Define(_) | Start::Other)) | None => {}
         }
-        if reported {
+        if reported || self.names_hyphened(tokens) {
             return StatementKind::Broken(shape(keyword, self.text, tokens));
         }
         if equation::looks_like_one(tokens) {
@@ -147,56 +151,6 @@ impl Parser<'_> {
             | Keyword::End => return None,
         })
     }
-
-    /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
-    pub(super) fn define(
-        &mut self,
-        kind: VariableKind,
-        keyword: Span,
-        tokens: &[Token],
-        reported: bool,
-    ) -> StatementKind {
-        if tokens.len() < 2 {
-            let missing = Diagnostic::new(Code::Argument, keyword, Naming::NoNames);
-            self.report(missing.help(Naming::WriteNames));
-        }
-        let reader = Reader::new(self.text, tokens, 0, Code::Argument);
-        let is_word = |token: &&Token| token.kind == Kind::Word;
-        if let Some(odd) = tokens.iter().position(|token| !is_word(&token)) {
-            let fault = odd_in_declaration(&reader, tokens, odd);
-            self.diagnostics
-                .extend(fault.filter(|_| !reported).map(|it| *it));
-        }
-        // A value in a declaration is not a name.
-        let is_value = |at: usize| matches!(tokens[at - 1].kind, Kind::Assign(_));
-        let names: Vec<Word> = (1..tokens.len())
-            .filter(|at| !is_value(*at))
-            .map(|at| &tokens[at])
-            .filter(|token| is_word(token) && foreign_run(self.text, token.span).is_none())
-            .map(|token| reader.word(token.span))
-            .collect();
-        for name in &names {
-            self.check_name_length(name);
-        }
-        StatementKind::Define {
-            kind,
-            keyword,
-            names,
-        }
-    }
-}
-
-/// What is wrong with the token at `odd` of a declaration, which is not a name.
-fn odd_in_declaration(reader: &Reader<'_>, tokens: &[Token], odd: usize) -> Option<Fault> {
-    let place = tokens.get(odd)?;
-    let named = tokens[..odd].last().filter(|_| odd > 1);
-    Some(match (place.kind, named) {
-        (Kind::Assign(_), Some(name)) => {
-            let name = reader.word(name.span).node;
-            reader.fault_with_help(place.span, Habit::NoInitial, Habit::Initial { name })
-        }
-        _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
-    })
 }
 
 /// What is known of a statement from its keyword alone.

@@ -141,6 +141,8 @@ pub enum Shape {
     For,
     /// `NEXT`
     Next,
+    /// `}` of another language: a mistake that closes whatever is open.
+    Close,
     /// `SUBROUTINE`
     Subroutine,
     /// `SUBEND`

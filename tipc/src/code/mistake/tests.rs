@@ -17,7 +17,7 @@ const PLAIN: &[(&str, &str)] = &[
     ),
     (
         "Naming",
-        "ReadAsFlag NotDeclared NothingUses NothingReads AssignedNowhere",
+        "ReadAsFlag NotDeclared NoNumber NothingUses NothingReads AssignedNowhere",
     ),
     ("Structuring", "NoSuchLabel NoLoopAbove NextCounts RunsInto"),
 ];
@@ -30,7 +30,7 @@ const BESIDE: &[(&str, &str)] = &[
         "StartWithVersion BreakTheLine PutEnd WriteHalfWidth TakeOut WantsOwnLine LabelBeforeCommentBehind
          NextStatementElsewhere WriteJump WriteLabel SeparateNames CommentElsewhere Escapes FullWidthCounts GosubCalls
          WriteThenOrJump WriteFor WriteSubroutine Conditions Relations LeftSide OneOperation SeparateArguments LeavePlusOut
-         Constants Members NoParentheses NameCharacters",
+         Constants Members NoParentheses NameCharacters PlainNames",
     ),
     (
         "Commanding",
@@ -44,19 +44,22 @@ const BESIDE: &[(&str, &str)] = &[
     ),
     (
         "Naming",
-        "ChooseAnother FirstDeclared DeclaredHere LabelCharacters OwnName WriteNames VariableCharacters DeclareOnce NoNumber
+        "ChooseAnother FirstDeclared DeclaredHere LabelCharacters OwnName WriteNames VariableCharacters DeclareOnce NumberBelongsHere
          Declare DeclareAs AlsoHere VarMembers PosMembers JointMembers AssignBefore",
     ),
     (
         "Structuring",
         "StillOpen CloseBefore Else ElseIsLast Opens Open StandsHere CloseWith SubroutineBefore WordBefore EndsBefore
          VariableOfFor JumpsHere DidYouMean DeclareLabel GosubCalls OwnLabel PutLoop MoveOut JumpBefore CallIt BlockStarts
-         Label SubroutineStarts LeaveWith For PutJumpAbove",
+         Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub",
     ),
     ("Suggesting", "DidYouMean"),
     (
         "Habit",
-        "ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
+        "Update Power Remainder NoFunction EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
+         JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
+         NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
+         ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
          KeyIn AdIn Lamp Cases Speed Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
          Assign Initial Nest WriteNot WriteNotEqual Forever LeaveThenOut CloseOneLineIf InOneWord Number Comma Migrate Title
          TitleHere OtherEncoding",

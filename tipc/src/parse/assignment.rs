@@ -1,0 +1,54 @@
+//! Assignments as other languages write them: `A++`, `A == 1`, `A := 1`, `A + = 1`.
+
+use super::Parser;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::lex::{Kind, Token};
+use crate::message::{Habit, Message};
+use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, upper_case};
+
+impl Parser<'_> {
+    /// An assignment with an operator of another language.
+    pub(super) fn assignment(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let [name, operator, rest @ ..] = tokens else {
+            return None;
+        };
+        if name.kind != Kind::Word {
+            return None;
+        }
+        let next = rest.first();
+        let both = operator
+            .span
+            .to(next.map_or(operator.span, |next| next.span));
+        let word = upper_case(self.source.slice(name.span));
+        let assign = Habit::Assign { name: word.clone() };
+        let (reason, help): (Habit, Message) = match (operator.kind, next.map(|next| next.kind)) {
+            (Kind::Arithmetic(sign @ (Arithmetic::Add | Arithmetic::Sub)), Some(second))
+                if second == operator.kind && rest.len() == 1 =>
+            {
+                let signs = self.source.slice(both).into();
+                let sign = if sign == Arithmetic::Add { "+" } else { "-" };
+                let help = Habit::Increment {
+                    name: word.clone(),
+                    sign: sign.into(),
+                };
+                (Habit::NoOperator { sign: signs }, help.into())
+            }
+            (Kind::Relation(Relation::Eq), _) => (Habit::CompareAsStatement, assign.into()),
+            (Kind::Arithmetic(_), Some(Kind::Assign(None))) => {
+                let sign = format!("{}=", self.source.slice(operator.span)).into();
+                let help = Habit::Update { name: word.clone() };
+                (Habit::SplitOperator { sign }, help.into())
+            }
+            (Kind::Colon, Some(Kind::Assign(None))) => {
+                let sign = self.source.slice(both).into();
+                let fault = Diagnostic::new(Code::Equation, both, Habit::NoOperator { sign });
+                self.report(fault.help(assign));
+                return Some(StatementKind::Broken(Shape::Plain));
+            }
+            _ => return None,
+        };
+        self.report_unknown(name.span, &word, reason, help);
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+}

@@ -1,0 +1,105 @@
+//! Braces of other languages around blocks: `IF A == 1 {`, `}` and `} ELSE {`.
+
+use super::{Flow, Parser};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::language::{Keyword, keywords};
+use crate::lex::{Kind, Token};
+use crate::message::{Commanding, Habit, Parsing};
+use crate::source::Span;
+use crate::syntax::{Shape, StatementKind};
+
+const OPEN: &str = "{";
+const CLOSE: &str = "}";
+
+impl Parser<'_> {
+    /// Takes the brace off the end of a statement: the words before it count.
+    pub(super) fn take_brace(&self, tokens: &mut Vec<Token>) -> Option<Span> {
+        let last = tokens.last().filter(|last| last.kind == Kind::Word)?;
+        let is_brace = tokens.len() > 1 && self.source.slice(last.span) == OPEN;
+        is_brace.then(|| tokens.pop().map(|token| token.span))?
+    }
+
+    /// Reports the brace of a statement unless its words are reported, which `before` tells.
+    pub(super) fn opened_brace(&mut self, brace: Span, before: usize) {
+        self.braces.push(true);
+        let lacks_then = |fault: &Diagnostic| {
+            [Parsing::ThenOrJumpBelongsHere, Parsing::ThenBelongsHere]
+                .into_iter()
+                .any(|reason| fault.reason == reason.into())
+        };
+        // It stands for the THEN.
+        if self.diagnostics[before..].iter().all(lacks_then) {
+            self.diagnostics.truncate(before);
+            let fault = Diagnostic::new(Code::Argument, brace, Habit::NoBraces);
+            self.report(fault.help(Habit::Braces));
+        }
+    }
+
+    /// A statement that begins with a brace.
+    pub(super) fn brace(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let shape = match self.source.slice(word) {
+            OPEN if tokens.len() == 1 => self.lone_brace(word),
+            CLOSE => {
+                let begins_block = self.braces.pop()?;
+                let next = tokens.get(1).map(|token| self.source.slice(token.span));
+                let next = next.and_then(|next| keywords::find(next, self.module.edition));
+                match next {
+                    Some(Keyword::Else) => {
+                        self.braces.push(true);
+                        let is_else_if = self.is_else_if(&tokens[1..]);
+                        if is_else_if {
+                            Shape::ElseIf
+                        } else {
+                            Shape::Else
+                        }
+                    }
+                    _ if begins_block => Shape::Close,
+                    _ => Shape::Plain,
+                }
+            }
+            _ => return None,
+        };
+        Some(StatementKind::Broken(shape))
+    }
+
+    /// `{` on a line of its own, after the line of its IF or without any.
+    fn lone_brace(&mut self, word: Span) -> Shape {
+        let before = self.module.statements.last().map(|it| &it.kind);
+        let opens = |kind: &StatementKind| {
+            matches!(
+                kind.shape(),
+                Shape::If | Shape::ElseIf | Shape::Else | Shape::While | Shape::For
+            )
+        };
+        self.braces.push(before.is_some_and(opens));
+        // Its IF lacks THEN, which is reported.
+        if !matches!(before, Some(StatementKind::Broken(_))) {
+            let reason = Commanding::NoCommand { word: OPEN.into() };
+            self.report_unknown(word, OPEN, reason, Habit::Braces);
+        }
+        Shape::Plain
+    }
+
+    /// `FOR (I = 0; I < 3; I++)`: all of the line.
+    pub(super) fn for_of_c(&mut self, span: Span) -> Flow {
+        let statement = self.source.slice(span);
+        let open = statement.find('(').unwrap_or_default();
+        let place = Span::new(span.start + open, span.end);
+        let line = Span::new(span.start, self.line.span.end);
+        if self.source.slice(line).trim_end().ends_with(OPEN) {
+            self.braces.push(true);
+        }
+        let fault = Diagnostic::new(Code::Argument, place, Habit::ForCounts);
+        self.report(fault.help(Parsing::WriteFor));
+        self.push(StatementKind::Broken(Shape::For), span);
+        Flow::NextLine
+    }
+
+    /// Whether the line of a FOR is that of C.
+    pub(super) fn is_for_of_c(&self, word: Span, span: Span) -> bool {
+        let rest = self.source.slice(Span::new(word.end, span.end));
+        let line = self.source.slice(Span::new(span.end, self.line.span.end));
+        rest.trim_start().starts_with('(') && line.trim_start().starts_with(';')
+    }
+}

@@ -1,0 +1,153 @@
+//! `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: the names, and what else people put there (T.I.P. 3.1 §4-4).
+
+use super::Parser;
+use super::reader::{Fault, Reader};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::lex::{Kind, Token, foreign_run};
+use crate::message::{Habit, Naming, Parsing};
+use crate::source::Span;
+use crate::syntax::{Arithmetic, StatementKind, VariableKind, Word};
+
+/// The commas of full-width text.
+const COMMAS: [char; 2] = ['，', '、'];
+
+/// The most names with a `-` whose uses are not reported again.
+const HYPHENED: usize = 8;
+
+impl Parser<'_> {
+    /// `DEF_… NAME NAME …`: the names as written; what is not a word is reported.
+    pub(super) fn define(
+        &mut self,
+        kind: VariableKind,
+        keyword: Span,
+        tokens: &[Token],
+        reported: bool,
+    ) -> StatementKind {
+        if tokens.len() < 2 {
+            let missing = Diagnostic::new(Code::Argument, keyword, Naming::NoNames);
+            self.report(missing.help(Naming::WriteNames));
+        }
+        let reader = Reader::new(self.text, tokens, 0, Code::Argument);
+        let glued = hyphened(tokens);
+        for place in &glued {
+            self.report_hyphen(*place);
+        }
+        let is_odd = |token: &Token| token.kind != Kind::Word;
+        if glued.is_empty()
+            && !reported
+            && let Some(odd) = tokens.iter().position(is_odd)
+        {
+            let fault = odd_in_declaration(&reader, kind, tokens, odd);
+            self.diagnostics.extend(fault.map(|it| *it));
+        }
+        let is_apart = |token: &&Token| {
+            let place = token.span;
+            let inside = |run: &Span| run.start <= place.start && place.end <= run.end;
+            !glued.iter().any(inside)
+        };
+        let names: Vec<Word> = names_in(self.text, tokens, reported)
+            .filter(is_apart)
+            .flat_map(|token| self.names_between_commas(token.span))
+            .map(|place| reader.word(place))
+            .collect();
+        for name in &names {
+            self.check_name_length(name);
+        }
+        StatementKind::Define {
+            kind,
+            keyword,
+            names,
+        }
+    }
+
+    /// The names of a word, which full-width commas may separate: those are reported.
+    fn names_between_commas(&self, word: Span) -> Vec<Span> {
+        let text = self.source.slice(word);
+        let mut start = word.start;
+        let names = text.split_inclusive(COMMAS).map(|name| {
+            let place = Span::new(start, start + name.trim_end_matches(COMMAS).len());
+            start += name.len();
+            place
+        });
+        let is_plain =
+            |place: &Span| place.start < place.end && foreign_run(self.text, *place).is_none();
+        names.filter(is_plain).collect()
+    }
+
+    fn report_hyphen(&mut self, place: Span) {
+        let written = self.source.slice(place).to_ascii_uppercase();
+        let reason = Naming::NoVariableName {
+            word: written.as_str().into(),
+        };
+        let help = Habit::NoHyphen {
+            name: written.replace('-', "_").into(),
+        };
+        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        if self.hyphened.len() < HYPHENED {
+            self.hyphened.push(written);
+        }
+    }
+
+    /// Whether a name with a `-`, whose declaration is reported, stands in the statement.
+    pub(super) fn names_hyphened(&self, tokens: &[Token]) -> bool {
+        let (false, [first, .., last]) = (self.hyphened.is_empty(), tokens) else {
+            return false;
+        };
+        let text = self.source.slice(first.span.to(last.span));
+        let text = text.to_ascii_uppercase();
+        self.hyphened
+            .iter()
+            .any(|name| text.contains(name.as_str()))
+    }
+}
+
+/// The names with a `-`: `STEP-LENGTH`.
+fn hyphened(tokens: &[Token]) -> Vec<Span> {
+    let runs = tokens.chunk_by(|_, next| !next.spaced);
+    runs.filter_map(|run| {
+        let [first, .., last] = run else { return None };
+        let is_part =
+            |token: &Token| matches!(token.kind, Kind::Word | Kind::Arithmetic(Arithmetic::Sub));
+        let is_name =
+            run.iter().all(is_part) && first.kind == Kind::Word && last.kind == Kind::Word;
+        is_name.then(|| first.span.to(last.span))
+    })
+    .collect()
+}
+
+/// What may be a name: a value is not, nor is a number in the declaration of another language.
+fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator<Item = &'t Token> {
+    let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
+    let no_digit = foreign || tokens.iter().any(is_assignment);
+    let is_value = move |at: usize| {
+        let starts_with_digit = text.as_bytes()[tokens[at].span.start].is_ascii_digit();
+        is_assignment(&tokens[at - 1]) || no_digit && starts_with_digit
+    };
+    (1..tokens.len())
+        .filter(move |at| tokens[*at].kind == Kind::Word && !is_value(*at))
+        .map(|at| &tokens[at])
+}
+
+/// What is wrong with the token at `odd`, which is not a name.
+fn odd_in_declaration(
+    reader: &Reader<'_>,
+    kind: VariableKind,
+    tokens: &[Token],
+    odd: usize,
+) -> Option<Fault> {
+    let place = tokens.get(odd)?;
+    let named = tokens[..odd].last().filter(|_| odd > 1);
+    Some(match (place.kind, named) {
+        (Kind::Assign(_), Some(name)) => {
+            let name = reader.word(name.span).node;
+            let name = match kind {
+                VariableKind::Var => name,
+                VariableKind::Pos => format!("{name}.X").into(),
+                VariableKind::Joint => format!("{name}.J1").into(),
+            };
+            reader.fault_with_help(place.span, Habit::NoInitial, Habit::Initial { name })
+        }
+        _ => reader.fault_with_help(place.span, Parsing::OnlyNames, Parsing::SeparateNames),
+    })
+}

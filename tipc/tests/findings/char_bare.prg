@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR K
+KEY_IN K
+IF K == A THEN
+  MESSAGE x
+ENDIF
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+CONST N = 3
+MESSAGE %N%
+END

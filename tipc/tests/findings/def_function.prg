@@ -1,0 +1,5 @@
+3.1
+A title
+DEF WALK()
+MESSAGE x
+END

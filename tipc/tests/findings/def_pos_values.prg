@@ -1,0 +1,5 @@
+3.1
+A title
+DEF_POS P = 391, 201, -150
+PTP F1 P
+END

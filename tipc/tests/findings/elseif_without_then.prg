@@ -1,0 +1,10 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+IF N == 1 THEN
+  MESSAGE a
+ELSEIF N == 2
+  MESSAGE b
+ENDIF
+END

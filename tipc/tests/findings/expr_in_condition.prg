@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR I
+I = 200
+IF I + 1 > 3 THEN
+  MESSAGE x
+ENDIF
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+SPECIAL_FLAG0 = 1
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+IF KB_HIT == TRUE THEN
+  MESSAGE x
+ENDIF
+END

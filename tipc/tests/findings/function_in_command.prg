@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR I
+I = 200
+PTP F1 391 ABS I -150
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+L1:
+IF KB_HIT GOTO L2:
+GOTO 3
+L2:
+END

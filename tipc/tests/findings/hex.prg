@@ -1,0 +1,4 @@
+3.1
+A title
+LAMP_ON 0x0F
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+PTP_ANGLE J1 30
+WAIT_INPOS ALL
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR N
+N = MAX 1 2
+MESSAGE %N%
+END

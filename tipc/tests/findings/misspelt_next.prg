@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR N
+FOR N = 1 TO 3
+  MESSAGE %N%
+NETX N
+END

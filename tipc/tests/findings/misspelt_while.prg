@@ -1,0 +1,6 @@
+3.1
+A title
+WHLIE !KB_HIT
+  SLEEP 10
+WEND
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+DEF_POS P
+P[0] = 3
+END

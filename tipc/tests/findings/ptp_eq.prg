@@ -1,0 +1,5 @@
+3.1
+A title
+PTP F1 X=391 Y=201 Z=-150
+WAIT_INPOS F1
+END

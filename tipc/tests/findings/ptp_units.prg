@@ -1,0 +1,5 @@
+3.1
+A title
+PTP F1 391mm 201mm -150mm
+WAIT_INPOS F1
+END

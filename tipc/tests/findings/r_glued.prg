@@ -1,0 +1,5 @@
+3.1
+A title
+PTP F1 R0 R0 R50
+WAIT_INPOS ALL
+END

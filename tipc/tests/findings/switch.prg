@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+SWITCH N
+CASE 1
+  MESSAGE a
+ENDSWITCH
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR A1, B1
+A1 = 1 B1 = 2
+MESSAGE %A1% %B1%
+END
