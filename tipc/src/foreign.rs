@@ -134,6 +134,26 @@ pub(crate) fn is_comment(statement: &str) -> bool {
     COMMENTS.iter().any(|mark| statement.starts_with(mark)) && self::statement(first).is_none()
 }
 
+/// Whether a comment of another language, or what is taken for one, begins where this part of a line ends.
+pub(crate) fn ends_in_comment_mark(part: &str) -> bool {
+    let part = part.trim_end();
+    part.ends_with(';') || COMMENTS.iter().any(|mark| part.ends_with(mark))
+}
+
+/// What is written for a character of typesetting.
+pub(crate) fn plain(typeset: char) -> Option<&'static str> {
+    Some(match typeset {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
+        '×' => "*",
+        '÷' => "/",
+        '≠' => "<>",
+        '≧' | '≥' => ">=",
+        '≦' | '≤' => "<=",
+        '、' => ",",
+        _ => return None,
+    })
+}
+
 /// The number to write in place of a constant of another language.
 pub(crate) fn constant(word: &str) -> Option<&'static str> {
     Some(match word {

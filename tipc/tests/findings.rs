@@ -55,6 +55,7 @@ fn one_mistake_is_one_error() {
     // Programs with more than one mistake.
     let several = [
         "basic_sub.prg",
+        "else_colon.prg",
         "loop_without_colon.prg",
         "not_declared.prg",
         "subroutine_without_colon.prg",

@@ -341,7 +341,10 @@ fn the_usage_is_that_of_the_robot() {
         help("SET_A_MAX F1", Robot::Titan8),
         "write `SET_A_MAX F1|ALL number`"
     );
-    assert_eq!(help("ALL_STOP ALL", Robot::Titan8), "write `ALL_STOP`");
+    assert_eq!(
+        help("ALL_STOP ALL", Robot::Titan8),
+        "ALL_STOP takes no target"
+    );
 }
 
 // clauses: 8.1

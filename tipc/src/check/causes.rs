@@ -3,11 +3,12 @@
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::foreign;
+use crate::language::commands;
 use crate::language::keywords::{self, Keyword};
 use crate::lex::{Kind, Token, lex, split_comment};
 use crate::message::{Habit, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
-use crate::syntax::{Module, StatementKind, upper_case};
+use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use std::collections::{HashMap, HashSet};
 
 /// Lets findings about one name be one finding, at the first place.
@@ -16,6 +17,7 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
     labels_without_colon(module, found);
     labels_after_end(source, module, found);
     parts_of_statements(found);
+    broken_lines(source, found);
     same_text(source, found);
     undeclared(source, module, found);
 }
@@ -129,6 +131,29 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
     *found = kept;
 }
 
+/// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
+fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
+    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
+    for finding in found.drain(..) {
+        let word = finding.subject.as_deref().unwrap_or_default();
+        let is_rest = word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        match kept.last_mut() {
+            Some(before)
+                if finding.code == Code::UnknownCommand
+                    && before.code != Code::UnknownCommand
+                    && is_rest
+                    && line_of(before) + 1 == line_of(&finding) =>
+            {
+                before.labels.push(label(finding.span, Habit::GoesOnHere));
+                before.help = Some(Habit::OneLine.into());
+            }
+            _ => kept.push(finding),
+        }
+    }
+    *found = kept;
+}
+
 /// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
 fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
@@ -136,6 +161,10 @@ fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
     for finding in found.drain(..) {
         let same = match &finding.help {
             Some(Message::Habit(Habit::NoArray { name })) => Some(name.to_string()),
+            _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
+                let member = source.slice(finding.span).to_ascii_uppercase();
+                Some(format!("{} {member}", finding.code.id()))
+            }
             Some(Message::Parsing(Parsing::PlainNames)) => {
                 Some(source.slice(finding.span).to_owned())
             }
@@ -160,7 +189,17 @@ fn is_alone(module: &Module, place: Span) -> bool {
     statement.is_some_and(|it| {
         it.span == place
             && matches!(&it.kind, StatementKind::Command { arguments, .. } if arguments.is_empty())
+            || is_before_command(&it.kind)
     })
+}
+
+/// `L1 MESSAGE text`: a command follows the word.
+fn is_before_command(kind: &StatementKind) -> bool {
+    let StatementKind::Command { arguments, .. } = kind else {
+        return false;
+    };
+    let first = arguments.first().map(|argument| &argument.kind);
+    matches!(first, Some(OperandKind::Name(word)) if commands::find(word).is_some())
 }
 
 /// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.

@@ -44,6 +44,9 @@ impl Resolver<'_> {
             let reason = Commanding::TargetBelongsHere { targets };
             return match word(first) {
                 // The form of the command will be its help.
+                Some(word) if self.names.find(word).is_some() => {
+                    self.refuse(Code::Argument, first.span, reason)
+                }
                 None => self.refuse(Code::Argument, first.span, reason),
                 Some(word) if is_joint_of_no_leg(word) => {
                     let fault = Diagnostic::new(Code::Argument, first.span, reason);

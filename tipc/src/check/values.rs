@@ -8,7 +8,7 @@ use super::targets::word;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
-use crate::language::commands::{Arguments, Values};
+use crate::language::commands::{self, Arguments, Form, Targets, Values};
 use crate::message::phrase::Numbers;
 use crate::message::{Commanding, Habit};
 use crate::program::{self, Argument, Mark};
@@ -167,6 +167,7 @@ impl Resolver<'_> {
         count: usize,
     ) -> Option<Vec<Argument>> {
         let judged = &operands[..count.min(operands.len())];
+        let told = self.found.len();
         let values: Vec<Option<Argument>> = judged
             .iter()
             .map(|operand| {
@@ -177,6 +178,16 @@ impl Resolver<'_> {
                 })
             })
             .collect();
+        let is_target =
+            |operand: &Operand| word(operand).is_some_and(|it| it.parse::<Target>().is_ok());
+        if let Some(fault) = self
+            .found
+            .get_mut(told)
+            .filter(|_| judged.iter().any(is_target))
+        {
+            let command = name.node.clone();
+            fault.help = Some(Habit::NoTarget { command }.into());
+        }
         let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         if values.len() < count {
             return self.too_few(name, Arguments::BARE, name.span, count, values.len());
@@ -256,6 +267,14 @@ impl Resolver<'_> {
             Some(FAST) => Some(Habit::FastFirst {
                 command: name.node.clone(),
             }),
+            Some(word) if word.parse::<Target>().is_ok() => {
+                let command = name.node.clone();
+                Some(match takes_target(&command) {
+                    true => Habit::OneTarget { command },
+                    false => Habit::NoTarget { command },
+                })
+            }
+            Some(word) if commands::find(word).is_some() => Some(Habit::NextStatement),
             Some(unit) if foreign::is_unit(unit) && self.names.find(unit).is_none() => {
                 Some(Habit::NoUnit)
             }
@@ -300,6 +319,11 @@ impl Resolver<'_> {
 /// Whether a motion command reads this word as its flag.
 fn is_flag(form: Arguments, word: &str) -> bool {
     form.motion && [RELATIVE, ABSOLUTE, FAST].contains(&word)
+}
+
+fn takes_target(command: &str) -> bool {
+    let form = commands::find(command).map(|command| command.form);
+    matches!(form, Some(Form::Robot(form)) if form.targets != Targets::NONE)
 }
 
 /// `R50`, where `R 50` was meant.

@@ -180,7 +180,7 @@ mistakes! {
         Naming { NoMember };
     Argument "E205-26" "words after the end of a statement", "文の終わりの後に続く語":
         Parsing { NothingBehind }
-        Habit { NoBraces };
+        Habit { NoBraces NoColon };
     Argument "E205-27" "a MESSAGE without a blank", "空白のないMESSAGE":
         Parsing { BlankBehindMessage };
 

@@ -77,8 +77,8 @@ messages! {
         "set the speed with `SET_V_MAX F1 200` (feet) or `SET_OMEGA_MAX J11 90` (joints)",
         "速度は `SET_V_MAX F1 200` (足先)か `SET_OMEGA_MAX J11 90` (関節)で設定します";
     Home
-        "`INITIAL_POSTURE ALL` goes to the initial posture",
-        "初期姿勢に戻るのは `INITIAL_POSTURE ALL` です";
+        "`INITIAL_POSTURE` goes to the initial posture",
+        "初期姿勢に戻るのは `INITIAL_POSTURE` です";
     NoBraces
         "there are no braces",
         "波括弧は使えません";
@@ -119,6 +119,24 @@ messages! {
     NoUnit
         "write the number alone: lengths are in mm, angles in deg, times in ms",
         "数値だけを書きます。長さはmm、角度はdeg、時間はmsです";
+    NoBrackets
+        "write the numbers alone, without brackets",
+        "括弧は付けず、数値だけを書いてください";
+    NoText
+        "variables hold numbers; a text stands after MESSAGE only",
+        "変数に入るのは数値だけです。文字列を書けるのはMESSAGEの後だけです";
+    NextStatement
+        "a statement for each line, or `;` between two",
+        "文は1行に1つずつ、または `;` で区切って書きます";
+    NoTarget { command: SmolStr }
+        "{command} takes no target",
+        "{command}に対象は付けません";
+    OneLine
+        "a statement ends with its line: write it on one",
+        "文は1行で終わります。1行に続けて書いてください";
+    GoesOnHere
+        "it goes on here",
+        "続きはここです";
     NoHex { value: u32 }
         "constants are decimal: write `{value}`",
         "定数は10進数です。`{value}` と書いてください";
@@ -145,6 +163,13 @@ messages! {
     EachLine
         "start each line of a comment with `//`",
         "コメントは行ごとに `//` で始めてください";
+
+    Plain { plain: &'static str }
+        "write `{plain}`",
+        "`{plain}` と書いてください";
+    PlainBlank
+        "this is a blank of another kind: type a plain one",
+        "特殊な空白です。普通の空白を入れてください";
 
     // Equations.
     Increment { name: SmolStr, sign: SmolStr }
@@ -210,6 +235,24 @@ messages! {
     BlockBegins
         "the block begins on the next line: WHILE ends with WEND, UNTIL ends its REPEAT",
         "ブロックは次の行から始まります。WHILEはWENDで閉じ、UNTILはREPEATを閉じます";
+    FlagOfTarget { flag: SmolStr }
+        "write the flag in one word: `{flag}`",
+        "フラグは `{flag}` と1語で書いてください";
+    CommandNoCondition { command: &'static str }
+        "{command} is a command and stands on a line of its own; a condition compares, or names a flag as `KB_HIT`",
+        "{command}はコマンドなので、別の行に書きます。条件式は比較か、`KB_HIT` のようなフラグです";
+    ElseAfterJump
+        "ELSE does not follow a jump: what else is to be done stands on the next line",
+        "ジャンプの後にELSEは書けません。条件が成り立たないときの文は次の行に書きます";
+    NoColon
+        "no colon opens a block",
+        "ブロックの始まりにコロンは書きません";
+    WriteThen
+        "an IF opens its block with THEN; WHILE and FOR need no word",
+        "IFのブロックはTHENで始めます。WHILEとFORには何も要りません";
+    WithoutColon { word: SmolStr }
+        "write `{word}` without a colon",
+        "`{word}` の後にコロンは要りません";
     FlagAlone { flag: SmolStr }
         "an event flag stands alone: `IF {flag} GOTO L1:`, or `!{flag}`",
         "イベントフラグは `IF {flag} GOTO L1:` や `!{flag}` のように単独で書きます";

@@ -233,6 +233,9 @@ messages! {
     OperandMissing
         "an operand is missing here",
         "ここに数値か変数がありません";
+    WriteEquation
+        "write `A = B`, `A = B + C` or `A = SIN B`",
+        "`A = B`、`A = B + C`、`A = SIN B` のように書いてください";
     OperandMissingBefore { word: SmolStr }
         "an operand is missing before {word}",
         "{word}の前に数値か変数がありません";

@@ -1,4 +1,4 @@
-//! Braces of other languages around blocks: `IF A == 1 {`, `}` and `} ELSE {`.
+//! Braces and colons of other languages around blocks: `IF A == 1 {`, `}`, `} ELSE {`, `WHILE A < 3:`.
 
 use super::{Flow, Parser};
 use crate::code::Code;
@@ -13,16 +13,49 @@ const OPEN: &str = "{";
 const CLOSE: &str = "}";
 
 impl Parser<'_> {
-    /// Takes the brace off the end of a statement: the words before it count.
-    pub(super) fn take_brace(&self, tokens: &mut Vec<Token>) -> Option<Span> {
-        let last = tokens.last().filter(|last| last.kind == Kind::Word)?;
-        let is_brace = tokens.len() > 1 && self.source.slice(last.span) == OPEN;
-        is_brace.then(|| tokens.pop().map(|token| token.span))?
+    /// Takes the brace or colon that opens a block off the end of a statement: the words before it count.
+    pub(super) fn take_brace(
+        &self,
+        keyword: Option<Keyword>,
+        tokens: &mut Vec<Token>,
+    ) -> Option<Token> {
+        let last = *tokens.last().filter(|_| tokens.len() > 1)?;
+        let opens = match last.kind {
+            Kind::Word => self.source.slice(last.span) == OPEN,
+            Kind::Colon => self.opens_with_colon(keyword?, tokens),
+            _ => false,
+        };
+        opens.then(|| tokens.pop())?
     }
 
-    /// Reports the brace of a statement unless its words are reported, which `before` tells.
-    pub(super) fn opened_brace(&mut self, brace: Span, before: usize) {
-        self.braces.push(true);
+    /// A colon after a condition or THEN; one after the label of a jump is none of these.
+    fn opens_with_colon(&self, keyword: Keyword, tokens: &[Token]) -> bool {
+        let ends_condition = || match tokens {
+            [.., before, last, _] => {
+                let is_then = self
+                    .source
+                    .slice(last.span)
+                    .eq_ignore_ascii_case(Keyword::Then.word());
+                is_then || tokens.len() == 3 || before.kind != Kind::Word
+            }
+            _ => false,
+        };
+        match keyword {
+            Keyword::While | Keyword::Until | Keyword::For => true,
+            Keyword::If | Keyword::ElseIf => ends_condition(),
+            _ => false,
+        }
+    }
+
+    /// Reports what opened the block of a statement unless its words are reported, which `before` tells.
+    pub(super) fn opened_block(&mut self, opening: Token, before: usize) {
+        let (reason, help) = match opening.kind {
+            Kind::Colon => (Habit::NoColon, Habit::WriteThen),
+            _ => {
+                self.braces.push(true);
+                (Habit::NoBraces, Habit::Braces)
+            }
+        };
         let lacks_then = |fault: &Diagnostic| {
             [Parsing::ThenOrJumpBelongsHere, Parsing::ThenBelongsHere]
                 .into_iter()
@@ -31,8 +64,8 @@ impl Parser<'_> {
         // It stands for the THEN.
         if self.diagnostics[before..].iter().all(lacks_then) {
             self.diagnostics.truncate(before);
-            let fault = Diagnostic::new(Code::Argument, brace, Habit::NoBraces);
-            self.report(fault.help(Habit::Braces));
+            let fault = Diagnostic::new(Code::Argument, opening.span, reason);
+            self.report(fault.help(help));
         }
     }
 

@@ -38,6 +38,9 @@ impl Reader<'_> {
 
     fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
         match self.peek() {
+            Some(word) if self.slice(word.span).starts_with('(') => {
+                Err(self.fault_with_help(not.span, Habit::Not, Habit::WriteNot))
+            }
             Some(word) if word.kind == Kind::Word && !word.spaced => {
                 self.take();
                 Ok(Condition::Flag {

@@ -1,13 +1,14 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::language::Keyword;
+use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{Habit, Message, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case};
+use tip_runtime::command::Flag;
 
 /// The words that follow the condition of an IF.
 const AFTER_IF: [Keyword; 3] = [Keyword::Then, Keyword::Goto, Keyword::Gosub];
@@ -65,6 +66,11 @@ impl Reader<'_> {
 
     /// Nothing follows a jump, not even THEN.
     fn end_of_jump(&self, jump: Keyword) -> Parsed<()> {
+        if self.at_word(Keyword::Else) {
+            let end = End::Label;
+            let reason = Parsing::NothingBehind { end };
+            return Err(self.fault_with_help(self.rest(), reason, Habit::ElseAfterJump));
+        }
         if self.at_word(Keyword::Then) && self.left() == 1 {
             let reason = Habit::ThenJumps { jump: jump.into() };
             let help = Habit::LeaveThenOut { jump: jump.into() };
@@ -81,6 +87,9 @@ impl Reader<'_> {
             let help = Parsing::GosubCalls;
             return self.fault_with_help(self.here(), Parsing::IfCannotCall, help);
         }
+        if let Some(habit) = self.flag_or_command() {
+            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, habit);
+        }
         let word = self.peek().map(|token| upper_case(self.slice(token.span)));
         let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
         let help: Message = match near {
@@ -88,6 +97,24 @@ impl Reader<'_> {
             None => Parsing::WriteThenOrJump.into(),
         };
         self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
+    }
+
+    /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.
+    fn flag_or_command(&self) -> Option<Habit> {
+        let before = self
+            .before()
+            .map(|token| upper_case(self.slice(token.span)))?;
+        let next = self
+            .peek()
+            .map(|token| upper_case(self.slice(token.span)))?;
+        let flag = format!("{before}_{next}");
+        if flag.parse::<Flag>().is_ok() {
+            return Some(Habit::FlagOfTarget { flag: flag.into() });
+        }
+        let command = commands::find(&before)?;
+        Some(Habit::CommandNoCondition {
+            command: command.name,
+        })
     }
 
     pub(super) fn else_if(&mut self, keyword: Span) -> Read {
@@ -126,7 +153,7 @@ impl Reader<'_> {
     pub(super) fn for_statement(&mut self, keyword: Span) -> Read {
         let variable = self.loop_variable()?;
         self.expect_assignment()?;
-        let from = self.operand_before_keyword()?;
+        let from = self.operand_before_keyword().map_err(as_in_for)?;
         if self.take_word(Keyword::To).is_none() {
             return Err(self.fault_with_help(
                 self.here(),
@@ -134,9 +161,9 @@ impl Reader<'_> {
                 Parsing::WriteFor,
             ));
         }
-        let to = self.operand_before_keyword()?;
+        let to = self.operand_before_keyword().map_err(as_in_for)?;
         let step = match self.take_word(Keyword::Step) {
-            Some(_) => Some(self.operand_before_keyword()?),
+            Some(_) => Some(self.operand_before_keyword().map_err(as_in_for)?),
             None => None,
         };
         let end = match self.left() {
@@ -249,4 +276,10 @@ impl Reader<'_> {
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
         Ok((kind, self.expect_end(End::Word { word: name.into() })))
     }
+}
+
+/// A fault of an operand of FOR, which shows its form.
+fn as_in_for(mut fault: Fault) -> Fault {
+    fault.help.get_or_insert_with(|| Parsing::WriteFor.into());
+    fault
 }

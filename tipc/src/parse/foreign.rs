@@ -126,10 +126,35 @@ impl Parser<'_> {
             }
             Means::Keyword(Keyword::Subroutine) => self.subroutine_named(word, tokens),
             Means::Keyword(keyword) => StatementKind::Broken(meant(keyword, self.text, tokens)),
-            Means::Declaration(kind) => self.define(kind, word, tokens, true),
+            Means::Declaration(kind) => match self.second_of_two(tokens) {
+                Some((keyword, kind)) => {
+                    let help = Habit::InOneWord {
+                        word: keyword.into(),
+                    };
+                    self.report_unknown(word, &text, reason, help);
+                    return Some(self.define(kind, word, &tokens[1..], true));
+                }
+                None => self.define(kind, word, tokens, true),
+            },
         };
         self.report_unknown(word, &text, reason, help);
         Some(kind)
+    }
+
+    /// `DEF VAR`, which is one word.
+    fn second_of_two(&self, tokens: &[Token]) -> Option<(Keyword, VariableKind)> {
+        let [first, second, _, ..] = tokens else {
+            return None;
+        };
+        let (first, second) = (
+            self.source.slice(first.span),
+            self.source.slice(second.span),
+        );
+        let whole = keywords::find(&format!("{first}_{second}"), self.module.edition)?;
+        match means(whole.word())? {
+            Means::Declaration(kind) => Some((whole, kind)),
+            _ => None,
+        }
     }
 
     /// `DEF WALK()`: a routine, not a variable.
@@ -151,6 +176,25 @@ impl Parser<'_> {
                 span: name.span,
             },
         }
+    }
+
+    /// `END.`
+    pub(super) fn is_end_with_dot(&self, word: Span) -> bool {
+        let bare = self.source.slice(word).strip_suffix('.');
+        bare.is_some_and(|bare| bare.eq_ignore_ascii_case(Keyword::End.word()))
+    }
+
+    pub(super) fn end_with_dot(&mut self, word: Span) {
+        let text = upper_case(self.source.slice(word));
+        let reason = Commanding::NoCommand { word: text.clone() };
+        let near = Keyword::End.word();
+        self.report_unknown(
+            word,
+            &text,
+            reason,
+            Suggesting::DidYouMean { near: near.into() },
+        );
+        self.push(StatementKind::End, word);
     }
 
     /// A first word that the language lacks.

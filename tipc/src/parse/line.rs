@@ -4,9 +4,9 @@ use super::{Flow, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
-use crate::language::Keyword;
+use crate::language::{Keyword, keywords};
 use crate::lex::{Piece, Pieces, foreign_run, split_comment};
-use crate::message::{Habit, Parsing};
+use crate::message::{Habit, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
 
@@ -19,7 +19,7 @@ impl Parser<'_> {
         let mut flow = Flow::Continue;
         for piece in Pieces::new(self.text, code, false) {
             match piece {
-                Piece::Label { name, span } => self.label(name, span),
+                Piece::Label { name, span } => flow = self.label_or_word(name, span),
                 Piece::Statement {
                     word,
                     span,
@@ -34,6 +34,30 @@ impl Parser<'_> {
             }
         }
         self.check_lone_words(first, reported);
+        flow
+    }
+
+    /// A label, or a word with a colon that it does not take.
+    fn label_or_word(&mut self, word: Span, span: Span) -> Flow {
+        let keyword = keywords::find(self.source.slice(word), self.module.edition);
+        let (shape, flow) = match keyword {
+            Some(Keyword::Else) => (Shape::Else, Flow::Continue),
+            Some(Keyword::EndIf) => (Shape::EndIf, Flow::Continue),
+            Some(Keyword::Wend) => (Shape::Wend, Flow::Continue),
+            // The rest of the line is a text.
+            Some(Keyword::Rem | Keyword::Message) => (Shape::Plain, Flow::NextLine),
+            _ => {
+                self.label(word, span);
+                return Flow::Continue;
+            }
+        };
+        let word_of = upper_case(self.source.slice(word));
+        let reason = Naming::WordOfLanguage {
+            word: word_of.clone(),
+        };
+        let help = Habit::WithoutColon { word: word_of };
+        self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
+        self.push(StatementKind::Broken(shape), span);
         flow
     }
 
@@ -74,8 +98,13 @@ impl Parser<'_> {
             _ => Parsing::ForeignCharacters,
         };
         let mut diagnostic = Diagnostic::new(Code::Format, place, reason);
-        if text.starts_with('、') {
-            diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow: ",".into() });
+        let before = &self.text[self.line.span.start..place.start];
+        if let Some(plain) = text.chars().next().and_then(foreign::plain) {
+            diagnostic = diagnostic.help(Habit::Plain { plain });
+        } else if text.chars().all(char::is_whitespace) {
+            diagnostic = diagnostic.help(Habit::PlainBlank);
+        } else if foreign::ends_in_comment_mark(before) {
+            diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if foreign::is_comment(self.source.slice(self.line.span).trim()) {

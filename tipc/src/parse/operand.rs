@@ -35,10 +35,29 @@ impl Reader<'_> {
                 let reason = Parsing::NoOperand {
                     text: self.slice(token.span).into(),
                 };
-                Err(self.fault(token.span, reason))
+                let fault = self.fault(token.span, reason);
+                Err(self.with_argument_help(fault, token))
             }
-            None => Err(self.fault(self.here(), Parsing::OperandMissing)),
+            None => {
+                let mut fault = self.fault(self.here(), Parsing::OperandMissing);
+                if self.is_equation() {
+                    fault.help = Some(Parsing::WriteEquation.into());
+                }
+                Err(fault)
+            }
         }
+    }
+
+    /// An operator among the arguments of a command calculates nothing, or was to begin a comment.
+    fn with_argument_help(&self, mut fault: Fault, token: Token) -> Fault {
+        let calculates = matches!(token.kind, Kind::Arithmetic(_)) && !self.is_equation();
+        let rest = self.slice(self.rest());
+        if foreign::is_comment(rest) && rest.len() > token.span.end - token.span.start {
+            fault.help = Some(Habit::Comment.into());
+        } else if calculates {
+            fault.help = Some(Habit::CalculateArgument.into());
+        }
+        fault
     }
 
     /// An operand of a condition or of FOR.
@@ -190,6 +209,10 @@ fn meant_by_number(word: &str) -> Message {
 
 /// What to write in place of a word with characters that no name has.
 fn meant_by_name(word: &str) -> Message {
+    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    if word.strip_prefix(['(', '[']).is_some_and(is_number) {
+        return Habit::NoBrackets.into();
+    }
     let quotes = ['\'', '"'];
     let within = word.trim_matches(quotes);
     let is_char = word.starts_with(quotes) && within.len() == 1 && word.len() == 3;
@@ -199,6 +222,9 @@ fn meant_by_name(word: &str) -> Message {
     }
     if foreign::is_comment(word) {
         return Habit::Comment.into();
+    }
+    if word.starts_with('"') {
+        return Habit::NoText.into();
     }
     if let Some((name, _)) = word
         .split_once(['(', '['])

@@ -33,6 +33,11 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Whether this reads an equation, whose rules differ from those of arguments.
+    pub(super) fn is_equation(&self) -> bool {
+        self.code == Code::Equation
+    }
+
     /// The next token, which stays.
     pub(super) fn peek(&self) -> Option<Token> {
         self.tokens.get(self.at).copied()

@@ -35,6 +35,10 @@ impl Parser<'_> {
                 self.foreign_comment(span);
                 return Flow::NextLine;
             }
+            None if self.is_end_with_dot(word) => {
+                self.end_with_dot(word);
+                return Flow::End;
+            }
             Some(Keyword::For) if self.is_for_of_c(word, span) => return self.for_of_c(span),
             keyword => self.words(keyword, word, span),
         }
@@ -51,10 +55,10 @@ impl Parser<'_> {
         }
         let keyword = keyword.or_else(|| self.narrow_keyword(word).filter(|_| foreign.is_some()));
         let before = self.diagnostics.len();
-        let brace = self.take_brace(&mut tokens);
+        let opening = self.take_brace(keyword, &mut tokens);
         let kind = self.kind(keyword, word, &tokens, foreign.is_some());
-        if let Some(brace) = brace {
-            self.opened_brace(brace, before);
+        if let Some(opening) = opening {
+            self.opened_block(opening, before);
         }
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
@@ -76,8 +80,15 @@ impl Parser<'_> {
                 return StatementKind::Broken(Shape::ElseIf);
             }
             Some((keyword, Start::Lone(kind))) => {
-                self.check_alone(keyword, tokens, reported);
-                return kind;
+                let is_alone = self.check_alone(keyword, tokens, reported);
+                return match keyword {
+                    // What closes it may stand on its line.
+                    Keyword::Repeat if !is_alone => StatementKind::Broken(Shape::Repeat),
+                    _ => kind,
+                };
+            }
+            Some((Keyword::Then, _)) if self.follows_broken_if() => {
+                return StatementKind::Broken(Shape::Plain);
             }
             Some((_, Start::Define(kind))) if !equation::looks_like_one(tokens) => {
                 return self.define(kind, word, tokens, reported);
@@ -100,7 +111,10 @@ impl Parser<'_> {
             Some(Ok((kind, Ok(())))) => kind,
             Some(Ok((kind, Err(fault)))) => {
                 self.report(*fault);
-                kind
+                match self.closes_itself(&kind, tokens) {
+                    true => StatementKind::Broken(Shape::Plain),
+                    false => kind,
+                }
             }
             Some(Err(fault)) => {
                 self.report(*fault);
@@ -113,10 +127,31 @@ impl Parser<'_> {
     }
 
     /// Reports what follows a word that must be alone on its line.
-    fn check_alone(&mut self, keyword: Keyword, tokens: &[Token], reported: bool) {
+    fn check_alone(&mut self, keyword: Keyword, tokens: &[Token], reported: bool) -> bool {
         if let ([word, next, ..], [.., last], false) = (tokens, tokens, reported) {
             self.report(not_alone(keyword, word.span, next.span.to(last.span)));
         }
+        tokens.len() == 1
+    }
+
+    /// Whether the statement before is an IF without its THEN, which is reported.
+    fn follows_broken_if(&self) -> bool {
+        let before = self.module.statements.last();
+        before.is_some_and(|it| it.kind == StatementKind::Broken(Shape::If))
+    }
+
+    /// `WHILE !KB_HIT WEND`: a block on one line.
+    fn closes_itself(&self, kind: &StatementKind, tokens: &[Token]) -> bool {
+        let closer = match kind.shape() {
+            Shape::While => Keyword::Wend,
+            Shape::For => Keyword::Next,
+            _ => return false,
+        };
+        let is_closer = |token: &Token| {
+            let word = self.source.slice(token.span);
+            word.eq_ignore_ascii_case(closer.word())
+        };
+        tokens.iter().any(is_closer)
     }
 
     fn control(&self, keyword: Keyword, word: Span, tokens: &[Token]) -> Option<Read> {

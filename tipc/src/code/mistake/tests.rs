@@ -30,7 +30,7 @@ const BESIDE: &[(&str, &str)] = &[
         "StartWithVersion BreakTheLine PutEnd WriteHalfWidth TakeOut WantsOwnLine LabelBeforeCommentBehind
          NextStatementElsewhere WriteJump WriteLabel SeparateNames CommentElsewhere Escapes FullWidthCounts GosubCalls
          WriteThenOrJump WriteFor WriteSubroutine Conditions Relations LeftSide OneOperation SeparateArguments LeavePlusOut
-         Constants Members NoParentheses NameCharacters PlainNames",
+         Constants Members NoParentheses NameCharacters PlainNames WriteEquation",
     ),
     (
         "Commanding",
@@ -56,7 +56,8 @@ const BESIDE: &[(&str, &str)] = &[
     ("Suggesting", "DidYouMean"),
     (
         "Habit",
-        "Update Power Remainder NoFunction EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
+        "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition ElseAfterJump WriteThen
+         WithoutColon NextStatement Update Power Remainder NoFunction EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
          JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
          NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
@@ -73,6 +74,7 @@ const OTHERS: &[&str] = &[
     "Importing",
     "Migrating",
     "Building",
+    "Formatting",
 ];
 
 #[test]

@@ -63,7 +63,7 @@ fn labels_may_share_the_line() {
         &["broken Plain", "set A = 1.0", "1:1: Wrong argument"],
     );
     check("MESSAGE : a", &["message [: a]"]);
-    check("MESSAGE: a", &["label MESSAGE", "command A"]);
+    check("MESSAGE: a", &["broken Plain", "1:1: Wrong argument"]);
     check("REM : a", &["rem"]);
 }
 

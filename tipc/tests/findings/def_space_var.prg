@@ -1,0 +1,6 @@
+3.1
+A title
+DEF VAR N
+N = 1
+MESSAGE %N%
+END

@@ -1,0 +1,10 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+IF N == 1 THEN:
+MESSAGE %N%
+ELSE:
+MESSAGE %N%
+ENDIF
+END

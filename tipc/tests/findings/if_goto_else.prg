@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+IF N == 1 GOTO L1: ELSE GOTO L2:
+L1:
+MESSAGE %N%
+L2:
+END

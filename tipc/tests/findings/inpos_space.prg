@@ -1,0 +1,6 @@
+3.1
+A title
+IF INPOS F1 THEN
+MESSAGE x
+ENDIF
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_JOINT Q
+Q.J4 = 3
+Q.J1 = Q.J4
+END

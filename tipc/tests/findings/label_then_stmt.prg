@@ -1,0 +1,5 @@
+3.1
+A title
+L1 MESSAGE x
+IF KB_HIT GOTO L1:
+END

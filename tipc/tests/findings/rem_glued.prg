@@ -1,0 +1,5 @@
+3.1
+A title
+REM: note
+SLEEP 10
+END

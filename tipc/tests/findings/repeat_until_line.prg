@@ -1,0 +1,4 @@
+3.1
+A title
+REPEAT UNTIL KB_HIT
+END

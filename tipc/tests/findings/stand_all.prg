@@ -1,0 +1,4 @@
+3.1
+A title
+STAND_UP ALL 50
+END

@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+IF N == 1
+THEN
+MESSAGE %N%
+ENDIF
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+WAIT_INPOS F1, F2, F3, F4
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+WHILE !KB_HIT WEND
+END
