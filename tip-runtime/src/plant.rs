@@ -28,6 +28,7 @@ pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel};
 
 use crate::command::Port;
 use crate::hardware::Hardware;
+use crate::model::Point;
 
 /// How the body of a simulated robot moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +56,8 @@ pub struct Limbs<const L: usize, const J: usize> {
     pub angles: [[f64; J]; L],
     /// How much of the robot each foot carries, or how hard each fingertip pushes: N. None if it is bolted down.
     pub loads: Option<[f64; L]>,
+    /// What each motor gives: in the robot's torque unit, in N·m if it has none.
+    pub torques: [[f64; J]; L],
 }
 
 /// What a simulated hand does to the things around it.
@@ -65,6 +68,8 @@ pub struct Grasp<const L: usize> {
     pub fingertips: [Fingertip; L],
     /// The objects, in the order of the scene.
     pub objects: [Option<ObjectState>; OBJECTS],
+    /// Where the slider is that carries the floor: mm.
+    pub slider: Point,
 }
 
 /// Hardware that is simulated, so that the readings of its inputs can be set.

@@ -6,7 +6,13 @@ use std::path::{Path, PathBuf};
 use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta, Visibility};
 
 /// The libraries; the command has no pages.
-const LIBRARIES: [&str; 4] = ["tip-runtime", "tipc", "tip-macros", "tools/sim"];
+const LIBRARIES: [&str; 5] = [
+    "tip-runtime",
+    "tipc",
+    "tip-macros",
+    "tools/sim",
+    "tools/view",
+];
 
 /// Those with an example in every public module.
 const TAUGHT: [&str; 2] = ["tip-runtime", "tools/sim"];

@@ -47,7 +47,8 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("tip-macros", &["tip-runtime", "tipc"]),
     // Its front page compares compiled code.
     ("tip-sim", &["tip-runtime", "tipc", "tip-macros"]),
-    ("tipc-cli", &["tip-runtime", "tipc", "tip-sim"]),
+    ("tip-view", &["tip-runtime", "tipc", "tip-sim"]),
+    ("tipc-cli", &["tip-runtime", "tipc", "tip-sim", "tip-view"]),
 ];
 
 #[test]

@@ -176,6 +176,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         Some(Limbs {
             angles: self.angles(),
             loads: Some(self.fingertips().map(|tip| tip.force())),
+            torques: self.torques(),
         })
     }
 
@@ -183,6 +184,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         Some(Grasp {
             fingertips: self.fingertips(),
             objects: self.objects(),
+            slider: self.grip.slider(),
         })
     }
 }

@@ -1,5 +1,6 @@
 //! What a robot does, as a value of no size.
 
+use tip_runtime::model::Point;
 use tip_runtime::plant::{self, Fingertip, ObjectState};
 
 /// The legs or fingers of a robot after a cycle, whatever its sensors say.
@@ -10,6 +11,8 @@ pub struct Limbs {
     pub angles: Vec<Vec<f64>>,
     /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is bolted down.
     pub loads: Vec<f64>,
+    /// What each motor gives, leg by leg: in the robot's torque unit, in N·m if it has none.
+    pub torques: Vec<Vec<f64>>,
 }
 
 impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
@@ -17,6 +20,7 @@ impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
         Limbs {
             angles: limbs.angles.iter().map(|leg| leg.to_vec()).collect(),
             loads: limbs.loads.map_or(Vec::new(), Vec::from),
+            torques: limbs.torques.iter().map(|leg| leg.to_vec()).collect(),
         }
     }
 }
@@ -29,6 +33,8 @@ pub struct Grasp {
     pub fingertips: Vec<Fingertip>,
     /// The objects, in the order of the scene.
     pub objects: Vec<ObjectState>,
+    /// Where the slider is that carries the floor: mm.
+    pub slider: Point,
 }
 
 impl<const L: usize> From<plant::Grasp<L>> for Grasp {
@@ -36,6 +42,7 @@ impl<const L: usize> From<plant::Grasp<L>> for Grasp {
         Grasp {
             fingertips: grasp.fingertips.to_vec(),
             objects: grasp.objects.into_iter().flatten().collect(),
+            slider: grasp.slider,
         }
     }
 }

@@ -93,6 +93,11 @@ impl Robot {
         Ok(self)
     }
 
+    /// What surrounds it, unless it has a plant of its own.
+    pub fn scene(&self) -> &Scene {
+        &self.around.scene
+    }
+
     /// Answers SPECIAL by native code of its owner; for a hand that is usually
     /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
     #[must_use]

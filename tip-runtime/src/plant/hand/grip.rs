@@ -136,6 +136,11 @@ impl<S: ?Sized> Grip<S> {
         self.slider.floor(&self.scene.floor, self.scene.friction)
     }
 
+    /// Where the slider is: mm.
+    pub(super) const fn slider(&self) -> Point {
+        self.slider.position
+    }
+
     /// The objects, in the order of the scene.
     pub(super) fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
         let floor = self.floor();

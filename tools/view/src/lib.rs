@@ -1,0 +1,16 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
+
+mod recorder;
+mod recording;
+mod skeleton;
+mod slips;
+mod trace;
+
+pub use recorder::{Extent, NotRecorded};
+pub use recording::{Assigned, At, Frame, Outcome, Recording, Script, Slip, Stop, Thing, Tick};
+pub use skeleton::{Skeleton, robot_frame};
+pub use tip_sim;
+pub use trace::BadTrace;

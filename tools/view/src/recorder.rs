@@ -1,0 +1,300 @@
+//! Recordings of runs.
+
+use crate::recording::{Assigned, At, Frame, Outcome, Recording, Script, Stop, Thing, Tick};
+use crate::skeleton::Skeleton;
+use crate::slips::Slips;
+use std::fmt;
+use tip_runtime::machine::Mismatch;
+use tip_runtime::program::End;
+use tip_runtime::record::Ending;
+use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run};
+use tipc::Loaded;
+use tipc::language::Keyword;
+use tipc::source::Source;
+
+/// Frames are not closer than this: ms.
+const APART: f64 = 20.0;
+
+/// What sums of times differ by without being different: ms.
+const ROUNDING: f64 = 1e-6;
+
+/// How long a recording may become.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// So many cycles.
+    Cycles(u64),
+    /// So much time of the robot: ms.
+    Time(f64),
+}
+
+impl Extent {
+    /// So many cycles.
+    pub const fn cycles(cycles: u64) -> Self {
+        Extent::Cycles(cycles)
+    }
+
+    /// So many minutes of the robot's time.
+    pub const fn minutes(minutes: f64) -> Self {
+        Extent::Time(minutes * 60_000.0)
+    }
+
+    fn is_over(self, run: &Run) -> bool {
+        match self {
+            Extent::Cycles(cycles) => run.cycles() >= cycles,
+            Extent::Time(time) => run.time() >= time,
+        }
+    }
+}
+
+/// Why nothing can be recorded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotRecorded {
+    /// The text is not a program.
+    NoProgram,
+    /// The program is for another robot.
+    Mismatch(Mismatch),
+    /// One of the events cannot happen.
+    Refused(Refused),
+}
+
+impl fmt::Display for NotRecorded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotRecorded::NoProgram => f.write_str("the text is not a program"),
+            NotRecorded::Mismatch(mismatch) => mismatch.fmt(f),
+            NotRecorded::Refused(refused) => refused.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for NotRecorded {}
+
+impl Recording {
+    /// Runs a program by the reference interpreter to its end, or to that of the extent, as long as `goes_on` agrees.
+    ///
+    /// # Errors
+    /// There is no program, or it cannot run on that robot, or one of the events cannot happen to it.
+    pub fn of(
+        loaded: &Loaded,
+        robot: &Robot,
+        events: &Events,
+        extent: Extent,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> Result<Self, NotRecorded> {
+        let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
+        let interpreter = Interpreter::new(program.clone());
+        let mut run = Run::new(interpreter, robot.clone())
+            .map_err(NotRecorded::Mismatch)?
+            .with_events(events)
+            .map_err(NotRecorded::Refused)?;
+        let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
+        recorder.recording.events = events.all().to_vec();
+        let outcome = loop {
+            if let Some(ending) = run.ending() {
+                break Outcome::from(ending);
+            }
+            if extent.is_over(&run) {
+                break Outcome::Limit;
+            }
+            if !goes_on() {
+                break Outcome::Interrupted;
+            }
+            let cycle = run.cycle();
+            recorder.take(cycle, &run);
+        };
+        Ok(recorder.finish(outcome))
+    }
+}
+
+impl Script {
+    /// That of a program.
+    pub(crate) fn of(source: &Source, program: &tipc::program::Program) -> Self {
+        Script {
+            name: program.source_name().to_owned(),
+            title: program.title().to_owned(),
+            text: source.text().to_owned(),
+            lines: program.steps().iter().map(|step| step.line).collect(),
+            scalars: program.scalar_names().collect(),
+        }
+    }
+
+    pub(crate) fn scalar(&self, name: &str) -> Option<usize> {
+        self.scalars.iter().position(|scalar| scalar == name)
+    }
+}
+
+impl From<Ending> for Outcome {
+    fn from(ending: Ending) -> Self {
+        match ending {
+            Ending::Program(End::End) => Outcome::Program(Keyword::End.word().to_owned()),
+            Ending::Program(End::Exit) => Outcome::Program(Keyword::Exit.word().to_owned()),
+            Ending::Interrupted => Outcome::Interrupted,
+            Ending::Limit => Outcome::Limit,
+            Ending::Emergency(emergency) => Outcome::Emergency(Stop {
+                error: emergency.fault.to_string(),
+                kind: emergency.fault.kind().to_string(),
+                step: emergency.step,
+            }),
+        }
+    }
+}
+
+/// A recording that grows cycle by cycle.
+pub(crate) struct Recorder {
+    pub(crate) recording: Recording,
+    slips: Slips,
+    falls: u32,
+    /// Of the last cycle, if it is not among the frames.
+    pending: Option<Frame>,
+}
+
+impl Recorder {
+    /// Nothing yet.
+    pub(crate) fn new(robot: &Robot, script: Script) -> Self {
+        Recorder {
+            recording: Recording {
+                robot: Skeleton::of(robot),
+                scene: *robot.scene(),
+                script,
+                cycles: 0,
+                clock: Vec::new(),
+                frames: Vec::new(),
+                steps: Vec::new(),
+                messages: Vec::new(),
+                sets: Vec::new(),
+                lamps: Vec::new(),
+                commands: Vec::new(),
+                contacts: Vec::new(),
+                falls: Vec::new(),
+                slips: Vec::new(),
+                events: Vec::new(),
+                outcome: Outcome::Limit,
+            },
+            slips: Slips::default(),
+            falls: 0,
+            pending: None,
+        }
+    }
+
+    fn take(&mut self, happened: Cycle, run: &Run) {
+        let cycle = happened.number;
+        self.keep_time(cycle, happened.time, run.time() - happened.time);
+        self.note(happened);
+        let motion = run.motion();
+        if let Some(motion) = &motion {
+            self.note_falls(cycle, motion.falls, motion.margin);
+        }
+        let mut frame = Frame {
+            cycle,
+            time: run.time(),
+            pose: motion.map(|motion| motion.pose),
+            margin: motion.map(|motion| motion.margin),
+            ..Frame::default()
+        };
+        if let Some(limbs) = run.limbs() {
+            frame.angles = limbs.angles;
+            frame.loads = limbs.loads;
+            frame.torques = limbs.torques;
+        }
+        if let Some(grasp) = run.grasp() {
+            let sum = |tip: &tip_runtime::plant::Fingertip| {
+                [0, 1, 2].map(|axis| tip.on_floor[axis] + tip.on_objects[axis])
+            };
+            frame.pushes = grasp.fingertips.iter().map(sum).collect();
+            frame.slider = Some(grasp.slider);
+            let things = grasp.objects.iter().map(|object| Thing {
+                position: object.position,
+                angle: object.angle,
+            });
+            frame.objects = things.collect();
+        }
+        self.keep(frame);
+    }
+
+    /// A cycle that began at `time` took `period` ms, as those after it do unless they say otherwise.
+    pub(crate) fn keep_time(&mut self, cycle: u64, time: f64, period: f64) {
+        let is_same = |last: &Tick| (last.period - period).abs() < ROUNDING;
+        if !self.recording.clock.last().is_some_and(is_same) {
+            self.recording.clock.push(Tick {
+                cycle,
+                time,
+                period,
+            });
+        }
+    }
+
+    /// What the program did in a cycle.
+    pub(crate) fn note(&mut self, happened: Cycle) {
+        let Cycle {
+            number: cycle,
+            step,
+            set,
+            say,
+            lamp,
+            command,
+            ..
+        } = happened;
+        let recording = &mut self.recording;
+        let Some(step) = step else { return };
+        recording.cycles = cycle + 1;
+        if recording.steps.last().is_none_or(|last| last.what != step) {
+            recording.steps.push(At { cycle, what: step });
+        }
+        recording
+            .messages
+            .extend(say.map(|what| At { cycle, what }));
+        recording.lamps.extend(lamp.map(|what| At { cycle, what }));
+        recording
+            .commands
+            .extend(command.map(|what| At { cycle, what }));
+        for (name, value) in set {
+            let scalar = recording.script.scalar(&name);
+            let assigned = scalar.map(|scalar| Assigned { scalar, value });
+            recording
+                .sets
+                .extend(assigned.map(|what| At { cycle, what }));
+        }
+    }
+
+    /// How often the robot has fallen until the end of a cycle.
+    pub(crate) fn note_falls(&mut self, cycle: u64, falls: u32, margin: f64) {
+        if falls > self.falls {
+            self.falls = falls;
+            let what = margin;
+            self.recording.falls.push(At { cycle, what });
+        }
+    }
+
+    /// What the robot did in a cycle.
+    pub(crate) fn keep(&mut self, frame: Frame) {
+        let recording = &mut self.recording;
+        let cycle = frame.cycle;
+        let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
+        if recording
+            .contacts
+            .last()
+            .is_none_or(|last| last.what != touch)
+        {
+            recording.contacts.push(At { cycle, what: touch });
+        }
+        let slips = self.slips.watch(&recording.robot, &frame);
+        recording
+            .slips
+            .extend(slips.into_iter().map(|what| At { cycle, what }));
+        let is_due = |last: &Frame| frame.time - last.time > APART - ROUNDING;
+        self.pending = match recording.frames.last().is_none_or(is_due) {
+            true => {
+                recording.frames.push(frame);
+                None
+            }
+            false => Some(frame),
+        };
+    }
+
+    /// Nothing more happens.
+    pub(crate) fn finish(mut self, outcome: Outcome) -> Recording {
+        self.recording.frames.extend(self.pending.take());
+        self.recording.outcome = outcome;
+        self.recording
+    }
+}

@@ -1,0 +1,197 @@
+//! Recordings of traces, as `tipc run --trace-motion` writes them.
+
+use crate::recorder::Recorder;
+use crate::recording::{Frame, Outcome, Recording, Script, Stop};
+use serde::Deserialize;
+use serde_json::Value as Json;
+use std::collections::BTreeMap;
+use std::fmt;
+use tip_runtime::command::{FAST, Op, RELATIVE, Target, Value};
+use tip_runtime::machine::Status;
+use tip_runtime::plant::Pose;
+use tip_sim::{Asked, Cycle, Robot};
+use tipc::Loaded;
+use tipc::language::Keyword;
+
+/// Why a text is not the trace of a program's motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BadTrace {
+    /// This line, counted from 1, is not a record.
+    Line(usize, String),
+    /// No record says how the robot moved.
+    NoMotion,
+    /// A record names a step that the program does not have.
+    Step(u32),
+    /// There is no program.
+    NoProgram,
+}
+
+impl fmt::Display for BadTrace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BadTrace::Line(line, why) => write!(f, "line {line} is not a record of a trace: {why}"),
+            BadTrace::NoMotion => {
+                f.write_str("it does not say how the robot moved: write it with --trace-motion")
+            }
+            BadTrace::Step(step) => {
+                write!(f, "it is of another program: this one has no step {step}")
+            }
+            BadTrace::NoProgram => f.write_str("the text is not a program"),
+        }
+    }
+}
+
+impl std::error::Error for BadTrace {}
+
+/// A line of a trace: a cycle, or the end.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Record {
+    cycle: u64,
+    step: u32,
+    next: Option<u32>,
+    set: BTreeMap<String, f64>,
+    say: Option<String>,
+    lamp: BTreeMap<String, bool>,
+    cmd: Vec<Json>,
+    pose: Option<[f64; 6]>,
+    angles: Vec<Vec<f64>>,
+    loads: Vec<f64>,
+    margin: Option<f64>,
+    falls: u32,
+    end: Option<String>,
+    error: String,
+    kind: String,
+}
+
+impl Recording {
+    /// Reads a trace that was written with the robot's motion. Only of a trace's own cycles is anything known: what
+    /// happened from outside, torques and objects are not in it.
+    ///
+    /// # Errors
+    /// It is not the trace of such a program, or it holds no motion.
+    pub fn from_trace(trace: &str, loaded: &Loaded, robot: &Robot) -> Result<Self, BadTrace> {
+        let program = loaded.program.as_ref().ok_or(BadTrace::NoProgram)?;
+        let script = Script::of(&loaded.source, program);
+        let mut period = robot.anatomy().standards.period;
+        let mut time = 0.0;
+        let mut outcome = Outcome::Interrupted;
+        let mut recorder = Recorder::new(robot, script);
+        for (line, text) in (1..).zip(trace.lines()) {
+            let record: Record = serde_json::from_str(text)
+                .map_err(|error| BadTrace::Line(line, error.to_string()))?;
+            if let Some(end) = &record.end {
+                outcome = ending(end, &record);
+                break;
+            }
+            if record.step as usize >= program.steps().len() {
+                return Err(BadTrace::Step(record.step));
+            }
+            let command = asked(&record.cmd);
+            period = command.as_ref().and_then(new_period).unwrap_or(period);
+            recorder.keep_time(record.cycle, time, period);
+            time += period;
+            recorder.take_record(record, command, time);
+        }
+        let recording = recorder.finish(outcome);
+        match recording.frames.is_empty() {
+            true => Err(BadTrace::NoMotion),
+            false => Ok(recording),
+        }
+    }
+}
+
+impl Recorder {
+    /// Takes the record of a cycle that ended at `time` (ms).
+    fn take_record(&mut self, record: Record, command: Option<Asked>, time: f64) {
+        let cycle = record.cycle;
+        let mut lamps = record.lamp.iter();
+        self.note(Cycle {
+            number: cycle,
+            time,
+            step: Some(record.step),
+            next: record.next,
+            set: record.set.into_iter().collect(),
+            say: record.say,
+            lamp: lamps
+                .next()
+                .and_then(|(device, on)| Some((device.parse().ok()?, *on))),
+            command,
+            pose: None,
+            state: 0,
+            status: Status::Running,
+        });
+        if let Some(margin) = record.margin {
+            self.note_falls(cycle, record.falls, margin);
+        }
+        if record.angles.is_empty() {
+            return;
+        }
+        self.keep(Frame {
+            cycle,
+            time,
+            pose: record.pose.map(|[x, y, z, roll, pitch, yaw]| Pose {
+                position: [x, y, z],
+                roll,
+                pitch,
+                yaw,
+            }),
+            angles: record.angles,
+            loads: record.loads,
+            margin: record.margin,
+            ..Frame::default()
+        });
+    }
+}
+
+/// The sampling time (ms) that a command sets.
+fn new_period(command: &Asked) -> Option<f64> {
+    let value = command.values.first()?.number();
+    match command.op {
+        Op::SetSamplingTime => Some(value),
+        Op::SetSamplingFreq => Some(1000.0 / value),
+        _ => None,
+    }
+}
+
+/// `[NAME, TARGET, value, …]`, with HS before the target if it was there.
+fn asked(cmd: &[Json]) -> Option<Asked> {
+    let (name, mut rest) = cmd.split_first()?;
+    let hs = rest.first().and_then(Json::as_str) == Some(FAST);
+    if hs {
+        rest = rest.get(1..)?;
+    }
+    let (target, values) = rest.split_first()?;
+    Some(Asked {
+        op: name.as_str()?.parse().ok()?,
+        hs,
+        target: target
+            .as_str()
+            .map_or(Some(Target::None), |word| word.parse().ok())?,
+        values: values.iter().filter_map(value).collect(),
+    })
+}
+
+fn value(json: &Json) -> Option<Value> {
+    match json {
+        Json::String(text) => {
+            let number = text.strip_prefix(RELATIVE)?;
+            number.parse().ok().map(Value::Relative)
+        }
+        number => number.as_f64().map(Value::Absolute),
+    }
+}
+
+fn ending(end: &str, record: &Record) -> Outcome {
+    let own = [Keyword::End.word(), Keyword::Exit.word()];
+    match end {
+        _ if own.contains(&end) => Outcome::Program(end.to_owned()),
+        "LIMIT" => Outcome::Limit,
+        "EMERGENCY" => Outcome::Emergency(Stop {
+            error: record.error.clone(),
+            kind: record.kind.clone(),
+            step: record.step,
+        }),
+        _ => Outcome::Interrupted,
+    }
+}

@@ -1,0 +1,263 @@
+//! Recordings of runs and of traces.
+
+use std::fs;
+use std::path::Path;
+use tip_runtime::record::{JsonLines, Moved};
+use tip_sim::{Events, Interpreter, Robot, Run, tipc};
+use tip_view::{Extent, Outcome, Recording};
+use tipc::Loaded;
+
+fn example(path: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    fs::read_to_string(root.join("examples").join(path)).expect("the example is there")
+}
+
+fn loaded(text: &str, robot: &Robot) -> Loaded {
+    let loaded = tipc::load("test.prg", text.as_bytes(), &robot.options());
+    assert!(loaded.program.is_some(), "{:?}", loaded.diagnostics);
+    loaded
+}
+
+fn titan() -> Robot {
+    Robot::named("titan8").expect("it has a name")
+}
+
+fn hand() -> Robot {
+    let hand = Robot::named("hand").expect("it has a name");
+    let scene = example("grasp/scene.toml");
+    let scene = tipc::description::parse_scene("scene.toml", scene.as_bytes());
+    hand.with_scene(&scene.expect("a scene"))
+        .expect("it grasps")
+}
+
+fn record(text: &str, robot: &Robot, events: &str, extent: Extent) -> Recording {
+    let events: Events = events.parse().expect("events");
+    Recording::of(&loaded(text, robot), robot, &events, extent, || true).expect("it runs")
+}
+
+const LONG: Extent = Extent::minutes(10.0);
+
+/// The trace of the same run, with its motion.
+fn trace(text: &str, robot: &Robot, events: &str) -> String {
+    let program = loaded(text, robot).program.expect("a program");
+    let run = Run::new(Interpreter::new(program), robot.clone()).expect("its robot");
+    let mut run = run.events(events).expect("events");
+    let mut lines = JsonLines::new(String::new(), false).with_motion();
+    while run.ending().is_none() {
+        run.advance(Some(&mut lines));
+        let limbs = run.limbs().expect("limbs");
+        lines.moved(&Moved {
+            motion: run.motion(),
+            joints_per_leg: limbs.angles[0].len(),
+            angles: &limbs.angles.concat(),
+            loads: &limbs.loads,
+        });
+    }
+    lines.end(run.ending().expect("it ended"), run.cycles());
+    lines.into_inner()
+}
+
+#[test]
+fn each_thing_is_kept_in_its_cycle() {
+    let text = "3.1\nEverything\nDEF_VAR COUNT\nDEF_POS P\nCOUNT = 1\nMESSAGE count is %COUNT%\nLAMP_ON 2\nSLEEP 100\nCOUNT = 2\nP.Y = 0.5\n\
+                MESSAGE_CLEAR\nLAMP_OFF 2\nPTP_ANGLE J11 P.Y\nEXIT\nEND\n";
+    let recording = record(text, &titan(), "3:key F", LONG);
+    // 100 ms are 5 cycles of SLEEP: cycles 3 to 7.
+    let steps: Vec<_> = recording
+        .steps
+        .iter()
+        .map(|at| (at.cycle, at.what))
+        .collect();
+    assert_eq!(steps[..5], [(0, 0), (1, 1), (2, 2), (3, 3), (8, 4)]);
+    assert_eq!(recording.step(7), Some(3));
+    assert_eq!((recording.line(7), recording.line(8)), (Some(8), Some(9)));
+    assert_eq!(recording.step(recording.cycles), None);
+    assert_eq!(recording.cycles, 14);
+    let said: Vec<_> = recording
+        .messages
+        .iter()
+        .map(|at| (at.cycle, &*at.what))
+        .collect();
+    assert_eq!(said, [(1, "count is 1"), (10, "")]);
+    let names = &recording.script.scalars;
+    let sets = recording.sets.iter();
+    let sets: Vec<_> = sets
+        .map(|at| (at.cycle, &*names[at.what.scalar], at.what.value))
+        .collect();
+    assert_eq!(
+        sets,
+        [(0, "COUNT", 1.0), (8, "COUNT", 2.0), (9, "P.Y", 0.5)]
+    );
+    let lamps: Vec<_> = recording
+        .lamps
+        .iter()
+        .map(|at| (at.cycle, at.what))
+        .collect();
+    assert_eq!(lamps, [(2, (2, true)), (11, (2, false))]);
+    let [command] = &recording.commands[..] else {
+        panic!("{:?}", recording.commands)
+    };
+    assert_eq!((command.cycle, command.what.op.name()), (12, "PTP_ANGLE"));
+    assert_eq!(
+        recording.events,
+        "3:key F".parse::<Events>().expect("events").all()
+    );
+    assert_eq!(recording.outcome, Outcome::Program("EXIT".to_owned()));
+    assert_eq!((recording.time(1), recording.time(14)), (20.0, 280.0));
+}
+
+#[test]
+fn motion_is_kept_at_50_hz_and_at_the_end() {
+    let grasp = example("grasp/motions/grasp.prg");
+    let recording = record(&grasp, &hand(), "", Extent::cycles(505));
+    let cycles: Vec<_> = recording.frames.iter().map(|frame| frame.cycle).collect();
+    // 2 ms a cycle: every tenth of them, and the last one.
+    assert_eq!(cycles[..3], [0, 10, 20]);
+    assert_eq!(cycles[cycles.len() - 2..], [500, 504]);
+    assert_eq!(recording.outcome, Outcome::Limit);
+    let last = recording.frames.last().expect("frames");
+    assert_eq!(
+        (last.objects.len(), last.pushes.len(), last.pose),
+        (1, 3, None)
+    );
+    assert!(
+        last.slider.is_some_and(|at| at[1] < -130.0),
+        "{:?}",
+        last.slider
+    );
+}
+
+#[test]
+fn time_ends_a_recording_and_so_does_an_interruption() {
+    let endless = "3.1\nEndless\nAGAIN:\nGOTO AGAIN:\nEND\n";
+    let recording = record(endless, &titan(), "", Extent::minutes(0.1));
+    assert_eq!((recording.cycles, recording.outcome), (300, Outcome::Limit));
+    let mut cycles = 0;
+    let seven = || {
+        cycles += 1;
+        cycles <= 7
+    };
+    let robot = titan();
+    let loaded = loaded(endless, &robot);
+    let recording = Recording::of(&loaded, &robot, &Events::NONE, LONG, seven).expect("it runs");
+    assert_eq!(
+        (recording.cycles, recording.outcome),
+        (7, Outcome::Interrupted)
+    );
+}
+
+#[test]
+fn another_sampling_time_moves_the_clock() {
+    let text = "3.1\nSlower\nREM\nSET_SAMPLING_TIME 50\nREM\nREM\nEND\n";
+    let recording = record(text, &titan(), "", LONG);
+    let ticks = recording
+        .clock
+        .iter()
+        .map(|tick| (tick.cycle, tick.time, tick.period));
+    let ticks: Vec<_> = ticks.collect();
+    // END gives back what the program set as soon as the robot is at rest, here in its own cycle.
+    assert_eq!(ticks, [(0, 0.0, 20.0), (1, 20.0, 50.0), (4, 170.0, 20.0)]);
+    let ends = recording.frames.iter().map(|frame| frame.time);
+    let begins = (1..=recording.cycles).map(|cycle| recording.time(cycle));
+    assert!(
+        ends.eq(begins),
+        "each cycle begins where the one before ended"
+    );
+}
+
+#[test]
+fn falls_slips_and_contacts_are_noticed() {
+    // Two feet of one side go up: the body tips over them.
+    let text = "3.1\nTips\nSTAND_UP 60\nWAIT_INPOS ALL\nPTP F1 -391 201 -60\nPTP F3 -391 -201 -60\nWAIT_INPOS ALL\nEND\n";
+    let recording = record(text, &titan(), "", LONG);
+    assert_eq!(recording.falls.len(), 1);
+    assert!(recording.falls[0].what < 0.0);
+    let both = |touch: &Vec<bool>| !touch[0] && !touch[2];
+    assert!(recording.contacts.iter().any(|at| both(&at.what)) || recording.falls[0].cycle > 0);
+    // One foot that stands is sent sideways: it, or the others, must give way.
+    let text = "3.1\nSlips\nSTAND_UP 60\nWAIT_INPOS ALL\nREL_PTP F1 40 0 0\nWAIT_INPOS ALL\nEND\n";
+    let recording = record(text, &titan(), "", LONG);
+    assert!(!recording.slips.is_empty());
+    assert!(recording.slips.iter().all(|slip| slip.what.distance > 5.0));
+    let walk = record(&example("walk/motions/walk.prg"), &titan(), "", LONG);
+    assert_eq!((walk.falls.len(), walk.slips.len()), (0, 0));
+}
+
+#[test]
+fn a_trace_gives_the_recording_of_its_run() {
+    let hexapod = Robot::description(&example("six-legs/hexapod.toml")).expect("a robot");
+    let slower = "3.1\nSlower\nSET_SAMPLING_TIME 7\nPTP_ANGLE J11 9\nSLEEP 300\nLAMP_ON 1\nEND\n";
+    for (text, robot, events) in [
+        (example("walk/motions/walk.prg"), titan(), "900:halt"),
+        (example("six-legs/motions/tripod.prg"), hexapod, ""),
+        (example("grasp/motions/grasp.prg"), hand(), ""),
+        (slower.to_owned(), titan(), ""),
+        (
+            "3.1\nFails\nREM\nPTP F1 0 0 0\nEND\n".to_owned(),
+            titan(),
+            "",
+        ),
+    ] {
+        let mut expected = record(&text, &robot, events, LONG);
+        let trace = trace(&text, &robot, events);
+        let read = Recording::from_trace(&trace, &loaded(&text, &robot), &robot).expect("a trace");
+        // What a trace does not say, and the cycle of an emergency, of which it has no record.
+        expected.events.clear();
+        expected
+            .frames
+            .retain(|frame| frame.cycle < expected.cycles);
+        expected.clock.retain(|tick| tick.cycle < expected.cycles);
+        for frame in &mut expected.frames {
+            frame.torques.clear();
+            frame.objects.clear();
+            frame.pushes.clear();
+            frame.slider = None;
+        }
+        assert_eq!(read.frames.len(), expected.frames.len());
+        for (read, expected) in read.frames.iter().zip(&expected.frames) {
+            let late = read.time - expected.time;
+            assert!(late.abs() < 1e-6, "{text}: cycle {}, {late} ms", read.cycle);
+            assert_eq!(
+                (read.cycle, read.pose, &read.angles),
+                (expected.cycle, expected.pose, &expected.angles)
+            );
+            assert_eq!(
+                (read.margin, &read.loads),
+                (expected.margin, &expected.loads)
+            );
+        }
+        assert_eq!(
+            (&read.steps, &read.messages),
+            (&expected.steps, &expected.messages)
+        );
+        assert_eq!(
+            (&read.lamps, &read.falls),
+            (&expected.lamps, &expected.falls)
+        );
+        assert_eq!(
+            (&read.slips, &read.outcome),
+            (&expected.slips, &expected.outcome)
+        );
+        assert_eq!(read.commands.len(), expected.commands.len());
+        assert_eq!(read.sets.len(), expected.sets.len());
+        assert_eq!(
+            (read.cycles, read.clock.len()),
+            (expected.cycles, expected.clock.len())
+        );
+    }
+}
+
+#[test]
+fn what_is_no_trace_is_refused_with_a_reason() {
+    let robot = titan();
+    let loaded = loaded("3.1\nShort\nEND\n", &robot);
+    let refused = |trace: &str| {
+        let refused = Recording::from_trace(trace, &loaded, &robot).expect_err("it is none");
+        refused.to_string()
+    };
+    assert!(refused("{\"cycle\":0,\"step\":0}\n").contains("--trace-motion"));
+    assert!(refused("").contains("--trace-motion"));
+    assert!(refused("{\"cycle\":0,\"step\":0}\nhello\n").starts_with("line 2 is not a record"));
+    assert!(refused("{\"cycle\":0,\"step\":9}\n").ends_with("no step 9"));
+    assert!(refused("{\"cycle\":-1}").starts_with("line 1"));
+}
