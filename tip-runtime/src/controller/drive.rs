@@ -1,6 +1,7 @@
 //! What moves the joints of one leg: their own set points, or that of a point of the leg.
 
 mod advance;
+mod bend;
 mod guide;
 mod law;
 mod lead;

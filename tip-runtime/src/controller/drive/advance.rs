@@ -164,7 +164,7 @@ impl<const J: usize> LegDrive<J> {
         let (inverse, place) = (going.inverse, track.position());
         self.lead
             .look(leg.model, inverse, point, &self.angles, place);
-        let held = going.held || self.lead.is_sought();
+        let held = going.held || self.lead.waits();
         track.advance(leg.params.foot.limits(), going.dt, held);
         if let Some(target) = track.goal().target() {
             let line = (track.position(), target);

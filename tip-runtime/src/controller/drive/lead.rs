@@ -5,6 +5,7 @@
 //! rest to that posture. The line is tried out before the leg sets off; where a posture leads into a
 //! limit, another one is tried. If that takes more than one cycle, the leg waits, or brakes first.
 
+use super::bend::Bend;
 use super::guide::{Guide, Line};
 use super::reach::has_few_joints;
 use super::search::{Outcome, Search};
@@ -19,6 +20,8 @@ pub(in crate::controller) enum Lead<const J: usize> {
     None,
     /// Postures that are yet to be found.
     Sought(Search<J>),
+    /// The leg bends, and follows its line then.
+    Bends(Bend<J>),
     /// Postures that lead to the target.
     Found(Guide<J>),
 }
@@ -61,6 +64,11 @@ impl<const J: usize> Lead<J> {
         from: &[f64; J],
         place: [f64; 3],
     ) {
+        if let Lead::Bends(bend) = self
+            && let Some(guide) = bend.done(from)
+        {
+            *self = Lead::Found(guide);
+        }
         let Lead::Sought(search) = self else {
             return;
         };
@@ -70,11 +78,13 @@ impl<const J: usize> Lead<J> {
             None => {}
             Some(Outcome::Nothing) => *self = Lead::None,
             Some(Outcome::Found(guide)) => *self = Lead::Found(guide),
+            Some(Outcome::Bends(bend)) => *self = Lead::Bends(bend),
         }
     }
 
-    pub(super) fn is_sought(&self) -> bool {
-        matches!(self, Lead::Sought(_))
+    /// Whether the point has to wait.
+    pub(super) fn waits(&self) -> bool {
+        matches!(self, Lead::Sought(_) | Lead::Bends(_))
     }
 
     pub(super) fn is_none(&self) -> bool {
@@ -83,14 +93,17 @@ impl<const J: usize> Lead<J> {
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
-        if let Lead::Found(guide) = self {
-            guide.advance(line, dt, held);
+        match self {
+            Lead::None | Lead::Sought(_) => {}
+            Lead::Bends(bend) => bend.advance(dt, held),
+            Lead::Found(guide) => guide.advance(line, dt, held),
         }
     }
 
     pub(super) fn is_at_rest(&self) -> bool {
         match self {
             Lead::None | Lead::Sought(_) => true,
+            Lead::Bends(_) => false,
             Lead::Found(guide) => guide.is_at_rest(),
         }
     }
@@ -100,6 +113,7 @@ impl<const J: usize> Lead<J> {
         match self {
             Lead::None => None,
             Lead::Sought(_) => Some(*angles),
+            Lead::Bends(bend) => Some(bend.posture(angles)),
             Lead::Found(guide) => Some(guide.posture(line.0, line.1)),
         }
     }

@@ -3,6 +3,7 @@
 //! It begins at the target with the posture nearest to the present one. Where that leads into a limit,
 //! it goes on from postures that are spread over the limits.
 
+use super::bend::{Bend, Bending, Bent};
 use super::guide::{Guide, Line};
 use super::trial::{PointOfLeg, Shown, Trial};
 use crate::kinematics::{self, resolve_piece};
@@ -14,6 +15,9 @@ const A_CYCLE: usize = 48;
 /// How many pieces take as many turns as a posture that is started from anywhere.
 const START: usize = 6;
 
+/// How many postures a leg that has bent starts from.
+const STARTS_OF_BENT: usize = 4;
+
 /// How often a posture at the target is drawn nearer to the present one.
 const DRAWS: u8 = 8;
 
@@ -24,6 +28,8 @@ pub(in crate::controller) struct Search<const J: usize> {
     line: Line,
     /// Where the joints return to, if they do.
     home: Option<[f64; J]>,
+    /// Whether `from` is the posture to which a nearly straight leg may bend first.
+    is_bent: bool,
     /// The number of the next posture to start from: 0 of the present one.
     next: usize,
     stage: Stage<J>,
@@ -37,6 +43,8 @@ enum Stage<const J: usize> {
     Drawing([f64; J], u8),
     /// Postures are tried out.
     Trying(Trial<J>),
+    /// The leg is bent to the other side.
+    Bending(Bending<J>),
     /// None is left.
     Exhausted,
 }
@@ -46,7 +54,7 @@ impl<const J: usize> Stage<J> {
     const fn pieces(&self) -> usize {
         match self {
             Stage::Starting => START,
-            Stage::Drawing(..) | Stage::Trying(_) | Stage::Exhausted => 1,
+            Stage::Drawing(..) | Stage::Trying(_) | Stage::Bending(_) | Stage::Exhausted => 1,
         }
     }
 }
@@ -55,6 +63,8 @@ impl<const J: usize> Stage<J> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome<const J: usize> {
     Found(Guide<J>),
+    /// Once the leg has bent.
+    Bends(Bend<J>),
     /// No postures are known that lead there.
     Nothing,
 }
@@ -70,6 +80,7 @@ impl<const J: usize> Search<J> {
             from,
             line,
             home,
+            is_bent: false,
             next: 0,
             stage,
         }
@@ -102,9 +113,24 @@ impl<const J: usize> Search<J> {
             Stage::Drawing(end, draws) => self.draw(point, end, draws),
             Stage::Trying(trial) => match trial.try_piece(point, self.line) {
                 Shown::SoFar(trial) => Stage::Trying(trial),
+                Shown::Leads(guide) if self.is_bent => {
+                    let bend = Bend::new(point, self.from, guide.with_left(0.0), self.line);
+                    return Some(Outcome::Bends(bend));
+                }
                 Shown::Leads(guide) => return Some(Outcome::Found(guide)),
                 Shown::Fails => Stage::Starting,
             },
+            Stage::Bending(bending) => match bending.bend(point, self.line.0) {
+                Bent::SoFar(bending) => Stage::Bending(bending),
+                Bent::To(angles) => {
+                    (self.from, self.next, self.is_bent) = (angles, 0, true);
+                    Stage::Starting
+                }
+                Bent::Fails => return Some(Outcome::Nothing),
+            },
+            Stage::Exhausted if self.home.is_none() && !self.is_bent => {
+                Stage::Bending(Bending::new(self.from))
+            }
             Stage::Exhausted => {
                 let direct = self.home.map(|home| straight(self.from, home, self.line));
                 return Some(direct.map_or(Outcome::Nothing, Outcome::Found));
@@ -115,7 +141,8 @@ impl<const J: usize> Search<J> {
 
     fn start(&mut self, point: &PointOfLeg<'_, J>) -> Stage<J> {
         let mut starts = core::iter::once(self.from).chain(kinematics::starts(point.leg));
-        let Some(start) = starts.nth(self.next) else {
+        let is_last = self.is_bent && self.next >= STARTS_OF_BENT;
+        let Some(start) = starts.nth(self.next).filter(|_| !is_last) else {
             return Stage::Exhausted;
         };
         self.next += 1;

@@ -16,8 +16,9 @@ impl Dice {
     }
 }
 
-/// Cycles that a search takes at most: 18 postures, a line of 400 pieces each, 9 solutions before.
-const LONGEST: usize = 18 * 414 / A_CYCLE + 1;
+/// Cycles that a search takes at most: 18 postures, 60 steps of bending, 4 postures more; a line of 400
+/// pieces each, 9 solutions before.
+const LONGEST: usize = (18 * 414 + 60 + 4 * 414) / A_CYCLE + 1;
 
 /// What became of a search, in how many cycles; each is compared with as many steps.
 fn searched(
