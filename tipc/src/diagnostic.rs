@@ -1,6 +1,9 @@
 //! One diagnostic, as every pass makes it.
 
+mod fix;
 mod undecodable;
+
+pub use fix::{Applicability, Edit, Fix};
 
 use crate::code::{Code, Level, Mistake};
 use crate::language::Edition;
@@ -33,6 +36,8 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// The help: what to do about it.
     pub help: Option<Message>,
+    /// Ways to put it right, the best first.
+    pub fixes: Vec<Fix>,
     /// Whose rules it is judged by.
     pub edition: Edition,
 }
@@ -47,6 +52,7 @@ impl Diagnostic {
             reason: reason.into(),
             labels: Vec::new(),
             help: None,
+            fixes: Vec::new(),
             edition: Edition::default(),
         }
     }

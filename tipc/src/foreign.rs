@@ -124,6 +124,19 @@ pub(crate) fn is_unit(word: &str) -> bool {
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
+/// The name that a word begins with: `PRINT` of `PRINT("…")`.
+pub(crate) fn name(word: &str) -> &str {
+    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+    &word[..end.unwrap_or(word.len())]
+}
+
+/// Whether a statement that begins with this word was to show a text.
+pub(crate) fn shows_text(word: &str) -> bool {
+    let name = name(word);
+    let is_message = name.eq_ignore_ascii_case(Keyword::Message.word());
+    is_message || statement(name).is_some_and(|row| row.habit == Habit::ShowText)
+}
+
 /// The marks of comments in other languages.
 const COMMENTS: &[&str] = &["#", "'", "/*", "*/", "--", "%", "(*"];
 
@@ -152,6 +165,34 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
         '、' => ",",
         _ => return None,
     })
+}
+
+/// What a comment begins with here.
+pub(crate) const COMMENT: &str = "//";
+
+/// The mark that a comment of another language begins with.
+pub(crate) fn comment_mark(comment: &str) -> Option<&'static str> {
+    let mut marks = COMMENTS.iter().copied();
+    marks.find(|mark| comment.starts_with(mark))
+}
+
+/// Whether such a comment can be nothing else: `#define` and `--N` do something.
+pub(crate) fn surely_comments(comment: &str) -> bool {
+    let directives = ["define", "if", "else", "endif", "undef", "pragma"];
+    let rest = comment.trim_start_matches('#');
+    match comment_mark(comment) {
+        Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
+        Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
+        mark => mark.is_some(),
+    }
+}
+
+/// Where a comment of another language begins after a statement, if one does.
+pub(crate) fn comment_after(line: &str) -> Option<usize> {
+    let marks = ["#", "'"];
+    let starts = |at: &usize| marks.iter().any(|mark| line[*at..].starts_with(mark));
+    let after_blank = line.match_indices([' ', '\t']).map(|(at, _)| at + 1);
+    after_blank.into_iter().find(starts)
 }
 
 /// The number to write in place of a constant of another language.

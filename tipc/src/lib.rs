@@ -11,6 +11,7 @@ pub mod description;
 pub mod diagnostic;
 pub mod embed;
 pub mod emit;
+mod fix;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod foreign;
@@ -30,6 +31,8 @@ pub mod migrate;
 pub mod parse;
 pub mod program;
 pub mod render;
+#[cfg(feature = "tools")]
+pub mod repair;
 mod robot;
 pub mod source;
 mod suggest;

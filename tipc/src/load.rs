@@ -3,6 +3,7 @@
 use crate::check::check;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
+use crate::fix;
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
@@ -103,6 +104,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
+    fix::attach(&source, &module, &mut diagnostics);
     Loaded {
         source,
         module,

@@ -13,6 +13,7 @@ mod calculating;
 mod commanding;
 #[cfg(feature = "robot-files")]
 mod describing;
+mod fixing;
 #[cfg(feature = "tools")]
 mod formatting;
 mod habit;
@@ -37,6 +38,7 @@ pub use calculating::Calculating;
 pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
+pub use fixing::Fixing;
 #[cfg(feature = "tools")]
 pub use formatting::Formatting;
 pub use habit::Habit;
@@ -65,6 +67,7 @@ tables! {
     Structuring,
     Suggesting,
     Habit,
+    Fixing,
     Warning,
     #[cfg(feature = "robot-files")]
     Describing,

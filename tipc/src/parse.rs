@@ -17,6 +17,8 @@ mod reader;
 mod shape;
 mod statement;
 
+pub(crate) use line::narrow;
+
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;

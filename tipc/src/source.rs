@@ -137,6 +137,26 @@ impl Source {
         self.mark.len() + self.units_before(offset, Unit::Byte)
     }
 
+    /// The bytes of the file.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.changed(std::iter::empty())
+    }
+
+    /// The bytes of the file with other texts in the place of some spans, which follow each other and do not overlap. The
+    /// texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
+    pub(crate) fn changed<'a>(&self, changes: impl Iterator<Item = (Span, &'a str)>) -> Vec<u8> {
+        let mut out = self.mark().to_vec();
+        let mut at = 0;
+        for (span, new) in changes {
+            out.extend_from_slice(self.original(Span::new(at, span.start)));
+            out.extend_from_slice(new.as_bytes());
+            at = span.end;
+        }
+        out.extend_from_slice(self.original(Span::new(at, self.text().len())));
+        out.extend_from_slice(self.tail());
+        out
+    }
+
     /// The DOS end of file that follows the text in the file, if one does.
     pub fn tail(&self) -> &[u8] {
         self.tail

@@ -6,6 +6,7 @@ pub mod compile;
 pub mod description;
 #[cfg(unix)]
 pub mod files;
+pub mod fix;
 pub mod format;
 pub mod load;
 mod lossless;

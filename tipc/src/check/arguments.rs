@@ -179,8 +179,9 @@ impl Resolver<'_> {
 
 /// The command that a word begins with, if something else follows it without a blank: `PTP(F1`, `MESSAGE"…"`.
 fn glued(word: &str) -> Option<&'static str> {
-    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))?;
-    commands::find(&word[..end]).map(|command| command.name)
+    let name = foreign::name(word);
+    let command = commands::find(name).filter(|_| name.len() < word.len())?;
+    Some(command.name)
 }
 
 /// What an unknown word may have been meant to be.
@@ -188,7 +189,8 @@ fn meant_by(word: &str) -> Message {
     if let Some(command) = commands::renamed(word) {
         return Commanding::CalledNow { command }.into();
     }
-    if let Some(row) = foreign::statement(word) {
+    let name = foreign::name(word);
+    if let Some(row) = foreign::statement(word).or_else(|| foreign::statement(name)) {
         return row.habit.clone().into();
     }
     if let Ok(target) = word.parse::<Target>() {

@@ -215,7 +215,7 @@ fn undeclared(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
         let name = finding.subject.clone().unwrap_or_default();
         if let Some(first) = first_of.get(&name).map(|at| &mut kept[*at]) {
             first.labels.push(label(finding.span, Naming::AlsoHere));
-            if !is_guess(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
+            if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
                 first.help = finding.help;
             }
             continue;
@@ -235,6 +235,11 @@ fn label(span: Span, text: impl Into<Message>) -> Label {
         span,
         text: text.into(),
     }
+}
+
+/// Whether a help leaves the type open.
+fn is_open(help: Option<&Message>) -> bool {
+    matches!(help, Some(Message::Naming(Naming::Declare { .. })))
 }
 
 /// Whether a help names one type.

@@ -132,6 +132,23 @@ impl From<usize> for Questions {
 }
 
 messages! {
+    /// So many findings.
+    Findings;
+
+    One "1 finding", "1件";
+    Several { count: usize } "{count} findings", "{count}件";
+}
+
+impl From<usize> for Findings {
+    fn from(count: usize) -> Self {
+        match count {
+            1 => Findings::One,
+            count => Findings::Several { count },
+        }
+    }
+}
+
+messages! {
     /// The robots that a migrated program loads for.
     Loads;
 

@@ -33,6 +33,7 @@ const PHRASES: &[&[Row]] = &[
     JointKind::ROWS,
     Changes::ROWS,
     Questions::ROWS,
+    Findings::ROWS,
     Loads::ROWS,
     Declared::ROWS,
     Type::ROWS,

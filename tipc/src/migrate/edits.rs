@@ -20,15 +20,7 @@ impl Edits {
     /// The bytes of the file with every edit.
     pub(super) fn apply(mut self, source: &Source) -> Vec<u8> {
         self.0.sort_by_key(|(span, _)| *span);
-        let mut out = source.mark().to_vec();
-        let mut at = 0;
-        for (span, new) in &self.0 {
-            out.extend_from_slice(source.original(Span::new(at, span.start)));
-            out.extend_from_slice(new.as_bytes());
-            at = span.end;
-        }
-        out.extend_from_slice(source.original(Span::new(at, source.text().len())));
-        out.extend_from_slice(source.tail());
-        out
+        let changes = self.0.iter().map(|(span, new)| (*span, new.as_str()));
+        source.changed(changes)
     }
 }

@@ -1,7 +1,7 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::Parser;
 use super::shape::meant;
+use super::{Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign::{self, Means};
@@ -211,7 +211,7 @@ impl Parser<'_> {
 
     /// The keyword that a first word in full-width letters is meant to be.
     pub(super) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
-        let narrow = super::line::narrow(self.source.slice(word));
+        let narrow = narrow(self.source.slice(word));
         keywords::find(&narrow, self.module.edition)
     }
 

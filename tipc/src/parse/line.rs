@@ -1,6 +1,6 @@
 //! One line: its comment, its statements, their labels, and the words that need a line of their own.
 
-use super::{Flow, NAME_LIMIT, Parser};
+use super::{Flow, LINE_LIMIT, NAME_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
@@ -107,7 +107,7 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
-        } else if foreign::is_comment(self.source.slice(self.line.span).trim()) {
+        } else if self.is_in_foreign_comment(place) {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.help(Parsing::PlainNames);
@@ -115,6 +115,15 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
         self.report(diagnostic);
+    }
+
+    /// Whether a comment of another language begins before a place on its line.
+    fn is_in_foreign_comment(&self, place: Span) -> bool {
+        let line = self.line.span;
+        let before = self.source.slice(Span::new(line.start, place.start));
+        // Of a line that is too long it does not matter.
+        let is_after = || before.len() <= LINE_LIMIT && foreign::comment_after(before).is_some();
+        foreign::is_comment(self.source.slice(line).trim()) || is_after()
     }
 
     /// ELSE, ENDIF, WEND and REPEAT allow no other statement on their line.
@@ -178,7 +187,7 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
 }
 
 /// The text with half-width letters, digits and signs for full-width ones.
-pub(super) fn narrow(text: &str) -> String {
+pub(crate) fn narrow(text: &str) -> String {
     text.chars()
         .map(|char| narrow_char(char).unwrap_or(char))
         .collect()

@@ -50,6 +50,9 @@ impl Parser<'_> {
         let mut tokens = std::mem::take(&mut self.tokens);
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
+        // In what is to be shown, any character may stand.
+        let shows = keyword.is_none() && foreign::shows_text(self.source.slice(word));
+        let foreign = foreign.filter(|_| !shows);
         if let Some(foreign) = foreign {
             self.report_foreign(foreign);
         }

@@ -8,7 +8,7 @@ use tip_runtime::printable::acts;
 
 /// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
-/// that finer codes are part of), `range` and `labels` with the places in every unit, and the file's `encoding`.
+/// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, and the file's `encoding`.
 pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let mut out = String::from("{\"level\":");
@@ -33,6 +33,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     out.push_str(",\"range\":");
     push_range(&mut out, source, diagnostic.span);
     push_labels(&mut out, source, diagnostic, lang);
+    push_fixes(&mut out, source, diagnostic, lang);
     push_member(&mut out, "encoding", source.charset().name());
     out.push('}');
     out
@@ -51,6 +52,30 @@ fn push_labels(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang:
         out.push_str(",\"range\":");
         push_range(out, source, label.span);
         out.push('}');
+    }
+    out.push(']');
+}
+
+/// Ways to put it right, each with what is to be changed.
+fn push_fixes(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
+    out.push_str(",\"fixes\":[");
+    for (index, fix) in diagnostic.fixes.iter().enumerate() {
+        out.push_str(if index == 0 { "{" } else { ",{" });
+        out.push_str("\"title\":");
+        push_string(out, &fix.title.in_lang(lang).to_string());
+        push_member(out, "applicability", fix.applicability.name());
+        out.push_str(",\"edits\":[");
+        for (index, edit) in fix.edits.iter().enumerate() {
+            out.push_str(if index == 0 {
+                "{\"range\":"
+            } else {
+                ",{\"range\":"
+            });
+            push_range(out, source, edit.span);
+            push_member(out, "text", &edit.text);
+            out.push('}');
+        }
+        out.push_str("]}");
     }
     out.push(']');
 }

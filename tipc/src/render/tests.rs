@@ -224,7 +224,7 @@ fn json_is_one_object_on_one_line() {
             r#""end":{"byte":11,"line":3,"column":4,"utf8":6,"utf16":4}},"#,
             r#""labels":[{"text":"there","#,
             r#""range":{"start":{"byte":4,"line":2,"column":1,"utf8":1,"utf16":1},"#,
-            r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"encoding":"UTF-8"}"#
+            r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"fixes":[],"encoding":"UTF-8"}"#
         )
     );
     let warning = at(&source, Code::CommentInMessage, "3.1", "here");
@@ -234,7 +234,7 @@ fn json_is_one_object_on_one_line() {
             r#"{"level":"warning","message":"the comment cuts this MESSAGE text","code":"W103","#,
             r#""file":"a\"b\\.prg","line":1,"column":1,"reason":"here","class":"W103","#,
             r#""range":{"start":{"byte":0,"line":1,"column":1,"utf8":1,"utf16":1},"#,
-            r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"encoding":"UTF-8"}"#
+            r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"fixes":[],"encoding":"UTF-8"}"#
         )
     );
 }

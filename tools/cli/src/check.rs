@@ -2,9 +2,10 @@
 
 use super::arguments::SourceArguments;
 use super::error::Error;
-use super::{Status, input, report};
+use super::{Status, fix, input, report};
 use clap::Args;
 use std::path::PathBuf;
+use tipc::diagnostic::Applicability;
 
 /// `tipc check`
 #[derive(Debug, Args)]
@@ -16,15 +17,35 @@ use std::path::PathBuf;
   tipc check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
   tipc check - < walk.prg                     from standard input
   tipc check --lang ja walk.prg               reasons and helps in Japanese
+  tipc check --fix walk.prg                   put right what is certain, and report what is left
+  tipc check --fix - < walk.prg > new.prg     the program with its fixes on standard output
 
-Exit status: 0 if every program loads (warnings do not count), 1 otherwise.")]
+Exit status: 0 if every program loads (warnings do not count), 1 otherwise; with --fix, if it loads after its fixes.")]
 pub(super) struct Check {
     /// The programs; '-' is standard input
     #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
 
+    /// Apply the fixes that are certain, and write the files; from standard input to standard output
+    #[arg(long)]
+    fix: bool,
+
+    /// Apply likely fixes as well
+    #[arg(long, requires = "fix")]
+    unsafe_fixes: bool,
+
     #[command(flatten)]
     pub(super) source: SourceArguments,
+}
+
+impl Check {
+    /// How sure a fix must be to be applied, if any is.
+    fn least(&self) -> Option<Applicability> {
+        self.fix.then_some(match self.unsafe_fixes {
+            true => Applicability::Likely,
+            false => Applicability::Certain,
+        })
+    }
 }
 
 /// Checks each file; one that does not load makes the whole command fail.
@@ -40,14 +61,23 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
     let options = arguments.source.options(robot);
     let mut status = Status::Success;
     let mut total = report::Total::default();
+    let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
-        let loaded = input::load(file, &options);
-        report::check(&loaded, shown)?;
+        let loaded = match arguments.least() {
+            Some(least) => fix::fix(file, &options, least, shown)?,
+            None => {
+                let loaded = fix::offered(input::load(file, &options), &options, shown);
+                report::check(&loaded, shown)?;
+                loaded
+            }
+        };
         total.add(&loaded);
+        fixable.add(&loaded, &options, shown);
         if loaded.program.is_none() {
             status = Status::Failure;
         }
     }
     total.report(shown);
+    fixable.report(shown);
     Ok(status)
 }

@@ -10,6 +10,7 @@ mod describe;
 mod emit;
 mod error;
 mod explain;
+mod fix;
 mod fmt;
 mod input;
 mod interrupt;
@@ -34,6 +35,7 @@ use std::process::ExitCode;
     arg_required_else_help = true,
     after_help = "A first session:
   tipc check walk.prg                 report all its errors at once
+  tipc check --fix walk.prg           put right what is certain
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc fmt walk.prg                   lay it out in the one style
   tipc emit rust walk.prg -o walk.rs  write it as Rust source

@@ -69,6 +69,7 @@ const BESIDE: &[(&str, &str)] = &[
 
 /// Tables of which no row is a reason of a code that covers several kinds.
 const OTHERS: &[&str] = &[
+    "Fixing",
     "Warning",
     "Describing",
     "Importing",

@@ -145,7 +145,7 @@ fn people_see_the_line_without_colour_in_a_pipe() {
     }
     assert!(!outcome.err.contains('\x1b'), "{}", outcome.err);
     assert!(
-        outcome.err.ends_with("bad.prg: 1 error, 0 warnings\n"),
+        outcome.err.contains("\n\nbad.prg: 1 error, 0 warnings\n"),
         "{}",
         outcome.err
     );

@@ -7,6 +7,7 @@ mod cycles;
 mod emit;
 #[cfg(target_os = "linux")]
 mod faults;
+mod fix;
 mod fmt;
 #[cfg(unix)]
 mod guides;

@@ -1,0 +1,64 @@
+//! Fixes: what they write loads with no new finding, a program that loads goes on to, and nothing is left to be done.
+
+use tipc::code::{Code, Level};
+use tipc::diagnostic::Applicability;
+use tipc::message::{Habit, Lang, Message};
+use tipc::repair::{Applied, confirm, render_json, render_short, repair};
+use tipc::{Loaded, Options, load};
+
+/// Puts right what is certain in the bytes, then what is likely.
+///
+/// # Panics
+/// A fix does other than it says, or has a new finding.
+pub fn examine(bytes: &[u8]) {
+    let options = Options::default();
+    let before = load("random.prg", bytes, &options);
+    for least in [Applicability::Certain, Applicability::Likely] {
+        let repaired = repair(before.clone(), &options, least);
+        for lang in Lang::ALL {
+            render_short(&repaired, *lang);
+            render_json(&repaired, *lang);
+        }
+        let (applied, after) = (repaired.applied, repaired.loaded);
+        let written = after.source.bytes();
+        let seen = String::from_utf8_lossy(bytes);
+        assert_eq!(applied.is_empty(), written == bytes, "{seen}");
+        let again = load("random.prg", &written, &options);
+        assert_eq!(again.diagnostics, after.diagnostics, "{seen}");
+        assert!(
+            before.program.is_none() || after.program.is_some(),
+            "{seen}"
+        );
+        if !applied.iter().any(shows_more) {
+            let (old, new) = (errors(&before, &before), errors(&after, &before));
+            let gone = applied
+                .iter()
+                .filter(|it| it.finding.level() == Level::Error);
+            assert!(new + gone.count() <= old, "{seen}\n{applied:#?}");
+        }
+    }
+    confirm(before, &options);
+}
+
+/// How many errors there are, but for those that `before` could not have had: without whole blocks, the use of variables
+/// is not judged.
+fn errors(loaded: &Loaded, before: &Loaded) -> usize {
+    let is_broken = before
+        .diagnostics
+        .iter()
+        .any(|it| it.code == Code::Structure);
+    let could_be = |code: Code| !is_broken || code != Code::NeverAssigned;
+    let errors = loaded
+        .diagnostics
+        .iter()
+        .filter(|it| it.level() == Level::Error);
+    errors.filter(|it| could_be(it.code)).count()
+}
+
+/// Whether what was fixed hid the rest of the program.
+fn shows_more(applied: &Applied) -> bool {
+    matches!(
+        applied.finding.reason,
+        Message::Habit(Habit::EndInTwo { .. })
+    )
+}

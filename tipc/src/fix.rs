@@ -1,0 +1,47 @@
+//! Fixes: for what a finding says, the changes of the text that put it right. It judges no program: what the checker knows
+//! stands in the finding's messages, all else in the statement around its place.
+
+mod blocks;
+mod characters;
+mod declarations;
+mod jumps;
+mod operators;
+mod site;
+mod texts;
+mod words;
+
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::source::Source;
+use crate::syntax::Module;
+use site::{Shared, Site};
+
+/// What may know a fix. The first that does is asked.
+const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
+    characters::fix,
+    texts::fix,
+    words::fix,
+    jumps::fix,
+    blocks::fix,
+    operators::fix,
+    declarations::fix,
+];
+
+/// Gives each finding the fix that is known for it.
+pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagnostic]) {
+    let shared = Shared::default();
+    for diagnostic in diagnostics {
+        let site = Site::new(source, module, &shared, diagnostic);
+        let fix = ROOMS.iter().find_map(|room| room(&site));
+        diagnostic.fixes = fix
+            .filter(|fix| is_sound(source, fix))
+            .into_iter()
+            .collect();
+    }
+}
+
+/// Whether its edits change the text, follow each other, and write what every encoding spells alike.
+fn is_sound(source: &Source, fix: &Fix) -> bool {
+    let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
+    let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;
+    !fix.edits.is_empty() && fix.edits.iter().all(is_change) && fix.edits.windows(2).all(follows)
+}

@@ -1,0 +1,57 @@
+//! Labels and jumps.
+
+use super::site::Site;
+use crate::diagnostic::{Edit, Fix};
+use crate::language::Keyword;
+use crate::lex::BLANKS;
+use crate::message::{Commanding, Fixing, Habit, Message, Parsing};
+use crate::source::Span;
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (Message::Parsing(Parsing::LabelColonMissing | Parsing::NameColonMissing), _) => {
+            Some(colon(site))
+        }
+        (_, Some(Message::Habit(Habit::LoopLabel)))
+        | (_, Some(Message::Commanding(Commanding::LabelOrEquation))) => {
+            let is_alone = site.statement()?.span == site.span();
+            (is_alone && site.is_target(site.text())).then(|| colon(site))
+        }
+        (Message::Parsing(Parsing::BlankBeforeColon), _) => {
+            let edits = [Edit::replace(site.span(), ":")];
+            Some(Fix::certain(Fixing::RemoveBlanks, edits))
+        }
+        (Message::Habit(Habit::ThenJumps { .. }), _) => without_then(site),
+        (_, Some(Message::Habit(Habit::WithoutColon { .. }))) => without_colon(site),
+        _ => None,
+    }
+}
+
+/// `GOTO L1`, `START`.
+fn colon(site: &Site<'_>) -> Fix {
+    let title = Fixing::Insert { text: ":".into() };
+    Fix::certain(title, [Edit::insert(site.span().end, ":")])
+}
+
+/// `IF c THEN GOTO L1:`, `IF c GOTO L1: THEN`.
+fn without_then(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|it| site.is(it, Keyword::Then))?;
+    let before = tokens.get(at.checked_sub(1)?)?;
+    let rest = Span::new(before.span.end, tokens[at].span.end);
+    let title = Fixing::Remove {
+        text: Keyword::Then.into(),
+    };
+    Some(Fix::certain(title, [Edit::remove(rest)]))
+}
+
+/// `ELSE:`
+fn without_colon(site: &Site<'_>) -> Option<Fix> {
+    let end = site.span().end;
+    let rest = site.slice(Span::new(end, site.line().span.end));
+    let blanks = rest.len() - rest.trim_start_matches(BLANKS).len();
+    let is_colon = rest[blanks..].starts_with(':');
+    let title = Fixing::Remove { text: ":".into() };
+    let edit = Edit::remove(Span::new(end, end + blanks + 1));
+    is_colon.then(|| Fix::certain(title, [edit]))
+}

@@ -1,0 +1,80 @@
+//! Whether a changed text is better: what was to be put right is gone, and nothing else is wrong that could be seen before.
+
+use crate::code::{Code, Level};
+use crate::diagnostic::{Diagnostic, Edit};
+use crate::load::Loaded;
+use crate::syntax::StatementKind;
+use std::collections::HashMap;
+
+/// Whether the findings with these indices are gone, and none is new.
+pub(super) fn is_better(before: &Loaded, after: &Loaded, fixed: &[usize], edits: &[&Edit]) -> bool {
+    let mut allowed: HashMap<(Code, String), usize> = HashMap::new();
+    for finding in &before.diagnostics {
+        *allowed.entry(key(finding)).or_default() += 1;
+    }
+    for index in fixed {
+        if let Some(count) = allowed.get_mut(&key(&before.diagnostics[*index])) {
+            *count -= 1;
+        }
+    }
+    let seen = Seen::of(before, edits);
+    let mut judged = after.diagnostics.iter().filter(|it| seen.would_show(it));
+    judged.all(|finding| match allowed.get_mut(&key(finding)) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    })
+}
+
+/// What makes two findings the same, wherever they are.
+fn key(finding: &Diagnostic) -> (Code, String) {
+    (finding.code, finding.reason.to_string())
+}
+
+/// What was looked at before the change.
+struct Seen {
+    /// How far the text was read, as a place of the changed text.
+    read: usize,
+    /// The blocks were whole, so that the use of variables was judged.
+    usage: bool,
+    /// There was a program, so that its warnings were known.
+    program: bool,
+}
+
+impl Seen {
+    fn of(before: &Loaded, edits: &[&Edit]) -> Seen {
+        let last = before.module.statements.last();
+        let end = last.filter(|last| matches!(last.kind, StatementKind::End));
+        let read = end.map_or(before.source.text().len(), |end| end.span.end);
+        // No further than the start of a change across the end.
+        let edits = edits.iter().filter(|edit| edit.span.start < read);
+        let (gone, new) = edits.fold((0, 0), |(gone, new), edit| {
+            let gone = gone + edit.span.end.min(read) - edit.span.start;
+            (gone, new + edit.text.len())
+        });
+        Seen {
+            read: if end.is_some() {
+                read + new - gone
+            } else {
+                usize::MAX
+            },
+            usage: before
+                .diagnostics
+                .iter()
+                .all(|it| it.code != Code::Structure),
+            program: before.program.is_some(),
+        }
+    }
+
+    /// Whether a finding of the changed text would have been reported before.
+    fn would_show(&self, finding: &Diagnostic) -> bool {
+        let is_usage = matches!(
+            finding.code,
+            Code::NeverAssigned | Code::Unused | Code::NeverRead
+        );
+        let is_warning = finding.level() == Level::Warning;
+        finding.span.start < self.read && (self.usage || !is_usage) && (self.program || !is_warning)
+    }
+}

@@ -1,0 +1,100 @@
+//! `tipc check --fix`: files with their fixes, and what can be fixed.
+
+use super::choices::Format;
+use super::error::Error;
+use super::shown::Shown;
+use super::{input, output, report};
+use std::path::Path;
+use tip_runtime::printable::Printable;
+use tipc::diagnostic::Applicability;
+use tipc::message::Fixing;
+use tipc::repair::{Repaired, confirm, render_json, render_short, repair};
+use tipc::{Loaded, Options};
+
+/// Applies fixes to a program and writes it if there were any; what is left is reported and returned.
+pub(super) fn fix(
+    path: &Path,
+    options: &Options,
+    least: Applicability,
+    shown: Shown,
+) -> Result<Loaded, Error> {
+    let repaired = repair(input::load(path, options), options, least);
+    let said = said(&repaired, shown);
+    let Repaired { applied, loaded } = repaired;
+    // Standard output is the program's.
+    if input::is_standard(path) && input::was_read(&loaded) {
+        output::print(loaded.source.bytes())?;
+        report::complain(&said);
+        report::findings(&loaded, shown);
+        return Ok(loaded);
+    }
+    if !applied.is_empty() {
+        output::replace(path, loaded.source.bytes())?;
+    }
+    match shown.message_format {
+        Format::Human => report::complain(&said),
+        Format::Short | Format::Json => output::print(&said)?,
+    }
+    let loaded = offered(loaded, options, shown);
+    report::check(&loaded, shown)?;
+    Ok(loaded)
+}
+
+/// Of what tools are offered, the fixes that do what they say.
+pub(super) fn offered(loaded: Loaded, options: &Options, shown: Shown) -> Loaded {
+    match shown.message_format {
+        Format::Json => confirm(loaded, options),
+        Format::Human | Format::Short => loaded,
+    }
+}
+
+/// What was fixed: for people how much, for tools each in a line.
+fn said(repaired: &Repaired, shown: Shown) -> String {
+    let lang = shown.lang();
+    match shown.message_format {
+        Format::Human if repaired.applied.is_empty() => String::new(),
+        Format::Human => {
+            let findings = repaired.applied.len().into();
+            let fixed = Fixing::Fixed { findings };
+            let name = Printable::line(repaired.loaded.source.name());
+            format!("{name}: {}\n", fixed.in_lang(lang))
+        }
+        Format::Short => render_short(repaired, lang),
+        Format::Json => render_json(repaired, lang),
+    }
+}
+
+/// How many findings of some files can be fixed.
+#[derive(Debug, Default)]
+pub(super) struct Fixable {
+    certain: usize,
+    all: usize,
+}
+
+impl Fixable {
+    /// Another file, and what is found in it.
+    pub(super) fn add(&mut self, loaded: &Loaded, options: &Options, shown: Shown) {
+        let is_known = loaded.diagnostics.iter().any(|one| !one.fixes.is_empty());
+        if !is_known || shown.message_format != Format::Human {
+            return;
+        }
+        let certain = repair(loaded.clone(), options, Applicability::Certain);
+        let likely = repair(certain.loaded, options, Applicability::Likely);
+        self.certain += certain.applied.len();
+        self.all += certain.applied.len() + likely.applied.len();
+    }
+
+    /// Says so, for people.
+    pub(super) fn report(self, shown: Shown) {
+        let findings = self.certain.into();
+        let can = match (self.certain, self.all) {
+            (_, 0) => return,
+            (0, all) => Fixing::CanFixLikely {
+                findings: all.into(),
+            },
+            (certain, all) if all > certain => Fixing::CanFixMore { findings, all },
+            _ => Fixing::CanFix { findings },
+        };
+        report::complain(&format!("{}\n", can.in_lang(shown.lang())));
+    }
+}
