@@ -160,7 +160,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 10] = [
+const NEEDS: [(&str, &[&str], &[&str]); 11] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "examples/bare-metal/cortex-m.sh",
@@ -203,6 +203,11 @@ const NEEDS: [(&str, &[&str], &[&str]); 10] = [
             "no nightly toolchain",
             "cargo-fuzz is not installed: cargo install cargo-fuzz",
         ],
+    ),
+    (
+        "tests/logs/run",
+        &[],
+        &["python3 is not installed", "rerun is not installed"],
     ),
     (
         "tests/mutants/run",

@@ -3,6 +3,8 @@
 use super::graphs::Graphs;
 use super::keyboard::Keyboard;
 use super::sampling::Sampling;
+use crate::command::{Flag, Port};
+use crate::hardware::Inputs;
 
 #[derive(Clone, Debug)]
 pub(super) struct Board {
@@ -23,7 +25,26 @@ pub(super) struct Board {
     pub(super) graphs: Graphs,
 }
 
+/// Volts from which the antenna counts as touching.
+const TOUCH: f64 = 0.5;
+
 impl Board {
+    /// Whether a flag is up, unless it is one of the controller.
+    pub(super) fn flag(&self, flag: Flag, inputs: &Inputs) -> bool {
+        match flag {
+            Flag::HaltRequest => self.halt_requested,
+            Flag::KbHit => !self.keyboard.is_empty(),
+            Flag::Special(n) => {
+                let flag = self.special_flags.get(usize::from(n));
+                flag.is_some_and(|up| *up)
+            }
+            Flag::Antenna => inputs
+                .get(Port::Antenna)
+                .is_some_and(|volts| volts >= TOUCH),
+            Flag::Inpos(_) | Flag::Near(_) => false,
+        }
+    }
+
     pub(super) fn new() -> Self {
         Board {
             keyboard: Keyboard::new(),

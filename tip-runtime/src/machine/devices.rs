@@ -10,9 +10,6 @@ use crate::model::Point;
 use crate::program::Robot;
 use crate::vibration::Vibration;
 
-/// Volts from which the antenna counts as touching.
-const TOUCH: f64 = 0.5;
-
 /// A robot with any number of legs of `J` joints, in one cycle.
 pub(super) struct Devices<'a, 'm, const J: usize> {
     pub(super) controller: &'a mut ControllerView<'m, J>,
@@ -114,17 +111,9 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
 
     fn flag(&self, flag: Flag) -> bool {
         match flag {
-            Flag::HaltRequest => self.board.halt_requested,
-            Flag::KbHit => !self.board.keyboard.is_empty(),
             Flag::Inpos(target) => self.controller.inpos(target),
             Flag::Near(target) => self.controller.near(target),
-            Flag::Special(n) => self
-                .board
-                .special_flags
-                .get(usize::from(n))
-                .copied()
-                .unwrap_or(false),
-            Flag::Antenna => self.input(Port::Antenna).is_ok_and(|volts| volts >= TOUCH),
+            flag => self.board.flag(flag, self.sensors.inputs),
         }
     }
 

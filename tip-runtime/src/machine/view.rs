@@ -1,6 +1,7 @@
 //! What a machine shows of itself.
 
 use super::{Emergency, Machine, Status};
+use crate::command::Flag;
 use crate::controller::Controller;
 use crate::hardware::{Outputs, Sensors};
 
@@ -48,6 +49,15 @@ impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, 
     /// The controller.
     pub fn controller(&self) -> &Controller<'m, L, J> {
         &self.body.controller
+    }
+
+    /// Whether a flag of conditions (T.I.P. 3.1 §6-2) is up.
+    pub fn flag(&self, flag: Flag) -> bool {
+        match flag {
+            Flag::Inpos(target) => self.body.controller.inpos(target),
+            Flag::Near(target) => self.body.controller.near(target),
+            flag => self.crew.state.board.flag(flag, &self.body.sensors.inputs),
+        }
     }
 
     /// What was measured in the last cycle.

@@ -14,9 +14,12 @@ mod fix;
 mod fmt;
 mod input;
 mod interrupt;
+mod log;
 mod migrate;
 mod output;
 mod place;
+mod plot;
+mod recorded;
 mod report;
 mod robot;
 mod run;
@@ -38,6 +41,8 @@ use std::process::ExitCode;
   tipc check --fix walk.prg           put right what is certain
   tipc run walk.prg                   run it on the simulated TITAN VIII
   tipc fmt walk.prg                   lay it out in the one style
+  tipc log walk.prg -o walk.mcap      write what it did, for Foxglove, Rerun or a table
+  tipc plot walk.prg -o walk.svg      draw what it did
   tipc emit rust walk.prg -o walk.rs  write it as Rust source
   tipc cycles walk.prg                count the control cycles of its parts
   tipc verify walk.prg                compare its compiled code with the interpreter
@@ -63,6 +68,10 @@ enum Verb {
     Run(run::Run),
     /// Lay programs out in the one style
     Fmt(fmt::Fmt),
+    /// Write what a run did as a log for other tools: MCAP or CSV
+    Log(log::Log),
+    /// Draw what a run did as diagrams: SVG
+    Plot(plot::Plot),
     /// Write a program in another form
     Emit(emit::Emit),
     /// Count the control cycles that the parts of a program take
@@ -112,6 +121,8 @@ fn main() -> ExitCode {
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Fmt(arguments) => fmt::fmt(arguments),
+        Verb::Log(arguments) => log::log(arguments),
+        Verb::Plot(arguments) => plot::plot(arguments),
         Verb::Emit(arguments) => emit::emit(arguments),
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),

@@ -286,7 +286,7 @@ impl Observer for Watch<'_> {
 }
 
 /// Refuses inputs that the robot lacks.
-fn check_inputs(robot: &Robot, inputs: &Inputs) -> Result<(), Error> {
+pub(super) fn check_inputs(robot: &Robot, inputs: &Inputs) -> Result<(), Error> {
     let mut ports = inputs.events.ports();
     match ports.find(|port| !robot.has_input(*port)) {
         None => Ok(()),

@@ -10,9 +10,7 @@ use crate::shell::Shell;
 use tip_runtime::command::Port;
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
-use tip_runtime::model::{
-    self, Family, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards,
-};
+use tip_runtime::model::{self, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards};
 use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
 
 /// A model, and what simulates it, whatever its size.
@@ -26,8 +24,6 @@ pub(crate) trait Body {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Anatomy {
-    /// Whose commands it understands.
-    pub family: Family,
     /// Its body, if it walks.
     pub body: Option<model::Body>,
     /// What it can do with torques and forces, if anything.
@@ -152,7 +148,6 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
         let legs: Vec<Limb> = self.model.legs.iter().map(Limb::from).collect();
         let feet = legs.iter().map(|leg| leg.foot(&leg.initial)).collect();
         Anatomy {
-            family: self.model.family,
             body: self.model.body,
             forces: self.model.forces,
             inverse: self.model.inverse,

@@ -1,8 +1,8 @@
 //! What happened in a cycle, as a value.
 
 use crate::shell::Shell;
-use std::fmt::Display;
-use tip_runtime::command::{Command, Op, Target, Value};
+use std::fmt::{self, Display};
+use tip_runtime::command::{Command, FAST, Op, Target, Value};
 use tip_runtime::machine::Status;
 use tip_runtime::plant::Pose;
 use tip_runtime::program::Program;
@@ -46,6 +46,22 @@ pub struct Asked {
     pub target: Target,
     /// Its numbers, before relative ones are resolved.
     pub values: Vec<Value>,
+}
+
+impl Display for Asked {
+    /// As a statement has it, such as `PTP HS F1 300.0 R10.0 -200.0`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.op.fmt(f)?;
+        if self.hs {
+            write!(f, " {FAST}")?;
+        }
+        if self.target != Target::None {
+            write!(f, " {}", self.target)?;
+        }
+        self.values
+            .iter()
+            .try_for_each(|value| write!(f, " {value}"))
+    }
 }
 
 /// Collects what a cycle does.

@@ -11,8 +11,9 @@ use crate::sink::both;
 #[cfg(feature = "std")]
 use crate::trace::Trace;
 use std::fmt;
-use tip_runtime::command::Port;
+use tip_runtime::command::{Flag, Port};
 use tip_runtime::console::Console;
+use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
 use tip_runtime::program::{Program, VariableError};
 use tip_runtime::record::{Ending, Sink, state_hash};
@@ -339,6 +340,16 @@ impl Run {
     /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
     pub fn plant<H: 'static>(&self) -> Option<&H> {
         self.shell.seen().plant.downcast_ref()
+    }
+
+    /// Whether a flag of conditions is up, as the step of the next cycle finds it unless sensors and keys change it.
+    pub fn flag(&self, flag: Flag) -> bool {
+        self.shell.flag(flag)
+    }
+
+    /// What each joint was sent in the last cycle, leg by leg.
+    pub fn commands(&self) -> &[JointCommand] {
+        self.shell.seen().commands
     }
 
     /// Joint angles as measured in the last cycle, leg by leg: deg.

@@ -7,7 +7,7 @@ use crate::motion::{Grasp, Limbs};
 use crate::native::Native;
 use crate::rig::{Failures, Rig};
 use std::any::Any;
-use tip_runtime::command::{MAX, Port};
+use tip_runtime::command::{Flag, MAX, Port};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
 use tip_runtime::plant::{self, Motion, Plant as _};
@@ -31,6 +31,7 @@ pub(crate) trait Shell {
     fn grasp(&self) -> Option<Grasp>;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn pause(&mut self, on: bool);
+    fn flag(&self, flag: Flag) -> bool;
 }
 
 /// What a run shows of itself.
@@ -134,6 +135,10 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         self.hardware_mut().set_sensor(port, volts)
+    }
+
+    fn flag(&self, flag: Flag) -> bool {
+        Machine::flag(self, flag)
     }
 
     fn pause(&mut self, on: bool) {

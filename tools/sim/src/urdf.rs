@@ -34,7 +34,7 @@ mod body;
 mod chain;
 mod check;
 mod export;
-mod frame;
+pub mod frame;
 mod given;
 mod node;
 mod pose;

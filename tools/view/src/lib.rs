@@ -3,14 +3,20 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+mod csv;
+mod mcap;
+mod plot;
 mod recorder;
 mod recording;
 mod skeleton;
 mod slips;
 mod trace;
 
+pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, NotRecorded};
-pub use recording::{Assigned, At, Frame, Outcome, Recording, Script, Slip, Stop, Thing, Tick};
+pub use recording::{
+    Assigned, At, Frame, Outcome, Pace, Recording, Script, Slip, Stop, Thing, Tick,
+};
 pub use skeleton::{Skeleton, robot_frame};
 pub use tip_sim;
 pub use trace::BadTrace;

@@ -1,9 +1,11 @@
 //! Recordings of runs.
 
-use crate::recording::{Assigned, At, Frame, Outcome, Recording, Script, Stop, Thing, Tick};
+use crate::recording::{Assigned, At, Frame, Outcome, Pace, Recording, Script, Stop, Thing, Tick};
 use crate::skeleton::Skeleton;
 use crate::slips::Slips;
 use std::fmt;
+use tip_runtime::command::{Flag, Target};
+use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
@@ -79,6 +81,21 @@ impl Recording {
         robot: &Robot,
         events: &Events,
         extent: Extent,
+        goes_on: impl FnMut() -> bool,
+    ) -> Result<Self, NotRecorded> {
+        Self::paced(loaded, robot, events, extent, Pace::Smooth, goes_on)
+    }
+
+    /// The same with the motion kept as often as asked.
+    ///
+    /// # Errors
+    /// There is no program, or it cannot run on that robot, or one of the events cannot happen to it.
+    pub fn paced(
+        loaded: &Loaded,
+        robot: &Robot,
+        events: &Events,
+        extent: Extent,
+        pace: Pace,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Self, NotRecorded> {
         let program = loaded.program.as_ref().ok_or(NotRecorded::NoProgram)?;
@@ -89,6 +106,7 @@ impl Recording {
             .map_err(NotRecorded::Refused)?;
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = events.all().to_vec();
+        recorder.pace = pace;
         let outcome = loop {
             if let Some(ending) = run.ending() {
                 break Outcome::from(ending);
@@ -144,6 +162,7 @@ pub(crate) struct Recorder {
     pub(crate) recording: Recording,
     slips: Slips,
     falls: u32,
+    pub(crate) pace: Pace,
     /// Of the last cycle, if it is not among the frames.
     pending: Option<Frame>,
 }
@@ -172,6 +191,7 @@ impl Recorder {
             },
             slips: Slips::default(),
             falls: 0,
+            pace: Pace::Smooth,
             pending: None,
         }
     }
@@ -208,6 +228,8 @@ impl Recorder {
             });
             frame.objects = things.collect();
         }
+        frame.flags = raised(run, frame.angles.len());
+        frame.torque_joints = torque_joints(run, &frame.angles);
         self.keep(frame);
     }
 
@@ -281,7 +303,10 @@ impl Recorder {
         recording
             .slips
             .extend(slips.into_iter().map(|what| At { cycle, what }));
-        let is_due = |last: &Frame| frame.time - last.time > APART - ROUNDING;
+        let is_due = |last: &Frame| match self.pace {
+            Pace::Smooth => frame.time - last.time > APART - ROUNDING,
+            Pace::Every(cycles) => frame.cycle - last.cycle >= cycles,
+        };
         self.pending = match recording.frames.last().is_none_or(is_due) {
             true => {
                 recording.frames.push(frame);
@@ -297,4 +322,24 @@ impl Recorder {
         self.recording.outcome = outcome;
         self.recording
     }
+}
+
+/// The flags that are up, for a robot with so many legs.
+fn raised(run: &Run, legs: usize) -> Vec<Flag> {
+    let of = |target| [Flag::Inpos(target), Flag::Near(target)];
+    let feet = (1..).take(legs).map(Target::Foot);
+    let single = [Flag::HaltRequest, Flag::KbHit, Flag::Antenna];
+    let flags = [Target::All].into_iter().chain(feet).flat_map(of);
+    let flags = flags.chain(single).chain((0..10).map(Flag::Special));
+    flags.filter(|flag| run.flag(*flag)).collect()
+}
+
+/// The joints that are driven by torque; the angles show how many each leg has.
+fn torque_joints(run: &Run, angles: &[Vec<f64>]) -> Vec<Target> {
+    let legs = (1..).zip(angles);
+    let joints =
+        legs.flat_map(|(leg, of)| (1..).zip(of).map(move |(of, _)| Target::Joint(leg, of)));
+    let driven = joints.zip(run.commands());
+    let by_torque = driven.filter(|(_, command)| matches!(command, JointCommand::Torque(_)));
+    by_torque.map(|(joint, _)| joint).collect()
 }

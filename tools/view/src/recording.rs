@@ -1,6 +1,8 @@
 //! A run as data.
 
 use crate::skeleton::Skeleton;
+use std::fmt;
+use tip_runtime::command::{Flag, Target};
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
 use tip_sim::{Asked, Timed};
@@ -105,6 +107,10 @@ pub struct Frame {
     pub slider: Option<Point>,
     /// The objects, in the order of the scene. A trace does not say.
     pub objects: Vec<Thing>,
+    /// The flags of conditions that are up, for all joints and for each foot. A trace does not say.
+    pub flags: Vec<Flag>,
+    /// The joints that are driven by torque; the others are by angle. A trace does not say.
+    pub torque_joints: Vec<Target>,
 }
 
 /// Where an object is.
@@ -156,6 +162,34 @@ pub struct Stop {
     pub kind: String,
     /// The step that failed.
     pub step: u32,
+}
+
+impl Outcome {
+    /// Whether something went wrong.
+    pub fn is_emergency(&self) -> bool {
+        matches!(self, Outcome::Emergency(_))
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Outcome::Program(word) => f.write_str(word),
+            Outcome::Interrupted => f.write_str("interrupted"),
+            Outcome::Limit => f.write_str("the cycles were used up"),
+            Outcome::Emergency(stop) => write!(f, "emergency stop: {} ({})", stop.error, stop.kind),
+        }
+    }
+}
+
+/// How often the motion is kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pace {
+    /// At 50 Hz at most, and in the last cycle.
+    #[default]
+    Smooth,
+    /// In one cycle of so many; in each for 0.
+    Every(u64),
 }
 
 impl Recording {

@@ -1,7 +1,7 @@
 //! Where the body and the links of a robot are.
 
 use tip_runtime::kinematics::Frame;
-use tip_runtime::model::{Body, Inverse, Point, Slider};
+use tip_runtime::model::{Body, Inverse, Point, Slider, TorqueUnit};
 use tip_runtime::plant::Pose;
 use tip_sim::{Limb, Robot};
 
@@ -16,6 +16,8 @@ pub struct Skeleton {
     pub legs: Vec<Limb>,
     /// The slider that carries the floor under a hand, if it has one.
     pub slider: Option<Slider>,
+    /// How torques are counted.
+    pub torque_unit: TorqueUnit,
     /// All its joints turn about z, and y is the height: it is a hand.
     pub is_planar: bool,
 }
@@ -29,6 +31,9 @@ impl Skeleton {
             body: anatomy.body,
             legs: anatomy.legs,
             slider: anatomy.slider,
+            torque_unit: anatomy
+                .forces
+                .map_or(TorqueUnit::NewtonMetre, |forces| forces.unit),
             is_planar: anatomy.inverse == Inverse::Planar,
         }
     }

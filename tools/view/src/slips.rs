@@ -36,7 +36,7 @@ impl Slips {
                 }
                 let foot = body.point(robot.legs.get(leg)?.foot(angles));
                 let from = *stance.touchdown.get_or_insert(foot);
-                let distance = (foot[0] - from[0]).hypot(foot[1] - from[1]);
+                let distance = libm::hypot(foot[0] - from[0], foot[1] - from[1]);
                 let slips = distance > SLIPPED && !stance.reported;
                 stance.reported |= slips;
                 slips.then_some(Slip { leg, distance })

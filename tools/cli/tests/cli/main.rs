@@ -11,6 +11,7 @@ mod fix;
 mod fmt;
 #[cfg(unix)]
 mod guides;
+mod logged;
 mod logs;
 mod migrate;
 mod motion;

@@ -5,9 +5,7 @@ use super::shape::{Shape, Solid};
 use super::xml;
 use crate::body::{Anatomy, Limb};
 use crate::robot::Robot;
-use std::f64::consts::FRAC_PI_2;
-use tip_runtime::command::Target;
-use tip_runtime::model::{Body, Family, Joint, Point, Slider};
+use tip_runtime::model::{Body, Inverse, Joint, Point, Slider};
 
 /// How thick a link is drawn, against the mean length of all links.
 const THICKNESS: f64 = 0.1;
@@ -149,11 +147,7 @@ impl Writer {
             ..Solid::default()
         };
         self.link(BASE, &plate);
-        // Of the hand y is the height.
-        let turned = match anatomy.family {
-            Family::Hand => [0.0, -FRAC_PI_2, 0.0],
-            Family::Titan | Family::Generic => [0.0; 3],
-        };
+        let turned = frame::standing(anatomy.inverse == Inverse::Planar);
         let hinge = Hinge {
             name: "base_fixed",
             parent: WORLD,
@@ -166,10 +160,10 @@ impl Writer {
     fn leg(&mut self, number: u8, leg: &Limb) {
         let (mut parent, mut at) = (BASE.to_owned(), leg.base);
         for (joint, of) in (1..).zip(&leg.joints) {
-            let (name, child) = (Target::Joint(number, joint), format!("link{number}{joint}"));
+            let child = frame::link(number, joint);
             self.link(&child, &self.limb(of));
             let hinge = Hinge {
-                name: &name.to_string(),
+                name: &frame::joint(number, joint),
                 parent: &parent,
                 child: &child,
                 at,
@@ -185,7 +179,7 @@ impl Writer {
             self.joint(&hinge, "revolute", [0.0; 3], &rest);
             (parent, at) = (child, of.link);
         }
-        let foot = Target::Foot(number).to_string();
+        let foot = frame::foot(number);
         self.link(&foot, &Solid::default());
         self.fixed(&Hinge {
             name: &format!("{foot}_fixed"),
@@ -210,20 +204,18 @@ impl Writer {
     /// A joint for each axis along which the slider goes, and the plate that carries the floor. All of them are at 0 where the
     /// slider is at first.
     fn slider(&mut self, slider: &Slider, anatomy: &Anatomy) {
-        let goes = |axis: &usize| slider.travel[*axis].min < slider.travel[*axis].max;
-        let axes: Vec<usize> = (0..3).filter(goes).collect();
         let (mut parent, mut at) = (BASE.to_owned(), slider.initial);
-        for axis in &axes {
-            let name = ["floor_x", "floor_y", "floor_z"][*axis];
+        for axis in frame::ways(slider) {
+            let name = frame::carriage(axis);
             let child = format!("{name}_carriage");
             self.link(&child, &Solid::default());
             let mut along = [0.0; 3];
-            along[*axis] = 1.0;
+            along[axis] = 1.0;
             let rest = format!(
                 "\n  <axis xyz=\"{}\"/>\n  <limit lower=\"{}\" upper=\"{}\" effort=\"{SLIDER_EFFORT}\" velocity=\"{SLIDER_SPEED}\"/>",
                 xml::vector(frame::direction(along)),
-                (slider.travel[*axis].min - slider.initial[*axis]) / 1000.0,
-                (slider.travel[*axis].max - slider.initial[*axis]) / 1000.0,
+                (slider.travel[axis].min - slider.initial[axis]) / 1000.0,
+                (slider.travel[axis].max - slider.initial[axis]) / 1000.0,
             );
             let hinge = Hinge {
                 name,
@@ -234,7 +226,11 @@ impl Writer {
             self.joint(&hinge, "prismatic", [0.0; 3], &rest);
             (parent, at) = (child, [0.0; 3]);
         }
-        let up = if anatomy.family == Family::Hand { 1 } else { 2 };
+        let up = if anatomy.inverse == Inverse::Planar {
+            1
+        } else {
+            2
+        };
         let mut plate = frame::around(&anatomy.legs, 10.0 * self.thickness);
         // Its upper side is where the floor is, in its own frame.
         plate[up].min = -PLATE;

@@ -1,24 +1,71 @@
-//! The names and frames that exported files have, and imported ones may have.
+//! The names and frames of exported files, which logs have as well: m, x forward and y left (REP 103).
+//!
+//! ```
+//! use tip_sim::urdf::frame;
+//!
+//! assert_eq!(frame::joint(2, 3), "J23");
+//! assert_eq!(frame::metres([100.0, 2000.0, -50.0]), [2.0, -0.1, -0.05], "right is minus left");
+//! ```
 
 use crate::body::Limb;
-use tip_runtime::model::{Point, Range};
+use std::f64::consts::FRAC_PI_2;
+use tip_runtime::command::Target;
+use tip_runtime::model::{Point, Range, Slider};
 
 /// Where robots are bolted down.
-pub(super) const WORLD: &str = "world";
+pub const WORLD: &str = "world";
 /// The robot frame.
-pub(super) const BASE: &str = "base_link";
+pub const BASE: &str = "base_link";
 /// What the legs of a walking robot carry.
-pub(super) const BODY: &str = "body";
+pub const BODY: &str = "body";
 /// What the slider carries.
-pub(super) const FLOOR: &str = "floor";
+pub const FLOOR: &str = "floor";
+
+/// What joint and leg number from 1 to 9 are called: the joint.
+pub fn joint(leg: u8, joint: u8) -> String {
+    Target::Joint(leg, joint).to_string()
+}
+
+/// The link after a joint.
+pub fn link(leg: u8, joint: u8) -> String {
+    format!("link{leg}{joint}")
+}
+
+/// The foot or fingertip.
+pub fn foot(leg: u8) -> String {
+    Target::Foot(leg).to_string()
+}
+
+/// Roll, pitch and yaw of the robot frame in the world, for a robot that is bolted down: rad. Where all joints turn about z, as
+/// those of the hand, y is the height.
+pub fn standing(is_planar: bool) -> [f64; 3] {
+    [0.0, if is_planar { -FRAC_PI_2 } else { 0.0 }, 0.0]
+}
+
+/// The axes along which a slider goes.
+pub(super) fn ways(slider: &Slider) -> impl Iterator<Item = usize> {
+    let travel = slider.travel;
+    (0..3).filter(move |axis| travel[*axis].min < travel[*axis].max)
+}
+
+/// What the joint of a slider along x, y or z is called.
+pub(super) fn carriage(axis: usize) -> &'static str {
+    ["floor_x", "floor_y", "floor_z"][axis]
+}
+
+/// The joints of a slider, and their values where it is at a place of the robot frame (mm): m from where it was at first.
+pub fn slide(slider: &Slider, at: Point) -> impl Iterator<Item = (&'static str, f64)> {
+    let initial = slider.initial;
+    ways(slider).map(move |axis| (carriage(axis), (at[axis] - initial[axis]) / 1000.0))
+}
 
 /// A place of the robot frame (mm; x to the right, y forward) in URDF's: m; x forward, y left.
-pub(super) fn metres(at: Point) -> [f64; 3] {
+pub fn metres(at: Point) -> [f64; 3] {
     direction(at).map(|mm| mm / 1000.0)
 }
 
 /// A direction of the robot frame in URDF's.
-pub(super) fn direction([right, forward, up]: [f64; 3]) -> [f64; 3] {
+pub fn direction([right, forward, up]: [f64; 3]) -> [f64; 3] {
     [forward, -right, up]
 }
 

@@ -1,0 +1,97 @@
+//! A run that is recorded, for what shows it afterwards.
+
+use super::arguments::{InputArguments, SourceArguments};
+use super::error::Error;
+use super::{Status, input, interrupt, report, run, scene};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use tip_sim::Robot;
+use tip_view::{Extent, NotRecorded, Outcome, Pace, Recording};
+
+/// How long a run is recorded that nobody ends: minutes of the robot's time.
+const MINUTES: f64 = 10.0;
+
+/// What is run, and how.
+#[derive(Debug, Args)]
+pub(super) struct RecordedArguments {
+    /// The program
+    pub(super) file: PathBuf,
+
+    #[command(flatten)]
+    pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) inputs: InputArguments,
+}
+
+/// A run, and the robot that did it.
+pub(super) struct Recorded {
+    pub(super) recording: Recording,
+    pub(super) robot: Robot,
+}
+
+impl Recorded {
+    /// The exit status that belongs to the run's ending.
+    pub(super) fn status(&self) -> Status {
+        match self.recording.outcome {
+            Outcome::Interrupted => Status::Interrupted,
+            Outcome::Emergency(_) => Status::Emergency,
+            Outcome::Program(_) | Outcome::Limit => Status::Success,
+        }
+    }
+}
+
+impl RecordedArguments {
+    /// The files that are read.
+    pub(super) fn files(&self) -> Vec<&Path> {
+        let scene = self.inputs.scene.as_ref();
+        let scene = scene.and_then(scene::SceneChoice::file);
+        let robot = self.source.robot.file();
+        [self.file.as_path()]
+            .into_iter()
+            .chain(robot)
+            .chain(scene)
+            .collect()
+    }
+
+    /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; none if something was found, and
+    /// reported.
+    pub(super) fn record(&self, pace: Pace) -> Result<Option<Recorded>, Error> {
+        interrupt::catch();
+        let robot = match self.source.robot.load() {
+            Ok(robot) => robot,
+            Err(loaded) => {
+                report::findings(&loaded, self.source.shown);
+                return Ok(None);
+            }
+        };
+        let Some(scene) = scene::load(self.inputs.scene.as_ref(), self.source.shown) else {
+            return Ok(None);
+        };
+        let robot = scene::around(robot.simulated()?, &scene)?;
+        let inputs = self.inputs.inputs();
+        run::check_inputs(&robot, &inputs)?;
+        let loaded = input::load(&self.file, &self.source.options(robot.options().robot));
+        report::findings(&loaded, self.source.shown);
+        let extent = inputs
+            .cycles
+            .map_or(Extent::minutes(MINUTES), Extent::cycles);
+        let goes_on = || !interrupt::is_requested();
+        let recording = Recording::paced(&loaded, &robot, &inputs.events, extent, pace, goes_on);
+        interrupt::hold();
+        let recording = match recording {
+            Ok(recording) => recording,
+            Err(NotRecorded::NoProgram) => return Ok(None),
+            Err(reason) => return Err(Error::Usage(reason.to_string())),
+        };
+        if inputs.cycles.is_none() && recording.outcome == Outcome::Limit {
+            report::complain(&format!(
+                "stopped after {MINUTES} minutes of the robot's time; --cycles sets another end\n"
+            ));
+        }
+        if let Outcome::Emergency(_) = recording.outcome {
+            report::complain(&format!("{}\n", recording.outcome));
+        }
+        Ok(Some(Recorded { recording, robot }))
+    }
+}

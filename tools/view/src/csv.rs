@@ -1,0 +1,224 @@
+//! A recording as a table: a row for each frame, a column for each figure, after RFC 4180. `docs/logs.md` lists the columns.
+
+use crate::recording::{Frame, Recording};
+use crate::skeleton::robot_frame;
+use std::collections::BTreeSet;
+use std::fmt::Display;
+use std::io::{self, Write};
+use tip_runtime::model::TorqueUnit;
+use tip_sim::urdf::frame::{foot, joint};
+
+impl Recording {
+    /// Writes the frames as CSV: [`Pace`](crate::Pace) says which cycles have one.
+    ///
+    /// # Errors
+    /// It cannot be written there.
+    pub fn csv(&self, mut out: impl Write) -> io::Result<()> {
+        let mut table = Table::new(self);
+        write_row(&mut out, &table.head())?;
+        for frame in &self.frames {
+            write_row(&mut out, &table.row(frame))?;
+        }
+        out.flush()
+    }
+}
+
+/// Fields with commas, quotes or ends of lines are quoted.
+fn write_row(out: &mut impl Write, fields: &[String]) -> io::Result<()> {
+    for (place, field) in fields.iter().enumerate() {
+        let comma = if place > 0 { "," } else { "" };
+        match field.contains([',', '"', '\r', '\n']) {
+            true => write!(out, "{comma}\"{}\"", field.replace('"', "\"\""))?,
+            false => write!(out, "{comma}{field}")?,
+        }
+    }
+    out.write_all(b"\r\n")
+}
+
+/// What holds from row to row.
+struct Table<'a> {
+    recording: &'a Recording,
+    /// Of each variable, once it has one.
+    values: Vec<Option<f64>>,
+    lamps: BTreeSet<u8>,
+    message: &'a str,
+    /// The cycle after that of the last row.
+    from: u64,
+}
+
+impl<'a> Table<'a> {
+    fn new(recording: &'a Recording) -> Self {
+        Table {
+            recording,
+            values: vec![None; recording.script.scalars.len()],
+            lamps: BTreeSet::new(),
+            message: "",
+            from: 0,
+        }
+    }
+
+    fn head(&self) -> Vec<String> {
+        let robot = &self.recording.robot;
+        let mut head: Vec<String> = [
+            "cycle", "time_ms", "step", "line", "command", "message", "flags", "lamps",
+        ]
+        .map(str::to_owned)
+        .into();
+        let mut add = |names: &[&str], before: &str| {
+            head.extend(names.iter().map(|name| format!("{before}{name}")));
+        };
+        if robot.body.is_some() {
+            add(
+                &[
+                    "x_mm",
+                    "y_mm",
+                    "z_mm",
+                    "roll_deg",
+                    "pitch_deg",
+                    "yaw_deg",
+                    "margin_mm",
+                    "falls",
+                ],
+                "",
+            );
+        }
+        let joints = || {
+            let legs = (1..).zip(&robot.legs);
+            legs.flat_map(|(leg, limb)| (1..).zip(&limb.joints).map(move |(of, _)| joint(leg, of)))
+        };
+        joints().for_each(|joint| add(&["_deg"], &joint));
+        // As in the names of columns everywhere: letters alone.
+        let unit = match robot.torque_unit {
+            TorqueUnit::NewtonMetre => "Nm",
+            TorqueUnit::MillinewtonMetre => "mNm",
+        };
+        joints().for_each(|joint| add(&[&format!("_{unit}")], &joint));
+        for leg in (1..).take(robot.legs.len()) {
+            add(&["_x_mm", "_y_mm", "_z_mm", "_N"], &foot(leg));
+        }
+        if robot.slider.is_some() {
+            add(&["x_mm", "y_mm", "z_mm"], "FLOOR_");
+        }
+        for (number, _) in (1..).zip(self.recording.scene.objects.iter().flatten()) {
+            add(&["_x_mm", "_y_mm", "_deg"], &format!("object{number}"));
+        }
+        head.extend(self.recording.script.scalars.iter().cloned());
+        head
+    }
+
+    fn row(&mut self, frame: &Frame) -> Vec<String> {
+        let recording = self.recording;
+        let cycle = frame.cycle;
+        self.catch_up(cycle);
+        let since = |at: u64| (self.from..=cycle).contains(&at);
+        let commands = recording.commands.iter();
+        let before = recording.commands.partition_point(|at| at.cycle <= cycle);
+        let command = commands
+            .take(before)
+            .next_back()
+            .filter(|at| since(at.cycle));
+        let mut row = vec![
+            cycle.to_string(),
+            number(frame.time),
+            some(recording.step(cycle)),
+            some(recording.line(cycle)),
+            some(command.map(|at| &at.what)),
+            self.message.to_owned(),
+            words(&frame.flags),
+            words(&self.lamps),
+        ];
+        self.from = cycle + 1;
+        row.extend(self.body(frame));
+        row.extend(frame.angles.iter().flatten().map(|angle| number(*angle)));
+        row.extend(frame.torques.iter().flatten().map(|torque| number(*torque)));
+        row.extend(self.feet(frame));
+        row.extend(frame.slider.iter().flatten().map(|at| number(*at)));
+        for thing in &frame.objects {
+            let [x, y, _] = thing.position;
+            row.extend([x, y, thing.angle].map(number));
+        }
+        row.extend(
+            self.values
+                .iter()
+                .map(|value| value.map(number).unwrap_or_default()),
+        );
+        row
+    }
+
+    /// What the program did until the end of a cycle.
+    fn catch_up(&mut self, cycle: u64) {
+        let recording = self.recording;
+        let (from, until) = (self.from, cycle + 1);
+        for at in within(&recording.sets, from, until, |at| at.cycle) {
+            if let Some(value) = self.values.get_mut(at.what.scalar) {
+                *value = Some(at.what.value);
+            }
+        }
+        for at in within(&recording.lamps, from, until, |at| at.cycle) {
+            let (lamp, on) = at.what;
+            match on {
+                true => self.lamps.insert(lamp),
+                false => self.lamps.remove(&lamp),
+            };
+        }
+        if let Some(at) = within(&recording.messages, from, until, |at| at.cycle).last() {
+            self.message = &at.what;
+        }
+    }
+
+    fn body(&self, frame: &Frame) -> Vec<String> {
+        if self.recording.robot.body.is_none() {
+            return Vec::new();
+        }
+        let falls = &self.recording.falls;
+        let falls = falls.partition_point(|fall| fall.cycle <= frame.cycle);
+        let pose = frame.pose.map(|pose| {
+            let [x, y, z] = pose.position;
+            [x, y, z, pose.roll, pose.pitch, pose.yaw]
+        });
+        let pose = pose.map_or([const { String::new() }; 6], |pose| pose.map(number));
+        let margin = frame.margin.map(number).unwrap_or_default();
+        pose.into_iter()
+            .chain([margin, falls.to_string()])
+            .collect()
+    }
+
+    /// Where each foot is, in the world if the robot walks, and what it carries.
+    fn feet(&self, frame: &Frame) -> Vec<String> {
+        let body = frame.pose.as_ref().map(robot_frame);
+        let legs = self.recording.robot.legs.iter().zip(&frame.angles);
+        let feet = legs.enumerate().flat_map(|(leg, (limb, angles))| {
+            let foot = limb.foot(angles);
+            let [x, y, z] = body.map_or(foot, |body| body.point(foot)).map(number);
+            let load = frame.loads.get(leg).copied();
+            [x, y, z, load.map(number).unwrap_or_default()]
+        });
+        feet.collect()
+    }
+}
+
+/// The part of a list that is in cycles from one until before another.
+fn within<T>(list: &[T], from: u64, until: u64, cycle: impl Fn(&T) -> u64) -> &[T] {
+    let begin = list.partition_point(|at| cycle(at) < from);
+    let end = list.partition_point(|at| cycle(at) < until);
+    list.get(begin..end).unwrap_or_default()
+}
+
+/// A number that reads back to the same bits; −0 is 0.
+fn number(value: f64) -> String {
+    // What is far from 1 has an exponent, in place of a row of zeros.
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-5..1e16).contains(&size) => value.to_string(),
+        _ => format!("{value:e}"),
+    }
+}
+
+fn some(value: Option<impl Display>) -> String {
+    value.map(|value| value.to_string()).unwrap_or_default()
+}
+
+fn words<T: Display>(words: impl IntoIterator<Item = T>) -> String {
+    let words: Vec<String> = words.into_iter().map(|word| word.to_string()).collect();
+    words.join(" ")
+}

@@ -1,0 +1,396 @@
+//! A recording as an MCAP file, which Foxglove and Rerun show: `docs/logs.md` lists its topics.
+
+mod cdr;
+mod foxglove;
+mod own;
+mod scene;
+mod schema;
+mod transforms;
+mod wire;
+
+use crate::recording::{Frame, Recording};
+use cdr::Cdr;
+use mcap::records::MessageHeader;
+use mcap::{McapResult, WriteOptions, Writer};
+use own::{State, Variables};
+use scene::Stage;
+use schema::descriptors;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Seek, Write};
+use tip_sim::urdf::frame;
+use wire::Message;
+
+/// What an info is in `foxglove.Log`, and what an error is.
+const INFO: u32 = 2;
+const ERROR: u32 = 4;
+
+impl Recording {
+    /// Writes the recording as MCAP, with the robot as URDF, such as [`urdf::export`](tip_sim::urdf::export) gives. The same
+    /// recording gives the same bytes.
+    ///
+    /// # Errors
+    /// It cannot be written there.
+    pub fn mcap(&self, urdf: &str, out: impl Write + Seek) -> io::Result<()> {
+        let file = Log::new(self, out).and_then(|log| log.write(urdf));
+        file.map_err(io::Error::other)
+    }
+}
+
+/// A file that is being written.
+struct Log<'a, W: Write + Seek> {
+    recording: &'a Recording,
+    writer: Writer<W>,
+    channels: BTreeMap<&'static str, Channel>,
+    schemas: BTreeMap<&'static str, u16>,
+    stage: Stage<'a>,
+    variables: Variables,
+    lamps: BTreeSet<u8>,
+    /// Positions of all joints in the frame before, and when that was: rad or m, ns.
+    before: Option<(u64, Vec<f64>)>,
+}
+
+struct Channel {
+    id: u16,
+    /// Of its next message.
+    sequence: u32,
+}
+
+/// How messages of a topic are encoded and described.
+struct Topic {
+    name: &'static str,
+    schema: &'static str,
+    encoding: Encoding,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Encoding {
+    Foxglove,
+    Own,
+    /// With the text of its definition.
+    Ros(&'static str),
+}
+
+const fn topic(name: &'static str, schema: &'static str, encoding: Encoding) -> Topic {
+    Topic {
+        name,
+        schema,
+        encoding,
+    }
+}
+
+const DESCRIPTION: Topic = topic(
+    "/robot_description",
+    "std_msgs/msg/String",
+    Encoding::Ros(cdr::STRING),
+);
+const JOINTS: Topic = topic(
+    "/joint_states",
+    "sensor_msgs/msg/JointState",
+    Encoding::Ros(cdr::JOINT_STATE),
+);
+const FIXED: Topic = topic("/tf_static", "foxglove.FrameTransforms", Encoding::Foxglove);
+const MOVING: Topic = topic("/tf", "foxglove.FrameTransforms", Encoding::Foxglove);
+const SCENE: Topic = topic("/scene", "foxglove.SceneUpdate", Encoding::Foxglove);
+const MESSAGES: Topic = topic("/tip/messages", "foxglove.Log", Encoding::Foxglove);
+const STATE: Topic = topic("/tip/state", "tip.State", Encoding::Own);
+const VARIABLES: Topic = topic("/tip/variables", "tip.Variables", Encoding::Own);
+const BODY: Topic = topic("/tip/body", "tip.Body", Encoding::Own);
+const MARGIN: Topic = topic("/tip/margin", "tip.Margin", Encoding::Own);
+const LOADS: Topic = topic("/tip/loads", "tip.Loads", Encoding::Own);
+
+/// Something in a cycle that is no motion.
+enum Happening<'a> {
+    Step,
+    Lamp(u8, bool),
+    Assigned(usize, f64),
+    /// All variables of the cycle have their values.
+    Variables,
+    Say(&'a str),
+    Fall(f64),
+}
+
+impl<'a, W: Write + Seek> Log<'a, W> {
+    fn new(recording: &'a Recording, out: W) -> McapResult<Self> {
+        let options = WriteOptions::new()
+            .compression(None)
+            .profile("")
+            .library("tipc");
+        Ok(Log {
+            recording,
+            writer: options.create(out)?,
+            channels: BTreeMap::new(),
+            schemas: BTreeMap::new(),
+            stage: Stage::new(&recording.robot, &recording.scene),
+            variables: Variables::of(&recording.script.scalars),
+            lamps: BTreeSet::new(),
+            before: None,
+        })
+    }
+
+    fn write(mut self, urdf: &str) -> McapResult<()> {
+        let text = Cdr::new().text(urdf).into_bytes();
+        self.put(&DESCRIPTION, 0, text)?;
+        let fixed = transforms::fixed(&self.recording.robot);
+        self.send(&FIXED, 0, transforms::message(0, fixed))?;
+        let mut happenings = happenings(self.recording).into_iter().peekable();
+        for frame in &self.recording.frames {
+            // What happens in a cycle stands before what the robot did until its end.
+            while let Some((cycle, happening)) =
+                happenings.next_if(|(cycle, _)| *cycle <= frame.cycle)
+            {
+                self.happening(cycle, &happening)?;
+            }
+            self.frame(frame)?;
+        }
+        for (cycle, happening) in happenings {
+            self.happening(cycle, &happening)?;
+        }
+        self.ending()?;
+        self.writer.finish().map(drop)
+    }
+
+    /// What the robot did until the end of a cycle.
+    fn frame(&mut self, frame: &Frame) -> McapResult<()> {
+        let (robot, time) = (&self.recording.robot, nanoseconds(frame.time));
+        let moving = transforms::moving(robot, frame);
+        self.send(&MOVING, time, transforms::message(time, moving))?;
+        let joints = self.joints(time, frame);
+        self.put(&JOINTS, time, joints)?;
+        let scene = self.stage.update(time, frame);
+        self.send(&SCENE, time, scene)?;
+        let state = self.state(frame.cycle, Some(frame)).message(time);
+        self.send(&STATE, time, state)?;
+        let falls = self
+            .recording
+            .falls
+            .partition_point(|fall| fall.cycle <= frame.cycle) as u64;
+        let figures = [
+            (&BODY, own::body(time, frame)),
+            (&MARGIN, own::margin(time, frame, falls)),
+            (&LOADS, own::loads(time, frame)),
+        ];
+        for (topic, message) in figures {
+            if let Some(message) = message {
+                self.send(topic, time, message)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// `sensor_msgs/msg/JointState`: rad, rad/s and N·m; of a slider m, m/s and 0.
+    fn joints(&mut self, time: u64, frame: &Frame) -> Vec<u8> {
+        let robot = &self.recording.robot;
+        let (mut names, mut positions, mut efforts) = (Vec::new(), Vec::new(), Vec::new());
+        for (leg, angles) in (1..).zip(&frame.angles) {
+            names.extend((1..).zip(angles).map(|(joint, _)| frame::joint(leg, joint)));
+            positions.extend(angles.iter().map(|angle| angle.to_radians()));
+        }
+        efforts.extend(
+            frame
+                .torques
+                .concat()
+                .iter()
+                .map(|torque| torque / robot.torque_unit.per_newton_metre()),
+        );
+        if let (Some(slider), Some(at)) = (&robot.slider, frame.slider) {
+            for (name, position) in frame::slide(slider, at) {
+                names.push(name.to_owned());
+                positions.push(position);
+                efforts.push(0.0);
+            }
+        }
+        let velocities = match &self.before {
+            Some((before, places)) if *before < time => {
+                let seconds = (time - before) as f64 / 1e9;
+                let moved = positions.iter().zip(places);
+                moved
+                    .map(|(now, before)| (now - before) / seconds)
+                    .collect()
+            }
+            _ => vec![0.0; positions.len()],
+        };
+        const SECOND: u64 = 1_000_000_000;
+        let cdr = Cdr::new()
+            .number((time / SECOND) as u32)
+            .number((time % SECOND) as u32)
+            .text("")
+            .texts(&names)
+            .doubles(&positions)
+            .doubles(&velocities)
+            .doubles(&efforts);
+        self.before = Some((time, positions));
+        cdr.into_bytes()
+    }
+
+    /// What the program does in a cycle.
+    fn state<'s>(&'s self, cycle: u64, frame: Option<&'s Frame>) -> State<'s> {
+        let recording = self.recording;
+        let line = recording.line(cycle);
+        let number = line.and_then(|line| (line as usize).checked_sub(1));
+        let statement = number.and_then(|number| recording.script.text.lines().nth(number));
+        let commands = &recording.commands;
+        let found = commands.binary_search_by_key(&cycle, |command| command.cycle);
+        let command = found.ok().and_then(|at| commands.get(at));
+        State {
+            cycle,
+            step: recording.step(cycle),
+            line,
+            statement: statement.unwrap_or_default().trim(),
+            command: command.map(|command| command.what.to_string()),
+            frame,
+            lamps: &self.lamps,
+        }
+    }
+
+    fn happening(&mut self, cycle: u64, happening: &Happening<'_>) -> McapResult<()> {
+        let time = nanoseconds(self.recording.time(cycle));
+        match happening {
+            Happening::Step => {
+                let state = self.state(cycle, None).message(time);
+                self.send(&STATE, time, state)
+            }
+            Happening::Lamp(lamp, on) => {
+                match on {
+                    true => self.lamps.insert(*lamp),
+                    false => self.lamps.remove(lamp),
+                };
+                Ok(())
+            }
+            Happening::Assigned(scalar, value) => {
+                self.variables.set(*scalar, *value);
+                Ok(())
+            }
+            Happening::Variables => {
+                let variables = self.variables.message(time);
+                self.send(&VARIABLES, time, variables)
+            }
+            Happening::Say(text) => self.say(cycle, INFO, text),
+            Happening::Fall(margin) => {
+                let text = format!(
+                    "the robot falls: its centre of mass is {:.1} mm outside",
+                    -margin
+                );
+                self.say(cycle, ERROR, &text)
+            }
+        }
+    }
+
+    /// `foxglove.Log`
+    fn say(&mut self, cycle: u64, level: u32, text: &str) -> McapResult<()> {
+        let (script, time) = (
+            &self.recording.script,
+            nanoseconds(self.recording.time(cycle)),
+        );
+        let message = Message::new()
+            .message(1, &foxglove::timestamp(time))
+            .number(2, level)
+            .text(3, text)
+            .text(4, &self.recording.robot.name)
+            .text(5, &script.name)
+            .fixed(6, self.recording.line(cycle).unwrap_or_default());
+        self.send(&MESSAGES, time, message)
+    }
+
+    /// How the run ended, among the messages.
+    fn ending(&mut self) -> McapResult<()> {
+        let recording = self.recording;
+        let level = if recording.outcome.is_emergency() {
+            ERROR
+        } else {
+            INFO
+        };
+        self.say(recording.cycles, level, &recording.outcome.to_string())
+    }
+
+    fn send(&mut self, topic: &Topic, time: u64, message: Message) -> McapResult<()> {
+        self.put(topic, time, message.into_bytes())
+    }
+
+    /// Writes a message at a time of the run: ns.
+    fn put(&mut self, topic: &Topic, time: u64, bytes: Vec<u8>) -> McapResult<()> {
+        let channel = match self.channels.get_mut(topic.name) {
+            Some(channel) => channel,
+            None => {
+                let id = self.open(topic)?;
+                let channel = Channel { id, sequence: 0 };
+                self.channels.entry(topic.name).or_insert(channel)
+            }
+        };
+        let header = MessageHeader {
+            channel_id: channel.id,
+            sequence: channel.sequence,
+            log_time: time,
+            publish_time: time,
+        };
+        channel.sequence += 1;
+        self.writer.write_to_known_channel(&header, &bytes)
+    }
+
+    /// The channel of a topic.
+    fn open(&mut self, topic: &Topic) -> McapResult<u16> {
+        let (schema_encoding, encoding) = match topic.encoding {
+            Encoding::Ros(_) => ("ros2msg", "cdr"),
+            Encoding::Foxglove | Encoding::Own => ("protobuf", "protobuf"),
+        };
+        let schema = match self.schemas.get(topic.schema) {
+            Some(schema) => *schema,
+            None => {
+                let data = self.description(topic.encoding);
+                let schema = self
+                    .writer
+                    .add_schema(topic.schema, schema_encoding, &data)?;
+                *self.schemas.entry(topic.schema).or_insert(schema)
+            }
+        };
+        self.writer
+            .add_channel(schema, topic.name, encoding, &BTreeMap::new())
+    }
+
+    fn description(&self, encoding: Encoding) -> Vec<u8> {
+        let time = foxglove::time();
+        match encoding {
+            Encoding::Ros(definition) => definition.as_bytes().to_vec(),
+            Encoding::Foxglove => descriptors(&[&time, &foxglove::duration(), &foxglove::file()]),
+            Encoding::Own => descriptors(&[&time, &own::file(self.recording)]),
+        }
+    }
+}
+
+/// ms as ns.
+fn nanoseconds(milliseconds: f64) -> u64 {
+    (milliseconds * 1e6).round() as u64
+}
+
+/// All of them, in order of their cycles; what a cycle assigns and switches stands before its step.
+fn happenings(recording: &Recording) -> Vec<(u64, Happening<'_>)> {
+    let mut all = Vec::new();
+    for at in &recording.sets {
+        all.push((at.cycle, Happening::Assigned(at.what.scalar, at.what.value)));
+    }
+    let mut cycles: Vec<u64> = recording.sets.iter().map(|at| at.cycle).collect();
+    cycles.dedup();
+    all.extend(
+        cycles
+            .into_iter()
+            .map(|cycle| (cycle, Happening::Variables)),
+    );
+    for at in &recording.lamps {
+        all.push((at.cycle, Happening::Lamp(at.what.0, at.what.1)));
+    }
+    all.extend(recording.steps.iter().map(|at| (at.cycle, Happening::Step)));
+    all.extend(
+        recording
+            .messages
+            .iter()
+            .map(|at| (at.cycle, Happening::Say(&at.what))),
+    );
+    all.extend(
+        recording
+            .falls
+            .iter()
+            .map(|at| (at.cycle, Happening::Fall(at.what))),
+    );
+    // Stable: within a cycle the order above stays.
+    all.sort_by_key(|(cycle, _)| *cycle);
+    all
+}

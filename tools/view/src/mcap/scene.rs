@@ -1,0 +1,196 @@
+//! What can be seen beside the robot: forces as arrows, trails of the feet, objects.
+
+use super::foxglove::{colour, pose, timestamp, vector};
+use super::transforms::STRAIGHT;
+use super::wire::Message;
+use crate::recording::Frame;
+use crate::skeleton::{Skeleton, robot_frame};
+use nalgebra::{Unit, UnitQuaternion, Vector3};
+use std::collections::VecDeque;
+use tip_runtime::model::Point;
+use tip_runtime::plant::{Object, Scene, Shape};
+use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
+
+/// How long an arrow is for each newton: m.
+const METRES_PER_NEWTON: f64 = 0.002;
+/// The same of a hand, whose forces are smaller.
+const METRES_PER_NEWTON_OF_A_HAND: f64 = 0.02;
+/// An arrow that is shorter is not shown: m.
+const SHORTEST: f64 = 0.001;
+/// How often a trail goes on: ns.
+const STEP: u64 = 100_000_000;
+/// How many places a trail has: five seconds.
+const PLACES: usize = 51;
+
+const ARROW: [f64; 4] = [0.9, 0.2, 0.2, 1.0];
+const OBJECT: [f64; 4] = [0.3, 0.55, 0.8, 0.9];
+/// One colour for each leg; the fifth has that of the first.
+const TRAILS: [[f64; 4]; 4] = [
+    [0.9, 0.6, 0.0, 1.0],
+    [0.35, 0.7, 0.9, 1.0],
+    [0.0, 0.6, 0.5, 1.0],
+    [0.8, 0.5, 0.7, 1.0],
+];
+
+/// Makes the updates of a run, one after the other.
+pub(super) struct Stage<'a> {
+    robot: &'a Skeleton,
+    objects: Vec<Object>,
+    trails: Vec<VecDeque<Point>>,
+    /// When the trails go on: ns.
+    due: u64,
+}
+
+impl<'a> Stage<'a> {
+    pub(super) fn new(robot: &'a Skeleton, scene: &Scene) -> Self {
+        Stage {
+            robot,
+            objects: scene.objects.into_iter().flatten().collect(),
+            trails: vec![VecDeque::new(); robot.legs.len()],
+            due: 0,
+        }
+    }
+
+    /// `foxglove.SceneUpdate` for the end of a cycle: ns.
+    pub(super) fn update(&mut self, time: u64, frame: &Frame) -> Message {
+        let feet = self.feet(frame);
+        let mut entities = vec![self.forces(time, frame, &feet)];
+        if !frame.objects.is_empty() {
+            entities.push(self.things(time, frame));
+        }
+        if time >= self.due {
+            self.due = time + STEP;
+            for (number, foot) in (1..).zip(feet) {
+                entities.extend(self.trail(time, number, foot));
+            }
+        }
+        Message::new().messages(2, entities)
+    }
+
+    /// Where everything is given: in the world, in which the body moves, or in the robot frame.
+    fn frame(&self) -> &'static str {
+        if self.robot.body.is_some() {
+            WORLD
+        } else {
+            BASE
+        }
+    }
+
+    /// The feet there: mm.
+    fn feet(&self, frame: &Frame) -> Vec<Point> {
+        let body = frame.pose.as_ref().map(robot_frame);
+        let legs = self.robot.legs.iter().zip(&frame.angles);
+        legs.map(|(leg, angles)| {
+            let foot = leg.foot(angles);
+            body.map_or(foot, |body| body.point(foot))
+        })
+        .collect()
+    }
+
+    fn entity(&self, time: u64, id: &str) -> Message {
+        Message::new()
+            .message(1, &timestamp(time))
+            .text(2, self.frame())
+            .text(3, id)
+    }
+
+    /// Of the floor on the feet, or of the fingers on what they touch: N.
+    fn forces(&self, time: u64, frame: &Frame, feet: &[Point]) -> Message {
+        let (scale, forces) = match frame.pushes.is_empty() {
+            true => {
+                let up = frame.loads.iter().map(|load| [0.0, 0.0, *load]);
+                (METRES_PER_NEWTON, up.collect())
+            }
+            false => (METRES_PER_NEWTON_OF_A_HAND, frame.pushes.clone()),
+        };
+        let arrows = feet.iter().zip(forces);
+        let arrows = arrows.filter_map(|(foot, force)| arrow(*foot, force, scale));
+        self.entity(time, "forces").messages(7, arrows)
+    }
+
+    fn things(&self, time: u64, frame: &Frame) -> Message {
+        let (mut cubes, mut cylinders) = (Vec::new(), Vec::new());
+        let depth = self.depth();
+        for (object, thing) in self.objects.iter().zip(&frame.objects) {
+            // About the z axis, which URDF's axes share.
+            let half = thing.angle.to_radians() / 2.0;
+            let turned = [0.0, 0.0, libm::sin(half), libm::cos(half)];
+            let at = pose(metres(thing.position), turned);
+            match object.shape {
+                Shape::Box { width, height } => {
+                    let size = metres([width, height, depth]).map(f64::abs);
+                    cubes.push(
+                        Message::new()
+                            .message(1, &at)
+                            .message(2, &vector(size))
+                            .message(3, &colour(OBJECT)),
+                    );
+                }
+                Shape::Disc { radius } => {
+                    let size = metres([2.0 * radius, 2.0 * radius, depth]).map(f64::abs);
+                    let cylinder = Message::new().message(1, &at).message(2, &vector(size));
+                    cylinders.push(
+                        cylinder
+                            .double(3, 1.0)
+                            .double(4, 1.0)
+                            .message(5, &colour(OBJECT)),
+                    );
+                }
+            }
+        }
+        self.entity(time, "objects")
+            .messages(8, cubes)
+            .messages(10, cylinders)
+    }
+
+    /// How wide objects are along z: as wide as the hand, mm.
+    fn depth(&self) -> f64 {
+        let along = || self.robot.legs.iter().map(|leg| leg.base[2]);
+        let (least, most) = (along().fold(0.0, f64::min), along().fold(0.0, f64::max));
+        (most - least).max(20.0)
+    }
+
+    /// Where a foot has been; none as long as that is one place.
+    fn trail(&mut self, time: u64, number: u8, foot: Point) -> Option<Message> {
+        let leg = usize::from(number) - 1;
+        let trail = self.trails.get_mut(leg)?;
+        trail.push_back(foot);
+        if trail.len() > PLACES {
+            trail.pop_front();
+        }
+        if trail.len() < 2 {
+            return None;
+        }
+        let points: Vec<Message> = trail.iter().map(|at| vector(metres(*at))).collect();
+        let line = Message::new()
+            .message(2, &pose([0.0; 3], STRAIGHT))
+            .double(3, 2.0)
+            .number(4, true)
+            .messages(5, points)
+            .message(6, &colour(TRAILS[leg % TRAILS.len()]));
+        let id = format!("trail/{}", frame::foot(number));
+        Some(self.entity(time, &id).messages(11, [line]))
+    }
+}
+
+/// `ArrowPrimitive`: it points along x of its pose.
+fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<Message> {
+    let force = Vector3::from(direction(force));
+    let length = scale * force.norm();
+    if length < SHORTEST {
+        return None;
+    }
+    let along = Unit::new_normalize(force);
+    let turn = UnitQuaternion::rotation_between_axis(&Vector3::x_axis(), &along);
+    let turned = turn.map_or([0.0, 0.0, 1.0, 0.0], |turn| turn.coords.into());
+    let head = (0.25 * length).min(0.03);
+    Some(
+        Message::new()
+            .message(1, &pose(metres(at), turned))
+            .double(2, length - head)
+            .double(3, 0.2 * head)
+            .double(4, head)
+            .double(5, 0.5 * head)
+            .message(6, &colour(ARROW)),
+    )
+}
