@@ -2,8 +2,14 @@
 
 mod access;
 pub mod assignment;
+pub(crate) mod calls;
 #[cfg(feature = "tools")]
 pub mod cycles;
+pub(crate) mod dead;
 mod flow;
 #[cfg(feature = "tools")]
 pub mod spots;
+pub(crate) mod stuck;
+mod walk;
+
+pub(crate) use flow::{Entry, always, enters};

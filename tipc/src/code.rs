@@ -132,6 +132,39 @@ codes! {
     /// A read for which some path assigns no value.
     PerhapsUnassigned "W109" None, "variable \"{}\" may be read before it is assigned",
         "変数 \"{}\" が代入の前に読まれるおそれがあります";
+    /// `%NAME%` of something that MESSAGE cannot show.
+    Placeholder "W110" None, "the message shows \"%{}%\" as it is",
+        "\"%{}%\" は値に置き換わらず、そのまま表示されます";
+    /// A MESSAGE text in quotes.
+    QuotedMessage "W111" None, "the message shows its quotes",
+        "引用符もそのまま表示されます";
+    /// A step that no path leads to.
+    Unreachable "W112" None, "the program never comes to this step",
+        "このステップは決して実行されません";
+    /// A part that is called and does not come back.
+    NoReturn "W113" None, "\"{}\" is called but never returns",
+        "\"{}\" は呼び出されますが、戻りません";
+    /// A RETURN that is reached without a call.
+    LostReturn "W114" None, "the program can come to this RETURN without a GOSUB",
+        "GOSUBなしでこのRETURNに来てしまうことがあります";
+    /// A FOR over constants that never enters its body.
+    ForNever "W115" None, "this FOR never runs",
+        "このFORは一度も実行されません";
+    /// A condition that is always true, or always false.
+    ConstantCondition "W116" None, "the outcome of this condition never changes",
+        "この条件式の結果は決して変わりません";
+    /// A loop that nothing ends.
+    EndlessLoop "W117" None, "nothing in this loop changes its condition",
+        "このループの中では条件が変わりません";
+    /// A SLEEP below one control cycle.
+    ShortSleep "W118" None, "this SLEEP is shorter than one control cycle",
+        "このSLEEPは1制御周期より短い時間です";
+    /// `=+` that is no `+=`.
+    SwappedSigns "W119" None, "=+ assigns; it adds nothing",
+        "=+ は代入で、加算ではありません";
+    /// `R` before the first of several numbers.
+    RelativeFirst "W120" None, "R is for the first number only",
+        "Rは最初の数値にだけ付いています";
 }
 
 impl Code {

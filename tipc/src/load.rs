@@ -13,7 +13,7 @@ use crate::robot::Robot;
 use crate::source::{Encoding, Source, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
-use crate::warn::warnings;
+use crate::warn::Judged;
 
 /// What a program is read and checked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,14 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         let resolved = checked.resolved.filter(|_| is_sound);
         let program = resolved.map(|resolved| {
             let program = lower(&source, &module, resolved, options.robot);
-            diagnostics.extend(warnings(&source, &module, &symbols, &program));
+            let judged = Judged {
+                source: &source,
+                module: &module,
+                symbols: &symbols,
+                program: &program,
+                robot: options.robot,
+            };
+            judged.warn(&mut diagnostics);
             program
         });
         (symbols, program)

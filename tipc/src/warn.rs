@@ -1,132 +1,66 @@
-//! Warnings that the analysis of a program gives reason for, at their places in the source.
+//! Warnings about a program that loads: it means something, but hardly what its author meant.
+//!
+//! A warning that fires on honest programs is wrong itself: each says in its file when it stays silent.
 
-use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
+mod assignment;
+mod commands;
+mod conditions;
+mod equations;
+mod message;
+mod routines;
+mod unreachable;
+
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::message::Warning;
-use crate::message::list::{Pieces, Quoted};
-use crate::message::phrase::{Assign, Lack, Stretch};
-use crate::program::{Program, StepId, VariableKind};
-use crate::source::{Source, Span};
-use crate::symbols::{Access, Symbols};
-use crate::syntax::Module;
+use crate::program::{Program, StepId};
+use crate::robot::Robot;
+use crate::source::Source;
+use crate::symbols::Symbols;
+use crate::syntax::{Module, Statement};
 
-/// Warns of every variable that is, or may be, read without a value.
-pub(crate) fn warnings(
-    source: &Source,
-    module: &Module,
-    symbols: &Symbols,
-    program: &Program,
-) -> Vec<Diagnostic> {
-    let gaps = gaps(program, &Assignment::of(program));
-    if gaps.is_empty() {
-        return Vec::new();
-    }
-    let places = Places {
-        source,
-        module,
-        symbols,
-    };
-    gaps.iter()
-        .map(|gap| warning(program, gap, places.of(program, gap)))
-        .collect()
+/// A program, and where its steps come from.
+#[derive(Clone, Copy)]
+pub(crate) struct Judged<'a> {
+    pub(crate) source: &'a Source,
+    pub(crate) module: &'a Module,
+    pub(crate) symbols: &'a Symbols,
+    pub(crate) program: &'a Program,
+    pub(crate) robot: Robot,
 }
 
-/// Where in the source steps read variables.
-struct Places<'a> {
-    source: &'a Source,
-    module: &'a Module,
-    symbols: &'a Symbols,
-}
-
-impl Places<'_> {
-    /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
-    fn of(&self, program: &Program, gap: &Gap) -> Span {
-        let Some(statement) = self.module.statement_of(gap.step) else {
-            return Span::default();
+impl Judged<'_> {
+    /// Adds everything that its analysis gives reason to warn of to what was found before.
+    pub(crate) fn warn(&self, found: &mut Vec<Diagnostic>) {
+        let warnings = self.warnings();
+        let meant = message::meant(&warnings);
+        let follows = |finding: &Diagnostic| {
+            matches!(finding.code, Code::Unused | Code::NeverRead)
+                && meant
+                    .iter()
+                    .any(|name| finding.subject.as_deref() == Some(name))
         };
-        let whole = self.module.statements[statement].span;
-        let named = self.symbols.within(whole).iter();
-        let named = named.filter(|it| it.definition.index() == gap.variable);
-        // What is updated is read last.
-        let first = named.clone().filter(|it| it.access == Access::Read);
-        let last = named.filter(|it| it.access == Access::Update);
-        let operands: Vec<Span> = first
-            .chain(last)
-            .map(|it| it.operand(self.source))
-            .collect();
-        let scalar = scalar_name(program, gap.scalars[0]);
-        let names_it = |place: &&Span| {
-            let operand = self.source.slice(**place).to_ascii_uppercase();
-            operand.trim_start_matches('-') == scalar
-        };
-        let operand = operands.iter().find(names_it).or(operands.first());
-        operand.copied().unwrap_or(whole)
+        found.retain(|finding| !follows(finding));
+        found.extend(warnings);
     }
-}
 
-fn scalar_name(program: &Program, scalar: usize) -> String {
-    let variable = &program.variables()[program.variable_of(scalar)];
-    let mut names = variable.scalar_names();
-    names.nth(scalar - variable.first).unwrap_or_default()
-}
+    fn warnings(&self) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
+        assignment::warn(self, &mut found);
+        commands::warn(self, &mut found);
+        equations::warn(self, &mut found);
+        message::warn(self, &mut found);
+        let constant = conditions::constant(self);
+        let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
+        let unreachable = unreachable::Unreachable::of(self, &open);
+        conditions::warn(self, &constant, &unreachable, &mut found);
+        routines::warn(self, &unreachable, &mut found);
+        unreachable.warn(self, &mut found);
+        found
+    }
 
-fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
-    let variable = &program.variables()[gap.variable];
-    let names: Vec<String> = gap
-        .scalars
-        .iter()
-        .map(|scalar| scalar_name(program, *scalar))
-        .collect();
-    let is_whole = gap.scalars.len() == variable.size();
-    let subject = if is_whole { &variable.name } else { &names[0] };
-    let (code, lack) = match gap.assigned {
-        Assigned::Never => (Code::Unassigned, Lack::Value),
-        _ => (Code::PerhapsUnassigned, Lack::ValueOnSomePaths),
-    };
-    let reason = match names.as_slice() {
-        [_] => Warning::Has {
-            name: names[0].clone(),
-            lack,
-        },
-        _ if is_whole => Warning::Has {
-            name: subject.clone(),
-            lack,
-        },
-        names => Warning::Have {
-            names: Quoted(names.to_vec()),
-            lack,
-        },
-    };
-    let assign = match variable.kind {
-        VariableKind::Var => Assign::Var {
-            name: variable.name.clone(),
-        },
-        VariableKind::Pos | VariableKind::Joint => Assign::EveryMember {
-            member: names[0].clone(),
-        },
-    };
-    let help = match path(program, &gap.way) {
-        Some(path) => Warning::NoValueOnPath { path, assign },
-        None => Warning::Assign { assign },
-    };
-    Diagnostic::new(code, place, reason)
-        .about(subject)
-        .help(help)
-}
-
-/// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
-fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
-    let line = |step: StepId| program.steps()[step as usize].line;
-    let pieces: Vec<(u32, u32)> = steps
-        .chunk_by(|a, b| a + 1 == *b)
-        .filter_map(|piece| Some((line(*piece.first()?), line(*piece.last()?))))
-        .collect();
-    match pieces.as_slice() {
-        [] => None,
-        [(first, last)] if first == last => Some(Stretch::Line { line: *first }),
-        _ => Some(Stretch::Lines {
-            lines: Pieces(pieces),
-        }),
+    /// The statement that is a step.
+    fn statement(&self, step: StepId) -> Option<&Statement> {
+        let index = self.module.statement_of(step)?;
+        Some(&self.module.statements[index])
     }
 }

@@ -91,14 +91,21 @@ impl Flow {
     }
 }
 
-/// What counting cycles asks beyond.
-#[cfg(feature = "tools")]
 impl Flow {
     /// The first node of a step; the number of nodes for one past the last.
     pub(super) fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
     }
 
+    /// The last node of a step: what a false IF or ELSEIF leads to.
+    pub(super) fn last(&self, step: StepId) -> NodeId {
+        self.first(step + 1).saturating_sub(1)
+    }
+}
+
+/// What counting cycles asks beyond.
+#[cfg(feature = "tools")]
+impl Flow {
     /// Every call.
     pub(super) fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
@@ -237,7 +244,7 @@ fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Opt
 }
 
 /// What a condition always is, if that is known: two constants compared.
-fn always(condition: Condition) -> Option<bool> {
+pub(crate) fn always(condition: Condition) -> Option<bool> {
     match condition {
         Condition::Compare {
             left: Operand::Constant(left),
@@ -256,7 +263,7 @@ fn always(condition: Condition) -> Option<bool> {
 }
 
 /// What is known of FOR's first test.
-enum Entry {
+pub(crate) enum Entry {
     /// A step of zero: the program stops.
     Fails,
     /// Its outcome.
@@ -265,7 +272,8 @@ enum Entry {
     Open,
 }
 
-fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
+/// What FOR's first test comes to.
+pub(crate) fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,
         (Operand::Constant(from), Operand::Constant(to), Operand::Constant(step)) => {

@@ -1,12 +1,14 @@
 //! What is said of a program that loads.
 
 use super::list::Quoted;
-use super::phrase::{Assign, Lack, Stretch};
+use super::phrase::{Assign, Lack, Stretch, Type};
+use smol_str::SmolStr;
 
 messages! {
     /// What the analysis warns of.
     Warning;
 
+    // Variables without a value.
     Has { name: String, lack: Lack }
         "`{name}` has {lack}",
         "`{name}` には、{lack}";
@@ -17,4 +19,112 @@ messages! {
     NoValueOnPath { path: Stretch, assign: Assign }
         "no value on the path through {path}; {assign}",
         "{path}を通る経路では値がありません。{assign}";
+
+    // Messages.
+    NoVar { name: SmolStr }
+        "no VAR is called `{name}`",
+        "`{name}` というVAR型変数はありません";
+    MeantPlaceholder { near: SmolStr }
+        "did you mean `%{near}%`?",
+        "`%{near}%` の間違いではありませんか?";
+    DeclareOrLeaveOut { name: SmolStr }
+        "declare it with `DEF_VAR {name}` to show its value",
+        "値を表示するには `DEF_VAR {name}` で宣言してください";
+    StructInMessage { name: SmolStr, found: Type }
+        "`{name}` is {found}, and a message shows VARs only",
+        "`{name}` は{found}です。MESSAGEで表示できるのはVAR型変数だけです";
+    ShowCopy { member: String }
+        "copy a member into a VAR, as `V = {member}`, and show `%V%`",
+        "`V = {member}` のようにメンバをVAR型変数に代入し、`%V%` で表示してください";
+    Decimals { name: SmolStr }
+        "`{name}` is shown with 0 to 7 decimals",
+        "`{name}` の小数点以下の桁数は0から7までです";
+    SevenAtMost { name: SmolStr }
+        "write one digit after the point, as `%{name}.2%`",
+        "`%{name}.2%` のように、ピリオドの後に数字を1個書いてください";
+    QuotesShown
+        "the quotes are part of the text",
+        "引用符も文字列の一部になります";
+    LeaveQuotesOut
+        "leave the quotes out: the text ends with its line",
+        "引用符は要りません。文字列は行末までです";
+
+    // Steps that do not run.
+    NoPath
+        "no path leads here",
+        "ここに来る経路がありません";
+    LabelOrDelete
+        "put a label here that something jumps to, or take the steps out",
+        "飛び先のラベルをここに置くか、不要なら削除してください";
+    NothingJumps { name: SmolStr }
+        "nothing jumps to `{name}:`, and no step runs into it",
+        "`{name}:` へのジャンプも、ここに続くステップもありません";
+    JumpOrDelete { name: SmolStr }
+        "jump to it with `GOTO {name}:`, call it with `GOSUB {name}:`, or take it out",
+        "`GOTO {name}:` でジャンプするか、`GOSUB {name}:` で呼んでください。不要なら削除してください";
+    LeadsElsewhere
+        "this leads elsewhere",
+        "ここで別の場所に移ります";
+
+    // Calls.
+    NeverReturns
+        "no path from here comes to a RETURN",
+        "ここからRETURNに来る経路がありません";
+    CalledHere
+        "called here",
+        "ここで呼ばれています";
+    EndWithReturn
+        "end the part with RETURN; to leave for good, use GOTO instead of GOSUB",
+        "最後にRETURNを置いてください。戻らないのなら、GOSUBの代わりにGOTOを使ってください";
+    ReturnsNowhere
+        "without a GOSUB this stops the program",
+        "GOSUBなしで来ると、ここで緊急停止します";
+    PutJumpAboveLabel
+        "put GOTO or EXIT above the part that GOSUB calls",
+        "GOSUBで呼ぶ部分の上にGOTOかEXITを置いてください";
+
+    // Conditions and loops.
+    AlwaysTrue "always true", "いつも真です";
+    AlwaysFalse "always false", "いつも偽です";
+    CompareVariable
+        "compare a variable that changes, or take the condition out",
+        "値の変わる変数と比較するか、条件を取り除いてください";
+    NeverTurns
+        "the loop never runs; compare a variable that changes",
+        "ループは一度も実行されません。値の変わる変数と比較してください";
+    TurnsOnce
+        "the loop runs once; compare a variable that changes",
+        "ループは一度で終わります。値の変わる変数と比較してください";
+    BeyondEnd { from: f64, to: f64 }
+        "{from} is already beyond {to}",
+        "{from}は初めから{to}を過ぎています";
+    CountBack { step: f64 }
+        "count the other way with `STEP {step}`, or exchange the bounds",
+        "逆に数えるには `STEP {step}` を付けるか、両端を入れ替えてください";
+    NothingChanges
+        "no step of the loop assigns a variable of this condition",
+        "この条件の変数に代入するステップがループの中にありません";
+    ChangeOrLoop
+        "change the variable in the loop; to repeat for ever write `LOOP:` … `GOTO LOOP:`",
+        "ループの中で変数の値を変えてください。無限に繰り返すなら `LOOP:` … `GOTO LOOP:` と書きます";
+
+    // Commands and equations.
+    OneCycle { period: f64 }
+        "this takes one whole cycle, {period} ms",
+        "1周期の{period} msかかります";
+    Milliseconds
+        "SLEEP counts milliseconds: one second is `SLEEP 1000`",
+        "SLEEPの単位はミリ秒です。1秒は `SLEEP 1000` です";
+    AssignsSigned { number: SmolStr }
+        "this assigns {number}, with a sign in front",
+        "符号付きの{number}を代入しています";
+    MeantUpdate { name: SmolStr, number: SmolStr }
+        "to add write `{name} += {number}`; to assign, `{name} = {number}`",
+        "加算は `{name} += {number}`、代入は `{name} = {number}` と書いてください";
+    OthersAbsolute
+        "the numbers after it are absolute",
+        "その後の数値は絶対値です";
+    MarkEach
+        "write R before each number that is relative, and A before each that is absolute",
+        "相対値には一つずつR、絶対値には一つずつAを付けてください";
 }

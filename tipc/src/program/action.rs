@@ -190,6 +190,34 @@ impl Action {
         }
     }
 
+    /// Whether it does more than to decide what runs next.
+    pub(crate) fn acts(&self) -> bool {
+        match self {
+            Action::SetScalar { .. }
+            | Action::SetStruct { .. }
+            | Action::Command { .. }
+            | Action::TeachStruct { .. }
+            | Action::TeachScalar { .. }
+            | Action::AdIn { .. }
+            | Action::KeyIn { .. }
+            | Action::Message { .. } => true,
+            Action::Nothing
+            | Action::If { .. }
+            | Action::ElseIf { .. }
+            | Action::Else { .. }
+            | Action::While { .. }
+            | Action::Goto { .. }
+            | Action::Until { .. }
+            | Action::For { .. }
+            | Action::Next { .. }
+            | Action::IfGoto { .. }
+            | Action::Gosub { .. }
+            | Action::IfGosub { .. }
+            | Action::Return
+            | Action::Finish(_) => false,
+        }
+    }
+
     /// Where ELSEIF and ELSE lead when they are reached "taken"; other steps do not ask how they are reached.
     pub fn passed_to(&self) -> Option<StepId> {
         match self {

@@ -1,0 +1,84 @@
+//! Calls and returns that do not match.
+
+use super::flow::{Call, Flow, NodeId};
+use super::walk::{Into, Walk};
+use crate::program::{Action, End, Program, StepId};
+use std::collections::BTreeSet;
+
+/// What does not match.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Mismatches {
+    /// Routines that cannot come back, although they do not end the program by EXIT.
+    pub(crate) one_way: Vec<OneWay>,
+    /// The first RETURN that a path without a call comes to.
+    pub(crate) lost: Option<StepId>,
+}
+
+/// A routine that cannot come back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct OneWay {
+    /// Where it begins.
+    pub(crate) entry: StepId,
+    /// The first step that calls it.
+    pub(crate) call: StepId,
+}
+
+/// Looks at the calls and returns of a program. What is in a SUBROUTINE may be left out: `is_inside` says which steps are.
+pub(crate) fn mismatches(program: &Program, is_inside: impl Fn(StepId) -> bool) -> Mismatches {
+    let flow = Flow::of(program);
+    let own = own_nodes(&flow);
+    let is_lost = |id: &NodeId| own[*id] && flow.nodes()[*id].returns;
+    let lost = (0..own.len())
+        .filter(is_lost)
+        .map(|id| flow.nodes()[id].step);
+    Mismatches {
+        one_way: one_way(program, &flow),
+        lost: lost.into_iter().find(|step| !is_inside(*step)),
+    }
+}
+
+/// The nodes that paths from the start come to without being called, as if every call came back.
+fn own_nodes(flow: &Flow) -> Vec<bool> {
+    let mut own = vec![false; flow.nodes().len()];
+    let mut open = vec![0];
+    while let Some(id) = open.pop() {
+        if let Some(node) = flow.nodes().get(id)
+            && !std::mem::replace(&mut own[id], true)
+        {
+            open.extend(node.next.iter().copied());
+            open.extend(node.call.map(|call| call.back));
+        }
+    }
+    own
+}
+
+fn one_way(program: &Program, flow: &Flow) -> Vec<OneWay> {
+    let mut walk = Walk::new(flow);
+    let mut entries = BTreeSet::new();
+    let calls = flow
+        .nodes()
+        .iter()
+        .filter_map(|node| Some((node.step, node.call?)));
+    calls
+        .filter(|(_, call)| entries.insert(call.entry))
+        .filter(|(_, call)| is_one_way(program, flow, &mut walk, *call) == Some(true))
+        .map(|(step, call)| OneWay {
+            entry: flow.nodes()[call.entry].step,
+            call: step,
+        })
+        .collect()
+}
+
+/// Whether the routine does something, and then runs to the end of the source or into a call of itself, but never returns;
+/// `None` if it is too long to say.
+fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
+    let path = walk.from(&[call.entry], None, Into::Itself)?;
+    let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
+    let actions = || nodes().map(|node| &program.steps()[node.step as usize].action);
+    if nodes().any(|node| node.returns) {
+        return Some(false);
+    }
+    let runs_out = actions().any(|action| matches!(action, Action::Finish(End::End)));
+    let calls_itself = nodes().any(|node| node.call.is_some_and(|inner| inner.entry == call.entry));
+    Some((runs_out || calls_itself) && actions().any(Action::acts))
+}

@@ -1,0 +1,114 @@
+//! Variables that are read without a value (T.I.P. 3.1 §5-1).
+
+use super::Judged;
+use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::message::Warning;
+use crate::message::list::{Pieces, Quoted};
+use crate::message::phrase::{Assign, Lack, Stretch};
+use crate::program::{Program, StepId, VariableKind};
+use crate::source::Span;
+use crate::symbols::Access;
+
+/// Warns of every variable that is, or may be, read without a value.
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    let program = judged.program;
+    let gaps = gaps(program, &Assignment::of(program));
+    let warnings = gaps
+        .iter()
+        .map(|gap| warning(program, gap, judged.operand(gap)));
+    found.extend(warnings);
+}
+
+impl Judged<'_> {
+    /// The operand that lacks its value, else the whole statement: NEXT need not name its variable.
+    fn operand(&self, gap: &Gap) -> Span {
+        let Some(statement) = self.statement(gap.step) else {
+            return Span::default();
+        };
+        let whole = statement.span;
+        let named = self.symbols.within(whole).iter();
+        let named = named.filter(|it| it.definition.index() == gap.variable);
+        // What is updated is read last.
+        let first = named.clone().filter(|it| it.access == Access::Read);
+        let last = named.filter(|it| it.access == Access::Update);
+        let operands: Vec<Span> = first
+            .chain(last)
+            .map(|it| it.operand(self.source))
+            .collect();
+        let scalar = scalar_name(self.program, gap.scalars[0]);
+        let names_it = |place: &&Span| {
+            let operand = self.source.slice(**place).to_ascii_uppercase();
+            operand.trim_start_matches('-') == scalar
+        };
+        let operand = operands.iter().find(names_it).or(operands.first());
+        operand.copied().unwrap_or(whole)
+    }
+}
+
+fn scalar_name(program: &Program, scalar: usize) -> String {
+    let variable = &program.variables()[program.variable_of(scalar)];
+    let mut names = variable.scalar_names();
+    names.nth(scalar - variable.first).unwrap_or_default()
+}
+
+fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
+    let variable = &program.variables()[gap.variable];
+    let names: Vec<String> = gap
+        .scalars
+        .iter()
+        .map(|scalar| scalar_name(program, *scalar))
+        .collect();
+    let is_whole = gap.scalars.len() == variable.size();
+    let subject = if is_whole { &variable.name } else { &names[0] };
+    let (code, lack) = match gap.assigned {
+        Assigned::Never => (Code::Unassigned, Lack::Value),
+        _ => (Code::PerhapsUnassigned, Lack::ValueOnSomePaths),
+    };
+    let reason = match names.as_slice() {
+        [_] => Warning::Has {
+            name: names[0].clone(),
+            lack,
+        },
+        _ if is_whole => Warning::Has {
+            name: subject.clone(),
+            lack,
+        },
+        names => Warning::Have {
+            names: Quoted(names.to_vec()),
+            lack,
+        },
+    };
+    let assign = match variable.kind {
+        VariableKind::Var => Assign::Var {
+            name: variable.name.clone(),
+        },
+        VariableKind::Pos | VariableKind::Joint => Assign::EveryMember {
+            member: names[0].clone(),
+        },
+    };
+    let help = match path(program, &gap.way) {
+        Some(path) => Warning::NoValueOnPath { path, assign },
+        None => Warning::Assign { assign },
+    };
+    Diagnostic::new(code, place, reason)
+        .about(subject)
+        .help(help)
+}
+
+/// The lines of a path: runs of steps without a jump, the last one up to the step that reads.
+fn path(program: &Program, steps: &[StepId]) -> Option<Stretch> {
+    let line = |step: StepId| program.steps()[step as usize].line;
+    let pieces: Vec<(u32, u32)> = steps
+        .chunk_by(|a, b| a + 1 == *b)
+        .filter_map(|piece| Some((line(*piece.first()?), line(*piece.last()?))))
+        .collect();
+    match pieces.as_slice() {
+        [] => None,
+        [(first, last)] if first == last => Some(Stretch::Line { line: *first }),
+        _ => Some(Stretch::Lines {
+            lines: Pieces(pieces),
+        }),
+    }
+}

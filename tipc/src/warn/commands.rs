@@ -1,0 +1,78 @@
+//! Commands that do less than they seem to: a pause that is none, `R` before one number of three, a SPECIAL that nobody
+//! answers.
+
+use super::Judged;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::language::commands::{self, Form};
+use crate::message::Warning;
+use crate::program::{Action, Op};
+use crate::syntax::{self, OperandKind, StatementKind};
+use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
+
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    let keeps_period = judged
+        .program
+        .steps()
+        .iter()
+        .all(|step| !sets_period(&step.action));
+    for (statement, step) in judged.module.steps().zip(judged.program.steps()) {
+        let StatementKind::Command {
+            name, arguments, ..
+        } = &statement.kind
+        else {
+            continue;
+        };
+        let finding = match &step.action {
+            Action::Command { op: Op::Sleep, .. } if keeps_period => short_sleep(judged, arguments),
+            Action::Command { .. } => relative_first(&name.node, arguments),
+            _ => None,
+        };
+        found.extend(finding);
+    }
+}
+
+/// Whether the robot's standard sampling time may not be the one in force.
+fn sets_period(action: &Action) -> bool {
+    let Action::Command { op, .. } = action else {
+        return false;
+    };
+    matches!(op, Op::SetSamplingTime | Op::SetSamplingFreq)
+}
+
+/// A pause in seconds where milliseconds are meant. 0 is how to say one cycle.
+fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
+    let operand = arguments.first()?;
+    let OperandKind::Number(time) = operand.kind else {
+        return None;
+    };
+    let period = judged.robot.facts().period;
+    (0.0 < time && time < period).then(|| {
+        let reason = Warning::OneCycle { period };
+        Diagnostic::new(Code::ShortSleep, operand.span, reason).help(Warning::Milliseconds)
+    })
+}
+
+/// `R` before the first number only. `R 0` in front is how to keep one coordinate; `A` before another number shows that
+/// the author knows that `R` is for one.
+fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
+    let takes_marks = commands::find(name).is_some_and(|command| match command.form {
+        Form::Robot(form) => form.relative && !form.from_target,
+        _ => false,
+    });
+    let is = |operand: &&syntax::Operand, flag: &str| matches!(&operand.kind, OperandKind::Name(name) if name == flag);
+    let first = arguments
+        .iter()
+        .position(|operand| is(&operand, RELATIVE))?;
+    let (mark, numbers) = arguments[first..].split_first()?;
+    let marked = |operand: &syntax::Operand| is(&operand, RELATIVE) || is(&operand, ABSOLUTE);
+    let stays = matches!(numbers.first()?.kind, OperandKind::Number(0.0));
+    let is_target = |operand: &syntax::Operand| matches!(&operand.kind, OperandKind::Name(name) if name.parse::<Target>().is_ok());
+    let leads = arguments[..first].last().is_some_and(is_target);
+    if !takes_marks || !leads || stays || numbers.len() < 2 || numbers.iter().any(marked) {
+        return None;
+    }
+    let place = mark.span.to(numbers[0].span);
+    let finding = Diagnostic::new(Code::RelativeFirst, place, Warning::OthersAbsolute);
+    Some(finding.help(Warning::MarkEach))
+}

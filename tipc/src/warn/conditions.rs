@@ -1,0 +1,180 @@
+//! Conditions whose outcome never changes, and loops that therefore never run, or never end (T.I.P. 3.1 §7-6).
+
+use super::Judged;
+use super::unreachable::Unreachable;
+use crate::analysis::{Entry, always, enters, stuck::stuck};
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::message::Warning;
+use crate::program::{Action, Condition, Operand, Program, StepId};
+use crate::source::Span;
+use crate::syntax::{Statement, StatementKind};
+
+/// A step whose outcome is always the same.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constant {
+    pub(super) step: StepId,
+    /// Whether there is a warning about that here.
+    outcome: Outcome,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Outcome {
+    /// A condition.
+    Is(bool),
+    /// A FOR that runs its body not even once.
+    Never,
+    /// A count by 0, of which another warning speaks.
+    Stops,
+}
+
+/// The steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 == 0` are meant so.
+pub(super) fn constant(judged: &Judged<'_>) -> Vec<Constant> {
+    let steps = (0..).zip(judged.program.steps());
+    let constant = |(step, content): (StepId, &crate::program::Step)| {
+        let outcome = outcome(&content.action)?;
+        Some(Constant { step, outcome })
+    };
+    steps.filter_map(constant).collect()
+}
+
+fn outcome(action: &Action) -> Option<Outcome> {
+    if let Action::For { from, to, step, .. } = action {
+        return match enters(*from, *to, *step) {
+            Entry::Known(false) => Some(Outcome::Never),
+            Entry::Fails => Some(Outcome::Stops),
+            Entry::Known(true) | Entry::Open => None,
+        };
+    }
+    if let Action::Next {
+        step: Operand::Constant(0.0),
+        ..
+    } = action
+    {
+        return Some(Outcome::Stops);
+    }
+    let is = settled(*action.condition()?)?;
+    let is_endless = match action {
+        Action::While { .. } => is,
+        Action::Until { .. } => !is,
+        _ => false,
+    };
+    (!is_endless).then_some(Outcome::Is(is))
+}
+
+/// What a condition always is: two constants compared, or a variable with itself.
+fn settled(condition: Condition) -> Option<bool> {
+    use crate::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
+    match condition {
+        Condition::Compare {
+            left: left @ Operand::Scalar { .. },
+            relation,
+            right,
+        } if left == right => Some(match relation {
+            Eq | Le | Ge => true,
+            Ne | Lt | Gt => false,
+        }),
+        _ => always(condition),
+    }
+}
+
+pub(super) fn warn(
+    judged: &Judged<'_>,
+    constant: &[Constant],
+    unreachable: &Unreachable,
+    found: &mut Vec<Diagnostic>,
+) {
+    for Constant { step, outcome } in constant {
+        let Some(statement) = judged
+            .statement(*step)
+            .filter(|_| unreachable.is_live(*step))
+        else {
+            continue;
+        };
+        found.extend(match outcome {
+            _ if !decides(judged.program, *step) => None,
+            Outcome::Is(is) => Some(always_so(statement, *is)),
+            Outcome::Never => Some(never_runs(judged.program, statement, *step)),
+            Outcome::Stops => None,
+        });
+    }
+    let is_judged = |step: &StepId| constant.iter().all(|one| one.step != *step);
+    let stuck = stuck(judged.program).into_iter().filter(is_judged);
+    for step in stuck.filter(|step| unreachable.is_live(*step)) {
+        found.extend(judged.statement(step).map(never_ends));
+    }
+}
+
+/// Whether something depends on a step: a block without any action is a sketch.
+fn decides(program: &Program, step: StepId) -> bool {
+    let steps = program.steps();
+    let end = match &steps[step as usize].action {
+        Action::If { otherwise: end, .. }
+        | Action::ElseIf { otherwise: end, .. }
+        | Action::For { exit: end, .. } => *end,
+        _ => return true,
+    };
+    let block = steps.get(step as usize..end as usize).unwrap_or_default();
+    let does = |action: &Action| action.acts() || leads_on(action);
+    block.iter().any(|step| does(&step.action))
+}
+
+/// Whether a step in a block goes elsewhere.
+fn leads_on(action: &Action) -> bool {
+    matches!(
+        action,
+        Action::Goto { .. }
+            | Action::IfGoto { .. }
+            | Action::Gosub { .. }
+            | Action::IfGosub { .. }
+            | Action::Return
+            | Action::Finish(_)
+    )
+}
+
+fn always_so(statement: &Statement, is: bool) -> Diagnostic {
+    let (reason, help) = match (&statement.kind, is) {
+        (StatementKind::While { .. }, _) => (Warning::AlwaysFalse, Warning::NeverTurns),
+        (StatementKind::Until { .. }, _) => (Warning::AlwaysTrue, Warning::TurnsOnce),
+        (_, true) => (Warning::AlwaysTrue, Warning::CompareVariable),
+        (_, false) => (Warning::AlwaysFalse, Warning::CompareVariable),
+    };
+    Diagnostic::new(Code::ConstantCondition, condition(statement), reason).help(help)
+}
+
+fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnostic {
+    let action = &program.steps()[step as usize].action;
+    let (reason, help) = match action {
+        Action::For {
+            from: Operand::Constant(from),
+            to: Operand::Constant(to),
+            step: Operand::Constant(step),
+            ..
+        } => {
+            let (from, to, step) = (*from, *to, -*step);
+            (Warning::BeyondEnd { from, to }, Warning::CountBack { step })
+        }
+        _ => return always_so(statement, false),
+    };
+    Diagnostic::new(Code::ForNever, statement.span, reason).help(help)
+}
+
+fn never_ends(statement: &Statement) -> Diagnostic {
+    let place = condition(statement);
+    Diagnostic::new(Code::EndlessLoop, place, Warning::NothingChanges).help(Warning::ChangeOrLoop)
+}
+
+/// Where a condition is.
+fn condition(statement: &Statement) -> Span {
+    use crate::syntax::Condition::{Compare, Flag};
+    match &statement.kind {
+        StatementKind::If { condition, .. }
+        | StatementKind::ElseIf { condition, .. }
+        | StatementKind::While { condition, .. }
+        | StatementKind::Until { condition, .. } => match &**condition {
+            Compare { left, right, .. } => left.span.to(right.span),
+            Flag { name, .. } => name.span,
+        },
+        _ => statement.span,
+    }
+}

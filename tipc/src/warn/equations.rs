@@ -1,0 +1,41 @@
+//! `N =+1` where `N += 1` was meant.
+
+use super::Judged;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::message::Warning;
+use crate::source::Span;
+use crate::syntax::{Equation, Expression, OperandKind, StatementKind};
+
+/// The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look like.
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    for statement in judged.module.steps() {
+        if let StatementKind::Equation(equation) = &statement.kind
+            && let Some(sign) = swapped(judged.source.text(), equation)
+        {
+            let name = judged.source.slice(equation.target.span);
+            let number = judged.source.slice(Span::new(sign + 1, statement.span.end));
+            let reason = Warning::AssignsSigned {
+                number: number.into(),
+            };
+            let help = Warning::MeantUpdate {
+                name: name.into(),
+                number: number.into(),
+            };
+            let place = Span::new(equation.operator.start, sign + 1);
+            found.push(Diagnostic::new(Code::SwappedSigns, place, reason).help(help));
+        }
+    }
+}
+
+/// Where the plus is.
+fn swapped(text: &str, equation: &Equation) -> Option<usize> {
+    let Expression::Operand(value) = &equation.value else {
+        return None;
+    };
+    let operator = equation.operator;
+    let is_number = matches!(value.kind, OperandKind::Number(_));
+    let follows = value.span.start == operator.end && text[operator.end..].starts_with('+');
+    let is_apart = equation.target.span.end < operator.start;
+    (equation.update.is_none() && is_number && follows && is_apart).then_some(operator.end)
+}

@@ -1,0 +1,140 @@
+//! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
+
+use super::Judged;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::message::phrase::Type;
+use crate::message::{Message, Warning};
+use crate::program::{Variable, VariableKind};
+use crate::source::Span;
+use crate::suggest::nearest;
+use crate::syntax::{StatementKind, upper_case};
+use smol_str::SmolStr;
+
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    for statement in judged.module.steps() {
+        if let StatementKind::Message { text } = &statement.kind {
+            found.extend(quoted(judged.source.slice(text.span), text.span));
+            placeholders(judged, text.span, found);
+        }
+    }
+}
+
+/// The whole text in quotes. Single words in quotes are part of a text.
+fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
+    let is_whole = |quote: char| {
+        let inner = text
+            .strip_prefix(quote)
+            .and_then(|rest| rest.strip_suffix(quote));
+        inner.is_some_and(|inner| !inner.contains(quote))
+    };
+    let reason = Warning::QuotesShown;
+    (is_whole('"') || is_whole('\''))
+        .then(|| Diagnostic::new(Code::QuotedMessage, place, reason).help(Warning::LeaveQuotesOut))
+}
+
+/// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
+fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+    let text = judged.source.slice(place);
+    let variables = judged.program.variables();
+    let mut from = 0;
+    while let Some(at) = text[from..].find('%').map(|at| from + at) {
+        from = at + 1;
+        let Some(length) = text[from..].find('%') else {
+            return;
+        };
+        let inner = &text[from..from + length];
+        let Some(fault) = fault(variables, inner) else {
+            from += if is_placeholder(variables, inner) {
+                length + 1
+            } else {
+                0
+            };
+            continue;
+        };
+        let end = from + length + 1;
+        let next = text[end..].split_once('%').map(|(next, _)| next);
+        if next.is_some_and(|next| is_placeholder(variables, next)) {
+            // The second sign begins a value: the first one is text.
+            continue;
+        }
+        from = end;
+        let span = Span::new(place.start + at, place.start + end);
+        let finding = Diagnostic::new(Code::Placeholder, span, fault.0);
+        found.push(finding.about(inner).help(fault.1));
+    }
+}
+
+/// Whether that is shown as a value.
+fn is_placeholder(variables: &[Variable], inner: &str) -> bool {
+    split(inner).is_some() && fault(variables, inner).is_none()
+}
+
+/// The name between percent signs, and what follows it from a point on. Blanks and signs make no name.
+fn split(inner: &str) -> Option<(&str, Option<&str>)> {
+    let (name, rest) = match inner.split_once('.') {
+        Some((name, rest)) => (name, Some(rest)),
+        None => (inner, None),
+    };
+    let is_word = |text: &str| {
+        text.bytes()
+            .all(|byte| byte == b'_' || byte.is_ascii_alphanumeric())
+    };
+    let starts = name.starts_with(|first: char| first == '_' || first.is_ascii_alphabetic());
+    (starts && is_word(name) && rest.is_none_or(is_word)).then_some((name, rest))
+}
+
+/// Why what looks like a placeholder stands for nothing, and what to write.
+fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
+    let (name, rest) = split(inner)?;
+    let name = || upper_case(name);
+    let Some(variable) = variables.iter().find(|one| *one.name == *name()) else {
+        return Some((Warning::NoVar { name: name() }, declare(variables, name())));
+    };
+    let found = match (variable.kind, rest) {
+        (VariableKind::Var, None | Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7")) => {
+            return None;
+        }
+        (VariableKind::Var, Some(_)) => {
+            let reason = Warning::Decimals { name: name() };
+            return Some((reason, Warning::SevenAtMost { name: name() }));
+        }
+        (VariableKind::Pos, _) => Type::Pos,
+        (VariableKind::Joint, _) => Type::Joint,
+    };
+    let is_named = |member: &String| inner.eq_ignore_ascii_case(member);
+    let named = variable.scalar_names().find(is_named);
+    let member = named.or_else(|| variable.scalar_names().next());
+    let member = member.unwrap_or_default();
+    let reason = Warning::StructInMessage {
+        name: name(),
+        found,
+    };
+    Some((reason, Warning::ShowCopy { member }))
+}
+
+/// What to write for a name that is not declared.
+fn declare(variables: &[Variable], name: SmolStr) -> Warning {
+    let vars = variables.iter().filter(|one| one.kind == VariableKind::Var);
+    match nearest(&name, vars.map(|one| one.name.as_str())) {
+        Some(near) => Warning::MeantPlaceholder { near: near.into() },
+        None => Warning::DeclareOrLeaveOut { name },
+    }
+}
+
+/// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
+pub(super) fn meant(found: &[Diagnostic]) -> Vec<SmolStr> {
+    let meant = found
+        .iter()
+        .filter_map(|finding| match (&finding.reason, &finding.help) {
+            (_, Some(Message::Warning(Warning::MeantPlaceholder { near: name })))
+            | (
+                Message::Warning(
+                    Warning::Decimals { name } | Warning::StructInMessage { name, .. },
+                ),
+                _,
+            ) => Some(name.clone()),
+            _ => None,
+        });
+    meant.collect()
+}

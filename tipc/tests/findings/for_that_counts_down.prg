@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR I
+FOR I = 10 TO 1
+MESSAGE %I%
+NEXT
+END

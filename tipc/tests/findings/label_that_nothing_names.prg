@@ -1,0 +1,6 @@
+3.1
+A title
+LOOP: KEY_IN
+GOTO LOOP:
+DONE: MESSAGE done
+END

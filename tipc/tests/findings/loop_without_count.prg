@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+N = 0
+WHILE N < 3
+MESSAGE round %N%
+SLEEP 500
+WEND
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+GOSUB GREET:
+EXIT
+GREET:
+MESSAGE hello
+END

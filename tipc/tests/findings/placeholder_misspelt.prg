@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR COUNT
+COUNT = 3
+SLEEP COUNT
+MESSAGE %CUONT% steps to go
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+GOSUB GREET:
+GREET: MESSAGE hello
+RETURN
+END

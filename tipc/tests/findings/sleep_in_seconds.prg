@@ -1,0 +1,6 @@
+3.1
+A title
+MESSAGE wait
+SLEEP 1.5
+MESSAGE go
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+LOOP: KEY_IN
+GOTO LOOP:
+ALL_STOP
+MESSAGE done
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+REPEAT
+SLEEP 100
+UNTIL 1 == 1
+END

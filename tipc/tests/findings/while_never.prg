@@ -1,0 +1,6 @@
+3.1
+A title
+WHILE 0 <> 0
+ALL_STOP
+WEND
+END

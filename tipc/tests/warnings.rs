@@ -1,0 +1,217 @@
+//! Warnings about programs that load: where they fire, and where they stay silent.
+
+use tipc::source::Unit;
+use tipc::{Options, Robot, load};
+
+/// What is said of some statements, each as code, line and column; the first statement is on line 3.
+fn found(statements: &str, robot: Robot) -> Vec<String> {
+    let text = format!("3.1\nA title\n{statements}\nEND\n");
+    let options = Options {
+        robot,
+        ..Options::default()
+    };
+    let loaded = load("warnings.prg", text.as_bytes(), &options);
+    let place = |start| loaded.source.position(start, Unit::Character);
+    let finding = |one: &tipc::diagnostic::Diagnostic| {
+        let at = place(one.span.start);
+        format!("{} {}:{}", one.code.id(), at.line, at.column)
+    };
+    loaded.diagnostics.iter().map(finding).collect()
+}
+
+#[track_caller]
+fn check(statements: &str, expected: &[&str]) {
+    assert_eq!(found(statements, Robot::Titan8), expected, "{statements}");
+}
+
+#[test]
+fn names_between_percent_signs_are_variables() {
+    check(
+        "DEF_VAR COUNT\nCOUNT = 1\nMESSAGE %CUONT% of %count.2%",
+        &["W110 5:9"],
+    );
+    check("MESSAGE %X%", &["W110 3:9"]);
+    // That nothing reads the variable follows from it.
+    check("DEF_VAR COUNT\nCOUNT = 1\nMESSAGE %CUONT%", &["W110 5:9"]);
+    // One of nine decimals, one of a POS, one of its member.
+    check(
+        "DEF_VAR N\nDEF_POS P\nN = 1\nP.X = N; N = P.X\nMESSAGE %N% %N.9% %P% %P.X%",
+        &["W110 7:13", "W110 7:19", "W110 7:23"],
+    );
+    // Percent signs that are meant as such, and a value between two of them.
+    check(
+        "DEF_VAR N\nN = 1\nMESSAGE 50% of 100%\nMESSAGE 100%%, 5 % 3 %\nMESSAGE 50%%N%%\nMESSAGE %5%\nMESSAGE %X%N%",
+        &[],
+    );
+}
+
+#[test]
+fn a_text_needs_no_quotes() {
+    check("MESSAGE \"hello\"", &["W111 3:9"]);
+    check("MESSAGE 'hello'", &["W111 3:9"]);
+    check("MESSAGE say \"hello\"", &[]);
+    check("MESSAGE \"one\" and \"two\"", &[]);
+    check("MESSAGE 'tis\nMESSAGE \"", &[]);
+}
+
+#[test]
+fn steps_behind_a_jump_are_reached_by_a_label() {
+    check("LOOP: REM\nGOTO LOOP:\nALL_STOP\nMESSAGE a", &["W112 5:1"]);
+    check("EXIT\nPART: ALL_STOP", &["W112 4:1"]);
+    check(
+        "GOTO OUT:\nALL_STOP\nOUT: REM\nEXIT\nALL_STOP",
+        &["W112 4:1", "W112 7:1"],
+    );
+    // What unreachable steps jump to follows from them.
+    check(
+        "EXIT\nALL_STOP\nGOTO L:\nSUBROUTINE S:\nSUBEND\nL: ALL_STOP",
+        &["W112 4:1"],
+    );
+    // A loop that nothing enters.
+    check("EXIT\nL: ALL_STOP\nGOTO L:", &["W112 4:1"]);
+}
+
+#[test]
+fn closers_and_jumps_behind_a_jump_are_no_mistake() {
+    check("WHILE 1 == 1\nALL_STOP\nWEND", &[]);
+    check("WHILE 1 == 1\nALL_STOP\nWEND\nMESSAGE a", &["W112 6:1"]);
+    check("IF KB_HIT THEN\nEXIT\nELSE\nEXIT\nENDIF\nEXIT", &[]);
+    check(
+        "CALL S:\nEXIT\nSUBROUTINE S:\nALL_STOP\nRETURN\nSUBEND",
+        &[],
+    );
+    // More routines than the program needs.
+    check("EXIT\nSPARE: ALL_STOP\nRETURN", &[]);
+    check("EXIT\nSUBROUTINE S:\nALL_STOP\nSUBEND", &[]);
+}
+
+#[test]
+fn called_parts_return() {
+    check("GOSUB A:\nEXIT\nA: ALL_STOP", &["W113 5:1"]);
+    check(
+        "LOOP: REM\nIF KB_HIT GOSUB A:\nGOTO LOOP:\nA: MESSAGE a\nGOTO LOOP:",
+        &["W113 6:1"],
+    );
+    // It ends the program, repeats for ever, or returns through another part.
+    check(
+        "LOOP: IF KB_HIT GOSUB A:\nGOTO LOOP:\nA: ALL_STOP\nEXIT",
+        &[],
+    );
+    check("GOSUB A:\nEXIT\nA: ALL_STOP\nGOTO A:", &[]);
+    check("GOSUB A:\nGOSUB B:\nEXIT\nA: ALL_STOP\nB: REM\nRETURN", &[]);
+    check(
+        "GOSUB A:\nEXIT\nA: IF KB_HIT THEN\nRETURN\nENDIF\nGOTO A:",
+        &[],
+    );
+}
+
+#[test]
+fn a_return_belongs_to_a_call() {
+    check("ALL_STOP\nRETURN", &["W114 4:1"]);
+    check("GOSUB A:\nA: ALL_STOP\nRETURN", &["W114 5:1"]);
+    check("GOSUB A:\nGOTO OUT:\nA: ALL_STOP\nRETURN\nOUT: REM", &[]);
+    // The other warning speaks of SUBROUTINEs.
+    check("CALL S:\nSUBROUTINE S:\nRETURN\nSUBEND", &["W106 4:1"]);
+}
+
+#[test]
+fn constants_decide_nothing() {
+    check(
+        "DEF_VAR I\nFOR I = 10 TO 1\nGOSUB A:\nNEXT\nEXIT\nA: RETURN",
+        &["W115 4:1"],
+    );
+    check("DEF_VAR I\nFOR I = 10 TO 1\nNEXT", &[]);
+    check(
+        "DEF_VAR I\nFOR I = 1 TO 10 STEP -1\nALL_STOP\nNEXT",
+        &["W115 4:1"],
+    );
+    check("DEF_VAR I\nFOR I = 10 TO 1 STEP -1\nREM\nNEXT", &[]);
+    check("DEF_VAR I\nFOR I = 1 TO 1\nREM\nNEXT", &[]);
+    check("IF 1 == 1 THEN\nALL_STOP\nENDIF", &["W116 3:4"]);
+    check("IF 1 == 2 THEN\nALL_STOP\nELSE\nREM\nENDIF", &["W116 3:4"]);
+    check("IF 1 == 1 THEN\nENDIF", &[]);
+    check("WHILE 1 == 2\nALL_STOP\nWEND", &["W116 3:7"]);
+    check("REPEAT\nALL_STOP\nUNTIL 1 == 1", &["W116 5:7"]);
+    check(
+        "DEF_VAR N\nN = 1\nIF N < N GOTO OUT:\nALL_STOP\nOUT: REM",
+        &["W116 5:4"],
+    );
+    // Loops without an end are meant so.
+    check("WHILE 1 == 1\nALL_STOP\nWEND", &[]);
+    check("REPEAT\nALL_STOP\nUNTIL 1 == 0", &[]);
+}
+
+#[test]
+fn a_step_of_zero_is_one_mistake() {
+    check(
+        "DEF_VAR I\nFOR I = 1 TO 3 STEP 0\nALL_STOP\nNEXT\nMESSAGE a",
+        &["W107 4:21"],
+    );
+}
+
+#[test]
+fn something_in_a_loop_changes_its_condition() {
+    let n = "DEF_VAR N\nN = 0\n";
+    let check = |statements: &str, expected: &[&str]| check(&format!("{n}{statements}"), expected);
+    check("WHILE N < 10\nALL_STOP\nWEND", &["W117 5:7"]);
+    check("REPEAT\nSLEEP 100\nUNTIL N > 10", &["W117 7:7"]);
+    check("AGAIN: SLEEP 100\nIF N < 10 GOTO AGAIN:", &["W117 6:4"]);
+    check(
+        "WHILE N < 10\nCALL S:\nWEND\nEXIT\nSUBROUTINE S:\nALL_STOP\nSUBEND",
+        &["W117 5:7"],
+    );
+    // It is assigned: here, in a routine, by an input or a FOR; or the loop is left otherwise.
+    check("WHILE N < 10\nN += 1\nWEND", &[]);
+    check(
+        "WHILE N < 10\nCALL S:\nWEND\nEXIT\nSUBROUTINE S:\nN += 1\nSUBEND",
+        &[],
+    );
+    check("WHILE N < 10\nAD_IN VR1 N\nWEND", &[]);
+    check("WHILE N < 10\nKEY_IN N\nWEND", &[]);
+    check("WHILE N < 10\nFOR N = 1 TO 20\nREM\nNEXT\nWEND", &[]);
+    check("WHILE N < 10\nIF KB_HIT GOTO OUT:\nWEND\nOUT: REM", &[]);
+    check("WHILE N < 10\nIF KB_HIT THEN\nEXIT\nENDIF\nWEND", &[]);
+    check(
+        "CALL S:\nEXIT\nSUBROUTINE S:\nWHILE N < 10\nIF KB_HIT THEN\nRETURN\nENDIF\nWEND\nSUBEND",
+        &[],
+    );
+    // Whoever runs the program may assign what a loop waits for.
+    check("WHILE N == 0\nWEND\nWAIT: IF N == 0 GOTO WAIT:", &[]);
+    // Flags change by themselves; a choice in an endless loop is a setting.
+    check(
+        "WHILE N < 10\nN += 1\nWEND\nWHILE !KB_HIT\nWEND\nREPEAT\nUNTIL INPOS_ALL",
+        &[],
+    );
+    check("LOOP: IF N == 1 THEN\nALL_STOP\nENDIF\nGOTO LOOP:", &[]);
+    // The condition is tested again after the way round.
+    check("LOOP: N = 0\nWHILE N < 10\nIF KB_HIT GOTO LOOP:\nWEND", &[]);
+}
+
+#[test]
+fn a_pause_takes_a_cycle_at_least() {
+    check("SLEEP 1", &["W118 3:7"]);
+    check("SLEEP 19.9", &["W118 3:7"]);
+    check("SLEEP 0\nSLEEP 20", &[]);
+    check("SET_SAMPLING_TIME 10\nSLEEP 10", &[]);
+    assert_eq!(found("SLEEP 2", Robot::Hand), [""; 0]);
+    assert_eq!(found("SLEEP 1", Robot::Hand), ["W118 3:7"]);
+}
+
+#[test]
+fn a_sign_behind_equals_is_no_update() {
+    check("DEF_VAR N\nN = 1\nN =+1\nSLEEP N", &["W119 5:3"]);
+    check("DEF_VAR N\nN = +1\nN=+1\nN =-1\nN += 1\nSLEEP N", &[]);
+}
+
+#[test]
+fn relative_is_said_of_each_number() {
+    check("PTP F1 R 10 0 0", &["W120 3:8"]);
+    check("PTP HS F1 R 10 0 0", &["W120 3:11"]);
+    check("PTP_ANGLE F1 R 10 20 30", &["W120 3:14"]);
+    check("PTP F1 R 10 R 0 R 0\nPTP F1 R 10 A 251 A -150", &[]);
+    check("PTP F1 R 0 251 -150\nPTP F1 -391 R 10 -150", &[]);
+    check(
+        "DEF_POS P\nTEACH_POSITION F1 P\nPTP F1 R P\nPTP_ANGLE J11 R 10",
+        &[],
+    );
+}
