@@ -26,6 +26,7 @@ mod run;
 mod scene;
 mod shown;
 mod verify;
+mod view;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -45,6 +46,7 @@ use std::process::ExitCode;
   tipc plot walk.prg -o walk.svg      draw what it did
   tipc emit rust walk.prg -o walk.rs  write it as Rust source
   tipc cycles walk.prg                count the control cycles of its parts
+  tipc view walk.prg                  write walk.html, a page that replays the run
   tipc verify walk.prg                compare its compiled code with the interpreter
   tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
   tipc explain E205                   say what the code of a finding means
@@ -78,6 +80,8 @@ enum Verb {
     Cycles(cycles::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
+    /// Write a page that replays a run: the robot in 3-D beside its program
+    View(view::View),
     /// Turn a program of an older version into one of version 3.1
     Migrate(migrate::Migrate),
     /// Say what the code of a finding means, with a wrong and a right program
@@ -126,6 +130,7 @@ fn main() -> ExitCode {
         Verb::Emit(arguments) => emit::emit(arguments),
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
+        Verb::View(arguments) => view::view(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Robot(verb) => describe::robot(verb),

@@ -5,6 +5,8 @@
 
 mod csv;
 mod mcap;
+mod pack;
+mod page;
 mod plot;
 mod recorder;
 mod recording;

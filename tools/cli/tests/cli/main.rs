@@ -24,3 +24,4 @@ mod script;
 mod speaks;
 mod support;
 mod verify;
+mod view;

@@ -1,0 +1,34 @@
+// Browsers of this machine, without a screen and with graphics by software.
+import { execFileSync } from 'node:child_process';
+import { chromium, firefox } from 'playwright-core';
+
+const path = (name) => {
+  try {
+    return execFileSync('sh', ['-c', `command -v ${name}`]).toString().trim();
+  } catch {
+    return undefined;
+  }
+};
+
+export function launch() {
+  const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+  return chromium.launch({ executablePath: path('chromium'), args });
+}
+
+/** A page of its own with a recording, and all that it asked for and complained of. */
+export async function open(browser, file, options = {}, hash = '') {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const [asked, complaints] = [[], []];
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url())) asked.push(request.url());
+  });
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('dialog', (dialog) => complaints.push(`dialog: ${dialog.message()}`));
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForSelector('html[data-ready]', { state: 'attached', timeout: 30_000 });
+  return { page, asked, complaints, close: () => context.close() };
+}

@@ -1,0 +1,170 @@
+// The page of three runs: a walk, a grasp and a hexapod. PAGES is the folder that `run` has put them into.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, describe, test } from 'node:test';
+import axe from 'axe-core';
+import { launch, open } from './browsers.mjs';
+
+const pages = process.env.PAGES;
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser?.close());
+
+const cycle = (page) => page.$eval('#now-cycle', (element) => Number(element.textContent.split(' ')[0]));
+const lit = (page) => page.$eval('#source .lit', (line) => line.value);
+
+/** How many colours a picture has that are not rare. */
+const colours = (page) =>
+  page.$eval('#canvas', (canvas) => {
+    const copy = Object.assign(document.createElement('canvas'), { width: 200, height: 120 });
+    const pen = copy.getContext('2d');
+    pen.drawImage(canvas, 0, 0, 200, 120);
+    const found = new Map();
+    const { data } = pen.getImageData(0, 0, 200, 120);
+    for (let at = 0; at < data.length; at += 4) {
+      const key = data.slice(at, at + 3).map((value) => value >> 4).join();
+      found.set(key, (found.get(key) ?? 0) + 1);
+    }
+    return [...found.values()].filter((count) => count > 8).length;
+  });
+
+for (const name of ['walk', 'grasp', 'hexapod']) {
+  describe(name, () => {
+    let view;
+    before(async () => (view = await open(browser, `${pages}/${name}.html`)));
+    after(() => view?.close());
+
+    test('asks for nothing but itself, and complains of nothing', async () => {
+      const { page, asked, complaints } = view;
+      await page.click('#play');
+      await page.waitForTimeout(600);
+      await page.click('#play');
+      assert.deepEqual(asked, [`file://${pages}/${name}.html`]);
+      assert.deepEqual(complaints, []);
+      assert.ok((await cycle(page)) > 0, 'it plays');
+    });
+
+    test('draws a robot that moves', async () => {
+      const { page } = view;
+      assert.ok((await colours(page)) > 6, `${await colours(page)} colours`);
+      const shot = () => page.$eval('#canvas', (canvas) => canvas.toDataURL());
+      const first = await shot();
+      await page.keyboard.press('End');
+      await page.keyboard.press('n');
+      await page.keyboard.press('p');
+      await page.waitForTimeout(200);
+      assert.notEqual(await shot(), first);
+    });
+
+    test('goes one cycle forward and back, by button and by key', async () => {
+      const { page } = view;
+      await page.keyboard.press('Home');
+      assert.equal(await cycle(page), 0);
+      await page.click('#forward');
+      await page.keyboard.press('ArrowRight');
+      assert.equal(await cycle(page), 2);
+      await page.click('#back');
+      assert.equal(await cycle(page), 1);
+    });
+
+    test('goes where the slider is dragged to', async () => {
+      const { page } = view;
+      const box = await (await page.$('#scrub')).boundingBox();
+      const last = Number(await page.$eval('#scrub', (slider) => slider.max));
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+      assert.ok(Math.abs((await cycle(page)) / last - 0.5) < 0.02);
+    });
+
+    test('goes to the next run of a line that is clicked', async () => {
+      const { page } = view;
+      await page.keyboard.press('Home');
+      const lines = await page.$$eval('#source li.step', (lines) => lines.map((line) => line.value));
+      const line = lines[Math.floor(lines.length / 3)];
+      await page.click(`#source li[value="${line}"] button`);
+      assert.equal(await lit(page), line);
+    });
+
+    test('shows the value of a variable under the pointer, and plots it at a click', async () => {
+      const { page } = view;
+      await page.keyboard.press('End');
+      const variable = page.locator('#source .variable').last();
+      await variable.scrollIntoViewIfNeeded();
+      await variable.hover();
+      assert.match(await page.textContent('#tip'), /^[A-Z.0-9]+ = -?[\d.]+$/);
+      const before = await page.locator('.chart .uplot').count();
+      await variable.click();
+      assert.equal(await page.locator('.chart .uplot').count(), before + 1);
+    });
+
+    test('opens at the cycle of its address, and keeps it there', async () => {
+      const linked = await open(browser, `${pages}/${name}.html`, {}, '#cycle=611');
+      assert.equal(await cycle(linked.page), 611);
+      await linked.page.keyboard.press('ArrowLeft');
+      await linked.page.waitForFunction(() => location.hash === '#cycle=610');
+      await linked.page.evaluate(() => (location.hash = 'cycle=5'));
+      await linked.page.waitForFunction(() => document.getElementById('now-cycle').textContent.startsWith('5 '));
+      await linked.close();
+    });
+
+    test('saves an image', async () => {
+      const { page } = view;
+      await page.click('#export');
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-image')]);
+      const bytes = readFileSync(await download.path());
+      assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+      assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
+      await page.keyboard.press('Escape');
+    });
+
+    test('has nothing that axe objects to, in both schemes and languages', async () => {
+      for (const scheme of ['light', 'dark']) {
+        for (const locale of ['en', 'ja']) {
+          const { page, close } = await open(browser, `${pages}/${name}.html`, { colorScheme: scheme, locale, bypassCSP: true });
+          await page.evaluate(axe.source);
+          for (const tab of ['source-tab', 'state-tab', 'log-tab']) {
+            await page.click(`#${tab}`);
+            const { violations } = await page.evaluate(() => globalThis.axe.run());
+            const found = violations.map(({ id, nodes }) => `${scheme} ${locale} ${tab} ${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
+            assert.deepEqual(found, []);
+          }
+          await close();
+        }
+      }
+    });
+  });
+}
+
+test('exports frames as a ZIP that others read', async () => {
+  const { page, close } = await open(browser, `${pages}/walk.html`, { viewport: { width: 480, height: 640 } });
+  await page.click('#export');
+  await page.fill('#export-seconds', '0.4');
+  await page.fill('#export-rate', '10');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-frames')]);
+  const bytes = readFileSync(await download.path());
+  const names = bytes.toString('latin1').match(/walk-\d{5}\.png/g);
+  // Every file is named twice; 0, 0.1, 0.2, 0.3 and 0.4 s.
+  assert.equal(names.length, 10);
+  await close();
+});
+
+test('records a video', async () => {
+  const { page, close } = await open(browser, `${pages}/walk.html`, { viewport: { width: 480, height: 640 } });
+  await page.click('#export');
+  await page.fill('#export-seconds', '0.5');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-video')]);
+  const bytes = readFileSync(await download.path());
+  // EBML (RFC 8794) is what WebM begins with.
+  assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
+  await close();
+});
+
+test('what a program says is text, whatever it says', async () => {
+  const { page, complaints, close } = await open(browser, `${pages}/hostile.html`);
+  assert.deepEqual(complaints, []);
+  const said = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
+  assert.equal(await page.textContent('#message'), said);
+  assert.ok((await page.title()).startsWith('</title><script>alert(3)</script>'));
+  assert.equal(await page.locator('img').count(), 0);
+  assert.equal(await page.locator('script').count(), 2);
+  await close();
+});

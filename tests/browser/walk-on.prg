@@ -1,0 +1,183 @@
+3.1
+TITAN VIII crawls forward: one foot at a time, the body sways away from the lifted side
+
+// Keys: F faster, S slower, Q stop. A stop takes effect at the end of a stride.
+
+DEF_VAR STRIDES, STRIDE, HALF, SWAY, TWICE, LIFT, GROUND, TOP, CLEAR, SPEED, SETTLE
+DEF_VAR N, QUIT
+DEF_POS P1, P2, P3, P4   // where each foot belongs in the robot frame
+DEF_POS SHIFT            // how far the feet sweep while the body moves the other way
+
+STRIDES = 1000
+STRIDE = 200    // mm forward, each time all four feet have stepped
+SWAY = 40       // mm to either side
+LIFT = 40       // mm
+CLEAR = 50      // mm between belly and floor
+SPEED = 300     // mm/s
+SETTLE = 60     // ms for a foot to take its load
+
+HALF = STRIDE / 2
+TWICE = SWAY * 2
+GROUND = -200
+TOP = GROUND + LIFT
+QUIT = 0
+
+SET_A_MAX ALL 1200
+SET_JUST_POSITION ALL 1
+
+// The belly carries the robot: the feet may take their places together.
+P1.X = -391 - SWAY ; P1.Y = 201 - HALF ; P1.Z = GROUND
+P2.X = 391 - SWAY ; P2.Y = 201 ; P2.Z = GROUND
+P3.X = -391 - SWAY ; P3.Y = -201 - HALF ; P3.Z = GROUND
+P4.X = 391 - SWAY ; P4.Y = -201 ; P4.Z = GROUND
+CALL RAISE_ALL:
+PTP F1 P1.X P1.Y TOP
+PTP F2 P2.X P2.Y TOP
+PTP F3 P3.X P3.Y TOP
+PTP F4 P4.X P4.Y TOP
+WAIT_INPOS ALL
+CALL TAKE_PLACES:
+
+MESSAGE standing up
+STAND_UP CLEAR
+GROUND -= CLEAR
+TOP -= CLEAR
+P1.Z = GROUND ; P2.Z = GROUND ; P3.Z = GROUND ; P4.Z = GROUND
+SET_V_MAX ALL SPEED
+LAMP_ON 0
+
+FOR N = 1 TO STRIDES
+  IF HALT_REQUEST GOTO FINISH:
+  CALL KEYS:
+  IF QUIT == 1 GOTO FINISH:
+  MESSAGE stride %N% of %STRIDES% at %SPEED% mm/s
+
+  CALL SWING_F3:
+  CALL SWING_F1:
+  SHIFT.X = TWICE ; SHIFT.Y = -HALF ; SHIFT.Z = 0
+  CALL MOVE_BODY:
+
+  CALL SWING_F4:
+  CALL SWING_F2:
+  SHIFT.X = -TWICE
+  CALL MOVE_BODY:
+NEXT N
+
+FINISH:
+LAMP_OFF 0
+MESSAGE sitting down
+SIT_DOWN CLEAR
+CALL RAISE_ALL:
+TOP += CLEAR
+PTP F1 -391 201 TOP
+PTP F2 391 201 TOP
+PTP F3 -391 -201 TOP
+PTP F4 391 -201 TOP
+WAIT_INPOS ALL
+INITIAL_POSTURE
+WAIT_INPOS ALL
+MESSAGE_CLEAR
+EXIT
+
+SUBROUTINE KEYS:
+  IF KB_HIT THEN
+    KEY_IN
+    IF VAR_KEY == CHAR_F THEN
+      SPEED += 50
+    ELSEIF VAR_KEY == CHAR_S THEN
+      SPEED -= 50
+    ELSEIF VAR_KEY == CHAR_Q THEN
+      QUIT = 1
+    ENDIF
+    IF SPEED > 400 THEN
+      SPEED = 400
+    ELSEIF SPEED < 100 THEN
+      SPEED = 100
+    ENDIF
+    SET_V_MAX ALL SPEED
+  ENDIF
+SUBEND
+
+// Front left
+SUBROUTINE SWING_F1:
+  PTP F1 P1.X P1.Y TOP
+  WAIT_NEAR F1
+  P1.Y += STRIDE
+  PTP F1 P1.X P1.Y TOP
+  WAIT_INPOS F1
+  PTP F1 P1
+  WAIT_INPOS F1
+  SLEEP SETTLE
+SUBEND
+
+// Front right
+SUBROUTINE SWING_F2:
+  PTP F2 P2.X P2.Y TOP
+  WAIT_NEAR F2
+  P2.Y += STRIDE
+  PTP F2 P2.X P2.Y TOP
+  WAIT_INPOS F2
+  PTP F2 P2
+  WAIT_INPOS F2
+  SLEEP SETTLE
+SUBEND
+
+// Rear left
+SUBROUTINE SWING_F3:
+  PTP F3 P3.X P3.Y TOP
+  WAIT_NEAR F3
+  P3.Y += STRIDE
+  PTP F3 P3.X P3.Y TOP
+  WAIT_INPOS F3
+  PTP F3 P3
+  WAIT_INPOS F3
+  SLEEP SETTLE
+SUBEND
+
+// Rear right
+SUBROUTINE SWING_F4:
+  PTP F4 P4.X P4.Y TOP
+  WAIT_NEAR F4
+  P4.Y += STRIDE
+  PTP F4 P4.X P4.Y TOP
+  WAIT_INPOS F4
+  PTP F4 P4
+  WAIT_INPOS F4
+  SLEEP SETTLE
+SUBEND
+
+// All four feet sweep by SHIFT. A step takes a cycle, so four commands would
+// set out one after the other and drag the feet: the hold lets them start together.
+SUBROUTINE MOVE_BODY:
+  P1 += SHIFT
+  P2 += SHIFT
+  P3 += SHIFT
+  P4 += SHIFT
+  ALL_STOP
+  PTP F1 P1
+  PTP F2 P2
+  PTP F3 P3
+  PTP F4 P4
+  ALL_STOP_RELEASE
+  WAIT_INPOS ALL
+  SLEEP SETTLE
+SUBEND
+
+SUBROUTINE RAISE_ALL:
+  REL_PTP F1 0 0 LIFT
+  REL_PTP F2 0 0 LIFT
+  REL_PTP F3 0 0 LIFT
+  REL_PTP F4 0 0 LIFT
+  WAIT_INPOS ALL
+SUBEND
+
+SUBROUTINE TAKE_PLACES:
+  PTP F1 P1
+  PTP F2 P2
+  PTP F3 P3
+  PTP F4 P4
+  WAIT_INPOS ALL
+  SLEEP SETTLE
+SUBEND
+
+END

@@ -1,0 +1,72 @@
+// Forward kinematics, as tip-view's skeleton has it: mm and degrees in the robot's frame.
+
+import { Matrix4, Quaternion, Vector3 } from 'three';
+
+const RADIANS = Math.PI / 180;
+
+/** The robot's frame in the world: yaw about z, then pitch about x, then roll about y. */
+export function placed(pose) {
+  if (!pose) return new Matrix4();
+  const [x, y, z, roll, pitch, yaw] = pose;
+  const turn = new Matrix4().makeRotationZ(yaw * RADIANS);
+  turn.multiply(new Matrix4().makeRotationX(pitch * RADIANS));
+  turn.multiply(new Matrix4().makeRotationY(roll * RADIANS));
+  return turn.setPosition(x, y, z);
+}
+
+/** The frame of each link of a leg, with its origin in its joint; then that of the foot. */
+export function links(leg, angles) {
+  const frame = new Matrix4().makeTranslation(...leg.base);
+  const frames = leg.joints.map(({ axis, link }, j) => {
+    const turn = new Quaternion().setFromAxisAngle(new Vector3(...axis), angles[j] * RADIANS);
+    frame.multiply(new Matrix4().makeRotationFromQuaternion(turn));
+    const own = frame.clone();
+    frame.multiply(new Matrix4().makeTranslation(...link));
+    return own;
+  });
+  return [...frames, frame];
+}
+
+const origin = (matrix) => new Vector3().setFromMatrixPosition(matrix);
+
+/** Where the foot of each leg is in the world. */
+export function feet(robot, { pose, angles }) {
+  const body = placed(pose);
+  return robot.legs.map((leg, l) => origin(links(leg, angles[l]).at(-1)).applyMatrix4(body));
+}
+
+/** The corners of the belly in the world. */
+export function belly({ body }, { pose }) {
+  const frame = placed(pose);
+  const corners = body.x.flatMap((x) => body.y.map((y) => new Vector3(x, y, body.z[0])));
+  return corners.map((corner) => corner.applyMatrix4(frame));
+}
+
+/** Where the centre of mass is in the world; links have theirs in their middles. */
+export function centreOfMass(robot, { pose, angles }) {
+  const sum = new Vector3();
+  let mass = robot.body?.mass ?? 0;
+  robot.legs.forEach((leg, l) => {
+    const frames = links(leg, angles[l]).map(origin);
+    leg.joints.forEach((joint, j) => {
+      sum.addScaledVector(frames[j].clone().add(frames[j + 1]), joint.mass / 2);
+      mass += joint.mass;
+    });
+  });
+  return mass > 0 ? sum.divideScalar(mass).applyMatrix4(placed(pose)) : undefined;
+}
+
+/** The convex hull of points [x, y], counter-clockwise (Andrew's monotone chain). */
+export function hull(points) {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const side = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const half = (ordered) => {
+    const chain = [];
+    for (const point of ordered) {
+      while (chain.length > 1 && side(chain.at(-2), chain.at(-1), point) <= 0) chain.pop();
+      chain.push(point);
+    }
+    return chain.slice(0, -1);
+  };
+  return sorted.length < 3 ? sorted : [...half(sorted), ...half(sorted.toReversed())];
+}

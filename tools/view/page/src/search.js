@@ -1,0 +1,17 @@
+// Looking things up in order.
+
+/** How many of the ordered values are not above `value`. */
+export function countUpTo(values, value, of = (one) => one) {
+  let [low, high] = [0, values.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (of(values[middle]) <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The last of the ordered entries that is not after a cycle. */
+export function lastUpTo(entries, cycle) {
+  return entries[countUpTo(entries, cycle, (entry) => entry.cycle) - 1];
+}

@@ -1,0 +1,47 @@
+// What can be plotted: groups of signals with one unit each.
+
+import { word } from './words.js';
+
+/** Every group of a recording, with its signals: name, words, unit, and values by frame or by change. */
+export function signalGroups(recording) {
+  const { robot } = recording;
+  const columns = (list) => list.filter(({ column }) => recording.has(column));
+  const legs = robot.legs.map((_, leg) => leg);
+  const joints = robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => ({ l, j })));
+  const group = (key, title, unit, signals) => ({ key, title, unit, signals });
+  const groups = [
+    group('margin', 'margin', 'mm', columns([{ column: 'margin', name: () => word('margin') }])),
+    group('body', 'position6', 'mm', columns(['x', 'y', 'z'].map((name, n) => ({ column: `pose.${n}`, name: () => name })))),
+    group('turn', 'position6', '°', columns(['roll', 'pitch', 'yaw'].map((name, n) => ({ column: `pose.${n + 3}`, name: () => name })))),
+    group('objects', 'objects', 'mm', columns(recording.scene.objects.map((_, n) => ({ column: `thing.${n}.1`, name: () => `${word('object', n + 1)} y` })))),
+    group('load', 'loads', 'N', columns(legs.map((leg) => ({ column: `load.${leg}`, leg, name: () => `F${leg + 1}` })))),
+    group('angle', 'angles', '°', columns(joints.map(({ l, j }) => ({ column: `angle.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
+    group('torque', 'torques', robot.planar ? 'mN·m' : 'N·m', columns(joints.map(({ l, j }) => ({ column: `torque.${l}.${j}`, leg: l, dash: j, name: () => `J${l + 1}${j + 1}` })))),
+    group('variable', 'variables', '', recording.script.scalars.map((name, scalar) => ({ scalar, name: () => name }))),
+  ];
+  groups.forEach(({ key, signals }) => signals.forEach((signal, n) => Object.assign(signal, { key: `${key}.${n}`, place: n })));
+  return groups.filter(({ signals }) => signals.length);
+}
+
+/** What is plotted at first. */
+export function firstChoice(recording) {
+  const walker = ['margin.0', 'body.2', ...recording.robot.legs.map((_, leg) => `load.${leg}`)];
+  const hand = ['objects.0', ...recording.robot.legs.map((_, leg) => `load.${leg}`)];
+  const arm = recording.robot.legs.flatMap((leg, l) => leg.joints.map((_, j) => `angle.${l * leg.joints.length + j}`));
+  if (recording.has('margin')) return new Set(walker);
+  return new Set(recording.has('load.0') ? hand : arm);
+}
+
+/** Times (s) and values of signals of one group, on common times. */
+export function series(recording, signals) {
+  if (signals.every(({ column }) => column)) {
+    const times = Array.from(recording.frameTimes, (time) => time / 1000);
+    return [times, ...signals.map(({ column }) => recording.columns[column])];
+  }
+  // Variables: where one of them changes, and just before.
+  const cycles = new Set([0, recording.cycles - 1]);
+  for (const { scalar } of signals) recording.sets[scalar].cycles.forEach((cycle) => cycles.add(cycle));
+  const ordered = [...cycles].sort((one, other) => one - other);
+  const times = ordered.map((cycle) => recording.endOf(cycle) / 1000);
+  return [times, ...signals.map(({ scalar }) => ordered.map((cycle) => recording.valueAt(scalar, cycle) ?? null))];
+}

@@ -1,0 +1,94 @@
+// The program, with the line that runs.
+
+import { element, fixed, make } from './dom.js';
+import { whenSpoken, word } from './words.js';
+
+const NAME = /[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z0-9]+)?/g;
+
+export function source(player, plot) {
+  const { recording } = player;
+  const list = element('source');
+  const tip = element('tip');
+  const byName = new Map(recording.script.scalars.map((name, scalar) => [name, scalar]));
+  const rows = recording.script.text.split(/\r\n|\r|\n/).map((text, n) => row(text, n + 1, recording, byName));
+  while (rows.length > 1 && !rows.at(-1).querySelector('code').textContent) rows.pop();
+  list.replaceChildren(...rows);
+  list.addEventListener('click', ({ target }) => {
+    const name = target.closest('[data-scalar]');
+    if (name) return plot(Number(name.dataset.scalar));
+    const line = target.closest('li');
+    if (line) goToLine(player, Number(line.value));
+  });
+  list.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && event.target.matches('button')) event.stopPropagation();
+  });
+  list.addEventListener('pointerover', ({ target }) => showTip(target.closest('[data-scalar]')));
+  list.addEventListener('pointerleave', () => showTip(undefined));
+
+  function showTip(name) {
+    tip.hidden = !name;
+    if (!name) return;
+    const value = recording.valueAt(Number(name.dataset.scalar), player.cycle);
+    tip.textContent = `${recording.script.scalars[name.dataset.scalar]} = ${value === undefined ? word('unassigned') : shown(value)}`;
+    const place = name.getBoundingClientRect();
+    tip.style.left = `${Math.min(place.left, innerWidth - tip.offsetWidth - 8)}px`;
+    tip.style.top = `${Math.max(place.top - tip.offsetHeight - 6, 4)}px`;
+  }
+
+  whenSpoken(() => {
+    for (const button of list.querySelectorAll('li > button')) {
+      const never = button.parentElement.classList.contains('idle');
+      button.setAttribute('aria-label', `${word('line')} ${button.textContent}${never ? `, ${word('never')}` : ''}`);
+    }
+  });
+  let lit;
+  const light = () => {
+    const line = recording.lineAt(player.cycle);
+    if (lit?.value === line) return;
+    lit?.removeAttribute('aria-current');
+    lit?.classList.remove('lit');
+    lit = rows[line - 1];
+    if (!lit) return;
+    lit.classList.add('lit');
+    lit.setAttribute('aria-current', 'true');
+    const [top, height] = [lit.offsetTop, list.clientHeight];
+    if (top < list.scrollTop + 40 || top > list.scrollTop + height - 60) list.scrollTop = top - height * 0.4;
+  };
+  player.onMove(light);
+}
+
+/** A value in few digits. */
+export function shown(value) {
+  return Number.isInteger(value) ? String(value) : fixed(value, Math.abs(value) < 10 ? 3 : 2);
+}
+
+function goToLine(player, line) {
+  const cycle = player.recording.nextRunOf(line, player.cycle);
+  if (cycle === undefined) return;
+  player.pause();
+  player.goTo(cycle);
+}
+
+function row(text, number, recording, byName) {
+  const code = make('code');
+  const comment = text.indexOf('//');
+  const statement = comment < 0 ? text : text.slice(0, comment);
+  let at = 0;
+  for (const { 0: name, index } of statement.matchAll(NAME)) {
+    const scalar = byName.get(name.toUpperCase());
+    if (scalar === undefined) continue;
+    code.append(statement.slice(at, index), made(name, scalar));
+    at = index + name.length;
+  }
+  code.append(statement.slice(at));
+  if (comment >= 0) code.append(make('span', { className: 'comment', textContent: text.slice(comment) }));
+  const runs = recording.stepsOfLine.has(number);
+  const button = make('button', { type: 'button', textContent: number, tabIndex: runs ? 0 : -1, disabled: !runs });
+  return make('li', { value: number, className: runs ? 'step' : 'idle' }, button, code);
+}
+
+function made(name, scalar) {
+  const span = make('span', { className: 'variable', textContent: name });
+  span.dataset.scalar = scalar;
+  return span;
+}

@@ -1,0 +1,403 @@
+// The robot on its floor, in three dimensions. Lengths in mm.
+
+import {
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
+  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap,
+  PerspectiveCamera, PlaneGeometry, RepeatWrapping, RingGeometry, SRGBColorSpace, Scene, ShadowMaterial, SphereGeometry, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { colour, legColour } from './dom.js';
+import { belly, centreOfMass, feet, hull } from './kinematics.js';
+import { RobotSolid, reach, towards } from './robot.js';
+
+/** How long foot trails are: ms. */
+const TRAIL = 4000;
+/** How many places a trail has at most. */
+const PLACES = 240;
+/** How long a slip stays marked: ms. */
+const MARKED = 1500;
+/** A frame that comes so late is slow: ms. */
+const SLOW = 30;
+/** Which share of the pixels along each side is drawn, from fast machines to slow ones. */
+const SHARES = [1, 0.7, 0.5, 0.35];
+/** A tile of the floor: mm. */
+const TILE = 500;
+/** A belly so far above the floor carries as well: mm. */
+const TOUCHES = 0.5;
+const GRAVITY = 9.80665;
+
+export class Stage {
+  constructor(canvas, recording) {
+    this.canvas = canvas;
+    this.recording = recording;
+    this.robot = recording.robot;
+    this.shows = { follow: true, trails: true, forces: true, support: true };
+    this.size = this.robot.body ? reach(this.robot) + Math.max(...[this.robot.body.x, this.robot.body.y].flat().map(Math.abs)) : reach(this.robot) * 1.6;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(32, 1, this.size / 50, this.size * 60);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = this.robot.planar ? Math.PI : Math.PI * 0.495;
+    this.controls.minDistance = this.size * 0.4;
+    this.controls.maxDistance = this.size * 20;
+    this.controls.addEventListener('change', () => this.draw());
+    // The page's up is y; a walker's is z.
+    this.world = new Group();
+    if (!this.robot.planar) this.world.rotation.x = -Math.PI / 2;
+    this.scene.add(this.world);
+    this.light();
+    this.solid = new RobotSolid(this.robot);
+    this.world.add(this.solid);
+    this.makeFloor();
+    this.makeThings();
+    this.makeMarks();
+    this.followed = new Vector3();
+    this.recolour();
+    this.resetView();
+  }
+
+  light() {
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.5), new AmbientLight(0xffffff, 0.35));
+    this.sun = new DirectionalLight(0xffffff, 2.1);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(512, 512);
+    const half = this.size * 1.3;
+    Object.assign(this.sun.shadow.camera, { left: -half, right: half, top: half, bottom: -half, near: 1, far: this.size * 8 });
+    this.sun.shadow.bias = -0.0008;
+    this.sun.shadow.normalBias = this.size / 300;
+    this.scene.add(this.sun, this.sun.target);
+  }
+
+  makeFloor() {
+    const { height, slope } = this.recording.scene;
+    this.floor = new Group();
+    const span = this.size * 30;
+    const thick = 10;
+    const shadow = new Mesh(new PlaneGeometry(span, span), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
+    shadow.receiveShadow = true;
+    this.floor.add(shadow);
+    if (this.robot.planar) {
+      // The slider carries a table.
+      this.table = new Mesh(new BoxGeometry(this.size * 1.5, thick, this.size * 0.7), new MeshLambertMaterial());
+      this.table.receiveShadow = true;
+      this.table.position.y = -thick / 2;
+      this.table.rotation.z = Math.atan(slope[0]);
+      this.floor.remove(shadow);
+      this.floor.add(this.table);
+      this.tableHeight = height;
+      this.floor.position.y = (this.robot.slider?.[1] ?? 0) + height;
+    } else {
+      // Lines as a picture on a plane, which stay smooth at every distance.
+      this.tile = document.createElement('canvas');
+      this.tile.width = this.tile.height = 512;
+      const map = new CanvasTexture(this.tile);
+      map.wrapS = map.wrapT = RepeatWrapping;
+      map.anisotropy = 2;
+      map.colorSpace = SRGBColorSpace;
+      const tiles = 2 * Math.ceil(span / TILE / 2);
+      map.repeat.set(tiles, tiles);
+      this.grid = new Mesh(new PlaneGeometry(tiles * TILE, tiles * TILE), new MeshBasicMaterial({ map, depthWrite: false }));
+      this.grid.renderOrder = -1;
+      this.floor.add(this.grid);
+      const normal = new Vector3(-slope[0], -slope[1], 1).normalize();
+      this.floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), normal);
+      this.floor.position.z = height - 0.6;
+    }
+    this.world.add(this.floor);
+  }
+
+  makeThings() {
+    this.things = this.recording.scene.objects.map((outline) => {
+      const depth = this.size * 0.42;
+      const round = 'disc' in outline;
+      const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 40).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
+      const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
+      mesh.castShadow = true;
+      mesh.receiveShadow = true;
+      this.world.add(mesh);
+      return mesh;
+    });
+  }
+
+  makeMarks() {
+    const line = (points, material) => {
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new BufferAttribute(new Float32Array(points * 3), 3));
+      const made = new Line(geometry, material);
+      made.frustumCulled = false;
+      this.world.add(made);
+      return made;
+    };
+    this.trails = this.robot.legs.map(() => line(PLACES + 1, new LineBasicMaterial({ transparent: true, opacity: 0.85 })));
+    this.polygon = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ transparent: true, opacity: 0.2, side: DoubleSide, depthWrite: false }));
+    this.polygon.geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * 3 * 13), 3));
+    this.polygon.frustumCulled = false;
+    this.edge = line(14, new LineBasicMaterial());
+    this.plumb = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+    this.plumb.geometry.setAttribute('position', new BufferAttribute(new Float32Array(6), 3));
+    this.plumb.frustumCulled = false;
+    this.centre = new Mesh(new SphereGeometry(this.size * 0.014, 16, 12), new MeshBasicMaterial({ depthTest: false }));
+    this.centre.renderOrder = 2;
+    this.spot = new Mesh(new RingGeometry(this.size * 0.014, this.size * 0.021, 32), new MeshBasicMaterial({ side: DoubleSide }));
+    this.world.add(this.polygon, this.plumb, this.centre, this.spot);
+    this.arrows = this.robot.legs.map(() => this.makeArrow());
+    this.rings = this.robot.legs.map(() => {
+      const ring = new Mesh(new RingGeometry(this.size * 0.04, this.size * 0.05, 32), new MeshBasicMaterial({ side: DoubleSide }));
+      this.world.add(ring);
+      return ring;
+    });
+  }
+
+  makeArrow() {
+    const arrow = new Group();
+    const material = new MeshBasicMaterial();
+    const thick = this.size * 0.006;
+    arrow.shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 10).translate(0, 0.5, 0), material);
+    arrow.head = new Mesh(new ConeGeometry(thick * 3, thick * 7, 14).translate(0, thick * 3.5, 0), material);
+    arrow.material = material;
+    arrow.add(arrow.shaft, arrow.head);
+    this.world.add(arrow);
+    return arrow;
+  }
+
+  /** Takes the colours of the page's scheme. */
+  recolour() {
+    const background = new Color(colour('stage'));
+    this.scene.background = background;
+    this.scene.fog = new Fog(background, this.size * 5, this.size * 14);
+    if (this.grid) this.drawTile();
+    this.table?.material.color.set(colour('table'));
+    this.things.forEach((thing) => thing.material.color.set(colour('thing')));
+    this.trails.forEach((trail, leg) => trail.material.color.set(legColour(leg)));
+    this.rings.forEach((ring) => ring.material.color.set(colour('bad')));
+    this.arrows.forEach((arrow) => arrow.material.color.set(colour('force')));
+    this.solid.recolour();
+    this.draw();
+  }
+
+  /** One tile of the floor: a line each 100 mm, a stronger one around. */
+  drawTile() {
+    const [pen, { width }] = [this.tile.getContext('2d'), this.tile];
+    pen.fillStyle = colour('stage');
+    pen.fillRect(0, 0, width, width);
+    for (let line = 0; line <= 5; line++) {
+      const strong = line % 5 === 0;
+      pen.fillStyle = colour(strong ? 'grid-strong' : 'grid');
+      const half = strong ? 1.6 : 1.1;
+      const at = (line * width) / 5;
+      pen.fillRect(at - half, 0, 2 * half, width);
+      pen.fillRect(0, at - half, width, 2 * half);
+    }
+    this.grid.material.map.needsUpdate = true;
+  }
+
+  resetView() {
+    const [distance, middle] = [this.size * 3.1, this.focus()];
+    const from = this.robot.planar ? new Vector3(0.32, 0.22, 1) : new Vector3(0.78, 0.5, -0.8);
+    this.followed.copy(middle);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(from.normalize().multiplyScalar(distance)).add(middle);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** What the view is about, in the page's axes. */
+  focus() {
+    if (this.robot.planar) return new Vector3(0, -this.size * 0.32, 0);
+    const place = this.place ?? this.recording.between(0);
+    const { pose } = this.recording.posture(place);
+    const [x, y] = pose ?? [0, 0];
+    const height = this.recording.scene.height + this.size * (pose ? 0.2 : 0.1);
+    return new Vector3(x, y, height).applyQuaternion(this.world.quaternion);
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.share = undefined;
+    this.usePixels(1);
+    this.camera.aspect = width / height;
+    // On a narrow page the robot keeps its width.
+    this.camera.fov = this.camera.aspect < 1.2 ? 2 * Math.atan(Math.tan(0.28) * (1.2 / this.camera.aspect)) * (180 / Math.PI) : 32;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Shows the robot as it was at a time. */
+  show(time) {
+    const { recording } = this;
+    this.time = time;
+    this.place = recording.between(time);
+    this.posture = recording.posture(this.place);
+    this.solid.pose(this.posture);
+    this.moveThings();
+    this.ends = feet(this.robot, this.posture);
+    this.showTrails();
+    this.showSupport();
+    this.showForces();
+    this.showSlips();
+    if (this.shows.follow && !this.robot.planar) this.follow();
+    this.draw();
+  }
+
+  follow() {
+    const focus = this.focus();
+    const moved = focus.clone().sub(this.followed);
+    this.followed.copy(focus);
+    this.controls.target.add(moved);
+    this.camera.position.add(moved);
+  }
+
+  moveThings() {
+    const value = (name) => this.recording.value(name, this.place);
+    const y = value('slider.1');
+    if (y !== undefined) this.floor.position.set(value('slider.0'), y + this.tableHeight, 0);
+    this.things.forEach((thing, n) => {
+      thing.visible = this.recording.has(`thing.${n}.0`);
+      if (!thing.visible) return;
+      thing.position.set(value(`thing.${n}.0`), value(`thing.${n}.1`), 0);
+      thing.rotation.z = (value(`thing.${n}.2`) * Math.PI) / 180;
+    });
+    const [x, y0] = this.posture.pose ?? [0, 0];
+    this.grid?.position.set(Math.round(x / TILE) * TILE, Math.round(y0 / TILE) * TILE, 0);
+  }
+
+  /** Where the feet were in a frame; looked up once. */
+  feetOf(frame) {
+    this.known ??= new Map();
+    if (!this.known.has(frame)) {
+      this.known.set(frame, feet(this.robot, this.recording.posture({ before: frame, after: frame, share: 0 })));
+    }
+    return this.known.get(frame);
+  }
+
+  showTrails() {
+    const first = this.recording.between(this.time - TRAIL).before;
+    const last = this.place.before;
+    const stride = Math.ceil((last - first + 1) / PLACES);
+    const frames = [];
+    for (let frame = Math.ceil(first / stride) * stride; frame <= last; frame += stride) frames.push(frame);
+    this.trails.forEach((trail, leg) => {
+      trail.visible = this.shows.trails;
+      const places = trail.geometry.attributes.position;
+      frames.forEach((frame, n) => places.setXYZ(n, ...this.feetOf(frame)[leg].toArray()));
+      places.setXYZ(frames.length, ...this.ends[leg].toArray());
+      places.needsUpdate = true;
+      trail.geometry.setDrawRange(0, frames.length + 1);
+    });
+  }
+
+  /** The height of the floor under a place. */
+  ground(x, y) {
+    const { height, slope } = this.recording.scene;
+    return height + slope[0] * x + slope[1] * y;
+  }
+
+  showSupport() {
+    const visible = this.shows.support && Boolean(this.robot.body);
+    [this.polygon, this.edge, this.plumb, this.centre, this.spot].forEach((mark) => (mark.visible = visible));
+    if (!visible) return;
+    const touches = this.recording.touchesAt(this.recording.cycleAt(this.time));
+    const lies = belly(this.robot, this.posture).filter(({ x, y, z }) => z - this.ground(x, y) < TOUCHES);
+    const carrying = [...this.ends.filter((_, leg) => touches[leg]), ...lies];
+    const corners = hull(carrying.map(({ x, y }) => [x, y]));
+    const raised = ([x, y]) => [x, y, this.ground(x, y) + 1.2];
+    const [fill, edge] = [this.polygon.geometry, this.edge.geometry];
+    let n = 0;
+    for (let corner = 1; corner + 1 < corners.length; corner++) {
+      [corners[0], corners[corner], corners[corner + 1]].forEach((at) => fill.attributes.position.setXYZ(n++, ...raised(at)));
+    }
+    fill.setDrawRange(0, n);
+    [...corners, corners[0]].forEach((at, n) => at && edge.attributes.position.setXYZ(n, ...raised(at)));
+    edge.setDrawRange(0, corners.length > 1 ? corners.length + 1 : 0);
+    fill.attributes.position.needsUpdate = edge.attributes.position.needsUpdate = true;
+    const centre = centreOfMass(this.robot, this.posture);
+    const under = this.ground(centre.x, centre.y) + 1.6;
+    this.centre.position.copy(centre);
+    this.spot.position.set(centre.x, centre.y, under);
+    const plumb = this.plumb.geometry.attributes.position;
+    plumb.setXYZ(0, ...centre.toArray()).setXYZ(1, centre.x, centre.y, under);
+    plumb.needsUpdate = true;
+    const margin = this.recording.value('margin', this.place);
+    const tint = colour(margin === undefined || margin >= 0 ? 'good' : 'bad');
+    [this.polygon, this.edge, this.spot, this.plumb, this.centre].forEach((mark) => mark.material.color.set(tint));
+  }
+
+  showForces() {
+    const { recording, place } = this;
+    const value = (name) => recording.value(name, place) ?? 0;
+    const mass = this.robot.legs.flatMap((leg) => leg.joints).reduce((sum, joint) => sum + joint.mass, this.robot.body?.mass ?? 0);
+    const whole = this.robot.planar ? 8 : Math.max(mass * GRAVITY, 1);
+    this.arrows.forEach((arrow, leg) => {
+      const force = this.robot.planar
+        ? new Vector3(value(`push.${leg}.0`), value(`push.${leg}.1`), value(`push.${leg}.2`))
+        : new Vector3(0, 0, value(`load.${leg}`));
+      const length = (force.length() / whole) * this.size * 0.8;
+      arrow.visible = this.shows.forces && length > this.size * 0.004;
+      if (!arrow.visible) return;
+      arrow.position.copy(this.ends[leg]);
+      arrow.quaternion.copy(towards(force.normalize()));
+      arrow.shaft.scale.y = length;
+      arrow.head.position.y = length;
+    });
+  }
+
+  showSlips() {
+    const { recording } = this;
+    this.rings.forEach((ring, leg) => {
+      const slip = recording.slips.find((slip) => slip.leg === leg && Math.abs(recording.endOf(slip.cycle) - this.time) < MARKED);
+      ring.visible = Boolean(slip);
+      const { x, y } = this.ends[leg];
+      ring.position.set(x, y, this.ground(x, y) + 1.8);
+    });
+  }
+
+  /** Draws before the browser shows the page again, however often it is asked to. */
+  draw() {
+    if (this.due) return;
+    const asked = performance.now();
+    this.due = requestAnimationFrame(() => {
+      this.adapt(performance.now() - asked);
+      this.render();
+    });
+  }
+
+  /** A machine whose frames come late draws fewer pixels while things move, and all of them at rest. */
+  adapt(late) {
+    if (late > SLOW) this.sparing = Math.min((this.sparing ?? 0) + 1, SHARES.length - 1);
+    else if (late < SLOW / 3 && this.sparing) this.sparing -= 0.02;
+    this.usePixels(SHARES[Math.ceil(this.sparing ?? 0)]);
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => {
+      if (this.share < 1) this.drawNow();
+    }, 300);
+  }
+
+  usePixels(share) {
+    if (this.share === share) return;
+    this.share = share;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * share);
+  }
+
+  /** Draws at once, with all pixels. */
+  drawNow() {
+    this.usePixels(1);
+    this.render();
+  }
+
+  render() {
+    cancelAnimationFrame(this.due);
+    this.due = undefined;
+    const middle = this.controls.target;
+    this.sun.target.position.copy(middle);
+    this.sun.position.set(-0.9, 2.6, 1.1).multiplyScalar(this.size).add(middle);
+    // Where frames come late, shadows follow in every third one.
+    this.frame = (this.frame ?? 0) + 1;
+    this.renderer.shadowMap.autoUpdate = this.share === 1;
+    this.renderer.shadowMap.needsUpdate = this.frame % 3 === 0;
+    this.renderer.render(this.scene, this.camera);
+  }
+}

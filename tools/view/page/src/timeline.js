@@ -1,0 +1,55 @@
+// Playing, and going somewhere along the run.
+
+import { clockTime, colour, element, make } from './dom.js';
+import { SPEEDS } from './player.js';
+import { label, whenSpoken, word } from './words.js';
+
+const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall: 'bad', fault: 'bad' };
+
+export function timeline(player) {
+  const { recording } = player;
+  const [slider, strip, play, speed] = ['scrub', 'strip', 'play', 'speed'].map(element);
+  slider.max = recording.cycles - 1;
+  slider.addEventListener('input', () => {
+    player.pause();
+    player.goTo(Number(slider.value));
+  });
+  const buttons = { back: () => player.step(-1), forward: () => player.step(1), earlier: () => player.skip(-1), later: () => player.skip(1) };
+  for (const [id, act] of Object.entries(buttons)) element(id).addEventListener('click', act);
+  play.addEventListener('click', () => player.toggle());
+  for (const value of SPEEDS) speed.append(make('option', { value, textContent: `${value}×` }));
+  speed.addEventListener('change', () => player.setSpeed(Number(speed.value)));
+  const showState = () => {
+    play.dataset.playing = player.playing;
+    label(play, player.playing ? 'pause' : 'play');
+    speed.value = player.speed;
+  };
+  player.onState(showState);
+  whenSpoken(showState);
+  player.onMove(() => {
+    const { cycle } = player;
+    slider.value = cycle;
+    const text = `${word('cycle')} ${cycle}, ${clockTime(player.time)}`;
+    slider.setAttribute('aria-valuetext', text);
+    element('now-cycle').textContent = `${cycle} / ${recording.cycles - 1}`;
+    element('now-time').textContent = clockTime(player.time);
+  });
+  return { draw: () => drawMarks(strip, recording) };
+}
+
+/** Where along the run something happened. */
+function drawMarks(canvas, recording) {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const ratio = devicePixelRatio;
+  [canvas.width, canvas.height] = [width * ratio, height * ratio];
+  const pen = canvas.getContext('2d');
+  pen.scale(ratio, ratio);
+  // The thumb of the slider does not reach the ends of its track.
+  const inset = 8;
+  const x = (cycle) => inset + ((width - 2 * inset) * cycle) / Math.max(recording.cycles - 1, 1);
+  for (const { cycle, kind } of recording.marks) {
+    const grave = kind === 'fall' || kind === 'fault';
+    pen.fillStyle = colour(MARKS[kind]);
+    pen.fillRect(x(cycle) - (grave ? 1.5 : 0.75), grave ? 0 : height * 0.35, grave ? 3 : 1.5, height);
+  }
+}

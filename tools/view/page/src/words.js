@@ -1,0 +1,121 @@
+// What the page says, in English and Japanese.
+
+const WORDS = {
+  play: ['Play', '再生'],
+  pause: ['Pause', '一時停止'],
+  back: ['Back one cycle', '1 周期戻る'],
+  forward: ['Forward one cycle', '1 周期進む'],
+  earlier: ['Previous mark', '前の印'],
+  later: ['Next mark', '次の印'],
+  speed: ['Speed', '速度'],
+  position: ['Place in the run', '実行中の位置'],
+  cycle: ['cycle', '周期'],
+  line: ['line', '行'],
+  margin: ['margin', '安定余裕'],
+  falls: ['falls', '転倒'],
+  source: ['Program', 'プログラム'],
+  state: ['State', '状態'],
+  log: ['Events', '出来事'],
+  plots: ['Plots', 'グラフ'],
+  signals: ['Signals', '信号'],
+  follow: ['Follow the robot', 'ロボットを追う'],
+  trails: ['Foot trails', '足先の軌跡'],
+  forces: ['Contact forces', '接触力'],
+  support: ['Support polygon and centre of mass', '支持多角形と重心'],
+  view: ['View', '表示'],
+  reset: ['Reset the view', '視点を戻す'],
+  theme: ['Light or dark', '明暗の切り替え'],
+  language: ['日本語', 'English'],
+  export: ['Export', '書き出し'],
+  help: ['Keys', 'キー操作'],
+  close: ['Close', '閉じる'],
+  robot3d: ['The robot in three dimensions', 'ロボットの 3 次元表示'],
+  gait: ['Gait: when each foot stands', '歩容: 各脚の接地'],
+  touch: ['Contact: when each fingertip touches', '接触: 各指先の接触'],
+  message: ['message', '出来事: メッセージ'],
+  fall: ['fall', '転倒'],
+  slip: ['slip', '滑り'],
+  event: ['input', '入力'],
+  fault: ['emergency stop', '非常停止'],
+  slipped: ['{0} slipped', '{0} が滑りました'],
+  fell: ['The robot fell', '転倒しました'],
+  noEvents: ['Nothing happened besides the motion.', '動作のほかに出来事はありません。'],
+  variables: ['Variables', '変数'],
+  unassigned: ['unassigned', '未代入'],
+  modes: ['Last command', '直前のコマンド'],
+  lamps: ['Lamps', 'ランプ'],
+  inputs: ['Keys and inputs', 'キーと入力'],
+  plotIt: ['Plot {0}', '{0} をグラフに表示'],
+  none: ['none', 'なし'],
+  position6: ['Body', '胴体'],
+  angles: ['Joint angles', '関節角度'],
+  loads: ['Contact forces', '接触力'],
+  torques: ['Torques', 'トルク'],
+  objects: ['Objects', '物体'],
+  height: ['height', '高さ'],
+  object: ['object {0}', '物体 {0}'],
+  image: ['Image (PNG)', '画像 (PNG)'],
+  video: ['Video (WebM)', '動画 (WebM)'],
+  frames: ['Frames (PNG in a ZIP)', '連番画像 (PNG の ZIP)'],
+  embed: ['Copy iframe', 'iframe をコピー'],
+  link: ['Copy link', 'リンクをコピー'],
+  copied: ['Copied', 'コピーしました'],
+  seconds: ['Seconds from here', 'ここからの秒数'],
+  rate: ['Frames per second', '毎秒のコマ数'],
+  recordingNow: ['Recording … {0}', '記録中 … {0}'],
+  stopIt: ['Stop', '中止'],
+  noVideo: ['This browser encodes no video; take the frames.', 'このブラウザは動画を作れません。連番画像をお使いください。'],
+  noWebgl: ['This browser shows no 3-D graphics (WebGL is off). The rest of the page works.', 'このブラウザでは 3 次元表示が使えません (WebGL が無効です)。ほかの部分は使えます。'],
+  endedProgram: ['{0} after {1}', '{1} 後に {0}'],
+  endedLimit: ['recorded for {1}', '{1} 間を記録'],
+  endedInterrupted: ['interrupted after {1}', '{1} 後に中断'],
+  endedEmergency: ['emergency stop after {1}', '{1} 後に非常停止'],
+  keySpace: ['play or pause', '再生・一時停止'],
+  keyArrows: ['one cycle back or forward', '1 周期戻る・進む'],
+  keyShiftArrows: ['one second back or forward', '1 秒戻る・進む'],
+  keyEnds: ['to the beginning or the end', '先頭・末尾へ'],
+  keyMarks: ['previous or next mark', '前・次の印へ'],
+  keySpeed: ['slower or faster', '遅く・速く'],
+  keyFollow: ['follow the robot or not', '追跡の切り替え'],
+  keyHelp: ['this list', 'この一覧'],
+  never: ['never runs', '実行されません'],
+  zoomHint: ['Drag to zoom, double-click for the whole run, click to go there.', 'ドラッグで拡大、ダブルクリックで全体、クリックで移動。'],
+};
+
+const LANGUAGES = ['en', 'ja'];
+let language = 0;
+const listeners = [];
+
+/** Text in the page's language; {0}, {1} … are replaced. */
+export function word(key, ...values) {
+  const text = WORDS[key][language];
+  return text.replace(/\{(\d)\}/g, (_, n) => values[n] ?? '');
+}
+
+/** Chooses a language, and has everything say its words again. */
+export function speak(wanted) {
+  language = Math.max(LANGUAGES.indexOf(wanted), 0);
+  document.documentElement.lang = LANGUAGES[language];
+  for (const element of document.querySelectorAll('[data-word]')) {
+    element.textContent = word(element.dataset.word);
+  }
+  for (const element of document.querySelectorAll('[data-label]')) label(element, element.dataset.label);
+  listeners.forEach((listener) => listener());
+}
+
+export function otherLanguage() {
+  return LANGUAGES[1 - language];
+}
+
+/** Gives an element a name that is read out and shown under the pointer. */
+export function label(element, key, ...values) {
+  const text = word(key, ...values);
+  element.setAttribute('aria-label', text);
+  element.title = text;
+}
+
+/** Calls a function now and whenever the language changes. */
+export function whenSpoken(listener) {
+  listeners.push(listener);
+  listener();
+}

@@ -1,0 +1,224 @@
+//! What the page is told in words: the robot, the program, and what happened seldom enough to be listed.
+
+use super::columns::Column;
+use crate::recording::{Outcome, Recording};
+use crate::skeleton::Skeleton;
+use serde::Serialize;
+use tip_runtime::model::Range;
+use tip_runtime::plant::{Object, Shape};
+use tip_sim::{Asked, Timed};
+
+#[derive(Serialize)]
+pub(super) struct Header<'a> {
+    robot: Robot<'a>,
+    scene: Scene,
+    script: Script<'a>,
+    cycles: u64,
+    clock: Vec<(u64, f64, f64)>,
+    messages: Vec<(u64, &'a str)>,
+    lamps: Vec<(u64, u8, bool)>,
+    commands: Vec<(u64, &'static str, String, String)>,
+    falls: Vec<(u64, f64)>,
+    slips: Vec<(u64, usize, f64)>,
+    events: Vec<(u64, String)>,
+    outcome: Ended<'a>,
+    columns: &'a [Column],
+}
+
+#[derive(Serialize)]
+struct Robot<'a> {
+    name: &'a str,
+    body: Option<Body>,
+    legs: Vec<Leg<'a>>,
+    planar: bool,
+    slider: Option<[f64; 3]>,
+}
+
+#[derive(Serialize)]
+struct Body {
+    x: [f64; 2],
+    y: [f64; 2],
+    z: [f64; 2],
+    mass: f64,
+}
+
+#[derive(Serialize)]
+struct Leg<'a> {
+    base: [f64; 3],
+    joints: Vec<Joint>,
+    initial: &'a [f64],
+}
+
+#[derive(Serialize)]
+struct Joint {
+    axis: [f64; 3],
+    link: [f64; 3],
+    mass: f64,
+}
+
+#[derive(Serialize)]
+struct Scene {
+    height: f64,
+    slope: [f64; 2],
+    objects: Vec<Outline>,
+}
+
+/// A disc has a radius, a box a width and a height: mm.
+#[derive(Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Outline {
+    Disc(f64),
+    Box(f64, f64),
+}
+
+#[derive(Serialize)]
+struct Script<'a> {
+    name: &'a str,
+    title: &'a str,
+    text: &'a str,
+    lines: &'a [u32],
+    scalars: &'a [String],
+}
+
+#[derive(Default, Serialize)]
+struct Ended<'a> {
+    how: &'a str,
+    error: Option<&'a str>,
+    kind: Option<&'a str>,
+    line: Option<u32>,
+}
+
+impl<'a> Header<'a> {
+    pub(super) fn of(recording: &'a Recording, columns: &'a [Column]) -> Self {
+        let Recording { robot, script, .. } = recording;
+        let clock = recording.clock.iter();
+        let falls = recording.falls.iter();
+        let objects = recording.scene.objects.iter().flatten();
+        Header {
+            robot: Robot::of(robot),
+            scene: Scene {
+                height: recording.scene.floor.height,
+                slope: recording.scene.floor.slope,
+                objects: objects.map(Outline::of).collect(),
+            },
+            script: Script {
+                name: &script.name,
+                title: &script.title,
+                text: &script.text,
+                lines: &script.lines,
+                scalars: &script.scalars,
+            },
+            cycles: recording.cycles,
+            clock: clock
+                .map(|tick| (tick.cycle, tick.time, tick.period))
+                .collect(),
+            messages: each(&recording.messages, |cycle, text| (cycle, &**text)),
+            lamps: each(&recording.lamps, |cycle, (device, on)| {
+                (cycle, *device, *on)
+            }),
+            commands: each(&recording.commands, |cycle, asked| {
+                (
+                    cycle,
+                    asked.op.name(),
+                    asked.target.to_string(),
+                    values(asked),
+                )
+            }),
+            falls: falls.map(|fall| (fall.cycle, fall.what)).collect(),
+            slips: each(&recording.slips, |cycle, slip| {
+                (cycle, slip.leg, slip.distance)
+            }),
+            events: recording.events.iter().map(event).collect(),
+            outcome: Ended::of(recording),
+            columns,
+        }
+    }
+
+    /// No value of it can fail to be written.
+    pub(super) fn to_json(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+fn each<'a, T, U>(list: &'a [crate::recording::At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
+    list.iter().map(|at| of(at.cycle, &at.what)).collect()
+}
+
+/// `10:key F` without the cycle.
+fn event(timed: &Timed) -> (u64, String) {
+    let text = tip_sim::Events::new(vec![timed.clone()]).to_string();
+    let event = text.split_once(':').map_or(&*text, |(_, event)| event);
+    (timed.cycle, event.to_owned())
+}
+
+fn values(asked: &Asked) -> String {
+    let values: Vec<_> = asked.values.iter().map(ToString::to_string).collect();
+    values.join(" ")
+}
+
+impl<'a> Robot<'a> {
+    fn of(robot: &'a Skeleton) -> Self {
+        let ends = |range: Range| [range.min, range.max];
+        Robot {
+            name: &robot.name,
+            body: robot.body.map(|body| Body {
+                x: ends(body.x),
+                y: ends(body.y),
+                z: ends(body.z),
+                mass: body.mass,
+            }),
+            legs: robot.legs.iter().map(Leg::of).collect(),
+            planar: robot.is_planar,
+            slider: robot.slider.map(|slider| slider.initial),
+        }
+    }
+}
+
+impl<'a> Leg<'a> {
+    fn of(limb: &'a tip_sim::Limb) -> Self {
+        let joints = limb.joints.iter().map(|joint| Joint {
+            axis: joint.axis,
+            link: joint.link,
+            mass: joint.mass,
+        });
+        Leg {
+            base: limb.base,
+            joints: joints.collect(),
+            initial: &limb.initial,
+        }
+    }
+}
+
+impl Outline {
+    fn of(object: &Object) -> Self {
+        match object.shape {
+            Shape::Disc { radius } => Outline::Disc(radius),
+            Shape::Box { width, height } => Outline::Box(width, height),
+        }
+    }
+}
+
+impl<'a> Ended<'a> {
+    fn of(recording: &'a Recording) -> Self {
+        match &recording.outcome {
+            Outcome::Program(word) => Ended {
+                how: word,
+                ..Ended::default()
+            },
+            Outcome::Interrupted => Ended {
+                how: "interrupted",
+                ..Ended::default()
+            },
+            Outcome::Limit => Ended {
+                how: "limit",
+                ..Ended::default()
+            },
+            Outcome::Emergency(stop) => Ended {
+                how: "emergency",
+                error: Some(&stop.error),
+                kind: Some(&stop.kind),
+                line: recording.script.lines.get(stop.step as usize).copied(),
+            },
+        }
+    }
+}
