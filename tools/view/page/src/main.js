@@ -134,7 +134,7 @@ function showTab(id) {
     tab.tabIndex = chosen ? 0 : -1;
     element(tab.getAttribute('aria-controls')).classList.toggle('chosen', chosen);
   }
-  window.dispatchEvent(new Event('resize'));
+  document.dispatchEvent(new Event('tab'));
 }
 
 function tabs() {

@@ -2,7 +2,7 @@
 
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
-  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap,
+  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap,
   PerspectiveCamera, PlaneGeometry, RepeatWrapping, RingGeometry, SRGBColorSpace, Scene, ShadowMaterial, SphereGeometry, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -94,7 +94,7 @@ export class Stage {
       this.tile.width = this.tile.height = 512;
       const map = new CanvasTexture(this.tile);
       map.wrapS = map.wrapT = RepeatWrapping;
-      map.anisotropy = 2;
+      map.minFilter = LinearMipmapNearestFilter;
       map.colorSpace = SRGBColorSpace;
       const tiles = 2 * Math.ceil(span / TILE / 2);
       map.repeat.set(tiles, tiles);

@@ -38,6 +38,15 @@ export function state(player, plot) {
   const show = () => {
     const { cycle } = player;
     element('message').textContent = recording.messageAt(cycle) || '\u00A0';
+    // What nobody sees waits until its tab is chosen.
+    if (element('state-panel').classList.contains('chosen')) showState(cycle);
+    const alarm = alarmAt(player);
+    element('alert').hidden = !alarm;
+    element('alert').textContent = alarm;
+    element('now-line').textContent = recording.lineAt(cycle) ?? '–';
+    showMargin(player);
+  };
+  const showState = (cycle) => {
     lamps.forEach((lamp, n) => {
       const switched = recording.lamps.filter((lamp) => lamp.device === devices[n] && lamp.cycle <= cycle);
       lamp.classList.toggle('on', Boolean(switched.at(-1)?.on));
@@ -59,25 +68,24 @@ export function state(player, plot) {
         return make('kbd', { className: fresh ? 'fresh' : '', textContent: event.text });
       }),
     );
-    element('now-line').textContent = recording.lineAt(cycle) ?? '–';
-    const alarm = alarmAt(player);
-    element('alert').hidden = !alarm;
-    element('alert').textContent = alarm;
-    const place = recording.between(player.time);
-    const margin = recording.value('margin', place);
-    element('margin-box').hidden = margin === undefined;
-    element('falls-box').hidden = margin === undefined;
-    if (margin === undefined) return;
-    element('now-margin').textContent = `${fixed(margin, 0)} mm`;
-    element('now-margin').classList.toggle('bad', margin < 0);
-    const falls = countUpTo(recording.falls, cycle, (fall) => fall.cycle);
-    element('now-falls').textContent = falls;
-    element('now-falls').classList.toggle('bad', falls > 0);
   };
   player.onMove(show);
+  document.addEventListener('tab', show);
   whenSpoken(show);
   whenSpoken(() => showEnd(recording));
   whenSpoken(() => listMarks(player));
+}
+
+function showMargin({ recording, cycle, time }) {
+  const margin = recording.value('margin', recording.between(time));
+  element('margin-box').hidden = margin === undefined;
+  element('falls-box').hidden = margin === undefined;
+  if (margin === undefined) return;
+  element('now-margin').textContent = `${fixed(margin, 0)} mm`;
+  element('now-margin').classList.toggle('bad', margin < 0);
+  const falls = countUpTo(recording.falls, cycle, (fall) => fall.cycle);
+  element('now-falls').textContent = falls;
+  element('now-falls').classList.toggle('bad', falls > 0);
 }
 
 /** What has just gone wrong, in words. */
