@@ -165,6 +165,9 @@ codes! {
     /// `R` before the first of several numbers.
     RelativeFirst "W120" None, "R is for the first number only",
         "Rは最初の数値にだけ付いています";
+    /// A comment that is to silence a warning, and does not.
+    Allow "W121" None, "this comment silences nothing",
+        "このコメントで消える警告はありません";
 }
 
 impl Code {

@@ -1,5 +1,6 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 
+use crate::allow::Allows;
 use crate::check::check;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
@@ -104,6 +105,11 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         });
         (symbols, program)
     };
+    let mut allows = Allows::of(&source, &module);
+    allows.silence(&source, &mut diagnostics);
+    if program.is_some() {
+        diagnostics.extend(allows.warnings(&source));
+    }
     judge(&mut diagnostics, module.edition);
     diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
     // One mistake is reported once, however many passes find it.

@@ -7,6 +7,7 @@
 #[macro_use]
 mod table;
 
+mod allowing;
 #[cfg(feature = "build")]
 mod building;
 mod calculating;
@@ -32,6 +33,7 @@ mod suggesting;
 mod warning;
 mod word;
 
+pub use allowing::Allowing;
 #[cfg(feature = "build")]
 pub use building::Building;
 pub use calculating::Calculating;
@@ -69,6 +71,7 @@ tables! {
     Habit,
     Fixing,
     Warning,
+    Allowing,
     #[cfg(feature = "robot-files")]
     Describing,
     #[cfg(all(feature = "robot-files", feature = "tools"))]

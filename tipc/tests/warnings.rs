@@ -215,3 +215,60 @@ fn relative_is_said_of_each_number() {
         &[],
     );
 }
+
+#[test]
+fn a_comment_silences_warnings_of_its_line() {
+    check("SLEEP 1 // tip: allow(W118)", &[]);
+    check("SLEEP 1 //TIP:ALLOW( w118 ) one cycle", &[]);
+    check(
+        "SLEEP 1 // tip: allow(W118); SLEEP 1\nSLEEP 1",
+        &["W118 4:7"],
+    );
+    check(
+        "SLEEP 1; N =+1 // tip: allow(W118, W119)\nSLEEP N\nDEF_VAR N",
+        &[],
+    );
+}
+
+#[test]
+fn a_comment_on_its_own_line_is_for_the_next_statement() {
+    check(
+        "ALL_STOP\n// tip: allow(W118)\n\n// why\nSLEEP 1\nSLEEP 1",
+        &["W118 8:7"],
+    );
+    // Two of them for one statement.
+    check(
+        "DEF_VAR N\n// tip: allow(W118)\n  // tip: allow(W119)\nSLEEP 1; N =+1\nSLEEP N",
+        &[],
+    );
+}
+
+#[test]
+fn a_comment_above_all_statements_is_for_the_whole_program() {
+    check("// tip: allow(W118)\nSLEEP 1\nSLEEP 1", &[]);
+    check(
+        "\n// A walk\n// tip: allow(W102)\nDEF_VAR N\nDEF_VAR M\nN = 1\nM = 1",
+        &[],
+    );
+}
+
+#[test]
+fn a_comment_that_silences_nothing_is_a_warning() {
+    check("SLEEP 20 // tip: allow(W118)", &["W121 3:23"]);
+    check(
+        "ALL_STOP // tip: allow(W118, W999)",
+        &["W121 3:23", "W121 3:29"],
+    );
+    check("ALL_STOP // tip: allow(E205)", &["W121 3:23"]);
+    check("ALL_STOP // tip: allow W118", &["W121 3:10"]);
+    check("ALL_STOP // tip: allow()", &["W121 3:23"]);
+    check("// tip: allow(W121)\nALL_STOP // tip: allow(W118)", &[]);
+    // Other comments, and those behind END.
+    check("ALL_STOP // tip: lift first\nALL_STOP // allow(W118)", &[]);
+    check(
+        "END // tip: allow(W999)\n// tip: allow(W999)",
+        &["W121 3:18"],
+    );
+    // Errors stay, and are enough to read.
+    check("FOO // tip: allow(E204, W999)", &["E204 3:1"]);
+}

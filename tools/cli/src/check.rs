@@ -1,6 +1,7 @@
 //! `tipc check`: reports everything that is wrong with programs.
 
 use super::arguments::SourceArguments;
+use super::deny::Deny;
 use super::error::Error;
 use super::{Status, fix, input, report};
 use clap::Args;
@@ -19,8 +20,13 @@ use tipc::diagnostic::Applicability;
   tipc check --lang ja walk.prg               reasons and helps in Japanese
   tipc check --fix walk.prg                   put right what is certain, and report what is left
   tipc check --fix - < walk.prg > new.prg     the program with its fixes on standard output
+  tipc check --deny warnings walk.prg         exit status 1 if there is a warning
+  tipc check --deny W112,W117 walk.prg        if there is one of these
 
-Exit status: 0 if every program loads (warnings do not count), 1 otherwise; with --fix, if it loads after its fixes.")]
+A comment silences warnings: '// tip: allow(W112)' at the end of a line, on a line above a statement, or above the
+first statement for the whole program.
+
+Exit status: 0 if every program loads (warnings do not count unless denied), 1 otherwise; with --fix, if it loads after its fixes.")]
 pub(super) struct Check {
     /// The programs; '-' is standard input
     #[arg(value_name = "FILE", required = true)]
@@ -36,6 +42,9 @@ pub(super) struct Check {
 
     #[command(flatten)]
     pub(super) source: SourceArguments,
+
+    #[command(flatten)]
+    pub(super) deny: Deny,
 }
 
 impl Check {
@@ -73,7 +82,7 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
         };
         total.add(&loaded);
         fixable.add(&loaded, &options, shown);
-        if loaded.program.is_none() {
+        if arguments.deny.refuses(&loaded) || loaded.program.is_none() {
             status = Status::Failure;
         }
     }

@@ -6,6 +6,7 @@ mod check;
 mod checked;
 mod choices;
 mod cycles;
+mod deny;
 mod describe;
 mod emit;
 mod error;
@@ -53,7 +54,7 @@ use std::process::ExitCode;
   tipc robot check hexapod.toml       check the description of your robot
 
 'tipc help COMMAND' shows examples of each command.
-Exit status: 0 done, 1 the program does not load or does not verify, or a file cannot be written,
+Exit status: 0 done, 1 the program does not load, does not verify or has a denied warning, or a file cannot be written,
 2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted."
 )]
 struct Arguments {

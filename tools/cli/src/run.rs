@@ -10,9 +10,10 @@ mod targets;
 mod trace;
 
 use super::arguments::{InputArguments, SourceArguments};
+use super::deny::Deny;
 use super::error::Error;
 use super::{Status, input, interrupt, report, scene};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use emergency::describe;
 use live::Live;
 use progress::Progress;
@@ -48,10 +49,10 @@ its end what it did.
 
 Exit status; the first that applies:
   2    wrong usage
-  1    the program does not load, or a file cannot be written
+  1    the program does not load or has a denied warning, or a file cannot be written
   130  interrupted
   3    emergency stop
-  4    the robot fell, with --deny falls
+  4    the robot fell, with --deny falls; the run goes on to its end
   0    END, EXIT or --cycles used up")]
 pub(super) struct Run {
     /// The program
@@ -83,20 +84,12 @@ pub(super) struct Run {
     #[arg(long)]
     pub(super) realtime: bool,
 
-    /// Run to the end, then exit with status 4 if this happened
-    #[arg(long, value_name = "WHAT", value_enum)]
-    pub(super) deny: Option<Denied>,
+    #[command(flatten)]
+    pub(super) deny: Deny,
 
     /// Say nothing but the program's messages and the errors that end a run
     #[arg(long, short)]
     pub(super) quiet: bool,
-}
-
-/// What a run may be judged by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Denied {
-    /// The robot fell: its centre of mass left the support polygon
-    Falls,
 }
 
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
@@ -121,6 +114,9 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     );
     if loaded.program.is_none() || !arguments.quiet {
         report::findings(&loaded, arguments.source.shown);
+    }
+    if arguments.deny.refuses(&loaded) {
+        return Ok(Status::Failure);
     }
     if loaded.program.is_some() {
         targets::check(arguments)?;
@@ -224,7 +220,7 @@ impl Job<'_> {
     }
 
     fn denies_falls(&self) -> bool {
-        self.arguments.deny == Some(Denied::Falls)
+        self.arguments.deny.falls()
     }
 }
 

@@ -348,3 +348,32 @@ fn a_folder_is_not_a_program() {
         .tipc(&["check", "--robot", "TITAN8", "motions/p.prg"])
         .expect(0);
 }
+
+#[test]
+fn denied_warnings_fail() {
+    let folder = Folder::new("deny")
+        .program("naps.prg", "SLEEP 1\nMESSAGE done\nEND")
+        .program("allowed.prg", "SLEEP 1 // tip: allow(W118)\nEND");
+    let tipc = |arguments: &[&str]| folder.tipc(arguments);
+    tipc(&["check", "naps.prg"]).expect(0);
+    let denied = tipc(&["check", "--deny", "W118", "naps.prg"]).expect(1);
+    let line = "error: naps.prg: 1 denied warning: W118\n";
+    assert!(denied.err.ends_with(line), "{denied:#?}");
+    tipc(&["check", "--deny", "falls,warnings", "naps.prg"]).expect(1);
+    tipc(&["check", "--deny", "W101", "--deny", "falls", "naps.prg"]).expect(0);
+    tipc(&["check", "--deny", "warnings", "allowed.prg"]).expect(0);
+    // The same words for a run, which then does not begin.
+    let run = tipc(&["run", "--deny", "falls,w118", "naps.prg"]).expect(1);
+    assert_eq!(run.out, "");
+    tipc(&["run", "--deny", "W101", "naps.prg"]).expect(0);
+    // What is not in the list is refused with the list.
+    for word in ["E205", "W999", "rain", ""] {
+        for command in ["check", "run"] {
+            let refused = tipc(&[command, "--deny", word, "naps.prg"]).expect(2);
+            assert!(
+                refused.err.contains("falls, warnings, W101, "),
+                "{refused:#?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Comments that silence warnings: `// tip: allow(W112)`.
+//!
+//! At the end of a line it is for that line; on a line of its own for the next statement; above the first statement for
+//! the whole program.
+
+use crate::code::{Code, Level};
+use crate::diagnostic::Diagnostic;
+use crate::language::Edition;
+use crate::lex::split_comment;
+use crate::message::Allowing;
+use crate::source::{Source, Span, Unit};
+use crate::syntax::Module;
+
+/// What the comments of a program silence.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Allows {
+    allows: Vec<Allow>,
+    /// What is wrong with the comments themselves.
+    faults: Vec<Diagnostic>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Allow {
+    code: Code,
+    /// The line it is for; every line, if there is none.
+    line: Option<u32>,
+    /// The code in the comment.
+    place: Span,
+    silences: bool,
+}
+
+/// The start of such a comment, after its slashes.
+const START: &str = "tip:";
+const WORD: &str = "allow";
+
+impl Allows {
+    /// Those of a program.
+    pub(crate) fn of(source: &Source, module: &Module) -> Self {
+        let mut allows = Allows::default();
+        let text = source.text();
+        let (Some(first), Some(last)) = (module.statements.first(), module.statements.last())
+        else {
+            return allows;
+        };
+        if !text.contains(START) && !text.contains("TIP:") {
+            return allows;
+        }
+        let lines = source.lines().take_while(|line| line.number <= last.line);
+        for line in lines.filter(|line| line.number != 2) {
+            let (code, comment) = split_comment(text, line.span);
+            let Some(list) = comment.and_then(|comment| list(text, comment)) else {
+                continue;
+            };
+            let line = if line.number < first.line {
+                None
+            } else if source.slice(code).trim().is_empty() {
+                let next = module
+                    .statements
+                    .partition_point(|it| it.line <= line.number);
+                module.statements.get(next).map(|it| it.line)
+            } else {
+                Some(line.number)
+            };
+            allows.read(source, list, line);
+        }
+        allows
+    }
+
+    /// Reads the codes of a list: what is between the parentheses.
+    fn read(&mut self, source: &Source, list: Result<Span, Span>, line: Option<u32>) {
+        let list = match list {
+            Ok(list) => list,
+            Err(place) => {
+                let fault = Diagnostic::new(Code::Allow, place, Allowing::NoList);
+                return self.faults.push(fault.help(Allowing::WriteList));
+            }
+        };
+        let mut start = list.start;
+        for part in source.slice(list).split(',') {
+            let name = part.trim();
+            let at = start + (part.len() - part.trim_start().len());
+            let place = Span::new(at, at + name.len());
+            start += part.len() + 1;
+            match code(name) {
+                Ok(code) => self.allows.push(Allow {
+                    code,
+                    line,
+                    place,
+                    silences: false,
+                }),
+                Err(reason) => {
+                    let fault = Diagnostic::new(Code::Allow, place, reason);
+                    self.faults.push(fault.help(Allowing::WriteList));
+                }
+            }
+        }
+    }
+
+    /// Takes out the warnings that a comment silences.
+    pub(crate) fn silence(&mut self, source: &Source, diagnostics: &mut Vec<Diagnostic>) {
+        if !self.allows.is_empty() {
+            diagnostics.retain(|one| !self.silences(source, one));
+        }
+    }
+
+    fn silences(&mut self, source: &Source, finding: &Diagnostic) -> bool {
+        let line = source.position(finding.span.start, Unit::Character).line;
+        let mut silences = false;
+        for allow in &mut self.allows {
+            if allow.code == finding.code && allow.line.is_none_or(|of| of == line) {
+                allow.silences = true;
+                silences = true;
+            }
+        }
+        silences
+    }
+
+    /// Warnings about the comments: what they say wrong, and those that silence nothing.
+    pub(crate) fn warnings(&mut self, source: &Source) -> Vec<Diagnostic> {
+        let idle = |allow: &&Allow| !allow.silences && allow.code != Code::Allow;
+        let idle = self.allows.iter().filter(idle).map(|allow| {
+            let finding = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
+            finding.help(Allowing::TakeOut)
+        });
+        let mut found: Vec<Diagnostic> = self.faults.iter().cloned().chain(idle).collect();
+        self.silence(source, &mut found);
+        found
+    }
+}
+
+/// What is between the parentheses of such a comment, or the comment if there are none; nothing of any other comment.
+fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
+    let after = |from: usize, word: &str| {
+        let rest = text.get(from..comment.end)?;
+        let at = from + (rest.len() - rest.trim_start().len());
+        let found = text
+            .get(at..at + word.len())
+            .filter(|_| at + word.len() <= comment.end)?;
+        found.eq_ignore_ascii_case(word).then_some(at + word.len())
+    };
+    let end = after(after(comment.start + "//".len(), START)?, WORD)?;
+    let open = after(end, "(");
+    let close = open.and_then(|open| Some(open + text[open..comment.end].find(')')?));
+    Some(match open.zip(close) {
+        Some((open, close)) => Ok(Span::new(open, close)),
+        None => Err(comment),
+    })
+}
+
+/// The warning of that name.
+fn code(name: &str) -> Result<Code, Allowing> {
+    let is_it = |code: &&Code| code.id().eq_ignore_ascii_case(name);
+    match Code::ALL.iter().copied().find(|code| is_it(&code)) {
+        None => Err(Allowing::NoCode { name: name.into() }),
+        Some(code) if code.level(Edition::default()) == Level::Error => {
+            Err(Allowing::Error { code: code.id() })
+        }
+        Some(code) => Ok(code),
+    }
+}
