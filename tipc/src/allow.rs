@@ -117,7 +117,8 @@ impl Allows {
 
     /// Warnings about the comments: what they say wrong, and those that silence nothing.
     pub(crate) fn warnings(&mut self, source: &Source) -> Vec<Diagnostic> {
-        let idle = |allow: &&Allow| !allow.silences && allow.code != Code::Allow;
+        let is_judged = |code: Code| code != Code::Allow && !code.is_found_later();
+        let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
             let finding = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
             finding.help(Allowing::TakeOut)

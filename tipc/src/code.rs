@@ -168,9 +168,17 @@ codes! {
     /// A comment that is to silence a warning, and does not.
     Allow "W121" None, "this comment silences nothing",
         "このコメントで消える警告はありません";
+    /// A constant target that the robot cannot reach.
+    OutOfReach "W122" None, "this target is out of reach and stops the program when it runs",
+        "この目標には届かず、実行すると緊急停止します";
 }
 
 impl Code {
+    /// Whether it is found after a program is loaded, by whoever knows the robot's geometry.
+    pub(crate) const fn is_found_later(self) -> bool {
+        matches!(self, Code::OutOfReach)
+    }
+
     /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.
     pub const fn level(self, edition: Edition) -> Level {
         match (self.kind(), edition) {

@@ -11,7 +11,7 @@ use crate::message::{Habit, Message, Parsing};
 use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::source::{Encoding, Source, looks_like};
+use crate::source::{Encoding, Source, Span, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
 use crate::warn::Judged;
@@ -66,6 +66,21 @@ impl Loaded {
     }
 }
 
+impl Loaded {
+    /// Adds warnings that others found, but those that a comment silences.
+    pub fn add(&mut self, mut found: Vec<Diagnostic>) {
+        Allows::of(&self.source, &self.module).silence(&self.source, &mut found);
+        judge(&mut found, self.module.edition);
+        self.diagnostics.append(&mut found);
+        self.diagnostics.sort_by_key(place);
+    }
+}
+
+/// Where findings stand among each other.
+fn place(finding: &Diagnostic) -> (Span, Code) {
+    (finding.span, finding.code)
+}
+
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
@@ -111,7 +126,7 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         diagnostics.extend(allows.warnings(&source));
     }
     judge(&mut diagnostics, module.edition);
-    diagnostics.sort_by_key(|diagnostic| (diagnostic.span, diagnostic.code));
+    diagnostics.sort_by_key(place);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;

@@ -254,20 +254,20 @@ fn a_comment_above_all_statements_is_for_the_whole_program() {
 
 #[test]
 fn a_comment_that_silences_nothing_is_a_warning() {
-    check("SLEEP 20 // tip: allow(W118)", &["W121 3:23"]);
+    check("SLEEP 20 // tip: allow(W118)", &["W121 3:24"]);
     check(
         "ALL_STOP // tip: allow(W118, W999)",
-        &["W121 3:23", "W121 3:29"],
+        &["W121 3:24", "W121 3:30"],
     );
-    check("ALL_STOP // tip: allow(E205)", &["W121 3:23"]);
+    check("ALL_STOP // tip: allow(E205)", &["W121 3:24"]);
     check("ALL_STOP // tip: allow W118", &["W121 3:10"]);
-    check("ALL_STOP // tip: allow()", &["W121 3:23"]);
+    check("ALL_STOP // tip: allow()", &["W121 3:24"]);
     check("// tip: allow(W121)\nALL_STOP // tip: allow(W118)", &[]);
     // Other comments, and those behind END.
     check("ALL_STOP // tip: lift first\nALL_STOP // allow(W118)", &[]);
     check(
         "END // tip: allow(W999)\n// tip: allow(W999)",
-        &["W121 3:18"],
+        &["W121 3:19"],
     );
     // Errors stay, and are enough to read.
     check("FOO // tip: allow(E204, W999)", &["E204 3:1"]);

@@ -3,6 +3,7 @@
 use super::list::Quoted;
 use super::phrase::{Assign, Lack, Stretch, Type};
 use smol_str::SmolStr;
+use tip_runtime::command::Target;
 
 messages! {
     /// What the analysis warns of.
@@ -127,4 +128,24 @@ messages! {
     MarkEach
         "write R before each number that is relative, and A before each that is absolute",
         "相対値には一つずつR、絶対値には一つずつAを付けてください";
+
+    // Targets.
+    TurnsTooFar { joint: Target, by: f64, limit: f64 }
+        "{joint} would turn {by} deg beyond its limit of {limit} deg",
+        "{joint}が限界の{limit}度を{by}度超えます";
+    TurnsFromTo { joint: Target, min: f64, max: f64 }
+        "{joint} turns from {min} to {max} deg",
+        "{joint}の可動範囲は{min}度から{max}度までです";
+    ComesNoNearer { target: Target, by: f64 }
+        "{target} ends about {by} mm before it",
+        "{target}は約{by} mm届きません";
+    ChooseNearer
+        "choose a place nearer to the base of the leg; positions are mm in the robot's frame",
+        "脚の付け根に近い位置にしてください。位置はロボット座標系で、単位はmmです";
+    SlidesNotThere
+        "the slider does not go there",
+        "スライダはそこまで動きません";
+    SlidesFromTo { axis: &'static str, min: f64, max: f64 }
+        "along {axis} it goes from {min} to {max} mm",
+        "{axis}方向の可動範囲は{min} mmから{max} mmまでです";
 }

@@ -6,6 +6,7 @@ use super::error::Error;
 use super::{Status, fix, input, report};
 use clap::Args;
 use std::path::PathBuf;
+use tip_sim::reach;
 use tipc::diagnostic::Applicability;
 
 /// `tipc check`
@@ -61,13 +62,14 @@ impl Check {
 pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
     let shown = arguments.source.shown;
     let robot = match arguments.source.robot.load() {
-        Ok(robot) => robot.robot(),
+        Ok(robot) => robot,
         Err(loaded) => {
             report::check(&loaded, shown)?;
             return Ok(Status::Failure);
         }
     };
-    let options = arguments.source.options(robot);
+    let options = arguments.source.options(robot.robot());
+    let robot = robot.simulated()?;
     let mut status = Status::Success;
     let mut total = report::Total::default();
     let mut fixable = fix::Fixable::default();
@@ -75,7 +77,9 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
         let loaded = match arguments.least() {
             Some(least) => fix::fix(file, &options, least, shown)?,
             None => {
-                let loaded = fix::offered(input::load(file, &options), &options, shown);
+                let mut loaded = input::load(file, &options);
+                reach::warn(&mut loaded, &robot);
+                let loaded = fix::offered(loaded, &options, shown);
                 report::check(&loaded, shown)?;
                 loaded
             }

@@ -22,7 +22,7 @@ use std::path::PathBuf;
 use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{Inputs, Interpreter, Observer, Robot};
+use tip_sim::{Inputs, Interpreter, Observer, Robot, reach};
 use tipc::program::Program;
 use tipc::source::Source;
 use trace::{Extras, Trace};
@@ -108,10 +108,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     let robot = scene::around(robot.simulated()?, &scene)?;
     let inputs = arguments.inputs.inputs();
     check_inputs(&robot, &inputs)?;
-    let loaded = input::load(
+    let mut loaded = input::load(
         &arguments.file,
         &arguments.source.options(robot.options().robot),
     );
+    reach::warn(&mut loaded, &robot);
     if loaded.program.is_none() || !arguments.quiet {
         report::findings(&loaded, arguments.source.shown);
     }

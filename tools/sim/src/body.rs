@@ -1,5 +1,9 @@
 //! What a robot of some size is made of, ready to be simulated.
 
+mod miss;
+
+pub(crate) use miss::Miss;
+
 use crate::desk::Desk;
 use crate::echo::Echo;
 use crate::engine::Engine;
@@ -7,7 +11,7 @@ use crate::native::Native;
 use crate::plant::Plant;
 use crate::rig::Rig;
 use crate::shell::Shell;
-use tip_runtime::command::Port;
+use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{self, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards};
@@ -17,6 +21,8 @@ use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
 pub(crate) trait Body {
     fn anatomy(&self) -> Anatomy;
     fn has_input(&self, around: &Around, port: Port) -> bool;
+    /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
+    fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss>;
     fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch>;
 }
 
@@ -161,6 +167,10 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
 
     fn has_input(&self, around: &Around, port: Port) -> bool {
         plant::Plant::set_sensor(&mut self.rig(around), port, 0.0)
+    }
+
+    fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
+        Miss::of(self.model, op, target, values)
     }
 
     fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch> {

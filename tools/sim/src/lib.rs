@@ -19,6 +19,7 @@ pub mod lockstep;
 mod motion;
 mod native;
 mod plant;
+pub mod reach;
 mod rig;
 mod robot;
 mod run;

@@ -1,6 +1,6 @@
 //! Simulated robots, whatever their size.
 
-use crate::body::{Anatomy, Around, Body, Seats, Sized};
+use crate::body::{Anatomy, Around, Body, Miss, Seats, Sized};
 use crate::desk::Desk;
 use crate::engine::Engine;
 use crate::native::Native;
@@ -8,7 +8,7 @@ use crate::plant::Plant;
 use crate::shell::Shell;
 use std::fmt;
 use std::rc::Rc;
-use tip_runtime::command::Port;
+use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
@@ -132,6 +132,11 @@ impl Robot {
     /// Whether it has this input.
     pub fn has_input(&self, port: Port) -> bool {
         self.body.has_input(&self.around, port)
+    }
+
+    /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
+    pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
+        self.body.miss(op, target, values)
     }
 
     /// Puts a program on it.

@@ -32,7 +32,7 @@ pages! {
     "E206"
     "E207" "E207-01" "E207-02" "E207-03" "E207-04" "E207-05" "E207-06" "E207-07" "E207-08"
     "E301" "E401" "E402" "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
-    "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121"
+    "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122"
 }
 
 #[cfg(test)]
@@ -91,7 +91,12 @@ mod tests {
     /// The codes of what is wrong with a block.
     fn codes((kind, text): (&str, &str), about: &About) -> Vec<&'static str> {
         let found = match (kind, about.class) {
-            ("tip", _) => load("page.prg", text.as_bytes(), &Options::default()).diagnostics,
+            ("tip", _) => {
+                let robot = tip_sim::Robot::named("titan8").expect("a robot");
+                let mut loaded = load("page.prg", text.as_bytes(), &Options::default());
+                tip_sim::reach::warn(&mut loaded, &robot);
+                loaded.diagnostics
+            }
             (_, Code::Scene) => parse_scene("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
             (_, _) => parse("page.toml", text.as_bytes())

@@ -1,0 +1,98 @@
+//! Which constant targets are reported as out of reach, against the robots' geometry.
+
+use tip_sim::{Robot, reach};
+use tipc::message::Message;
+
+/// What is said of the first finding about some statements: code, reason and help.
+fn said(robot: &str, statements: &str) -> Vec<String> {
+    let robot = Robot::named(robot).expect("a robot");
+    let text = format!("3.1\nreach\n{statements}\nEND\n");
+    let mut loaded = tipc::load("reach.prg", text.as_bytes(), &robot.options());
+    reach::warn(&mut loaded, &robot);
+    let findings = loaded.diagnostics.iter();
+    let one = |finding: &tipc::diagnostic::Diagnostic| {
+        let help = finding.help.as_ref().map(Message::to_string);
+        let place = loaded.source.slice(finding.span);
+        let (code, reason) = (finding.code.id(), &finding.reason);
+        format!("{code} {place}: {reason}; {}", help.unwrap_or_default())
+    };
+    findings.map(one).collect()
+}
+
+#[track_caller]
+fn check(robot: &str, statements: &str, expected: &[&str]) {
+    assert_eq!(said(robot, statements), expected, "{statements}");
+}
+
+// The hip of F1 is at (-101, 201, 0), its links are 50, 240 and 200 mm long: a foot comes 490 mm outwards.
+// clauses: 2.22 7.2
+#[test]
+fn a_foot_that_links_do_not_reach() {
+    check("titan8", "PTP F1 -391 201 -200", &[]);
+    let said = said("titan8", "PTP F1 -2000 201 0");
+    let [one] = said.as_slice() else {
+        panic!("{said:?}")
+    };
+    let start = "W122 -2000 201 0: F1 ends about ";
+    assert!(one.starts_with(start), "{one}");
+    let by = one[start.len()..].split(' ').next().expect("a number");
+    let by: f64 = by.parse().expect("mm");
+    // From 101 + 490 to 2000 at least: limits may keep the leg from stretching out.
+    assert!((1409.0..1500.0).contains(&by), "{one}");
+}
+
+#[test]
+fn an_angle_beyond_a_limit() {
+    let model = tip_runtime::model::titan8::MODEL;
+    let limits = model.legs[0].joints[1].limits;
+    let far = limits.max + 12.5;
+    let finding = format!(
+        "W122 {far}: J12 would turn 12.5 deg beyond its limit of {max} deg; J12 turns from {min} to {max} deg",
+        min = limits.min,
+        max = limits.max
+    );
+    check("titan8", &format!("PTP_ANGLE J12 {far}"), &[&finding]);
+    check("titan8", &format!("PTP_ANGLE F1 0 {far} 90"), &[&finding]);
+    check("titan8", &format!("PTP_ANGLE J12 {}", limits.max), &[]);
+}
+
+#[test]
+fn what_may_be_in_reach_is_left_alone() {
+    for statements in [
+        // Relative, in part or whole; a variable; a joint that stops at its limit.
+        "PTP F1 R -2000 R 0 R 0",
+        "PTP F1 A -2000 R 0 R 0",
+        "REL_PTP F1 -2000 0 0",
+        "DEF_VAR X\nX = -2000\nPTP F1 X 201 0",
+        "EMG_OFF\nPTP F1 -2000 201 0",
+        "PTP F1 -2000 201 0 // tip: allow(W122)",
+    ] {
+        check("titan8", statements, &[]);
+    }
+    // It is not said to silence nothing, since loading alone does not know.
+    check("titan8", "PTP F1 -391 201 -200 // tip: allow(W122)", &[]);
+}
+
+#[test]
+fn the_hand_has_no_z_but_a_slider() {
+    let slider = tip_runtime::model::hand::MODEL.slider.expect("a slider");
+    let at = |x: f64| format!("PTP FLOOR {x} {} {}", slider.initial[1], slider.initial[2]);
+    check("hand", &at(slider.travel[0].max), &[]);
+    let said = said("hand", &at(slider.travel[0].max + 1.0));
+    assert!(
+        said.len() == 1 && said[0].contains("along x it goes from"),
+        "{said:?}"
+    );
+    let feet = Robot::named("hand").expect("a robot").anatomy().feet;
+    let [x, y, _] = feet[0];
+    check("hand", &format!("PTP F1 {x} {y} 5000"), &[]);
+    let far = said_far();
+    assert!(
+        far.len() == 1 && far[0].contains("F1 ends about"),
+        "{far:?}"
+    );
+}
+
+fn said_far() -> Vec<String> {
+    said("hand", "PTP F1 5000 0 0")
+}
