@@ -5,6 +5,7 @@ mod blocks;
 mod characters;
 mod declarations;
 mod jumps;
+mod numbers;
 mod operators;
 mod site;
 mod texts;
@@ -23,6 +24,7 @@ const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     jumps::fix,
     blocks::fix,
     operators::fix,
+    numbers::fix,
     declarations::fix,
 ];
 

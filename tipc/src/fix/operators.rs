@@ -1,4 +1,4 @@
-//! Operators, signs, numbers and parentheses.
+//! Operators, signs and parentheses.
 
 use super::site::Site;
 use crate::diagnostic::{Edit, Fix};
@@ -22,7 +22,14 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
         (_, Some(Message::Habit(Habit::WriteSigned { text }))) => signed(site, text),
         (Message::Parsing(Parsing::PlusBeforeConstants), _) => plus(site),
         (_, Some(Message::Habit(Habit::WriteNot))) => not(site),
-        (_, Some(Message::Habit(Habit::Comma { whole, point }))) => comma(site, whole, point),
+        (Message::Habit(Habit::SplitOperator { sign }), _) => {
+            let tokens = site.tokens();
+            let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
+            Some(certain(site, place, sign))
+        }
+        (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
+            Some(certain(site, site.span(), "="))
+        }
         (_, Some(Message::Commanding(Commanding::Compare { .. }))) => {
             let title = Fixing::Insert {
                 text: COMPARED.into(),
@@ -44,7 +51,7 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 /// What a number is compared with to be a condition.
 const COMPARED: &str = "<> 0";
 
-fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
+pub(super) fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
     let title = Fixing::Replace {
         old: site.slice(place).into(),
         new: new.into(),
@@ -141,17 +148,6 @@ fn not(site: &Site<'_>) -> Option<Fix> {
     let mut fix = certain(site, operator, opposite);
     fix.edits.insert(0, Edit::remove(gap));
     Some(fix)
-}
-
-/// `1,000` or `4,5`.
-fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
-    let after = site.text().len();
-    let start = site.span().end.checked_sub(whole.len() + 1)?;
-    let place = Span::new(start, site.span().end);
-    // Three digits after a comma are thousands.
-    let new = if after == 3 { whole } else { point };
-    let fix = certain(site, place, new);
-    Some(Fix::likely(fix.title, fix.edits))
 }
 
 /// The only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.

@@ -40,23 +40,20 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
 fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
     let tokens = site.tokens();
     match habit {
-        Habit::ElseIf | Habit::EndIf | Habit::Wend | Habit::Next | Habit::SubEnd => {
-            let Means::Keyword(keyword) = foreign::statement(site.text())?.means else {
-                return None;
-            };
-            let mut fix = certain(site, site.span(), keyword.word());
-            if keyword == Keyword::ElseIf {
-                fix.edits.extend(then(site, &tokens));
-            }
-            Some(fix)
-        }
-        Habit::ElseIfInTwo => None,
+        Habit::ElseIf if !stands_for_it(site) => None,
+        Habit::ElseIf => Some(branch(site, &tokens)),
+        Habit::EndIf => closer(site, Keyword::EndIf),
+        Habit::Wend => closer(site, Keyword::Wend),
+        Habit::Next => closer(site, Keyword::Next),
+        Habit::SubEnd => closer(site, Keyword::SubEnd),
+        Habit::InOneWord { word } if word == Keyword::ElseIf.word() => Some(branch(site, &tokens)),
         Habit::InOneWord { word } => {
-            let mut fix = certain(site, site.span(), word);
-            if word == Keyword::ElseIf.word() {
-                fix.edits.extend(then(site, &tokens));
-            }
-            Some(fix)
+            let place = match site.reason() {
+                // Of `DEF VAR N` the first word is what is unknown.
+                Message::Commanding(_) => site.span().to(tokens.get(1)?.span),
+                _ => site.span(),
+            };
+            Some(certain(site, place, word))
         }
         Habit::Return if tokens.len() == 1 => {
             Some(certain(site, site.span(), Keyword::Return.word()))
@@ -70,6 +67,26 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
         Habit::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }
+}
+
+/// `ENDWHILE`, `END WHILE`.
+fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    stands_for_it(site).then(|| certain(site, site.span(), keyword.word()))
+}
+
+/// Whether the place of the finding is the word itself, spelled otherwise.
+fn stands_for_it(site: &Site<'_>) -> bool {
+    matches!(
+        site.reason(),
+        Message::Commanding(Commanding::NoCommand { .. }) | Message::Habit(Habit::EndInTwo { .. })
+    )
+}
+
+/// `ELIF c`, `ELSE IF c`.
+fn branch(site: &Site<'_>, tokens: &[Token]) -> Fix {
+    let mut fix = certain(site, site.span(), Keyword::ElseIf.word());
+    fix.edits.extend(then(site, tokens));
+    fix
 }
 
 /// THEN where an ELSEIF of another language has none, or a colon.

@@ -19,6 +19,9 @@ messages! {
     RemoveBlanks
         "remove the blanks",
         "空白を取る";
+    Apart
+        "put a blank after each flag",
+        "フラグの後に空白を入れる";
     RemoveParentheses
         "leave the parentheses out",
         "括弧を取る";

@@ -18,6 +18,14 @@ fn words_that_close_blocks() {
         );
     }
     check_certain(
+        "WHILE KB_HIT\nREM\nEND WHILE\nALL_STOP",
+        "WHILE KB_HIT\nREM\nWEND\nALL_STOP",
+    );
+    check_certain(
+        "CALL S:\nEXIT\nSUBROUTINE S:\nEND SUB",
+        "CALL S:\nEXIT\nSUBROUTINE S:\nSUBEND",
+    );
+    check_certain(
         "DEF_VAR I\nFOR I = 1 TO 3\nENDFOR",
         "DEF_VAR I\nFOR I = 1 TO 3\nNEXT",
     );
@@ -163,6 +171,9 @@ fn equations_of_other_languages() {
         ("A--", "A -= 1"),
         ("A ++", "A += 1"),
         ("A == 2", "A = 2"),
+        ("A := 2", "A = 2"),
+        ("A + = 2", "A += 2"),
+        ("A = 0x1F", "A = 31"),
         ("LET A = 2", "A = 2"),
         ("A = - 5", "A = -5"),
         ("A = + 5", "A = +5"),
@@ -194,6 +205,7 @@ fn declarations_of_other_languages() {
     let right = "DEF_VAR N\nN = 100\nSLEEP N";
     for foreign in [
         "DEF N\nN = 100",
+        "DEF VAR N\nN = 100",
         "VAR N\nN = 100",
         "DEF_VAR N = 100",
         "INT N = 100",
@@ -267,6 +279,22 @@ fn full_width_characters() {
         check_certain(wide, narrow);
     }
     check_kept("SLEEP 歩く");
+}
+
+// clauses: 7.2 7.5 7.14 5.1
+#[test]
+fn arguments_of_other_languages() {
+    for (foreign, right) in [
+        ("SLEEP 100ms", "SLEEP 100"),
+        ("SLEEP 100 msec", "SLEEP 100"),
+        ("PTP F1 R50 R0 R0", "PTP F1 R 50 R 0 R 0"),
+        ("IF INPOS F1 THEN\nENDIF", "IF INPOS_F1 THEN\nENDIF"),
+        ("ALL_STOP ALL", "ALL_STOP"),
+    ] {
+        check_certain(foreign, right);
+    }
+    // Is it 2 ms?
+    check_kept("SLEEP 2s");
 }
 
 // clauses: 10.1

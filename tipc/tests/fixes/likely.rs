@@ -63,4 +63,5 @@ fn other_habits() {
     check_likely("PTP J11 30", "PTP_ANGLE J11 30");
     check_likely("WAIT 200", "SLEEP 200");
     check_likely("QUIT", "EXIT");
+    check_likely("ALL_STOP SLEEP 100", "ALL_STOP\nSLEEP 100");
 }
