@@ -24,7 +24,7 @@ fn the_ending_says_what_a_log_is() {
         .tipc(&["log", "turn.prg", "-o", "few.csv", "--every", "4"])
         .expect(0);
     // Every fourth one from 0, and the last.
-    let expected = (cycles - 1) / 4 + 1 + usize::from((cycles - 1) % 4 > 0);
+    let expected = (cycles - 1).div_ceil(4) + 1;
     assert_eq!(folder.read("few.csv").lines().count() - 1, expected);
     folder
         .tipc(&["log", "turn.prg", "-o", "turn.mcap"])
