@@ -18,7 +18,7 @@ mod layout;
 mod rows;
 mod same;
 
-use crate::load::{Loaded, Options, load};
+use crate::load::{Loaded, Options, load, lowered};
 use crate::message::Formatting;
 use rows::Rows;
 
@@ -37,16 +37,17 @@ pub enum Refusal {
 ///
 /// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
 pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
-    let before = load(name, bytes, options);
+    let before = lowered(name, bytes, options);
     if before.program.is_none() {
-        return Err(Refusal::Findings(Box::new(before)));
+        let found = load(name, bytes, options);
+        return Err(Refusal::Findings(Box::new(found)));
     }
     let rows = Rows::of(&before.source, &before.module);
     let formatted = rows.write(&before.source).map_err(Refusal::Because)?;
     if formatted == bytes {
         return Ok(formatted);
     }
-    let after = load(name, &formatted, options);
+    let after = lowered(name, &formatted, options);
     match same::check(&before, &after) {
         Ok(()) => Ok(formatted),
         Err(reason) => Err(Refusal::Because(reason)),

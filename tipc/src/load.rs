@@ -83,6 +83,29 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+    let mut loaded = lowered(name, bytes, options);
+    if let Some(program) = &loaded.program {
+        let judged = Judged {
+            source: &loaded.source,
+            module: &loaded.module,
+            symbols: &loaded.symbols,
+            program,
+            robot: options.robot,
+        };
+        judged.warn(&mut loaded.diagnostics);
+    }
+    let mut allows = Allows::of(&loaded.source, &loaded.module);
+    allows.silence(&loaded.source, &mut loaded.diagnostics);
+    if loaded.program.is_some() {
+        loaded.diagnostics.extend(allows.warnings(&loaded.source));
+    }
+    in_order(&mut loaded.diagnostics, loaded.module.edition);
+    fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
+    loaded
+}
+
+/// The same without what only an analysis of the program finds: warnings. The findings are in no order.
+pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     if let Some(fault) = undecodable {
         let mut faults = vec![fault.into()];
@@ -104,35 +127,10 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         let is_sound = diagnostics
             .iter()
             .all(|diagnostic| diagnostic.level() == Level::Warning);
-        let symbols = checked.symbols;
         let resolved = checked.resolved.filter(|_| is_sound);
-        let program = resolved.map(|resolved| {
-            let program = lower(&source, &module, resolved, options.robot);
-            let judged = Judged {
-                source: &source,
-                module: &module,
-                symbols: &symbols,
-                program: &program,
-                robot: options.robot,
-            };
-            judged.warn(&mut diagnostics);
-            program
-        });
-        (symbols, program)
+        let program = resolved.map(|resolved| lower(&source, &module, resolved, options.robot));
+        (checked.symbols, program)
     };
-    let mut allows = Allows::of(&source, &module);
-    allows.silence(&source, &mut diagnostics);
-    if program.is_some() {
-        diagnostics.extend(allows.warnings(&source));
-    }
-    judge(&mut diagnostics, module.edition);
-    diagnostics.sort_by_key(place);
-    // One mistake is reported once, however many passes find it.
-    diagnostics.dedup_by(|later, first| {
-        let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
-        later.span == first.span && is_mistake(later) && is_mistake(first)
-    });
-    fix::attach(&source, &module, &mut diagnostics);
     Loaded {
         source,
         module,
@@ -140,6 +138,17 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         program,
         diagnostics,
     }
+}
+
+/// Puts findings in the order of their places, judged by the rules of an edition.
+fn in_order(diagnostics: &mut Vec<Diagnostic>, edition: Edition) {
+    judge(diagnostics, edition);
+    diagnostics.sort_by_key(place);
+    // One mistake is reported once, however many passes find it.
+    diagnostics.dedup_by(|later, first| {
+        let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
+        later.span == first.span && is_mistake(later) && is_mistake(first)
+    });
 }
 
 /// Names the encoding of a file that the language does not know, where something in it cannot be read.
