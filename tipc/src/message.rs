@@ -11,7 +11,11 @@ mod allowing;
 #[cfg(feature = "build")]
 mod building;
 mod calculating;
+#[cfg(feature = "tools")]
+mod checking;
 mod commanding;
+#[cfg(feature = "tools")]
+pub mod count;
 #[cfg(feature = "robot-files")]
 mod describing;
 mod fixing;
@@ -27,9 +31,13 @@ mod naming;
 mod parsing;
 pub mod phrase;
 mod reading;
+#[cfg(feature = "tools")]
+pub mod running;
 pub(crate) mod say;
 mod structuring;
 mod suggesting;
+#[cfg(feature = "tools")]
+mod using;
 mod warning;
 mod word;
 
@@ -37,6 +45,8 @@ pub use allowing::Allowing;
 #[cfg(feature = "build")]
 pub use building::Building;
 pub use calculating::Calculating;
+#[cfg(feature = "tools")]
+pub use checking::Checking;
 pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
@@ -51,9 +61,13 @@ pub use migrating::Migrating;
 pub use naming::Naming;
 pub use parsing::Parsing;
 pub use reading::Reading;
+#[cfg(feature = "tools")]
+pub use running::Running;
 pub use say::{Decimal, Lang, Letter};
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
+#[cfg(feature = "tools")]
+pub use using::Using;
 pub use warning::Warning;
 pub(crate) use word::Cut;
 pub use word::Text;
@@ -80,6 +94,12 @@ tables! {
     Migrating,
     #[cfg(feature = "tools")]
     Formatting,
+    #[cfg(feature = "tools")]
+    Checking,
+    #[cfg(feature = "tools")]
+    Running,
+    #[cfg(feature = "tools")]
+    Using,
     #[cfg(feature = "build")]
     Building,
 }

@@ -27,6 +27,21 @@ impl Say for Quoted {
     }
 }
 
+/// Things that there are: `a, b and c`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Each(pub Vec<String>);
+
+impl Say for Each {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut names = cut(&self.0);
+        if let (Lang::English, 2..) = (lang, names.len()) {
+            let last = names.pop().unwrap_or_default();
+            return write!(f, "{} and {last}", names.join(", "));
+        }
+        f.write_str(&names.join(lang.pick(", ", "、")))
+    }
+}
+
 /// Names, as much of each as is shown.
 fn cut(names: &[String]) -> Vec<String> {
     names

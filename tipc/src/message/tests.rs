@@ -4,7 +4,7 @@ pub(crate) use sample::Sample;
 
 #[cfg(feature = "robot-files")]
 use super::Describing;
-use super::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
+use super::list::{Alternatives, Both, Each, Faults, List, Pieces, Quoted};
 use super::phrase::*;
 use super::say::{Said, Say};
 use super::{Lang, Message, Parsing, ROWS, each};
@@ -20,7 +20,17 @@ pub(crate) struct Row {
     pub(crate) japanese: &'static str,
 }
 
-/// The rows of parts of messages.
+/// The rows of all parts of messages.
+fn phrases() -> impl Iterator<Item = &'static [Row]> {
+    let phrases = PHRASES.iter();
+    #[cfg(feature = "tools")]
+    let phrases = phrases
+        .chain(super::count::COUNTS)
+        .chain(super::running::PHRASES);
+    phrases.copied()
+}
+
+/// Those of parts that any table may take.
 const PHRASES: &[&[Row]] = &[
     End::ROWS,
     Lack::ROWS,
@@ -99,6 +109,9 @@ fn lists_are_written_as_sentences_need_them() {
     let names = || vec!["A".to_owned(), "B".to_owned()];
     check(List(names()), "A, B");
     check(Quoted(names()), "`A`, `B`");
+    check(Each(names()), "A and B");
+    check(Each(vec!["A".into(), "B".into(), "C".into()]), "A, B and C");
+    check(Each(vec!["A".into()]), "A");
     check(Alternatives(names()), "`A`, or `B`");
     check(Both(vec!["hand", "generic"]), "hand and generic");
     let faults = [Parsing::ThenBelongsHere, Parsing::ToBelongsHere];
@@ -199,7 +212,7 @@ fn every_text_is_translated() {
         })
     };
     let is_japanese = |letter: char| ('\u{3041}'..='\u{9fff}').contains(&letter);
-    for row in ROWS.iter().chain(PHRASES).copied().flatten() {
+    for row in ROWS.iter().copied().chain(phrases()).flatten() {
         let translated = row.japanese.contains(is_japanese) || !is_words(row.english);
         assert!(translated, "{}::{}: {:?}", row.table, row.row, row.japanese);
     }
@@ -216,7 +229,7 @@ fn every_row_is_said_somewhere() {
         row,
         english,
         ..
-    } in ROWS.iter().chain(PHRASES).copied().flatten()
+    } in ROWS.iter().copied().chain(phrases()).flatten()
     {
         let said = sources
             .match_indices(&format!("{table}::{row}"))

@@ -7,7 +7,9 @@ pub(super) use inputs::InputArguments;
 use super::choices::EncodingName;
 use super::robot::RobotChoice;
 use super::shown::Shown;
+use super::usage::Wrong;
 use clap::Args;
+use tipc::message::Using;
 use tipc::{Options, Robot};
 
 /// How a source file is to be read. Every command takes these.
@@ -41,9 +43,11 @@ impl SourceArguments {
 }
 
 /// A version of the language.
-pub(super) fn version_number(text: &str) -> Result<f64, String> {
+pub(super) fn version_number(text: &str) -> Result<f64, Wrong> {
     match text.parse() {
         Ok(number) if f64::is_finite(number) && number > 0.0 => Ok(number),
-        _ => Err("a version is a number such as 3.1".to_owned()),
+        _ => Err(Wrong(Using::NotAVersion {
+            text: text.to_owned(),
+        })),
     }
 }

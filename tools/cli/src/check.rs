@@ -1,13 +1,19 @@
 //! `tipc check`: reports everything that is wrong with programs.
 
+mod watch;
+
 use super::arguments::SourceArguments;
+use super::choices::Format;
 use super::deny::Deny;
 use super::error::Error;
-use super::{Status, fix, input, report};
+use super::{Status, fix, input, interrupt, report};
 use clap::Args;
+use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use tip_sim::reach;
 use tipc::diagnostic::Applicability;
+use tipc::message::{Checking, Using};
+use watch::Watch;
 
 /// `tipc check`
 #[derive(Debug, Args)]
@@ -23,11 +29,13 @@ use tipc::diagnostic::Applicability;
   tipc check --fix - < walk.prg > new.prg     the program with its fixes on standard output
   tipc check --deny warnings walk.prg         exit status 1 if there is a warning
   tipc check --deny W112,W117 walk.prg        if there is one of these
+  tipc check --watch walk.prg                 again after each change, until Ctrl-C
 
 A comment silences warnings: '// tip: allow(W112)' at the end of a line, on a line above a statement, or above the
 first statement for the whole program.
 
-Exit status: 0 if every program loads (warnings do not count unless denied), 1 otherwise; with --fix, if it loads after its fixes.")]
+Exit status: 0 if every program loads (warnings do not count unless denied), 1 otherwise; with --fix, if it loads after its fixes;
+130 after --watch.")]
 pub(super) struct Check {
     /// The programs; '-' is standard input
     #[arg(value_name = "FILE", required = true)]
@@ -40,6 +48,10 @@ pub(super) struct Check {
     /// Apply likely fixes as well
     #[arg(long, requires = "fix")]
     unsafe_fixes: bool,
+
+    /// Check again whenever a file changes
+    #[arg(long, conflicts_with = "fix")]
+    pub(super) watch: bool,
 
     #[command(flatten)]
     pub(super) source: SourceArguments,
@@ -58,8 +70,49 @@ impl Check {
     }
 }
 
-/// Checks each file; one that does not load makes the whole command fail.
+/// Checks each file, once or whenever one changes.
 pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
+    match arguments.watch {
+        true => again_and_again(arguments),
+        false => once(arguments),
+    }
+}
+
+/// Checks until Ctrl-C.
+fn again_and_again(arguments: &Check) -> Result<Status, Error> {
+    let lang = arguments.source.shown.lang();
+    if arguments.files.iter().any(|file| input::is_standard(file)) {
+        return Err(Error::Usage(Using::WatchInput.in_lang(lang).to_string()));
+    }
+    interrupt::catch();
+    let programs = arguments.files.iter().map(PathBuf::as_path);
+    let watch = Watch::begin(programs.chain(arguments.source.robot.file()))?;
+    let is_human = arguments.source.shown.message_format == Format::Human;
+    let says = |message: Checking| {
+        if is_human {
+            report::complain(&format!("{RULE} {} {RULE}\n", message.in_lang(lang)));
+        }
+    };
+    for count in 2.. {
+        once(arguments)?;
+        let files = arguments.files.len().into();
+        says(Checking::Watching { files });
+        if !watch.changed() {
+            break;
+        }
+        if is_human && io::stderr().is_terminal() {
+            report::clear();
+        }
+        says(Checking::Again { count });
+    }
+    Ok(Status::Interrupted)
+}
+
+/// What parts the findings of one check from those of the next.
+const RULE: &str = "────────";
+
+/// Checks each file; one that does not load makes the whole command fail.
+fn once(arguments: &Check) -> Result<Status, Error> {
     let shown = arguments.source.shown;
     let robot = match arguments.source.robot.load() {
         Ok(robot) => robot,

@@ -26,6 +26,7 @@ mod robot;
 mod run;
 mod scene;
 mod shown;
+mod usage;
 mod verify;
 mod view;
 
@@ -114,7 +115,7 @@ fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            report::usage(&error);
+            usage::report(&error);
             return exit(if error.use_stderr() {
                 Status::Usage
             } else {

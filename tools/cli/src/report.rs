@@ -4,14 +4,13 @@ use super::choices::Format;
 use super::error::Error;
 use super::output;
 use super::shown::Shown;
-use std::env;
-use std::ffi::OsString;
 use std::io::{self, Write};
-use tip_runtime::printable::{Printable, acts};
+use tip_runtime::printable::Printable;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
-use tipc::message::Lang;
+use tipc::message::count::More;
+use tipc::message::{Checking, Lang};
 use tipc::render;
 
 /// The most findings of a file that people see at once.
@@ -36,11 +35,12 @@ impl Total {
     /// The sum over all files, for people, if there are several.
     pub(super) fn report(self, shown: Shown) {
         if self.files > 1 && shown.message_format == Format::Human {
-            let (errors, warnings) = (
-                plural(self.errors, "error"),
-                plural(self.warnings, "warning"),
-            );
-            complain(&format!("{} files: {errors}, {warnings}\n", self.files));
+            let total = Checking::Total {
+                files: self.files.into(),
+                errors: self.errors.into(),
+                warnings: self.warnings.into(),
+            };
+            complain(&format!("{}\n", total.in_lang(shown.lang())));
         }
     }
 }
@@ -53,10 +53,10 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
             shows(&text);
             let found = loaded.diagnostics.len();
             if found > MOST {
-                let more = plural(found - MOST, "more finding");
-                complain(&format!("... and {more}\n\n"));
+                let more = More::from(found - MOST);
+                complain(&format!("{}\n\n", more.in_lang(shown.lang())));
             }
-            complain(&summary(loaded));
+            complain(&format!("{}\n", summary(loaded).in_lang(shown.lang())));
             Ok(())
         }
         Format::Short | Format::Json => output::print(&text),
@@ -80,21 +80,14 @@ pub(super) fn error(error: &Error) {
     complain(&format!("{level}{}\n", Printable::line(error)));
 }
 
-/// What is wrong with a command line, or the help that it asks for.
-pub(super) fn usage(error: &clap::Error) {
-    let acting = |word: OsString| word.to_string_lossy().chars().any(acts);
-    if error.use_stderr() && env::args_os().any(acting) {
-        // It repeats words of the command line, so that its colours have to go as well.
-        complain(&error.render().to_string());
-    } else {
-        // A closed output is no reason to fail over help.
-        let _ = error.print();
-    }
-}
-
 /// Writes to standard error; if that is closed, there is no one to report it to.
 pub(super) fn complain(text: &str) {
     shows(&Printable::lines(text).to_string());
+}
+
+/// Empties the terminal that standard error is.
+pub(super) fn clear() {
+    shows("\u{1b}[2J\u{1b}[H");
 }
 
 /// Writes to standard error what may have colours.
@@ -134,23 +127,22 @@ fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     format!("{headline}\n  = note: {classical}")
 }
 
-fn summary(loaded: &Loaded) -> String {
+/// What came of a program, in a sentence.
+fn summary(loaded: &Loaded) -> Checking {
     let (errors, warnings) = (count(loaded, Level::Error), count(loaded, Level::Warning));
-    let name = Printable::line(loaded.source.name());
+    let file = Printable::line(loaded.source.name()).to_string().into();
     match &loaded.program {
-        Some(program) => {
-            let (steps, robot) = (program.steps().len(), program.signature().robot);
-            let warnings = plural(warnings, "warning");
-            format!(
-                "{name}: {} for {robot}, {warnings}\n",
-                plural(steps, "step")
-            )
-        }
-        None => format!(
-            "{name}: {}, {}\n",
-            plural(errors, "error"),
-            plural(warnings, "warning")
-        ),
+        Some(program) => Checking::Sound {
+            file,
+            steps: program.steps().len().into(),
+            robot: program.signature().robot.to_string(),
+            warnings: warnings.into(),
+        },
+        None => Checking::Faulty {
+            file,
+            errors: errors.into(),
+            warnings: warnings.into(),
+        },
     }
 }
 

@@ -3,10 +3,13 @@
 use super::choices::RobotName;
 use super::error::Error;
 use super::input;
+use super::usage::Wrong;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tipc::description::Description;
+use tipc::message::Using;
+use tipc::message::list::Each;
 use tipc::{Loaded, Robot};
 
 /// `NAME` or `FILE.toml`, as `--robot` has it.
@@ -17,18 +20,36 @@ pub(super) enum RobotChoice {
 }
 
 impl FromStr for RobotChoice {
-    type Err = String;
+    type Err = Wrong;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
         match RobotName::from_str(text, true) {
             Ok(name) => Ok(RobotChoice::Named(name)),
             Err(_) if is_file => Ok(RobotChoice::File(text.into())),
-            Err(_) => Err(
-                "the robots are titan8, hand and generic; any other one is a description, FILE.toml"
-                    .to_owned(),
-            ),
+            Err(_) => Err(Wrong(no_robot(text))),
         }
+    }
+}
+
+/// How alike two names are of which one may be meant by the other, from 0 to 1.
+const ALIKE: f64 = 0.75;
+
+/// A name that no robot has.
+fn no_robot(text: &str) -> Using {
+    let values = RobotName::value_variants().iter();
+    let names = values.filter_map(|name| Some(name.to_possible_value()?.get_name().to_owned()));
+    let names: Vec<String> = names.collect();
+    let small = text.to_lowercase();
+    let likeness = |name: &String| strsim::jaro_winkler(&small, name);
+    let near = names
+        .iter()
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    let near = near.filter(|near| likeness(near) >= ALIKE).cloned();
+    let (word, robots) = (text.to_owned(), Each(names));
+    match near {
+        Some(near) => Using::NearRobot { word, near, robots },
+        None => Using::NoRobot { word, robots },
     }
 }
 

@@ -8,6 +8,7 @@ mod screen;
 mod summary;
 mod targets;
 mod trace;
+mod waiting;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
@@ -23,6 +24,7 @@ use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{Inputs, Interpreter, Observer, Robot, reach};
+use tipc::message::running::Weight;
 use tipc::program::Program;
 use tipc::source::Source;
 use trace::{Extras, Trace};
@@ -195,8 +197,10 @@ impl Job<'_> {
             report::complain(&describe(emergency, self.source, program));
         }
         if !self.arguments.quiet {
-            report::complain(&summary(&run, ending, self.source));
-            live.iter().for_each(|live| report::complain(&live.pace()));
+            let lang = self.arguments.source.shown.lang();
+            report::complain(&summary(&run, ending, self.source, lang));
+            live.iter()
+                .for_each(|live| report::complain(&live.pace(lang)));
         }
         traced.and(logged)?;
         Ok(self.status(&ending, fell))
@@ -244,9 +248,14 @@ impl Watch<'_> {
             return;
         }
         let denied = self.job.denies_falls();
-        let level = if denied { "error" } else { "warning" };
+        let weight = if denied {
+            Weight::Error
+        } else {
+            Weight::Warning
+        };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
-            let text = fall(&found, level, self.job.source, program);
+            let lang = self.job.arguments.source.shown.lang();
+            let text = fall(&found, &weight, self.job.source, program, lang);
             screen.above(|| report::complain(&text));
         }
     }

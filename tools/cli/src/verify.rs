@@ -8,6 +8,7 @@ use super::arguments::{InputArguments, SourceArguments};
 use super::checked::checked;
 use super::error::Error;
 use super::robot::ChosenRobot;
+use super::usage::count;
 use super::{Status, interrupt, output, scene};
 use certificate::certificate;
 use clap::Args;
@@ -46,7 +47,7 @@ pub(super) struct Verify {
     pub(super) inputs: InputArguments,
 
     /// How many runs a search makes
-    #[arg(long, value_name = "N", default_value = "256")]
+    #[arg(long, value_name = "N", default_value = "256", value_parser = count, allow_negative_numbers = true)]
     pub(super) runs: u64,
 
     /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder

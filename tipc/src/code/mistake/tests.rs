@@ -76,6 +76,9 @@ const OTHERS: &[&str] = &[
     "Migrating",
     "Building",
     "Formatting",
+    "Checking",
+    "Running",
+    "Using",
 ];
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::language::Keyword;
 use crate::language::keywords::KEYWORDS;
-use crate::message::list::{Alternatives, Both, Faults, List, Pieces, Quoted};
+use crate::message::list::{Alternatives, Both, Each, Faults, List, Pieces, Quoted};
 use crate::message::{Cut, Decimal, Letter, Message, Parsing, Text};
 use smol_str::SmolStr;
 use std::ops::Range;
@@ -120,6 +120,12 @@ fn several<T>(turn: usize, thing: impl Fn(usize) -> T) -> Vec<T> {
 impl Sample for List {
     fn sample(turn: usize) -> Self {
         List(several(turn, String::sample))
+    }
+}
+
+impl Sample for Each {
+    fn sample(turn: usize) -> Self {
+        Each(several(turn, String::sample))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The options of a run, which `tipc run` and `tipc verify` share.
 
 use super::super::scene::SceneChoice;
+use super::super::usage::count;
 use clap::Args;
 use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 
@@ -8,7 +9,7 @@ use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 #[derive(Debug, Args)]
 pub(crate) struct InputArguments {
     /// Stop after this many control cycles
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
     cycles: Option<u64>,
 
     /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
@@ -16,7 +17,7 @@ pub(crate) struct InputArguments {
     keys: Option<Keys>,
 
     /// Request a halt before the step of this cycle
-    #[arg(long, value_name = "CYCLE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
     halt: Option<u64>,
 
     /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on

@@ -5,6 +5,7 @@ use super::{Status, output, report};
 use crate::error::Error;
 use crate::robot::RobotChoice;
 use crate::shown::Shown;
+use crate::usage::Wrong;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -51,9 +52,9 @@ enum Model {
 }
 
 impl FromStr for Model {
-    type Err = String;
+    type Err = Wrong;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Wrong> {
         match is_urdf(Path::new(text)) {
             true => Ok(Model::Urdf(text.into())),
             false => text.parse().map(Model::Robot),

@@ -3,12 +3,14 @@
 use super::super::interrupt;
 use super::super::report;
 use super::screen::Screen;
-use super::summary::{status, tenths};
+use super::summary::{line, status, tenths};
 use std::io::{self, IsTerminal};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
 use tip_sim::Run;
+use tipc::message::running::Figure;
+use tipc::message::{Lang, Running};
 use tipc::source::Source;
 
 /// How often the line is written anew on a terminal, and elsewhere.
@@ -68,12 +70,15 @@ impl Live {
     }
 
     /// A line for the summary.
-    pub(super) fn pace(&self) -> String {
-        let (late, all) = (self.pacer.overruns(), self.pacer.cycles());
-        let worst = tenths(self.pacer.worst().as_secs_f64() * 1000.0);
-        match late {
-            0 => "  pace    no cycle late\n".to_owned(),
-            _ => format!("  pace    {late} of {all} cycles late, {worst} ms at most\n"),
-        }
+    pub(super) fn pace(&self, lang: Lang) -> String {
+        let pace = match self.pacer.overruns() {
+            0 => Running::InTime,
+            late => Running::Late {
+                late: late.to_string(),
+                all: self.pacer.cycles().to_string(),
+                worst: tenths(self.pacer.worst().as_secs_f64() * 1000.0),
+            },
+        };
+        line(Figure::Pace, &pace, lang)
     }
 }

@@ -1,7 +1,7 @@
 //! What a run says about itself: its summary, and a fall.
 
 use super::super::place::place;
-use super::super::report::plural;
+use super::waiting::until;
 use std::fmt::Write as _;
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::Motion;
@@ -10,75 +10,141 @@ use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Fall, Grasp, Interpreter, Run};
 use tipc::language::Keyword;
+use tipc::message::running::{Along, Aside, Figure, How, Upright, Weight};
+use tipc::message::{Lang, Running};
 use tipc::source::Source;
 
 /// How and where it ended, and what the robot did. A robot without such figures has no lines about them.
-pub(super) fn summary(run: &Run, ending: Ending, source: &Source) -> String {
+pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) -> String {
     let program = run.program();
     let (how, step) = match ending {
-        Ending::Program(End::End) => (Keyword::End.word(), program.at()),
-        Ending::Program(End::Exit) => (Keyword::Exit.word(), program.at()),
-        Ending::Emergency(Emergency { step, .. }) => ("emergency stop", step),
-        Ending::Interrupted => ("interrupted", program.at()),
-        Ending::Limit => ("--cycles used up", program.at()),
+        Ending::Program(End::End) => (How::By { word: Keyword::End }, program.at()),
+        Ending::Program(End::Exit) => (
+            How::By {
+                word: Keyword::Exit,
+            },
+            program.at(),
+        ),
+        Ending::Emergency(Emergency { step, .. }) => (How::Emergency, step),
+        Ending::Interrupted => (How::Interrupted, program.at()),
+        Ending::Limit => (How::Limit, program.at()),
     };
-    let (name, line) = (Printable::line(source.name()), program.line(step));
-    let cycles = plural(run.cycles() as usize, "cycle");
-    let time = seconds(run.time());
-    let mut text = format!("{name}: {how} at line {line} after {cycles}, {time} of robot time\n");
+    let ended = Running::Ended {
+        file: Printable::line(source.name()).to_string().into(),
+        how,
+        line: program.line(step),
+        cycles: (run.cycles() as usize).into(),
+        time: seconds(run.time()),
+    };
+    let mut lines = Lines {
+        text: format!("{}\n", ended.in_lang(lang)),
+        lang,
+    };
+    if let Ending::Interrupted | Ending::Limit = ending {
+        lines.next(run);
+    }
     if let Some(moved) = run.motion() {
-        text += &motion(&moved, run.first_fall(), run);
+        lines.motion(&moved, run.first_fall(), run);
     }
     if let Some(held) = run.grasp() {
-        text += &grasp(&held);
+        lines.grasp(&held);
     }
-    text
+    lines.text
 }
 
-fn motion(motion: &Motion, first: Option<Fall>, run: &Run) -> String {
-    let travel = &motion.travel;
-    let (forward, right) = (
-        sense(travel.y, "forward", "backward"),
-        sense(travel.x, "to the right", "to the left"),
-    );
-    let (up, turn) = (
-        sense(travel.z, "up", "down"),
-        sense(travel.turn, "to the left", "to the right"),
-    );
-    let falls = match first {
-        None => "none".to_owned(),
-        Some(Fall { time, step, .. }) => {
-            let (time, line) = (seconds(time), run.program().line(step));
-            format!("{}, the first after {time} at line {line}", motion.falls)
+/// A line of the summary.
+pub(super) fn line(figure: Figure, value: &Running, lang: Lang) -> String {
+    let label = figure.in_lang(lang).to_string();
+    // Letters of Japanese are two columns wide.
+    let width: usize = label
+        .chars()
+        .map(|letter| if letter.is_ascii() { 1 } else { 2 })
+        .sum();
+    let gap = " ".repeat(8_usize.saturating_sub(width));
+    format!("  {label}{gap}{}\n", value.in_lang(lang))
+}
+
+/// The lines of a summary.
+struct Lines {
+    text: String,
+    lang: Lang,
+}
+
+impl Lines {
+    fn add(&mut self, figure: Figure, value: &Running) {
+        self.text += &line(figure, value, self.lang);
+    }
+
+    /// The statement that has not been done yet, and what it waits for.
+    fn next(&mut self, run: &Run) {
+        let at = run.program().at() as usize;
+        let program = run.engine::<Interpreter>().map(Interpreter::program);
+        let Some(step) = program.and_then(|program| program.steps().get(at)) else {
+            return;
+        };
+        let (line, statement) = (step.line, step.text.to_string().into());
+        let next = match until(&step.action) {
+            Some(until) => Running::Waits {
+                line,
+                statement,
+                until,
+            },
+            None => Running::Next { line, statement },
+        };
+        self.add(Figure::Next, &next);
+    }
+
+    fn motion(&mut self, motion: &Motion, first: Option<Fall>, run: &Run) {
+        let travel = &motion.travel;
+        let (y, along) = sense(travel.y, Along::Forward, Along::Backward);
+        let (x, aside) = sense(travel.x, Aside::Right, Aside::Left);
+        let (z, upright) = sense(travel.z, Upright::Up, Upright::Down);
+        let travelled = Running::Travel {
+            y,
+            along,
+            x,
+            aside,
+            z,
+            upright,
+        };
+        self.add(Figure::Travel, &travelled);
+        let (angle, aside) = sense(travel.turn, Aside::Left, Aside::Right);
+        self.add(Figure::Turn, &Running::Turn { angle, aside });
+        let falls = match first {
+            None => Running::NoFall,
+            Some(Fall { time, step, .. }) => Running::Falls {
+                count: motion.falls.to_string(),
+                time: seconds(time),
+                line: run.program().line(step),
+            },
+        };
+        self.add(Figure::Falls, &falls);
+        let value = tenths(motion.slip);
+        self.add(Figure::Slip, &Running::AtMost { value });
+        let value = tenths(motion.least_margin);
+        self.add(Figure::Margin, &Running::AtLeast { value });
+    }
+
+    fn grasp(&mut self, grasp: &Grasp) {
+        for (object, held) in (1..).zip(&grasp.objects) {
+            let (now, most) = (tenths(held.clearance), tenths(held.highest));
+            self.add(Figure::Lift, &Running::Lift { object, now, most });
         }
-    };
-    let (slip, margin) = (tenths(motion.slip), tenths(motion.least_margin));
-    format!(
-        "  travel  {} mm {}, {} mm {}, {} mm {}\n  turn    {} deg {}\n  falls   {falls}\n  \
-         slip    {slip} mm at most\n  margin  {margin} mm at least\n",
-        forward.0, forward.1, right.0, right.1, up.0, up.1, turn.0, turn.1
-    )
-}
-
-fn grasp(grasp: &Grasp) -> String {
-    let mut text = String::new();
-    // Writing to a String cannot fail.
-    for (n, object) in (1..).zip(&grasp.objects) {
-        let (now, most) = (tenths(object.clearance), tenths(object.highest));
-        let _ = writeln!(text, "  lift    object {n}: {now} mm, {most} mm at most");
+        for (finger, tip) in (1..).zip(&grasp.fingertips) {
+            let (now, most) = (
+                format!("{:.2}", tip.force()),
+                format!("{:.2}", tip.greatest),
+            );
+            self.add(Figure::Force, &Running::Force { finger, now, most });
+        }
     }
-    for (n, tip) in (1..).zip(&grasp.fingertips) {
-        let (now, most) = (tip.force(), tip.greatest);
-        let _ = writeln!(text, "  force   F{n}: {now:.2} N, {most:.2} N at most");
-    }
-    text
 }
 
 /// How the robot is now, in one line: the time, its motion, and the statement that is next.
 pub(super) fn status(run: &Run, source: &Source) -> String {
     let program = run.program();
     let line = program.line(program.at());
-    let mut text = seconds(run.time());
+    let mut text = format!("{} s", seconds(run.time()));
     // Writing to a String cannot fail.
     if let Some(motion) = run.motion() {
         let (forward, margin) = (tenths(motion.travel.y), tenths(motion.margin));
@@ -104,18 +170,24 @@ pub(super) fn status(run: &Run, source: &Source) -> String {
 }
 
 /// A fall, with the statement that ran.
-pub(super) fn fall(fall: &Fall, level: &str, source: &Source, program: &Interpreter) -> String {
-    let Fall {
-        cycle, time, step, ..
-    } = fall;
-    let time = seconds(*time);
-    let place = place(source, program.program(), *step);
-    format!("{level}: the robot fell after {time}, in cycle {cycle}\n{place}")
+pub(super) fn fall(
+    fall: &Fall,
+    weight: &Weight,
+    source: &Source,
+    program: &Interpreter,
+    lang: Lang,
+) -> String {
+    let fell = Running::Fell {
+        time: seconds(fall.time),
+        cycle: fall.cycle.to_string(),
+    };
+    let place = place(source, program.program(), fall.step);
+    format!("{}: {}\n{place}", weight.in_lang(lang), fell.in_lang(lang))
 }
 
-/// Of ms.
+/// So many, of ms.
 pub(super) fn seconds(time: f64) -> String {
-    format!("{:.3} s", time / 1000.0)
+    format!("{:.3}", time / 1000.0)
 }
 
 /// One decimal, and no -0.0.
@@ -129,7 +201,7 @@ pub(super) fn tenths(value: f64) -> String {
 }
 
 /// How much, and which way.
-fn sense(value: f64, positive: &'static str, negative: &'static str) -> (String, &'static str) {
+fn sense<W>(value: f64, positive: W, negative: W) -> (String, W) {
     let way = if tenths(value).starts_with('-') {
         negative
     } else {

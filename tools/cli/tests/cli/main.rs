@@ -23,5 +23,8 @@ mod run;
 mod script;
 mod speaks;
 mod support;
+mod usage;
 mod verify;
 mod view;
+#[cfg(target_os = "linux")]
+mod watch;

@@ -56,6 +56,70 @@ fn a_run_says_how_and_where_it_ended() {
     }
 }
 
+#[test]
+fn a_run_that_is_cut_off_names_the_statement_that_is_next() {
+    let folder = Folder::new("speaks-next")
+        .program("loop.prg", "L1:\n  goto l1:  // again\nEND")
+        .program("wait.prg", "PTP F1 -391 281 -160\nWAIT_INPOS F1\nEND")
+        .program("key.prg", "SLEEP 100\nKEY_IN\nEND");
+    for (program, cycles, expected) in [
+        ("loop.prg", "5", "line 4: goto l1:"),
+        (
+            "wait.prg",
+            "3",
+            "line 4: WAIT_INPOS F1, which waits until F1 is within the JUST tolerance",
+        ),
+        (
+            "key.prg",
+            "2",
+            "line 3: SLEEP 100, which waits until the time is over",
+        ),
+        (
+            "key.prg",
+            "9",
+            "line 4: KEY_IN, which waits until a key is pressed",
+        ),
+    ] {
+        let outcome = folder.tipc(&["run", program, "--cycles", cycles]).expect(0);
+        let line = format!("  next    {expected}");
+        assert_eq!(
+            outcome.err.lines().nth(1),
+            Some(line.as_str()),
+            "{outcome:#?}"
+        );
+    }
+    let done = folder.tipc(&["run", "key.prg", "--keys", "9:a"]).expect(0);
+    assert!(!done.err.contains("next"), "{done:#?}");
+}
+
+#[test]
+fn the_summary_speaks_japanese() {
+    let folder = Folder::new("speaks-japanese").program("p.prg", "WAIT_INPOS ALL\nKEY_IN\nEND");
+    let outcome = folder
+        .tipc(&["run", "p.prg", "--cycles", "3", "--lang", "ja"])
+        .expect(0);
+    let lines: Vec<&str> = outcome.err.lines().collect();
+    let margin = lines.last().expect("a margin");
+    assert_eq!(
+        lines[..6],
+        [
+            "p.prg: 4行目で--cyclesの周期数に到達(3周期、ロボットの時間で0.060 s)",
+            "  次      4行目: KEY_IN (キーが押されるまで待ちます)",
+            "  移動    胴体が前へ0.0 mm、右へ0.0 mm、上へ0.0 mm",
+            "  旋回    左へ0.0度",
+            "  転倒    なし",
+            "  滑り    最大0.0 mm",
+        ]
+    );
+    assert!(margin.starts_with("  余裕    最小"), "{margin}");
+    let checked = folder
+        .tipc(&["check", "p.prg", "p.prg", "--lang", "ja"])
+        .expect(0);
+    let lines: Vec<&str> = checked.err.lines().collect();
+    let one = "p.prg: titan8用、3ステップ、警告0件";
+    assert_eq!(lines, [one, one, "2ファイルの合計: エラー0件、警告0件"]);
+}
+
 /// A robot that has not moved yet: every figure is known.
 #[test]
 fn the_summary_of_a_robot_that_lies_still_is_this() {

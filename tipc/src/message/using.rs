@@ -1,0 +1,40 @@
+//! What is said of a command line that asks for what there is not.
+
+use super::Text;
+use super::list::Each;
+
+messages! {
+    /// Wrong usage of the command `tipc`.
+    Using;
+
+    RunThat { file: Text }
+        "`{file}` is not a command of tipc: did you mean `tipc run {file}`?",
+        "`{file}` はtipcのコマンドではありません。`tipc run {file}` のことですか?";
+    OtherWord { word: String, command: String }
+        "`{word}` is not a command of tipc: did you mean `tipc {command}`?",
+        "`{word}` はtipcのコマンドではありません。`tipc {command}` のことですか?";
+    NoCommand { word: String, commands: Each }
+        "`{word}` is not a command of tipc; the commands are {commands}",
+        "`{word}` はtipcのコマンドではありません。コマンドは{commands}です";
+    NoFile { command: String }
+        "which program? `tipc {command}` needs a file, as `tipc {command} walk.prg`",
+        "どのプログラムですか? `tipc {command} walk.prg` のようにファイルを指定してください";
+    NotACount { text: String }
+        "`{text}` is not a count: write a whole number, 0 or more",
+        "`{text}` は数えられません。0以上の整数を指定してください";
+    NoRobot { word: String, robots: Each }
+        "no robot is called `{word}`; there are {robots}, and yours in a FILE.toml",
+        "`{word}` というロボットはありません。{robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
+    NearRobot { word: String, near: String, robots: Each }
+        "no robot is called `{word}`: did you mean `{near}`? There are {robots}, and yours in a FILE.toml",
+        "`{word}` というロボットはありません。`{near}` のことですか? {robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
+    NotAVersion { text: String }
+        "`{text}` is not a version of the language, as 3.1 is",
+        "`{text}` は3.1のような言語のバージョンではありません";
+    WatchInput
+        "--watch needs files: standard input does not change",
+        "--watchにはファイルが必要です。標準入力は変更を検出できません";
+    SeeHelp { command: String }
+        "`tipc help {command}` shows examples",
+        "`tipc help {command}` で使用例を見られます";
+}

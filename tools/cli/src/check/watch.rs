@@ -1,0 +1,95 @@
+//! `--watch`: something is done again after each change of a file.
+
+use super::super::error::Error;
+use super::super::interrupt;
+use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+/// How soon Ctrl-C ends the watch.
+const NAP: Duration = Duration::from_millis(100);
+/// An editor writes a file in several steps: as long as they follow each other so quickly, they are one change.
+const QUIET: Duration = Duration::from_millis(50);
+/// Such a change is over after so long in any case.
+const LONGEST: Duration = Duration::from_secs(1);
+
+/// Files whose changes are awaited.
+pub(super) struct Watch {
+    /// It watches as long as it lives.
+    _watcher: RecommendedWatcher,
+    events: Receiver<notify::Result<Event>>,
+    files: BTreeSet<PathBuf>,
+}
+
+impl Watch {
+    /// From now on. Folders are watched, since editors put a new file in the place of the old one.
+    ///
+    /// # Errors
+    /// A file is in no folder that exists, or the system does not report changes.
+    pub(super) fn begin<'a>(files: impl IntoIterator<Item = &'a Path>) -> Result<Self, Error> {
+        let failed = |file: &Path, error: &dyn std::fmt::Display| {
+            Error::Failed(format!("{}: {error}", file.display()))
+        };
+        let (sender, events) = channel();
+        let mut watcher = notify::recommended_watcher(sender)
+            .map_err(|error| Error::Failed(error.to_string()))?;
+        let mut watched = BTreeSet::new();
+        for file in files {
+            let real = real(file).map_err(|error| failed(file, &error))?;
+            // A link may be changed, and so may what it leads to.
+            let target = fs::canonicalize(file).ok();
+            for path in [Some(real), target].into_iter().flatten() {
+                if let Some(folder) = path.parent() {
+                    watcher
+                        .watch(folder, RecursiveMode::NonRecursive)
+                        .map_err(|error| failed(folder, &error))?;
+                }
+                watched.insert(path);
+            }
+        }
+        Ok(Watch {
+            _watcher: watcher,
+            events,
+            files: watched,
+        })
+    }
+
+    /// Waits for a change of a file; false if Ctrl-C came before one.
+    pub(super) fn changed(&self) -> bool {
+        while !interrupt::is_requested() {
+            if self.is_changed_within(NAP) {
+                let change = Instant::now();
+                while self.is_changed_within(QUIET) && change.elapsed() < LONGEST {}
+                return true;
+            }
+        }
+        false
+    }
+
+    fn is_changed_within(&self, time: Duration) -> bool {
+        let end = Instant::now() + time;
+        loop {
+            let left = end.saturating_duration_since(Instant::now());
+            match self.events.recv_timeout(left) {
+                // The check itself opens the files.
+                Ok(Ok(event)) if event.kind.is_access() => {}
+                Ok(Ok(event)) if !event.paths.iter().any(|path| self.files.contains(path)) => {}
+                // What was missed may have been a change.
+                Ok(_) => return true,
+                Err(_) => return false,
+            }
+        }
+    }
+}
+
+/// The path of a file, which need not exist, in the folder that it is really in.
+fn real(file: &Path) -> std::io::Result<PathBuf> {
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")))?;
+    Ok(folder.join(file.file_name().unwrap_or_default()))
+}

@@ -1,0 +1,161 @@
+//! What is wrong with a command line, in words that lead to a right one.
+
+use super::choices::LangName;
+use super::report::complain;
+use super::{Arguments, shown};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, ValueEnum};
+use std::error::Error as _;
+use std::path::Path;
+use std::{env, fmt};
+use tip_runtime::printable::acts;
+use tipc::message::list::Each;
+use tipc::message::running::Weight;
+use tipc::message::{Lang, Using};
+
+/// The words of other tools for what is here.
+const OTHERS: &[(&str, &str)] = &[
+    ("build", "emit rust"),
+    ("compile", "emit rust"),
+    ("convert", "migrate"),
+    ("format", "fmt"),
+    ("lint", "check"),
+    ("sim", "run"),
+    ("simulate", "run"),
+    ("upgrade", "migrate"),
+];
+
+/// A value that an option cannot have, and what is said of it.
+#[derive(Clone, Debug)]
+pub(super) struct Wrong(pub(super) Using);
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for Wrong {}
+
+/// A whole number, as a value of an option.
+pub(super) fn count(text: &str) -> Result<u64, Wrong> {
+    let text_of = || text.to_owned();
+    text.parse()
+        .map_err(|_| Wrong(Using::NotACount { text: text_of() }))
+}
+
+/// Says what is wrong, or gives the help that is asked for.
+pub(super) fn report(error: &clap::Error) {
+    if let Some(reason) = reason(error) {
+        let lang = lang();
+        let option = text(error, ContextKind::InvalidArg);
+        let option = option.filter(|_| error.kind() == ErrorKind::ValueValidation);
+        let option = option.and_then(|option| Some(option.split_once(' ')?.0.to_owned() + ": "));
+        let option = option.unwrap_or_default();
+        let (error, reason) = (Weight::Error.in_lang(lang), reason.in_lang(lang));
+        complain(&format!("{error}: {option}{reason}\n"));
+        if let Some(command) = command() {
+            complain(&format!("{}\n", Using::SeeHelp { command }.in_lang(lang)));
+        }
+    } else if error.use_stderr()
+        && env::args_os().any(|word| word.to_string_lossy().chars().any(acts))
+    {
+        // It repeats words of the command line, so that its colours have to go as well.
+        complain(&error.render().to_string());
+    } else {
+        // A closed output is no reason to fail over help.
+        let _ = error.print();
+    }
+}
+
+/// What can be said better than in general.
+fn reason(error: &clap::Error) -> Option<Using> {
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => {
+            let word = text(error, ContextKind::InvalidSubcommand)?;
+            let near = strings(error, ContextKind::SuggestedSubcommand);
+            Some(no_command(word, near.first()))
+        }
+        ErrorKind::MissingRequiredArgument => {
+            let missing = strings(error, ContextKind::InvalidArg);
+            let is_file = |name: &String| name.starts_with("<FILE>") || name == "<OLD>";
+            let command = command().filter(|_| missing.iter().any(is_file))?;
+            let command = match command.as_str() {
+                "emit" => "emit rust".to_owned(),
+                _ => command,
+            };
+            Some(Using::NoFile { command })
+        }
+        ErrorKind::ValueValidation => {
+            let wrong = error.source()?.downcast_ref::<Wrong>()?;
+            Some(wrong.0.clone())
+        }
+        _ => None,
+    }
+}
+
+/// A first word that is not a command.
+fn no_command(word: String, near: Option<&String>) -> Using {
+    let path = Path::new(&word);
+    let is_program = path
+        .extension()
+        .is_some_and(|end| end.eq_ignore_ascii_case("prg"));
+    if is_program || path.is_file() {
+        return Using::RunThat { file: word.into() };
+    }
+    let other = OTHERS.iter().find(|(other, _)| *other == word);
+    let meant = other.map(|(_, command)| (*command).to_owned());
+    match meant.or_else(|| near.cloned()) {
+        Some(command) => Using::OtherWord { word, command },
+        None => Using::NoCommand {
+            word,
+            commands: Each(commands()),
+        },
+    }
+}
+
+/// The commands of tipc.
+fn commands() -> Vec<String> {
+    let tipc = Arguments::command();
+    let commands = tipc.get_subcommands();
+    commands
+        .map(|command| command.get_name().to_owned())
+        .collect()
+}
+
+/// The command on the command line.
+fn command() -> Option<String> {
+    let first = env::args().nth(1)?;
+    commands().into_iter().find(|command| *command == first)
+}
+
+/// The language that the command line asks for, which could not be read as a whole; else that of the locale.
+fn lang() -> Lang {
+    let words: Vec<String> = env::args_os()
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
+    let value = |(word, next): (&String, &String)| match word.strip_prefix("--lang") {
+        Some("") => Some(next.clone()),
+        Some(value) => value.strip_prefix('=').map(str::to_owned),
+        None => None,
+    };
+    let end = String::new();
+    let nexts = words.iter().skip(1).chain([&end]);
+    let asked = words.iter().zip(nexts).find_map(value);
+    shown::lang(asked.and_then(|name| LangName::from_str(&name, false).ok()))
+}
+
+fn text(error: &clap::Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind)? {
+        ContextValue::String(text) => Some(text.clone()),
+        _ => None,
+    }
+}
+
+fn strings(error: &clap::Error, kind: ContextKind) -> Vec<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,118 @@
+//! Wrong usage: words that lead to a right command line.
+
+use crate::support::Folder;
+
+/// The first line that a wrong command line gets; the exit status is 2.
+#[track_caller]
+fn check(folder: &Folder, arguments: &[&str], expected: &str) {
+    let outcome = folder.tipc(arguments).expect(2);
+    assert_eq!(outcome.out, "");
+    assert_eq!(outcome.err.lines().next(), Some(expected), "{outcome:#?}");
+}
+
+#[test]
+fn a_program_in_the_place_of_a_command_is_to_be_run() {
+    let folder = Folder::new("usage-program").program("steps", "END");
+    let asked =
+        |file| format!("error: `{file}` is not a command of tipc: did you mean `tipc run {file}`?");
+    for file in ["walk.prg", "motions/WALK.PRG", "steps"] {
+        check(&folder, &[file], &asked(file));
+    }
+    check(
+        &folder,
+        &["walk.prg", "--lang", "ja"],
+        "エラー: `walk.prg` はtipcのコマンドではありません。`tipc run walk.prg` のことですか?",
+    );
+}
+
+#[test]
+fn other_words_lead_to_commands() {
+    let folder = Folder::new("usage-words");
+    for (word, command) in [
+        ("chekc", "check"),
+        ("format", "fmt"),
+        ("compile", "emit rust"),
+    ] {
+        let expected =
+            format!("error: `{word}` is not a command of tipc: did you mean `tipc {command}`?");
+        check(&folder, &[word, "walk.prg"], &expected);
+    }
+    let outcome = folder.tipc(&["dance"]).expect(2);
+    let start = "error: `dance` is not a command of tipc; the commands are check, run, ";
+    assert!(outcome.err.starts_with(start), "{outcome:#?}");
+}
+
+#[test]
+fn a_missing_file_is_asked_for() {
+    let folder = Folder::new("usage-file");
+    for (command, example) in [
+        ("run", "run"),
+        ("check", "check"),
+        ("migrate", "migrate"),
+        ("emit", "emit rust"),
+    ] {
+        let expected = format!(
+            "error: which program? `tipc {example}` needs a file, as `tipc {example} walk.prg`"
+        );
+        check(&folder, &[command], &expected);
+    }
+    let outcome = folder.tipc(&["run"]).expect(2);
+    assert_eq!(
+        outcome.err.lines().nth(1),
+        Some("`tipc help run` shows examples")
+    );
+}
+
+#[test]
+fn a_robot_that_is_not_there_is_named_with_those_that_are() {
+    let folder = Folder::new("usage-robot").program("p.prg", "END");
+    let there = "There are titan8, hand and generic, and yours in a FILE.toml";
+    for (word, near) in [
+        ("titan9", "titan8"),
+        ("TitanVIII", "titan8"),
+        ("hnad", "hand"),
+    ] {
+        let expected =
+            format!("error: --robot: no robot is called `{word}`: did you mean `{near}`? {there}");
+        check(&folder, &["check", "--robot", word, "p.prg"], &expected);
+    }
+    check(
+        &folder,
+        &["run", "--robot", "asimo", "p.prg"],
+        "error: --robot: no robot is called `asimo`; there are titan8, hand and generic, and yours in a FILE.toml",
+    );
+    folder
+        .tipc(&["check", "--robot", "Titan8", "p.prg"])
+        .expect(0);
+}
+
+#[test]
+fn a_count_is_a_whole_number() {
+    let folder = Folder::new("usage-count").program("p.prg", "END");
+    for (option, value) in [("--cycles", "-5"), ("--cycles", "1.5"), ("--halt", "soon")] {
+        let expected =
+            format!("error: {option}: `{value}` is not a count: write a whole number, 0 or more");
+        check(&folder, &["run", "p.prg", option, value], &expected);
+    }
+    check(
+        &folder,
+        &["run", "p.prg", "--cycles=-5", "--lang=ja"],
+        "エラー: --cycles: `-5` は数えられません。0以上の整数を指定してください",
+    );
+    check(
+        &folder,
+        &["check", "--tip-version", "new", "p.prg"],
+        "error: --tip-version: `new` is not a version of the language, as 3.1 is",
+    );
+}
+
+#[test]
+fn the_locale_chooses_the_language_of_wrong_usage() {
+    let folder = Folder::new("usage-locale");
+    let output = folder
+        .command(&["walk.prg"])
+        .env("LANG", "ja_JP.UTF-8")
+        .output();
+    let err = String::from_utf8(output.expect("tipc runs").stderr).expect("UTF-8");
+    assert!(err.contains("のことですか?"), "{err}");
+}
