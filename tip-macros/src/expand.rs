@@ -5,12 +5,13 @@ use crate::file::{self, Found};
 use crate::literal::Text;
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
+use std::env;
 use std::path::Path;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
-use tipc::embed::embed;
+use tipc::embed::{self, embed};
 use tipc::emit;
-use tipc::message::Reading;
+use tipc::message::{Lang, Reading};
 use tipc::source::Span;
 
 /// `invoking` is the file that holds the invocation, if the compiler knows one.
@@ -56,7 +57,7 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
     match arguments::include_robot(input) {
         Ok(arguments::RobotArguments { text, spelling }) => {
             let compile = |bytes: &[u8]| {
-                let described = tipc::embed::describe(&text.value, bytes);
+                let described = embed::describe(&text.value, bytes, lang());
                 described
                     .map(|description| description.to_rust(&spelling))
                     .map_err(|errors| Failure::at(&text, errors))
@@ -137,7 +138,7 @@ fn compiled(
     invoking: Option<&Path>,
 ) -> Result<TokenStream, Failure> {
     let compile = |load: &tipc::Options| {
-        embed(name, bytes, load, &arguments.spelling)
+        embed(name, bytes, load, &arguments.spelling, lang())
             .map_err(|errors| Failure::at(&arguments.text, errors))
     };
     match &arguments.robot_file {
@@ -153,7 +154,7 @@ fn compiled(
 
 #[cfg(feature = "robot-files")]
 fn described(path: &Text, description: &[u8]) -> Result<tipc::Robot, Failure> {
-    match tipc::embed::describe(&path.value, description) {
+    match embed::describe(&path.value, description, lang()) {
         Ok(description) => Ok(description.robot()),
         Err(errors) => Err(Failure::at(path, errors)),
     }
@@ -162,6 +163,12 @@ fn described(path: &Text, description: &[u8]) -> Result<tipc::Robot, Failure> {
 #[cfg(not(feature = "robot-files"))]
 fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
     Err(Failure::at(path, vec![NO_ROBOT_FILES.to_owned()]))
+}
+
+/// The language that errors of programs are in.
+fn lang() -> Lang {
+    let asked = env::var(embed::LANG).unwrap_or_default();
+    Lang::of(&asked)
 }
 
 fn complaint(misuse: &Misuse) -> TokenStream {
@@ -174,18 +181,21 @@ fn error(span: proc_macro2::Span, text: &str) -> TokenStream {
     quote_spanned!(span=> ::core::compile_error! { #text })
 }
 
-/// A rendered error without the word `error`, which the Rust compiler puts before it itself:
-/// `error[E205]: TIP_ERR:…` is `E205: TIP_ERR:…`.
+/// A rendered error without the word for it in its language, which the Rust compiler puts before it itself:
+/// `error[E205]: THEN belongs here` is `E205: THEN belongs here`.
 fn without_level(rendered: &str) -> String {
-    match rendered.strip_prefix("error[") {
-        Some(rest) => rest.replacen("]: ", ": ", 1),
-        None => rendered.to_owned(),
+    match rendered.split_once('[') {
+        Some((level, rest)) if level.chars().all(char::is_alphabetic) => {
+            rest.replacen("]: ", ": ", 1)
+        }
+        _ => rendered.to_owned(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::process::Command;
 
     const WAVE: &str = "3.1\nwave\nEND\n";
 
@@ -210,6 +220,24 @@ mod tests {
             "{items}"
         );
         assert!(items.contains("struct Wave"), "{items}");
+    }
+
+    /// Whether the test runs in a process of its own, for which the language is set.
+    const ASKED: &str = "TIP_LANG_IS_SET_BY_A_TEST";
+
+    #[test]
+    fn errors_are_in_the_language_that_the_environment_asks_for() {
+        if env::var_os(ASKED).is_none() {
+            let name = "expand::tests::errors_are_in_the_language_that_the_environment_asks_for";
+            let mut test = Command::new(env::current_exe().unwrap());
+            test.args([name, "--exact"])
+                .env(ASKED, "")
+                .env(embed::LANG, "ja");
+            assert!(test.output().unwrap().status.success());
+            return;
+        }
+        let items = tip(tokens("Wave, \"2.0\nwave\nEND\""), None).to_string();
+        assert!(items.contains("E108: 1行目"), "{items}");
     }
 
     #[test]

@@ -5,8 +5,13 @@ use crate::code::Level;
 use crate::description::{self, Description};
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};
+use crate::message::Lang;
 use crate::render::{self, Style};
 use proc_macro2::TokenStream;
+
+/// The environment variable that names the language of errors in a build. They are in English without it, whatever the
+/// locale: a build's output is searched for, and sent to others.
+pub const LANG: &str = "TIP_LANG";
 
 /// Compiles a source to the items that stand for it in a Rust crate.
 ///
@@ -17,11 +22,12 @@ pub fn embed(
     bytes: &[u8],
     options: &load::Options,
     spelling: &emit::Options,
+    lang: Lang,
 ) -> Result<TokenStream, Vec<String>> {
     let loaded = load(name, bytes, options);
     match &loaded.program {
         Some(program) => Ok(emit(program, spelling)),
-        None => Err(errors(&loaded)),
+        None => Err(errors(&loaded, lang)),
     }
 }
 
@@ -30,15 +36,16 @@ pub fn embed(
 /// # Errors
 /// The description's errors, as those of a program.
 #[cfg(feature = "robot-files")]
-pub fn describe(name: &str, bytes: &[u8]) -> Result<Description, Vec<String>> {
-    description::parse(name, bytes).map_err(|loaded| errors(&loaded))
+pub fn describe(name: &str, bytes: &[u8], lang: Lang) -> Result<Description, Vec<String>> {
+    description::parse(name, bytes).map_err(|loaded| errors(&loaded, lang))
 }
 
-fn errors(loaded: &Loaded) -> Vec<String> {
+fn errors(loaded: &Loaded, lang: Lang) -> Vec<String> {
+    let style = Style::default().lang(lang);
     let diagnostics = loaded.diagnostics.iter();
     diagnostics
         .filter(|diagnostic| diagnostic.level() == Level::Error)
-        .map(|diagnostic| render::human(&loaded.source, diagnostic, Style::default()))
+        .map(|diagnostic| render::human(&loaded.source, diagnostic, style))
         .collect()
 }
 
@@ -51,7 +58,8 @@ mod tests {
     #[test]
     fn a_program_becomes_its_type() {
         let (options, spelling) = (load::Options::default(), emit::Options::default());
-        let items = embed("motions/end_only.prg", END_ONLY, &options, &spelling).unwrap();
+        let lang = Lang::English;
+        let items = embed("motions/end_only.prg", END_ONLY, &options, &spelling, lang).unwrap();
         assert!(items.to_string().contains("struct EndOnly"));
     }
 
@@ -59,11 +67,18 @@ mod tests {
     #[test]
     fn an_error_comes_with_its_place() {
         let (options, spelling) = (load::Options::default(), emit::Options::default());
-        let errors = embed("motions/old.prg", b"2.0\nold\nEND\n", &options, &spelling).unwrap_err();
-        let [error] = errors.as_slice() else {
-            panic!("one error, not {errors:?}");
-        };
-        assert!(error.contains("Wrong version number"), "{error}");
-        assert!(error.contains("--> motions/old.prg:1:1"), "{error}");
+        for (lang, reason) in [
+            (Lang::English, "line 1 must name version 3.1"),
+            (Lang::Japanese, "1行目"),
+        ] {
+            let old = b"2.0\nold\nEND\n";
+            let errors = embed("motions/old.prg", old, &options, &spelling, lang).unwrap_err();
+            let [error] = errors.as_slice() else {
+                panic!("one error, not {errors:?}");
+            };
+            assert!(error.contains("Wrong version number"), "{error}");
+            assert!(error.contains("--> motions/old.prg:1:1"), "{error}");
+            assert!(error.contains(reason), "{error}");
+        }
     }
 }

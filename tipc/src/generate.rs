@@ -41,9 +41,10 @@ use crate::load::{self, Loaded, load};
 use crate::message::{Building, Lang, Reading};
 use crate::render::{self, Style};
 use crate::source::{Encoding, Source, Span};
-use crate::{emit, program::Program};
+use crate::{embed, emit, program::Program};
 use proc_macro2::TokenStream;
 use std::collections::BTreeMap;
+use std::env;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
@@ -152,7 +153,7 @@ impl Config {
     /// The errors of every program that has some; a setting or file that cannot be used.
     pub fn compile(&self, paths: &[impl AsRef<Path>]) -> Result<(), BuildError> {
         let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
-        let mut report = Report::default();
+        let mut report = Report::begin();
         let outcome = self.generate(&paths, &mut report);
         report.tell_cargo();
         outcome
@@ -173,7 +174,7 @@ impl Config {
     /// The errors of the description; a setting or file that cannot be used.
     #[cfg(feature = "robot-files")]
     pub fn compile_robot(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
-        let mut report = Report::default();
+        let mut report = Report::begin();
         let outcome = self.generate_robot(path.as_ref(), &mut report);
         report.tell_cargo();
         outcome
@@ -271,14 +272,25 @@ fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, Bui
 /// What is reported to Cargo.
 #[derive(Default)]
 struct Report {
+    lang: Lang,
     lines: Vec<String>,
     /// Each error, rendered for people.
     errors: Vec<String>,
 }
 
 impl Report {
+    /// In the language that the environment asks for.
+    fn begin() -> Self {
+        let asked = env::var(embed::LANG).unwrap_or_default();
+        Report {
+            lang: Lang::of(&asked),
+            ..Report::default()
+        }
+    }
+
     #[expect(clippy::disallowed_macros, reason = "this is how Cargo is informed")]
     fn tell_cargo(&self) {
+        println!("cargo::rerun-if-env-changed={}", embed::LANG);
         for line in &self.lines {
             println!("cargo::{line}");
         }
@@ -312,12 +324,12 @@ impl Report {
         let level = match diagnostic.level() {
             Level::Warning => "warning",
             Level::Error => {
-                self.errors
-                    .push(render::human(source, diagnostic, Style::default()));
+                let style = Style::default().lang(self.lang);
+                self.errors.push(render::human(source, diagnostic, style));
                 "error"
             }
         };
-        let line = emit::in_comment(&render::short(source, diagnostic, Lang::English));
+        let line = emit::in_comment(&render::short(source, diagnostic, self.lang));
         self.lines.push(format!("{level}={line}"));
     }
 }

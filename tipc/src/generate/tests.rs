@@ -2,6 +2,7 @@
 #![expect(clippy::disallowed_methods, reason = "these tests are about files")]
 
 use super::{Config, Report};
+use crate::message::Lang;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,9 +21,17 @@ fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
 }
 
 fn generate(config: &Config, folder: &Path, names: &[&str]) -> (Result<(), String>, Vec<String>) {
+    reported(Report::default(), config, folder, names)
+}
+
+fn reported(
+    mut report: Report,
+    config: &Config,
+    folder: &Path,
+    names: &[&str],
+) -> (Result<(), String>, Vec<String>) {
     let paths: Vec<PathBuf> = names.iter().map(|name| folder.join(name)).collect();
     let paths: Vec<&Path> = paths.iter().map(PathBuf::as_path).collect();
-    let mut report = Report::default();
     let outcome = config.clone().out_dir(folder).generate(&paths, &mut report);
     (outcome.map_err(|error| format!("{error:?}")), report.lines)
 }
@@ -73,6 +82,19 @@ fn every_program_with_errors_is_reported_and_the_others_are_compiled() {
     assert!(message.contains("Wrong version number"), "{message}");
     assert!(folder.join("b.rs").exists());
     assert!(!folder.join("a.rs").exists());
+}
+
+#[test]
+fn errors_are_in_the_language_of_the_report() {
+    let folder = folder("language", &[("a.prg", BAD)]);
+    let report = Report {
+        lang: Lang::Japanese,
+        ..Report::default()
+    };
+    let (outcome, lines) = reported(report, &Config::new(), &folder, &["a.prg"]);
+    let reason = "1行目には言語のバージョン3.1を書きます";
+    assert!(outcome.unwrap_err().contains(reason));
+    assert!(lines.iter().any(|line| line.contains(reason)), "{lines:?}");
 }
 
 #[test]

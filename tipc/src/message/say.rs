@@ -20,6 +20,14 @@ impl Lang {
     /// Every language.
     pub const ALL: &'static [Lang] = &[Lang::English, Lang::Japanese];
 
+    /// The language of a locale or of its language alone, as POSIX names them: `ja`, `ja_JP.UTF-8`; English for others.
+    pub fn of(locale: &str) -> Self {
+        match locale.starts_with("ja") {
+            true => Lang::Japanese,
+            false => Lang::English,
+        }
+    }
+
     /// The text in this language.
     pub(crate) const fn pick<'a>(self, english: &'a str, japanese: &'a str) -> &'a str {
         match self {

@@ -48,10 +48,7 @@ pub(super) fn lang(asked: Option<LangName>) -> Lang {
 fn of_locale() -> Lang {
     let says = |name: &&str| env::var_os(name).filter(|value| !value.is_empty());
     let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(says);
-    match locale.is_some_and(|locale| locale.to_string_lossy().starts_with("ja")) {
-        true => Lang::Japanese,
-        false => Lang::English,
-    }
+    locale.map_or(Lang::English, |locale| Lang::of(&locale.to_string_lossy()))
 }
 
 impl ColourName {
