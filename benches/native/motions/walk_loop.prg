@@ -2,8 +2,8 @@
 The crawl of the example `walk`, for ever: one foot at a time, the body sways away from the lifted side
 
 DEF_VAR STRIDE, HALF, TWICE, GROUND, TOP
-DEF_POS P1, P2, P3, P4   // where each foot belongs in the robot frame
-DEF_POS SHIFT            // how far the feet sweep while the body moves the other way
+DEF_POS P1, P2, P3, P4  // where each foot belongs in the robot frame
+DEF_POS SHIFT           // how far the feet sweep while the body moves the other way
 
 STRIDE = 200
 HALF = STRIDE / 2
@@ -16,15 +16,15 @@ P3.X = -431 ; P3.Y = -201 - HALF ; P3.Z = GROUND
 P4.X = 351 ; P4.Y = -201 ; P4.Z = GROUND
 
 LOOP:
-  CALL SWING_F3:
-  CALL SWING_F1:
-  SHIFT.X = TWICE ; SHIFT.Y = -HALF ; SHIFT.Z = 0
-  CALL MOVE_BODY:
-  CALL SWING_F4:
-  CALL SWING_F2:
-  SHIFT.X = -TWICE
-  CALL MOVE_BODY:
-  GOTO
+CALL SWING_F3:
+CALL SWING_F1:
+SHIFT.X = TWICE ; SHIFT.Y = -HALF ; SHIFT.Z = 0
+CALL MOVE_BODY:
+CALL SWING_F4:
+CALL SWING_F2:
+SHIFT.X = -TWICE
+CALL MOVE_BODY:
+GOTO
 
 SUBROUTINE SWING_F1:
   PTP F1 P1.X P1.Y TOP

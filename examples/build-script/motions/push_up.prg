@@ -4,7 +4,7 @@ Push-ups: the robot rises from its belly and sinks again
 DEF_VAR N, TIMES, HEIGHT
 
 TIMES = 3
-HEIGHT = 40    // mm; each push-up goes 10 mm higher
+HEIGHT = 40  // mm; each push-up goes 10 mm higher
 
 FOR N = 1 TO TIMES
   IF HALT_REQUEST GOTO DONE:

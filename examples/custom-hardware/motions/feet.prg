@@ -3,7 +3,7 @@ Each foot lifts in turn, twice; the belly carries the robot
 
 DEF_VAR N, LIFT
 
-LIFT = 30    // mm
+LIFT = 30  // mm
 SET_A_MAX ALL 1500
 
 FOR N = 1 TO 2

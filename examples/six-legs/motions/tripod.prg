@@ -7,13 +7,13 @@ A hexapod walks: two tripods take turns, one steps while the other carries
 //    F5 -------- F6
 
 DEF_VAR STRIDES, STRIDE, LIFT, CLEAR, N
-DEF_POS UP, DOWN, AHEAD, BACK   // moves of a foot
-DEF_POS LEFT, RIGHT             // what the feet of each tripod are to do next
+DEF_POS UP, DOWN, AHEAD, BACK  // moves of a foot
+DEF_POS LEFT, RIGHT            // what the feet of each tripod are to do next
 
-STRIDES = 5     // steps of either tripod
-STRIDE = 120    // mm that the body gains with each step
-LIFT = 40       // mm
-CLEAR = 40      // mm between belly and floor
+STRIDES = 5   // steps of either tripod
+STRIDE = 120  // mm that the body gains with each step
+LIFT = 40     // mm
+CLEAR = 40    // mm between belly and floor
 
 UP.X = 0 ; UP.Y = 0
 DOWN.X = 0 ; DOWN.Y = 0

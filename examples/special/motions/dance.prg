@@ -6,11 +6,11 @@ TITAN VIII stands up, feels that all feet carry, and sways its body in circles
 
 DEF_VAR RADIUS, TURNS, CLEAR, ENOUGH, SETTLE
 
-RADIUS = 40     // mm
+RADIUS = 40  // mm
 TURNS = 2
-CLEAR = 50      // mm between belly and floor
-ENOUGH = 0.6    // V on each sole: about half of what it reads when all stand alike
-SETTLE = 200    // ms
+CLEAR = 50    // mm between belly and floor
+ENOUGH = 0.6  // V on each sole: about half of what it reads when all stand alike
+SETTLE = 200  // ms
 
 MESSAGE standing up
 STAND_UP CLEAR

@@ -5,16 +5,16 @@ TITAN VIII crawls forward: one foot at a time, the body sways away from the lift
 
 DEF_VAR STRIDES, STRIDE, HALF, SWAY, TWICE, LIFT, GROUND, TOP, CLEAR, SPEED, SETTLE
 DEF_VAR N, QUIT
-DEF_POS P1, P2, P3, P4   // where each foot belongs in the robot frame
-DEF_POS SHIFT            // how far the feet sweep while the body moves the other way
+DEF_POS P1, P2, P3, P4  // where each foot belongs in the robot frame
+DEF_POS SHIFT           // how far the feet sweep while the body moves the other way
 
 STRIDES = 6
-STRIDE = 200    // mm forward, each time all four feet have stepped
-SWAY = 40       // mm to either side
-LIFT = 40       // mm
-CLEAR = 50      // mm between belly and floor
-SPEED = 300     // mm/s
-SETTLE = 60     // ms for a foot to take its load
+STRIDE = 200  // mm forward, each time all four feet have stepped
+SWAY = 40     // mm to either side
+LIFT = 40     // mm
+CLEAR = 50    // mm between belly and floor
+SPEED = 300   // mm/s
+SETTLE = 60   // ms for a foot to take its load
 
 HALF = STRIDE / 2
 TWICE = SWAY * 2

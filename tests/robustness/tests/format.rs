@@ -1,8 +1,12 @@
 //! Every program here and many random ones: formatted they are in the style, and the same programs. `TIP_PROGRAMS=100000`
 //! before a run in release mode takes so many random ones.
 
+mod random;
+
+use random::Random;
 use random_programs::{program, untidy};
 use robustness::format::{for_some_robot, formatted};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 use tipc::source::Encoding;
@@ -40,11 +44,54 @@ fn every_program_of_the_project_stays_the_same() {
     assert!(formatted > 800, "{formatted} programs load");
 }
 
+/// What people copy is in the style.
+#[test]
+fn the_examples_are_formatted() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut found = Vec::new();
+    for folder in ["benches", "examples", "tip-macros"] {
+        programs(&root.join(folder), &mut found);
+    }
+    assert!(found.len() > 8, "{found:?}");
+    for path in found {
+        let bytes = fs::read(&path).expect("a readable file");
+        // A program for a described robot loads for none of those that have a name.
+        if let Some(formatted) = for_some_robot(&bytes, Encoding::Auto) {
+            assert!(formatted == bytes, "tipc fmt {}", path.display());
+        }
+    }
+}
+
+/// Those of the random programs.
+fn seeds() -> Range<u64> {
+    let asked = env::var("TIP_PROGRAMS").ok();
+    0..asked.map_or(PROGRAMS, |count| count.parse().expect("a number"))
+}
+
+/// Bytes that mean something to someone who reads a program.
+const BYTES: &[u8] = b" \t,;:/-+*=<>!%.\r\n\x1A\0\\R1E\x81\xE3";
+
+#[test]
+fn damaged_programs_stay_the_same_or_are_left() {
+    for seed in seeds() {
+        let mut bytes = untidy(&program(seed));
+        let mut random = Random::new(seed);
+        for _ in 0..=random.below(3) {
+            let at = random.below(bytes.len());
+            let byte = BYTES[random.below(BYTES.len())];
+            match random.below(3) {
+                0 => bytes[at] = byte,
+                1 => drop(bytes.remove(at)),
+                _ => bytes.insert(at, byte),
+            }
+        }
+        for_some_robot(&bytes, Encoding::Auto);
+    }
+}
+
 #[test]
 fn random_programs_stay_the_same_however_they_are_written() {
-    let asked = env::var("TIP_PROGRAMS").ok();
-    let programs = asked.map_or(PROGRAMS, |count| count.parse().expect("a number"));
-    for seed in 0..programs {
+    for seed in seeds() {
         let specimen = program(seed);
         let options = Options {
             robot: specimen.robot,
