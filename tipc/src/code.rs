@@ -7,7 +7,7 @@ pub use mistake::Mistake;
 
 use crate::language::Edition;
 use crate::message::Lang;
-use tip_runtime::fault::{Kind, UNASSIGNED};
+use tip_runtime::fault::{Fault, Kind, UNASSIGNED};
 
 /// How grave a diagnostic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -101,10 +101,30 @@ codes! {
     Structure "E207" Some(Kind::Syntax), "Control structure mismatch";
     /// A variable that is read and never assigned.
     NeverAssigned "E301" Some(Kind::Runtime), UNASSIGNED;
+    /// A run came to a value that cannot be used.
+    Domain "E302" Some(Kind::Runtime), "Domain error";
+    /// A run came to RETURN or SUBEND without a call.
+    InvalidReturn "E303" Some(Kind::Runtime), "Invalid Return command";
+    /// The target of a command was under another control.
+    InvalidMode "E304" Some(Kind::Runtime), "Invalid control mode";
+    /// More than ten nested calls.
+    TooDeep "E305" Some(Kind::Runtime), "Too deep subroutine call";
+    /// Reserved: no program that loads can cause it.
+    WrongStep "E306" Some(Kind::Runtime), "Wrong step number";
     /// A robot's description that cannot be used.
     Description "E401" Some(Kind::Robot), "Wrong robot description";
     /// A scene that cannot be used.
     Scene "E402" Some(Kind::Robot), "Wrong scene";
+    /// A joint came to its limit in a run.
+    JointLimit "E403" Some(Kind::Robot), "Joint limit {}";
+    /// A target, or the path to it, that the robot did not reach in a run.
+    NotReached "E404" Some(Kind::Robot), "Out of reach {}";
+    /// A sensor that read nonsense in a run.
+    Sensor "E405" Some(Kind::Robot), "Sensor fault {}";
+    /// Hardware that failed in a run.
+    Hardware "E406" Some(Kind::Robot), "Hardware fault {}";
+    /// Someone pressed the key of the emergency stop.
+    EmergencyKey "E407" Some(Kind::Robot), "Emergency stop key";
     /// A variable that nothing uses.
     Unused "W101" None, "variable \"{}\" is declared but never used",
         "変数 \"{}\" は宣言されていますが、使われていません";
@@ -184,6 +204,24 @@ impl Code {
         match (self.kind(), edition) {
             (Some(_), _) => Level::Error,
             (None, _) => Level::Warning,
+        }
+    }
+
+    /// The code of what ended a run. Its message is the fault's, its `{}` stands for what the fault names.
+    pub const fn of_fault(fault: &Fault) -> Code {
+        match fault {
+            Fault::Domain => Code::Domain,
+            Fault::InvalidReturn => Code::InvalidReturn,
+            Fault::Unassigned(_) => Code::NeverAssigned,
+            Fault::InvalidMode => Code::InvalidMode,
+            Fault::TooDeep => Code::TooDeep,
+            Fault::WrongStep => Code::WrongStep,
+            Fault::JointLimit(..) => Code::JointLimit,
+            Fault::OutOfReach(_) => Code::NotReached,
+            Fault::Sensor(_) | Fault::SliderSensor | Fault::JointSensor(..) => Code::Sensor,
+            Fault::EmergencyKey => Code::EmergencyKey,
+            // Whatever else may fail is part of the robot.
+            _ => Code::Hardware,
         }
     }
 }

@@ -7,7 +7,7 @@ pub use fix::{Applicability, Edit, Fix};
 
 use crate::code::{Code, Level, Mistake};
 use crate::language::Edition;
-use crate::message::{Cut, Lang, Message};
+use crate::message::{Cut, Lang, Message, Naming, Structuring};
 use crate::source::Span;
 
 /// A second place that a diagnostic points at.
@@ -18,6 +18,16 @@ pub struct Label {
     pub span: Span,
     /// What is there.
     pub text: Message,
+}
+
+impl Label {
+    /// Whether the same mistake shows again here, as at each other use of a name that is not declared.
+    pub const fn is_again(&self) -> bool {
+        matches!(
+            self.text,
+            Message::Naming(Naming::AlsoHere) | Message::Structuring(Structuring::JumpsHere)
+        )
+    }
 }
 
 /// One finding about a source file.

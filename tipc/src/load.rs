@@ -49,6 +49,8 @@ pub struct Loaded {
     pub symbols: Symbols,
     /// The program, unless there is an error among the diagnostics.
     pub program: Option<Program>,
+    /// The robot that the program was checked for; none if it is no program.
+    pub robot: Option<Robot>,
     /// All findings, in order of their places.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -61,6 +63,7 @@ impl Loaded {
             module: Module::default(),
             symbols: Symbols::default(),
             program: None,
+            robot: None,
             diagnostics,
         }
     }
@@ -110,7 +113,10 @@ pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     if let Some(fault) = undecodable {
         let mut faults = vec![fault.into()];
         name_encoding(&mut faults, bytes);
-        return Loaded::refused(source, faults);
+        return Loaded {
+            robot: Some(options.robot),
+            ..Loaded::refused(source, faults)
+        };
     }
     let (module, mut diagnostics) = parse(&source, options.tip_version);
     name_encoding(&mut diagnostics, bytes);
@@ -136,6 +142,7 @@ pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         module,
         symbols,
         program,
+        robot: Some(options.robot),
         diagnostics,
     }
 }

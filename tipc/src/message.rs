@@ -34,6 +34,8 @@ mod reading;
 #[cfg(feature = "tools")]
 pub mod running;
 pub(crate) mod say;
+#[cfg(feature = "tools")]
+mod stopping;
 mod structuring;
 mod suggesting;
 #[cfg(feature = "tools")]
@@ -64,6 +66,8 @@ pub use reading::Reading;
 #[cfg(feature = "tools")]
 pub use running::Running;
 pub use say::{Decimal, Lang, Letter};
+#[cfg(feature = "tools")]
+pub use stopping::Stopping;
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
 #[cfg(feature = "tools")]
@@ -100,6 +104,8 @@ tables! {
     Running,
     #[cfg(feature = "tools")]
     Using,
+    #[cfg(feature = "tools")]
+    Stopping,
     #[cfg(feature = "build")]
     Building,
 }

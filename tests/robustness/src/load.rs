@@ -31,7 +31,7 @@ pub fn examine(bytes: &[u8]) {
             for lang in Lang::ALL {
                 let style = Style::default().lang(*lang);
                 assert!(!render::short(&loaded.source, diagnostic, *lang).is_empty());
-                assert!(!render::json(&loaded.source, diagnostic, *lang).is_empty());
+                assert!(!render::json(&loaded.source, diagnostic, loaded.robot, *lang).is_empty());
                 assert!(!render::human(&loaded.source, diagnostic, style).is_empty());
             }
         }

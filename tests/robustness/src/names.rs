@@ -28,7 +28,7 @@ pub fn examine(bytes: &[u8]) {
         let short = render::short(&loaded.source, finding, Lang::English);
         assert!(!short.contains('\n'), "{name:?}: {short:?}");
         require_plain(&short, &name);
-        let json = render::json(&loaded.source, finding, Lang::English);
+        let json = render::json(&loaded.source, finding, loaded.robot, Lang::English);
         assert!(!json.contains('\n'), "{name:?}: {json:?}");
     }
     if let Ok(migration) = migrate::migrate(&name, OLD, Encoding::Utf8) {

@@ -2,14 +2,17 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
+use crate::robot::Robot;
 use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
 use tip_runtime::printable::acts;
 
 /// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
-/// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, and the file's `encoding`.
-pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
+/// that finer codes are part of), `range`, `labels` and `fixes` with the places in every unit, the file's `encoding`, the name
+/// of the `robot` that the program was checked for, `related` (the labels at which the same mistake shows again, with file,
+/// line and column), and how to see the code's `page`.
+pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang: Lang) -> String {
     let (line, column) = source.line_column(diagnostic.span.start);
     let mut out = String::from("{\"level\":");
     push_string(&mut out, diagnostic.level().name());
@@ -35,8 +38,37 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     push_labels(&mut out, source, diagnostic, lang);
     push_fixes(&mut out, source, diagnostic, lang);
     push_member(&mut out, "encoding", source.charset().name());
+    if let Some(robot) = robot {
+        push_member(&mut out, "robot", robot.name());
+    }
+    push_related(&mut out, source, diagnostic, lang);
+    push_member(
+        &mut out,
+        "page",
+        &format!("tipc explain {}", diagnostic.id()),
+    );
     out.push('}');
     out
+}
+
+/// The places at which the same mistake shows again.
+fn push_related(out: &mut String, source: &Source, diagnostic: &Diagnostic, lang: Lang) {
+    out.push_str(",\"related\":[");
+    let again = diagnostic.labels.iter().filter(|label| label.is_again());
+    for (index, label) in again.enumerate() {
+        let (line, column) = source.line_column(label.span.start);
+        out.push_str(if index == 0 {
+            "{\"file\":"
+        } else {
+            ",{\"file\":"
+        });
+        push_string(out, source.name());
+        push_number(out, "line", line);
+        push_number(out, "column", column);
+        push_member(out, "text", &label.text.in_lang(lang).to_string());
+        out.push('}');
+    }
+    out.push(']');
 }
 
 /// The other places that matter, each with what is there.

@@ -2,6 +2,7 @@ use super::{Style, classical, human, json, short};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::{Lang, Parsing, Reading};
+use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span};
 
 fn source(name: &str, text: &str) -> Source {
@@ -215,7 +216,7 @@ fn json_is_one_object_on_one_line() {
         .help(text("two\nlines\t日"))
         .label(span(&source, "t"), text("there"));
     assert_eq!(
-        json(&source, &error, Lang::English),
+        json(&source, &error, Some(Robot::Titan8), Lang::English),
         concat!(
             r#"{"level":"error","kind":"SyntaxError","message":"unknown variable \"X\"","code":"E206","#,
             r#""file":"a\"b\\.prg","line":3,"column":3,"help":"two\u000alines\u0009日","#,
@@ -224,19 +225,43 @@ fn json_is_one_object_on_one_line() {
             r#""end":{"byte":11,"line":3,"column":4,"utf8":6,"utf16":4}},"#,
             r#""labels":[{"text":"there","#,
             r#""range":{"start":{"byte":4,"line":2,"column":1,"utf8":1,"utf16":1},"#,
-            r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"fixes":[],"encoding":"UTF-8"}"#
+            r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"fixes":[],"encoding":"UTF-8","#,
+            r#""robot":"titan8","related":[],"page":"tipc explain E206"}"#
         )
     );
     let warning = at(&source, Code::CommentInMessage, "3.1", "here");
     assert_eq!(
-        json(&source, &warning, Lang::Japanese),
+        json(&source, &warning, None, Lang::Japanese),
         concat!(
             r#"{"level":"warning","message":"the comment cuts this MESSAGE text","code":"W103","#,
             r#""file":"a\"b\\.prg","line":1,"column":1,"reason":"here","class":"W103","#,
             r#""range":{"start":{"byte":0,"line":1,"column":1,"utf8":1,"utf16":1},"#,
-            r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"fixes":[],"encoding":"UTF-8"}"#
+            r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"fixes":[],"encoding":"UTF-8","related":[],"#,
+            r#""page":"tipc explain W103"}"#
         )
     );
+}
+
+// clauses: 8.1
+#[test]
+fn the_same_mistake_elsewhere_is_related() {
+    let text = "3.1\nt\nSLEEP N\n  SLEEP N\nEND";
+    let loaded = crate::load("walk.prg", text.as_bytes(), &crate::Options::default());
+    let [finding] = loaded.diagnostics.as_slice() else {
+        panic!("{:#?}", loaded.diagnostics);
+    };
+    let object = json(&loaded.source, finding, loaded.robot, Lang::English);
+    let related = r#""related":[{"file":"walk.prg","line":4,"column":9,"text":"used here too"}]"#;
+    assert!(object.contains(related), "{object}");
+    // What only explains a mistake is not.
+    let text = "3.1\nt\nL1:\nL1:\nEND";
+    let loaded = crate::load("walk.prg", text.as_bytes(), &crate::Options::default());
+    let object = json(&loaded.source, &loaded.diagnostics[0], None, Lang::English);
+    assert!(
+        object.contains(r#"[{"text":"first declared here","#),
+        "{object}"
+    );
+    assert!(object.contains(r#""related":[],"#), "{object}");
 }
 
 // clauses: 8.1
@@ -248,14 +273,16 @@ fn bytes_are_those_of_the_file() {
     let found = json(
         &source,
         &at(&source, Code::Format, "X", "why"),
+        None,
         Lang::English,
     );
     assert!(found.contains(r#""start":{"byte":7,"line":3,"#), "{found}");
-    assert!(found.ends_with(r#""encoding":"Shift_JIS"}"#), "{found}");
+    assert!(found.contains(r#""encoding":"Shift_JIS","#), "{found}");
     let (source, _) = Source::decode("bom.prg", b"\xEF\xBB\xBF3.1\n", Encoding::Utf8);
     let found = json(
         &source,
         &at(&source, Code::Format, "3.1", "why"),
+        None,
         Lang::English,
     );
     assert!(
@@ -287,7 +314,7 @@ error[E206]: no\u{1b}where
   = note: TIP_ERR:unknown variable "X\u{200f}" (SyntaxError)"#;
     let expected = expected.replace(":3:23", &place(&human(&source, &error, Style::default())));
     check_human(&source, &error, &expected);
-    let object = json(&source, &error, Lang::English);
+    let object = json(&source, &error, Some(Robot::Titan8), Lang::English);
     assert!(
         object.contains(r#""file":"a\u000ab\u009b.prg""#),
         "{object}"

@@ -23,6 +23,7 @@ use watch::Watch;
   tipc check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
   tipc check --message-format json walk.prg   one object a line, on standard output
   tipc check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
+  tipc check --message-format sarif *.prg     one document of SARIF 2.1.0, on standard output
   tipc check - < walk.prg                     from standard input
   tipc check --lang ja walk.prg               reasons and helps in Japanese
   tipc check --fix walk.prg                   put right what is certain, and report what is left
@@ -114,17 +115,19 @@ const RULE: &str = "────────";
 /// Checks each file; one that does not load makes the whole command fail.
 fn once(arguments: &Check) -> Result<Status, Error> {
     let shown = arguments.source.shown;
+    let mut total = report::Total::new(shown);
     let robot = match arguments.source.robot.load() {
         Ok(robot) => robot,
         Err(loaded) => {
             report::check(&loaded, shown)?;
+            total.add(&loaded);
+            total.report(shown)?;
             return Ok(Status::Failure);
         }
     };
     let options = arguments.source.options(robot.robot());
     let robot = robot.simulated()?;
     let mut status = Status::Success;
-    let mut total = report::Total::default();
     let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
         let loaded = match arguments.least() {
@@ -143,7 +146,7 @@ fn once(arguments: &Check) -> Result<Status, Error> {
             status = Status::Failure;
         }
     }
-    total.report(shown);
+    total.report(shown)?;
     fixable.report(shown);
     Ok(status)
 }

@@ -84,4 +84,6 @@ pub(super) enum Format {
     Short,
     /// One JSON object a line
     Json,
+    /// One document of SARIF 2.1.0 for all files, by check alone
+    Sarif,
 }

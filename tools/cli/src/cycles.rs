@@ -39,7 +39,7 @@ pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
     let program = &checked.program;
     let parts = cycles::parts(program, sampling);
     output::print(match arguments.source.shown.message_format {
-        Format::Human => cycles::human(program, &parts, sampling),
+        Format::Human | Format::Sarif => cycles::human(program, &parts, sampling),
         Format::Short => cycles::short(program, &parts, sampling),
         Format::Json => cycles::json(program, &parts, sampling),
     })?;

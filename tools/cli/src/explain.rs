@@ -31,20 +31,24 @@ pub(super) struct Explain {
 /// Prints the page of a code.
 pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
-    let page = pages::PAGES.iter().find(|page| page.code == code);
-    let Some(page) = page else {
+    let lang = shown::lang(arguments.lang);
+    let Some(text) = page(&code, lang) else {
         let codes: Vec<&str> = Code::ALL.iter().map(|code| code.id()).collect();
         let codes = codes.join(", ");
         let text = format!("no finding has the code {code}; the codes are {codes}");
         return Err(Error::Usage(text));
     };
-    let lang = shown::lang(arguments.lang);
-    let text = match lang {
+    output::print(format!("{text}{}", related(&code, lang)))?;
+    Ok(Status::Success)
+}
+
+/// The page of a code.
+pub(super) fn page(code: &str, lang: Lang) -> Option<&'static str> {
+    let page = pages::PAGES.iter().find(|page| page.code == code)?;
+    Some(match lang {
         Lang::Japanese => page.japanese,
         _ => page.english,
-    };
-    output::print(format!("{text}{}", related(page.code, lang)))?;
-    Ok(Status::Success)
+    })
 }
 
 /// The codes that have to do with one: the finer ones of a class, the class of a finer one.

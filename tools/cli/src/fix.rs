@@ -34,6 +34,8 @@ pub(super) fn fix(
     match shown.message_format {
         Format::Human => report::complain(&said),
         Format::Short | Format::Json => output::print(&said)?,
+        // Standard output holds one document of what is left.
+        Format::Sarif => (),
     }
     let loaded = offered(loaded, options, shown);
     report::check(&loaded, shown)?;
@@ -43,7 +45,7 @@ pub(super) fn fix(
 /// Of what tools are offered, the fixes that do what they say.
 pub(super) fn offered(loaded: Loaded, options: &Options, shown: Shown) -> Loaded {
     match shown.message_format {
-        Format::Json => confirm(loaded, options),
+        Format::Json | Format::Sarif => confirm(loaded, options),
         Format::Human | Format::Short => loaded,
     }
 }
@@ -61,6 +63,7 @@ fn said(repaired: &Repaired, shown: Shown) -> String {
         }
         Format::Short => render_short(repaired, lang),
         Format::Json => render_json(repaired, lang),
+        Format::Sarif => String::new(),
     }
 }
 

@@ -10,6 +10,7 @@ mod deny;
 mod describe;
 mod emit;
 mod error;
+mod escape;
 mod explain;
 mod fix;
 mod fmt;
@@ -24,13 +25,16 @@ mod recorded;
 mod report;
 mod robot;
 mod run;
+mod sarif;
 mod scene;
 mod shown;
 mod usage;
 mod verify;
 mod view;
 
+use choices::Format;
 use clap::{Parser, Subcommand};
+use error::Error;
 use std::process::ExitCode;
 
 /// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
@@ -93,6 +97,23 @@ enum Verb {
     Robot(describe::RobotVerb),
 }
 
+impl Verb {
+    /// The form of findings that it is asked for, if it is one of those that write no document.
+    fn format(&self) -> Option<Format> {
+        let shown = match self {
+            Verb::Run(arguments) => arguments.source.shown,
+            Verb::Fmt(arguments) => arguments.shown,
+            Verb::Emit(arguments) => arguments.source.shown,
+            Verb::Cycles(arguments) => arguments.source.shown,
+            Verb::Verify(arguments) => arguments.source.shown,
+            Verb::Migrate(arguments) => arguments.shown,
+            Verb::Robot(describe::RobotVerb::Check(arguments)) => arguments.shown,
+            _ => return None,
+        };
+        Some(shown.message_format)
+    }
+}
+
 /// How the process ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Status {
@@ -124,6 +145,9 @@ fn main() -> ExitCode {
         }
     };
     let outcome = match &arguments.verb {
+        verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
+            "tipc check writes SARIF, no other command does".to_owned(),
+        )),
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Fmt(arguments) => fmt::fmt(arguments),

@@ -67,7 +67,7 @@ pub(super) fn migrate(arguments: &Migrate) -> Result<Status, Error> {
 fn told(migration: &Migration, shown: Shown) -> String {
     let lang = shown.lang();
     match shown.message_format {
-        Format::Human => migrate::render_human(migration, lang),
+        Format::Human | Format::Sarif => migrate::render_human(migration, lang),
         Format::Short => migrate::render_short(migration, lang),
         Format::Json => migrate::render_json(migration, lang),
     }

@@ -3,6 +3,7 @@
 use super::choices::Format;
 use super::error::Error;
 use super::output;
+use super::sarif::Document;
 use super::shown::Shown;
 use std::io::{self, Write};
 use tip_runtime::printable::Printable;
@@ -17,23 +18,42 @@ use tipc::render;
 const MOST: usize = 50;
 
 /// What was found in several files.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Total {
     files: usize,
     errors: usize,
     warnings: usize,
+    /// All of it, where one document is asked for.
+    document: Option<Document>,
 }
 
 impl Total {
+    /// Nothing yet.
+    pub(super) fn new(shown: Shown) -> Self {
+        let is_document = shown.message_format == Format::Sarif;
+        Total {
+            files: 0,
+            errors: 0,
+            warnings: 0,
+            document: is_document.then(|| Document::new(shown.lang())),
+        }
+    }
+
     /// Another file.
     pub(super) fn add(&mut self, loaded: &Loaded) {
         self.files += 1;
         self.errors += count(loaded, Level::Error);
         self.warnings += count(loaded, Level::Warning);
+        if let Some(document) = &mut self.document {
+            document.add(loaded);
+        }
     }
 
-    /// The sum over all files, for people, if there are several.
-    pub(super) fn report(self, shown: Shown) {
+    /// The sum over all files: for people, if there are several; or the document.
+    pub(super) fn report(self, shown: Shown) -> Result<(), Error> {
+        if let Some(document) = self.document {
+            return output::print(document.text());
+        }
         if self.files > 1 && shown.message_format == Format::Human {
             let total = Checking::Total {
                 files: self.files.into(),
@@ -42,6 +62,7 @@ impl Total {
             };
             complain(&format!("{}\n", total.in_lang(shown.lang())));
         }
+        Ok(())
     }
 }
 
@@ -60,6 +81,8 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
             Ok(())
         }
         Format::Short | Format::Json => output::print(&text),
+        // They are part of one document, at the end.
+        Format::Sarif => Ok(()),
     }
 }
 
@@ -91,7 +114,7 @@ pub(super) fn clear() {
 }
 
 /// Writes to standard error what may have colours.
-fn shows(text: &str) {
+pub(super) fn shows(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
@@ -100,15 +123,15 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
     let (lang, style) = (shown.lang(), shown.style());
     let most = match format {
         Format::Human => MOST,
-        Format::Short | Format::Json => usize::MAX,
+        Format::Short | Format::Json | Format::Sarif => usize::MAX,
     };
     let lines = loaded.diagnostics.iter().take(most).map(|diagnostic| {
         let source = &loaded.source;
         let line = match format {
             Format::Human if diagnostic.code == Code::FileNotFound => no_snippet(diagnostic, lang),
-            Format::Human => render::human(source, diagnostic, style),
+            Format::Human | Format::Sarif => render::human(source, diagnostic, style),
             Format::Short => render::short(source, diagnostic, lang),
-            Format::Json => render::json(source, diagnostic, lang),
+            Format::Json => render::json(source, diagnostic, loaded.robot, lang),
         };
         let end = if line.ends_with('\n') { "" } else { "\n" };
         // A blank line keeps snippets apart.

@@ -8,6 +8,7 @@ mod screen;
 mod summary;
 mod targets;
 mod trace;
+mod values;
 mod waiting;
 
 use super::arguments::{InputArguments, SourceArguments};
@@ -15,7 +16,7 @@ use super::deny::Deny;
 use super::error::Error;
 use super::{Status, input, interrupt, report, scene};
 use clap::Args;
-use emergency::describe;
+use emergency::Stopped;
 use live::Live;
 use progress::Progress;
 use screen::Screen;
@@ -24,9 +25,9 @@ use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{Inputs, Interpreter, Observer, Robot, reach};
+use tipc::Loaded;
 use tipc::message::running::Weight;
 use tipc::program::Program;
-use tipc::source::Source;
 use trace::{Extras, Trace};
 
 /// `tipc run`
@@ -139,11 +140,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
         _ => None,
     };
-    match loaded.program {
+    match loaded.program.take() {
         Some(program) => {
             let job = Job {
                 arguments,
-                source: &loaded.source,
+                loaded: &loaded,
                 inputs: &inputs,
             };
             job.simulate(program, robot, trace, logs)
@@ -155,7 +156,8 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
 /// A program that was loaded, and what is to happen to it.
 struct Job<'a> {
     arguments: &'a Run,
-    source: &'a Source,
+    /// What it was loaded from.
+    loaded: &'a Loaded,
     inputs: &'a Inputs,
 }
 
@@ -170,6 +172,8 @@ impl Job<'_> {
     ) -> Result<Status, Error> {
         let messages = !trace.as_ref().is_some_and(Trace::takes_standard_output);
         let screen = Screen::new(self.progress(), messages, logs);
+        let anatomy = robot.anatomy();
+        let options = self.arguments.source.options(robot.options().robot);
         let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
         let mut run = tip_sim::Run::new(Interpreter::new(program), robot)
             .map_err(|mismatch| usage(&mismatch))?
@@ -193,12 +197,20 @@ impl Job<'_> {
             interrupt::release();
         }
         let traced = trace.map_or(Ok(()), |trace| trace.end(ending, run.cycles()));
-        if let (Ending::Emergency(emergency), Some(program)) = (&ending, run.engine()) {
-            report::complain(&describe(emergency, self.source, program));
+        if let (Ending::Emergency(emergency), Some(program)) = (ending, run.engine()) {
+            let stopped = Stopped {
+                emergency,
+                run: &run,
+                program,
+                loaded: self.loaded,
+                options,
+                anatomy: &anatomy,
+            };
+            report::shows(&stopped.report(self.arguments.source.shown));
         }
         if !self.arguments.quiet {
             let lang = self.arguments.source.shown.lang();
-            report::complain(&summary(&run, ending, self.source, lang));
+            report::complain(&summary(&run, ending, &self.loaded.source, lang));
             live.iter()
                 .for_each(|live| report::complain(&live.pace(lang)));
         }
@@ -255,7 +267,7 @@ impl Watch<'_> {
         };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
             let lang = self.job.arguments.source.shown.lang();
-            let text = fall(&found, &weight, self.job.source, program, lang);
+            let text = fall(&found, &weight, &self.job.loaded.source, program, lang);
             screen.above(|| report::complain(&text));
         }
     }
@@ -286,7 +298,7 @@ impl Observer for Watch<'_> {
             screen.at(cycle);
         }
         if let Some(live) = &mut self.live {
-            live.after(run, self.job.source);
+            live.after(run, &self.job.loaded.source);
         }
     }
 }

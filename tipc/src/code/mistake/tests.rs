@@ -74,6 +74,7 @@ const OTHERS: &[&str] = &[
     "Describing",
     "Importing",
     "Migrating",
+    "Stopping",
     "Building",
     "Formatting",
     "Checking",

@@ -71,7 +71,7 @@ fn an_unassigned_variable_is_named() {
     let outcome = folder.tipc(&["run", "u.prg"]).expect(3);
     let expected = "TIP_ERR:Possible use of Variable before definition (RuntimeError)";
     assert!(outcome.err.contains(expected), "{outcome:#?}");
-    assert!(outcome.err.contains("A has no value yet"), "{outcome:#?}");
+    assert!(outcome.err.contains("`A` has no value yet"), "{outcome:#?}");
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn the_variable_without_value_is_named_among_very_many() {
     let outcome = folder
         .tipc(&["run", "many.prg", "--message-format", "short"])
         .expect(3);
-    assert!(outcome.err.contains("LAST has no value yet"));
+    assert!(outcome.err.contains("`LAST` has no value yet"));
 }
 
 #[test]

@@ -238,7 +238,9 @@ fn a_quiet_run_says_what_its_program_says() {
     // What ends a run has a reason.
     let outcome = folder.tipc(&["run", "bad.prg", "--quiet"]).expect(3);
     assert!(
-        outcome.err.starts_with("TIP_ERR:Invalid Return command"),
+        outcome
+            .err
+            .starts_with("error[E303]: nothing called what returns here\n"),
         "{outcome:#?}"
     );
     assert!(!outcome.err.contains("robot time"), "{outcome:#?}");

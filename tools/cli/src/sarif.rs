@@ -1,0 +1,231 @@
+//! Findings as one document of SARIF 2.1.0, the form in which tools exchange the results of static analysis
+//! (<https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html>).
+
+use super::escape;
+use super::explain::page;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+use tipc::Loaded;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::{Diagnostic, Fix};
+use tipc::message::Lang;
+use tipc::source::{Source, Span, Unit};
+
+/// Where the schema of the standard is.
+const SCHEMA: &str =
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+
+/// Collects what is found in all files, until it is written.
+#[derive(Debug)]
+pub(super) struct Document {
+    lang: Lang,
+    artifacts: Vec<Value>,
+    results: Vec<Value>,
+    /// The first finding of each code.
+    rules: BTreeMap<&'static str, Diagnostic>,
+}
+
+impl Document {
+    /// An empty one, with texts in a language.
+    pub(super) fn new(lang: Lang) -> Self {
+        Document {
+            lang,
+            artifacts: Vec::new(),
+            results: Vec::new(),
+            rules: BTreeMap::new(),
+        }
+    }
+
+    /// Adds a file and all that was found in it.
+    pub(super) fn add(&mut self, loaded: &Loaded) {
+        let file = File {
+            source: &loaded.source,
+            index: self.artifacts.len(),
+            lang: self.lang,
+        };
+        self.artifacts.push(file.artifact());
+        for finding in &loaded.diagnostics {
+            self.results.push(file.result(finding));
+            let rule = self.rules.entry(finding.id());
+            rule.or_insert_with(|| finding.clone());
+        }
+    }
+
+    /// The text of the document, with a line end.
+    pub(super) fn text(mut self) -> String {
+        let rules = self.rules.values().map(|one| rule(one, self.lang));
+        let rules: Vec<Value> = rules.collect();
+        let ids: Vec<&str> = self.rules.keys().copied().collect();
+        for result in &mut self.results {
+            let index = ids.iter().position(|id| result["ruleId"] == **id);
+            result["ruleIndex"] = json!(index);
+        }
+        let document = json!({
+            "$schema": SCHEMA,
+            "version": "2.1.0",
+            "runs": [{
+                "tool": { "driver": {
+                    "name": "tipc",
+                    "fullName": "tipc, checker of T.I.P. robot programs",
+                    "semanticVersion": env!("CARGO_PKG_VERSION"),
+                    "rules": rules,
+                } },
+                "language": match self.lang {
+                    Lang::Japanese => "ja",
+                    _ => "en",
+                },
+                "columnKind": "unicodeCodePoints",
+                "artifacts": self.artifacts,
+                "results": self.results,
+            }],
+        });
+        escape::json(&format!("{document:#}\n"))
+    }
+}
+
+/// A file as the standard describes it.
+struct File<'a> {
+    source: &'a Source,
+    /// Its place among the artifacts.
+    index: usize,
+    lang: Lang,
+}
+
+impl File<'_> {
+    fn artifact(&self) -> Value {
+        json!({
+            "location": self.location(),
+            "encoding": self.source.charset().name(),
+        })
+    }
+
+    fn location(&self) -> Value {
+        json!({ "uri": uri(self.source.name()), "index": self.index })
+    }
+
+    fn result(&self, finding: &Diagnostic) -> Value {
+        let mut result = json!({
+            "ruleId": finding.id(),
+            "level": finding.level().name(),
+            "message": { "text": escaped(&text(finding, self.lang)) },
+            "locations": [self.place(finding)],
+            "properties": { "class": finding.code.id(), "message": finding.message() },
+        });
+        if let Some(kind) = finding.code.kind() {
+            result["properties"]["kind"] = json!(kind.name());
+        }
+        if !finding.labels.is_empty() {
+            let labels = finding.labels.iter().map(|label| {
+                let text = label.text.in_lang(self.lang).to_string();
+                json!({
+                    "physicalLocation": self.physical(label.span),
+                    "message": { "text": escaped(&text) },
+                })
+            });
+            result["relatedLocations"] = labels.collect();
+        }
+        if !finding.fixes.is_empty() {
+            result["fixes"] = finding.fixes.iter().map(|fix| self.fix(fix)).collect();
+        }
+        result
+    }
+
+    fn fix(&self, fix: &Fix) -> Value {
+        let replacements = fix.edits.iter().map(|edit| {
+            json!({
+                "deletedRegion": self.region(edit.span),
+                "insertedContent": { "text": edit.text },
+            })
+        });
+        let replacements: Vec<Value> = replacements.collect();
+        json!({
+            "description": { "text": escaped(&fix.title.in_lang(self.lang).to_string()) },
+            "artifactChanges": [{
+                "artifactLocation": self.location(),
+                "replacements": replacements,
+            }],
+        })
+    }
+
+    /// The place of a finding; of a file that cannot be read, the file.
+    fn place(&self, finding: &Diagnostic) -> Value {
+        match finding.code {
+            Code::FileNotFound => {
+                json!({ "physicalLocation": { "artifactLocation": self.location() } })
+            }
+            _ => json!({ "physicalLocation": self.physical(finding.span) }),
+        }
+    }
+
+    fn physical(&self, span: Span) -> Value {
+        json!({ "artifactLocation": self.location(), "region": self.region(span) })
+    }
+
+    /// Lines and columns from 1, the end after the last character; bytes of the file from 0.
+    fn region(&self, span: Span) -> Value {
+        let place = |offset| self.source.position(offset, Unit::Character);
+        let (start, end) = (place(span.start), place(span.end));
+        let first = self.source.file_offset(span.start);
+        json!({
+            "startLine": start.line,
+            "startColumn": start.column,
+            "endLine": end.line,
+            "endColumn": end.column,
+            "byteOffset": first,
+            "byteLength": self.source.file_offset(span.end) - first,
+        })
+    }
+}
+
+/// What is wrong, and below it what to do.
+fn text(finding: &Diagnostic, lang: Lang) -> String {
+    let mut text = finding.headline(lang);
+    if finding.level() == Level::Warning {
+        text += &format!(": {}", finding.reason.in_lang(lang));
+    }
+    if let Some(help) = &finding.help {
+        text += &format!("\n{}", help.in_lang(lang));
+    }
+    text
+}
+
+/// The rule that a finding breaks.
+fn rule(finding: &Diagnostic, lang: Lang) -> Value {
+    let id = finding.id();
+    let page = page(id, lang).unwrap_or_default();
+    let title = page.lines().next().and_then(|line| line.split_once(": "));
+    let title = title.map_or(id, |(_, title)| title);
+    json!({
+        "id": id,
+        "shortDescription": { "text": escaped(title) },
+        "help": { "text": escaped(page), "markdown": escaped(page) },
+        "defaultConfiguration": { "level": finding.level().name() },
+    })
+}
+
+/// A text in which no brace begins a placeholder.
+fn escaped(text: &str) -> String {
+    text.replace('{', "{{").replace('}', "}}")
+}
+
+/// The reference to a file (RFC 3986): relative if its path is.
+fn uri(name: &str) -> String {
+    let mut uri = match (Path::new(name).is_absolute(), name.starts_with('/')) {
+        (true, true) => "file://".to_owned(),
+        (true, false) => "file:///".to_owned(),
+        (false, _) => String::new(),
+    };
+    for byte in name.bytes() {
+        match byte {
+            b'\\' if cfg!(windows) => uri.push('/'),
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => {
+                uri.push(char::from(byte));
+            }
+            // Writing to a String cannot fail.
+            _ => drop(write!(uri, "%{byte:02X}")),
+        }
+    }
+    uri
+}

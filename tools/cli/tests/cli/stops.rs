@@ -1,0 +1,179 @@
+//! `tipc run`: how it reports an emergency stop, in each form and language.
+
+use crate::support::Folder;
+use serde_json::{Value, json};
+
+/// A program, its name, and what its report has to say in short.
+const STOPS: &[(&str, &str, &str)] = &[
+    (
+        "divides.prg",
+        "DEF_VAR N\nN = 0\n  N = 100 / -N\nEND",
+        "divides.prg:5:3: error[E302]: nothing can be divided by 0 (TIP_ERR:Domain error)",
+    ),
+    (
+        "sleeps.prg",
+        "DEF_VAR N\nN = -2\nSLEEP N\nEND",
+        "sleeps.prg:5:1: error[E302]: out of range (TIP_ERR:Domain error)",
+    ),
+    (
+        "overflows.prg",
+        "DEF_VAR N\nN = 1E300\nN *= N\nMESSAGE %N%\nEND",
+        "overflows.prg:5:1: error[E302]: a value is out of range, or the result is not a finite number (TIP_ERR:Domain error)",
+    ),
+    (
+        "returns.prg",
+        "RETURN\nEND",
+        "returns.prg:3:1: error[E303]: nothing called what returns here (TIP_ERR:Invalid Return command)",
+    ),
+    (
+        "reads.prg",
+        "DEF_VAR N\nIF KB_HIT THEN\nN = 1\nENDIF\nSLEEP N\nEND",
+        "reads.prg:7:1: error[E301]: `N` has no value yet (TIP_ERR:Possible use of Variable before definition)",
+    ),
+    (
+        "waits.prg",
+        "WAIT_NEAR F1\nEND",
+        "waits.prg:3:1: error[E304]: the target is under another control than this command needs (TIP_ERR:Invalid control mode)",
+    ),
+    (
+        "reaches.prg",
+        "PTP F1 -391 201 900\nWAIT_INPOS ALL\nEND",
+        "reaches.prg:3:1: error[E404]: F1 cannot reach its target, or a place on the way there (TIP_ERR:Out of reach F1)",
+    ),
+];
+
+#[test]
+fn in_short_a_stop_is_one_line_with_its_place_and_reason() {
+    let mut folder = Folder::new("stops-short");
+    for (name, statements, _) in STOPS {
+        folder = folder.program(name, statements);
+    }
+    for (name, _, expected) in STOPS {
+        let run = ["run", name, "--quiet", "--message-format", "short"];
+        assert_eq!(folder.tipc(&run).expect(3).err.trim_end(), *expected);
+    }
+}
+
+#[test]
+fn as_json_a_stop_is_an_object_with_values_and_limits() {
+    let (name, statements, _) = STOPS[0];
+    let folder = Folder::new("stops-json").program(name, statements);
+    let run = ["run", name, "--quiet", "--message-format", "json"];
+    let outcome = folder.tipc(&run).expect(3);
+    let object: Value = serde_json::from_str(&outcome.err).expect("an object");
+    for (key, expected) in [
+        ("level", json!("error")),
+        ("kind", json!("RuntimeError")),
+        ("message", json!("Domain error")),
+        ("code", json!("E302")),
+        ("file", json!(name)),
+        ("line", json!(5)),
+        ("column", json!(3)),
+        ("help", json!("divide by another number")),
+        ("reason", json!("nothing can be divided by 0")),
+        ("robot", json!("titan8")),
+        ("page", json!("tipc explain E302")),
+        ("step", json!(1)),
+        ("cycle", json!(1)),
+        ("text", json!("N = 100 / -N")),
+        ("values", json!({ "N": 0.0 })),
+    ] {
+        assert_eq!(object[key], expected, "{key} of {outcome:#?}");
+    }
+    // TITAN VIII has four legs of three joints; the first one turns by 45 deg to either side.
+    let joints = object["joints"].as_array().expect("joints");
+    assert_eq!(joints.len(), 12);
+    assert_eq!(joints[0]["joint"], "J11");
+    for joint in joints {
+        let number = |key: &str| joint[key].as_f64().expect("a number");
+        assert!((number("min")..=number("max")).contains(&number("angle")));
+    }
+}
+
+#[test]
+fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
+    let statements = "MESSAGE 日本語\nOMEGA_CONTROL J11 30; SLEEP 60000\nEND";
+    let folder = Folder::new("stops-limit").program("p.prg", statements);
+    let outcome = folder
+        .tipc(&["run", "p.prg", "--quiet", "--message-format", "json"])
+        .expect(3);
+    let object: Value = serde_json::from_str(&outcome.err).expect("an object");
+    let joint = &object["joints"][0];
+    let (min, max) = (joint["min"].as_f64(), joint["max"].as_f64());
+    let (min, max) = (min.expect("a limit"), max.expect("a limit"));
+    let angle = joint["angle"].as_f64().expect("an angle");
+    // It turned towards its upper limit, and the next cycle would have led beyond.
+    assert!(angle <= max && angle > max - 2.0 * 30.0 * 0.02, "{joint}");
+    assert_eq!(
+        (&object["line"], &object["column"]),
+        (&json!(4), &json!(23))
+    );
+    let japanese = folder
+        .tipc(&["run", "p.prg", "-q", "--lang", "ja"])
+        .expect(3);
+    let reason =
+        format!("J11は現在{angle} degで、これ以上動けません。動作範囲は{min}から{max} degです");
+    assert!(
+        japanese
+            .err
+            .starts_with(&format!("エラー[E403]: {reason}\n")),
+        "{japanese:#?}"
+    );
+    assert!(
+        japanese
+            .err
+            .contains("TIP_ERR:Joint limit J11 (RobotError)"),
+        "{japanese:#?}"
+    );
+}
+
+#[test]
+fn people_see_the_values_at_their_places() {
+    let statements = "DEF_VAR N\nDEF_POS P\nN = 900\nP.X = -391\nP.Y = 201\nP.Z = N\nPTP F1 P\nWAIT_INPOS ALL\nEND";
+    let folder = Folder::new("stops-people").program("p.prg", statements);
+    let outcome = folder.tipc(&["run", "p.prg", "-q"]).expect(3);
+    let lines: Vec<&str> = outcome.err.lines().map(str::trim_end).collect();
+    assert_eq!(
+        lines[..8],
+        [
+            "error[E404]: F1 cannot reach its target, or a place on the way there",
+            " --> p.prg:9:1",
+            "  |",
+            "9 | PTP F1 P",
+            "  | ^^^^^^^-",
+            "  |        |",
+            "  |        P.X = -391, P.Y = 201, P.Z = 900",
+            "  |",
+        ],
+        "{outcome:#?}"
+    );
+    assert!(
+        lines[8].starts_with("  = help: the joints and their limits in deg: J11 "),
+        "{outcome:#?}"
+    );
+    assert_eq!(lines[9], "  = note: TIP_ERR:Out of reach F1 (RobotError)");
+    assert!(lines[10].starts_with("step 4, cycle 4, 0."), "{outcome:#?}");
+}
+
+#[test]
+fn the_logs_of_a_stop_stay_classical_english() {
+    let (name, statements, _) = STOPS[0];
+    let folder = Folder::new("stops-logs").program(name, statements);
+    let run = [
+        "run",
+        name,
+        "-q",
+        "--lang",
+        "ja",
+        "--message-format",
+        "json",
+        "--out-dir",
+        "logs",
+    ];
+    folder.tipc(&run).expect(3);
+    let log = folder.read("logs/EMG.log");
+    assert_eq!(
+        log.lines().nth(1),
+        Some("TIP_ERR:Domain error (RuntimeError)")
+    );
+}
