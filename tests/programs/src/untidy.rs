@@ -93,7 +93,8 @@ impl Hand {
         let mut before = "";
         for word in words {
             let glued = SIGNS.contains(&word) || SIGNS.contains(&before);
-            if !before.is_empty() && !(glued && self.random.once_in(2)) {
+            let is_glued = glued && self.random.once_in(2);
+            if !before.is_empty() && !is_glued {
                 self.delimiter();
             }
             self.word(word);
