@@ -71,6 +71,7 @@ const BESIDE: &[(&str, &str)] = &[
 const OTHERS: &[&str] = &[
     "Fixing",
     "Warning",
+    "Allowing",
     "Describing",
     "Importing",
     "Migrating",
