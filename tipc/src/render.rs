@@ -5,6 +5,7 @@ mod human;
 mod json;
 mod short;
 mod style;
+mod wrap;
 
 pub use classical::classical;
 pub use human::human;

@@ -1,6 +1,7 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
 use super::Style;
+use super::wrap::wrapped;
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
@@ -96,12 +97,10 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
         group = group.element(snippet(&name, source, diagnostic, window, style.lang));
     }
     if let Some(help) = &diagnostic.help {
+        let name = style.lang.pick("help", "ヘルプ");
         let help = printable(help.in_lang(style.lang));
-        group = group.element(
-            Title::HELP
-                .with_name(style.lang.pick("help", "ヘルプ"))
-                .message(help),
-        );
+        let help = wrapped(&help, style.width, before_help(&windows, name));
+        group = group.element(Title::HELP.with_name(name).message(help));
     }
     if diagnostic.level() == Level::Error {
         group = group.element(note(style.lang).message(printable(diagnostic.title())));
@@ -117,6 +116,17 @@ pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let mut out = renderer.render(&[group]);
     out.push('\n');
     out
+}
+
+/// The columns before the text of a help: those of line numbers, a sign, and its name.
+fn before_help(windows: &[Window], name: &str) -> usize {
+    let ends = windows
+        .iter()
+        .map(|window| window.first as usize + window.lines.len() - 1);
+    let digits = ends.max().unwrap_or_default().to_string().len();
+    // A name is half-width or full-width.
+    let columns = if name.is_ascii() { 1 } else { 2 };
+    digits + " = : ".len() + columns * name.chars().count()
 }
 
 fn level(level: Level, lang: Lang) -> Title<'static> {

@@ -328,3 +328,33 @@ fn place(shown: &str) -> String {
     let at = line.find(".prg").map_or(0, |at| at + ".prg".len());
     line[at..].trim_end().to_owned()
 }
+
+#[test]
+fn helps_fit_a_terminal() {
+    let text = "3.1\nt\nWHILE N > 1 AND N < 5\nWEND\nEND";
+    let loaded = crate::load("walk.prg", text.as_bytes(), &crate::Options::default());
+    let and = &loaded
+        .diagnostics
+        .iter()
+        .find(|one| one.code == Code::Argument);
+    let and = and.expect("the AND is wrong");
+    let helps = |lang, width| {
+        let style = Style::default().lang(lang).width(width);
+        let shown = human(&loaded.source, and, style);
+        let lines = shown.lines().skip_while(|line| !line.starts_with("  = "));
+        let helps = lines.take_while(|line| !line.contains("TIP_ERR"));
+        helps.map(str::to_owned).collect::<Vec<_>>()
+    };
+    for lang in Lang::ALL {
+        let whole = helps(*lang, None);
+        assert_eq!(whole.len(), 1, "{whole:?}");
+        for width in [40, 60, 80] {
+            let lines = helps(*lang, Some(width));
+            let beyond = |line: &&String| crate::source::first_beyond(line, width).is_some();
+            assert_eq!(lines.iter().find(beyond), None, "{lines:#?}");
+            // Nothing is lost, and nothing but blanks is new.
+            let words = |lines: &[String]| lines.concat().replace(' ', "");
+            assert_eq!(words(&lines), words(&whole));
+        }
+    }
+}
