@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use tipc::code::Code;
 use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
 use tipc::{Loaded, Options, load};
@@ -103,4 +104,13 @@ fn jumps_belong_to_the_first_label_without_its_colon() {
         .map(|one| one.labels.len())
         .collect();
     assert_eq!(labels, [2, 0], "{:#?}", loaded.diagnostics);
+}
+
+#[test]
+fn an_error_is_not_the_rest_of_a_warning() {
+    let text = "3.1\nA title\nDEF_JOINT Q\n-1 2\nEND\n";
+    let loaded = load("minus.prg", text.as_bytes(), &Options::default());
+    assert!(loaded.program.is_none());
+    let codes: Vec<Code> = loaded.diagnostics.iter().map(|one| one.code).collect();
+    assert!(codes.contains(&Code::UnknownCommand), "{codes:?}");
 }

@@ -141,7 +141,7 @@ fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
         match kept.last_mut() {
             Some(before)
                 if finding.code == Code::UnknownCommand
-                    && before.code != Code::UnknownCommand
+                    && matches!(before.code, Code::Argument | Code::UnknownVariable)
                     && is_rest
                     && line_of(before) + 1 == line_of(&finding) =>
             {
