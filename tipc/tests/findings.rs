@@ -114,3 +114,23 @@ fn an_error_is_not_the_rest_of_a_warning() {
     let codes: Vec<Code> = loaded.diagnostics.iter().map(|one| one.code).collect();
     assert!(codes.contains(&Code::UnknownCommand), "{codes:?}");
 }
+
+#[test]
+fn any_character_may_stand_in_what_another_language_shows() {
+    for shown in [
+        "PRINT ｱTRQ1.J1",
+        "PRINT \"歩く\", ｱ",
+        "SAY 歩.く",
+        "MESSAGE(ｱ)",
+        "PRINT 1ｱ",
+    ] {
+        let text = format!("3.1\nA title\n{shown}\nEND\n");
+        let loaded = load("shown.prg", text.as_bytes(), &Options::default());
+        assert_eq!(
+            loaded.diagnostics.len(),
+            1,
+            "{shown}: {:?}",
+            loaded.diagnostics
+        );
+    }
+}

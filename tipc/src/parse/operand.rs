@@ -175,7 +175,9 @@ impl Reader<'_> {
             None => (word, None),
         };
         if let Some(at) = word.find(|char: char| !is_name_char(char) && char != '.') {
-            return Err(self.foreign_in_name(word, Span::new(span.start + at, span.start + at + 1)));
+            let character = word[at..].chars().next().map_or(0, char::len_utf8);
+            let start = span.start + at;
+            return Err(self.foreign_in_name(word, Span::new(start, start + character)));
         }
         if member.is_some_and(|member| member.is_empty() || member.contains('.')) {
             let help = Parsing::Members;
