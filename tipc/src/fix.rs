@@ -1,5 +1,5 @@
 //! Fixes: for what a finding says, the changes of the text that put it right. It judges no program: what the checker knows
-//! stands in the finding's messages, all else in the statement around its place.
+//! is in the finding's messages, the rest in the statement around its place.
 
 mod blocks;
 mod characters;

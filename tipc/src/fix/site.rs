@@ -94,7 +94,7 @@ impl<'a> Site<'a> {
         token.kind == Kind::Word && self.is_word(token.span, keyword)
     }
 
-    /// Whether a keyword stands at a place.
+    /// Whether there is a keyword at a place.
     pub(super) fn is_word(&self, span: Span, keyword: Keyword) -> bool {
         self.slice(span).eq_ignore_ascii_case(keyword.word())
     }

@@ -1,4 +1,4 @@
-//! The lines of a formatted program, and their bytes: comments of neighbouring lines stand in one column.
+//! The lines of a formatted program, and their bytes: the comments of neighbouring lines are aligned.
 
 use super::layout;
 use crate::message::Formatting;

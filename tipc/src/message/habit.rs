@@ -1,5 +1,6 @@
 //! What is said of words and spellings that people bring along from other languages.
 
+use super::list::List;
 use smol_str::SmolStr;
 
 messages! {
@@ -193,14 +194,14 @@ messages! {
     Remainder
         "there is no remainder: of A by B it is `Q = A / B`, `Q = INT Q`, `Q *= B`, `R1 = A - Q`",
         "剰余の演算はありません。AをBで割った余りは `Q = A / B`、`Q = INT Q`、`Q *= B`、`R1 = A - Q` で求めます";
-    NoFunction { word: SmolStr }
-        "there is no function {word}; there are INT, ABS, SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, DEG2RAD, RAD2DEG, NORM",
-        "{word}という関数はありません。あるのはINT、ABS、SQRT、SIN、COS、TAN、ASIN、ACOS、ATAN、ATAN2、DEG2RAD、RAD2DEG、NORMです";
+    NoFunction { word: SmolStr, functions: List }
+        "there is no function {word}; there are {functions}",
+        "{word}という関数はありません。あるのは{functions}です";
     EachMember
         "a POS or JOINT is filled member by member: `P.X = 391`, `P.Y = 201`, `P.Z = -150`",
         "POSやJOINTにはメンバごとに代入します: `P.X = 391`、`P.Y = 201`、`P.Z = -150`";
     FunctionInEquation { function: SmolStr }
-        "a function stands in an equation only: `A = {function} B` on the line before, and A here",
+        "functions are for equations only: write `A = {function} B` on the line before, and A here",
         "関数は式の中だけで使えます。前の行に `A = {function} B` と書き、ここにはAを書いてください";
     CalculateArgument
         "calculate in an equation on the line before; a sign has a blank before it: `100 -20`",

@@ -41,21 +41,9 @@ messages! {
     Lines { lines: Pieces } "lines {lines}", "{lines}行目";
 }
 
-messages! {
+counted! {
     /// So many joints.
-    Joints;
-
-    One "1 joint", "1関節";
-    Several { count: usize } "{count} joints", "{count}関節";
-}
-
-impl From<usize> for Joints {
-    fn from(count: usize) -> Self {
-        match count {
-            1 => Joints::One,
-            count => Joints::Several { count },
-        }
-    }
+    Joints: "1 joint", "1関節"; "{count} joints", "{count}関節";
 }
 
 messages! {
@@ -97,55 +85,19 @@ messages! {
     Spherical "spherical", "球(spherical)";
 }
 
-messages! {
+counted! {
     /// So many changes of a program.
-    Changes;
-
-    One "1 change", "変更1か所";
-    Several { count: usize } "{count} changes", "変更{count}か所";
+    Changes: "1 change", "変更1か所"; "{count} changes", "変更{count}か所";
 }
 
-impl From<usize> for Changes {
-    fn from(count: usize) -> Self {
-        match count {
-            1 => Changes::One,
-            count => Changes::Several { count },
-        }
-    }
-}
-
-messages! {
+counted! {
     /// So many questions about a program.
-    Questions;
-
-    One "1 question", "質問1件";
-    Several { count: usize } "{count} questions", "質問{count}件";
+    Questions: "1 question", "質問1件"; "{count} questions", "質問{count}件";
 }
 
-impl From<usize> for Questions {
-    fn from(count: usize) -> Self {
-        match count {
-            1 => Questions::One,
-            count => Questions::Several { count },
-        }
-    }
-}
-
-messages! {
+counted! {
     /// So many findings.
-    Findings;
-
-    One "1 finding", "1件";
-    Several { count: usize } "{count} findings", "{count}件";
-}
-
-impl From<usize> for Findings {
-    fn from(count: usize) -> Self {
-        match count {
-            1 => Findings::One,
-            count => Findings::Several { count },
-        }
-    }
+    Findings: "1 finding", "1件"; "{count} findings", "{count}件";
 }
 
 messages! {

@@ -89,7 +89,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a name with a `-`, whose declaration is reported, stands in the statement.
+    /// Whether the statement contains a name with a `-`, whose declaration is reported.
     pub(super) fn names_hyphened(&self, tokens: &[Token]) -> bool {
         let (false, [first, .., last]) = (self.hyphened.is_empty(), tokens) else {
             return false;

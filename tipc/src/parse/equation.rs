@@ -6,6 +6,7 @@ use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
+use crate::message::list::List;
 use crate::message::{Habit, Message, Parsing};
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
@@ -122,7 +123,9 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
         return number.into();
     }
     if foreign::is_function(&first) {
-        return Habit::NoFunction { word: first }.into();
+        let functions = List(functions::words().map(str::to_owned).collect());
+        let word = first;
+        return Habit::NoFunction { word, functions }.into();
     }
     match commands::find(&first).map(|command| command.meaning) {
         Some(Meaning::AdIn) => return Habit::AdIn.into(),

@@ -22,7 +22,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("Structuring", "NoSuchLabel NoLoopAbove NextCounts RunsInto"),
 ];
 
-/// Rows that are no reasons: helps, and what stands at other places.
+/// Rows that are not reasons: helps and labels.
 const BESIDE: &[(&str, &str)] = &[
     ("Reading", "NotTheOtherEither SaveInThatEncoding"),
     (
