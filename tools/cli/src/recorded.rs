@@ -6,7 +6,8 @@ use super::{Status, input, interrupt, report, run, scene};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tip_sim::Robot;
-use tip_view::{Extent, NotRecorded, Outcome, Pace, Recording};
+use tip_view::{Extent, Outcome, Pace, Recording};
+use tipc::Loaded;
 
 /// How long a run is recorded that nobody ends: minutes of the robot's time.
 const MINUTES: f64 = 10.0;
@@ -57,6 +58,26 @@ impl RecordedArguments {
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; none if something was found, and
     /// reported.
     pub(super) fn record(&self, pace: Pace) -> Result<Option<Recorded>, Error> {
+        let Some((loaded, robot)) = self.load(&self.file, false)? else {
+            return Ok(None);
+        };
+        let recording = self.run(&loaded, &robot, pace)?;
+        interrupt::hold();
+        if self.has_no_end(&recording) {
+            report::complain(STOPPED);
+        }
+        if let Outcome::Emergency(_) = recording.outcome {
+            report::complain(&format!("{}\n", recording.outcome));
+        }
+        Ok(Some(Recorded { recording, robot }))
+    }
+
+    /// The program and the robot in its scene, with inputs that it has; none if something was found, and reported.
+    pub(super) fn load(
+        &self,
+        program: &Path,
+        quiet: bool,
+    ) -> Result<Option<(Loaded, Robot)>, Error> {
         interrupt::catch();
         let robot = match self.source.robot.load() {
             Ok(robot) => robot,
@@ -69,29 +90,36 @@ impl RecordedArguments {
             return Ok(None);
         };
         let robot = scene::around(robot.simulated()?, &scene)?;
+        run::check_inputs(&robot, &self.inputs.inputs())?;
+        let loaded = input::load(program, &self.source.options(robot.options().robot));
+        if loaded.program.is_none() || !quiet {
+            report::findings(&loaded, self.source.shown);
+        }
+        Ok(loaded.program.is_some().then_some((loaded, robot)))
+    }
+
+    /// Runs a program that loads.
+    pub(super) fn run(
+        &self,
+        loaded: &Loaded,
+        robot: &Robot,
+        pace: Pace,
+    ) -> Result<Recording, Error> {
         let inputs = self.inputs.inputs();
-        run::check_inputs(&robot, &inputs)?;
-        let loaded = input::load(&self.file, &self.source.options(robot.options().robot));
-        report::findings(&loaded, self.source.shown);
         let extent = inputs
             .cycles
             .map_or(Extent::minutes(MINUTES), Extent::cycles);
         let goes_on = || !interrupt::is_requested();
-        let recording = Recording::paced(&loaded, &robot, &inputs.events, extent, pace, goes_on);
-        interrupt::hold();
-        let recording = match recording {
-            Ok(recording) => recording,
-            Err(NotRecorded::NoProgram) => return Ok(None),
-            Err(reason) => return Err(Error::Usage(reason.to_string())),
-        };
-        if inputs.cycles.is_none() && recording.outcome == Outcome::Limit {
-            report::complain(&format!(
-                "stopped after {MINUTES} minutes of the robot's time; --cycles sets another end\n"
-            ));
-        }
-        if let Outcome::Emergency(_) = recording.outcome {
-            report::complain(&format!("{}\n", recording.outcome));
-        }
-        Ok(Some(Recorded { recording, robot }))
+        let recording = Recording::paced(loaded, robot, &inputs.events, extent, pace, goes_on);
+        recording.map_err(|reason| Error::Usage(reason.to_string()))
+    }
+
+    /// Whether only the time ended a run.
+    pub(super) fn has_no_end(&self, recording: &Recording) -> bool {
+        self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit
     }
 }
+
+/// What is said of a run that only the time ended.
+pub(super) const STOPPED: &str =
+    "stopped after ten minutes of the robot's time; --cycles sets another end\n";

@@ -1,18 +1,15 @@
 //! `tipc view`: a page that replays a run.
 
-use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
+use super::recorded::{RecordedArguments, STOPPED};
 use super::report::plural;
-use super::{Status, input, interrupt, output, report, scene};
+use super::{Status, interrupt, output, report};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::Robot;
-use tip_view::{BadTrace, Extent, NotRecorded, Outcome, Recording};
+use tip_view::{BadTrace, Outcome, Pace, Recording};
 use tipc::Loaded;
-
-/// How long a run is recorded unless `--cycles` says: minutes of the robot's time.
-const MINUTES: f64 = 10.0;
 
 /// `tipc view`
 #[derive(Debug, Args)]
@@ -34,22 +31,16 @@ is written.
 Exit status: 0 written, 1 the program does not load or a file cannot be read or written,
 2 wrong usage, 130 interrupted; what was recorded until then is written.")]
 pub(super) struct View {
-    /// The program; or, with --program, a trace that 'tipc run --trace-motion' wrote
-    file: PathBuf,
+    #[command(flatten)]
+    recorded: RecordedArguments,
 
-    /// The program of a trace
+    /// The program of FILE, which is a trace that 'tipc run --trace-motion' wrote
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     program: Option<PathBuf>,
 
     /// Write the page here; otherwise beside FILE, as FILE.html
     #[arg(short, long, value_name = "OUT.html")]
     out: Option<PathBuf>,
-
-    #[command(flatten)]
-    source: SourceArguments,
-
-    #[command(flatten)]
-    inputs: InputArguments,
 
     /// Say nothing but errors
     #[arg(long, short)]
@@ -58,45 +49,29 @@ pub(super) struct View {
 
 /// Records a run, or reads the trace of one, and writes the page that replays it.
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
-    interrupt::catch();
-    let shown = arguments.source.shown;
-    let robot = match arguments.source.robot.load() {
-        Ok(robot) => robot,
-        Err(loaded) => {
-            report::findings(&loaded, shown);
-            return Ok(Status::Failure);
-        }
-    };
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), shown) else {
+    let recorded = &arguments.recorded;
+    let program = arguments.program.as_deref().unwrap_or(&recorded.file);
+    let Some((loaded, robot)) = recorded.load(program, arguments.quiet)? else {
         return Ok(Status::Failure);
     };
-    let robot = scene::around(robot.simulated()?, &scene)?;
-    let program = arguments.program.as_deref().unwrap_or(&arguments.file);
-    let loaded = input::load(program, &arguments.source.options(robot.options().robot));
-    if loaded.program.is_none() || !arguments.quiet {
-        report::findings(&loaded, shown);
-    }
-    if loaded.program.is_none() {
-        return Ok(Status::Failure);
-    }
     let out = arguments.out();
-    output::refuse_inputs(&out, &arguments.inputs_of())?;
+    let read = recorded.files();
+    let read: Vec<&Path> = read
+        .into_iter()
+        .chain(arguments.program.as_deref())
+        .collect();
+    output::refuse_inputs(&out, &read)?;
     let recording = match &arguments.program {
         Some(_) => arguments.read(&loaded, &robot)?,
-        None => arguments.record(&loaded, &robot)?,
+        None => recorded.run(&loaded, &robot, Pace::Smooth)?,
     };
     interrupt::hold();
     let page = recording.to_page();
     output::replace(&out, &page)?;
     if !arguments.quiet {
         report::complain(&summary(&recording, &out, page.len()));
-        if recording.outcome == Outcome::Limit
-            && arguments.inputs.inputs().cycles.is_none()
-            && arguments.program.is_none()
-        {
-            report::complain(
-                "  stopped after ten minutes of robot time; --cycles N records more, or less\n",
-            );
+        if arguments.program.is_none() && recorded.has_no_end(&recording) {
+            report::complain(STOPPED);
         }
     }
     Ok(match recording.outcome {
@@ -110,33 +85,15 @@ impl View {
     fn out(&self) -> PathBuf {
         match &self.out {
             Some(out) => out.clone(),
-            None if self.file.as_os_str() == "-" => PathBuf::from("run.html"),
-            None => self.file.with_extension("html"),
+            None if self.recorded.file.as_os_str() == "-" => PathBuf::from("run.html"),
+            None => self.recorded.file.with_extension("html"),
         }
     }
 
-    /// Every file that is read.
-    fn inputs_of(&self) -> Vec<&Path> {
-        let scene = self.inputs.scene.as_ref().and_then(|scene| scene.file());
-        let others = [self.program.as_deref(), self.source.robot.file(), scene];
-        others.into_iter().flatten().chain([&*self.file]).collect()
-    }
-
-    fn record(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
-        let inputs = self.inputs.inputs();
-        let extent = match inputs.cycles {
-            Some(cycles) => Extent::cycles(cycles),
-            None => Extent::minutes(MINUTES),
-        };
-        let goes_on = || !interrupt::is_requested();
-        let usage = |error: NotRecorded| Error::Usage(error.to_string());
-        Recording::of(loaded, robot, &inputs.events, extent, goes_on).map_err(usage)
-    }
-
     fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
-        let name = Printable::line(self.file.display()).to_string();
+        let name = Printable::line(self.recorded.file.display()).to_string();
         let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
-        let trace = std::fs::read_to_string(&self.file).map_err(|error| failed(&error))?;
+        let trace = std::fs::read_to_string(&self.recorded.file).map_err(|error| failed(&error))?;
         let read = Recording::from_trace(&trace, loaded, robot);
         read.map_err(|error: BadTrace| failed(&error))
     }

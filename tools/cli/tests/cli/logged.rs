@@ -70,7 +70,7 @@ fn how_the_run_ends_is_the_exit_status() {
     let endless = ["plot", "endless.prg", "-o", "endless.svg", "--of", "angles"];
     let minutes = folder.tipc(&endless).expect(0);
     assert!(
-        minutes.err.contains("stopped after 10 minutes"),
+        minutes.err.contains("stopped after ten minutes"),
         "{}",
         minutes.err
     );

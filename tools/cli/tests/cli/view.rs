@@ -108,3 +108,15 @@ fn an_emergency_has_a_page_and_a_bad_program_has_none() {
         outcome.err
     );
 }
+
+#[test]
+fn a_sensor_that_the_robot_lacks_is_refused() {
+    let folder = Folder::new("view-sensor").program("wave.prg", WAVE);
+    let outcome = folder
+        .tipc(&[
+            "view", "wave.prg", "--robot", "hand", "--sensor", "PAW1=1@0",
+        ])
+        .expect(2);
+    assert!(outcome.err.contains("has no input PAW1"), "{}", outcome.err);
+    assert!(!folder.has("wave.html"));
+}
