@@ -34,8 +34,8 @@ mod two_joints;
 pub use chain::Chain;
 pub use frames::{Frame, frames};
 pub use inverse::inverse;
-pub(crate) use resolved_rate::resolve_piece;
 pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards};
+pub(crate) use resolved_rate::{is_straight, resolve_piece};
 pub use search::search;
 pub(crate) use search::starts;
 

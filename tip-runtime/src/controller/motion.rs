@@ -35,7 +35,7 @@ impl<const J: usize> ControllerView<'_, J> {
             };
             let target = inverse.flat(resolve_from(values, from, base)?);
             let line = (track.position(), target);
-            lead = Lead::to_place(inverse, point, &leg.drive.angles, line);
+            lead = Lead::to_place(inverse, leg.model, point, &leg.drive.angles, line);
             self.require_reach(n, point, target)?;
             target
         };

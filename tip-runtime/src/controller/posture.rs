@@ -23,7 +23,7 @@ impl<const J: usize> ControllerView<'_, J> {
             let target = inverse.flat(initial.foot());
             let foot = leg.drive.point(LegPoint::Tip, leg.model, inverse);
             let line = (foot.position(), target);
-            leg.drive.lead = Lead::to_initial(inverse, &leg.drive.angles, line, leg.model.initial);
+            leg.drive.lead = Lead::to_initial(inverse, leg.model, &leg.drive.angles, line);
             leg.drive.drive = Drive::Foot(foot.towards(Goal::Point { target, hs: false }));
         }
         if let Some(slider) = self.robot.slider {

@@ -142,6 +142,14 @@ impl<const N: usize> Track<N> {
         vector::add_scaled(self.position, self.velocity, per_speed)
     }
 
+    /// Where the set point would be farthest to the side of the straight line to its target, which it
+    /// joins without a jump in velocity.
+    pub(crate) fn swing(&self, limits: Limits) -> [f64; N] {
+        self.goal.target().map_or(self.position, |target| {
+            Course::new(self.position, self.velocity, target).swing(self.in_force(limits))
+        })
+    }
+
     /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.
     pub(crate) fn advance(&mut self, limits: Limits, dt: f64, held: bool) {
         let limits = self.in_force(limits);

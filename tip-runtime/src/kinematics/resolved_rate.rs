@@ -138,6 +138,20 @@ pub fn nearest<const J: usize>(
     approach(leg, from, point, target, axes, None, TURNS).map(|(angles, _)| angles)
 }
 
+/// Whether a leg is straight, or as good as straight, and has joints to spare for its point: its
+/// posture does not show then to which side it bends.
+pub(crate) fn is_straight<const J: usize>(
+    leg: &Leg<J>,
+    angles: &[f64; J],
+    point: LegPoint,
+    axes: Axes,
+) -> bool {
+    let directions = axes.iter().filter(|counts| **counts).count();
+    let jacobian = Chain::new(leg, angles).jacobian_of(point);
+    let spare = jacobian.filter(|_| point.moved_by(J) > directions);
+    spare.is_some_and(|jacobian| is_singular(&rows_that_count(jacobian, axes), axes, STRAIGHT))
+}
+
 /// The angles (deg) that put a point as near to its target as it comes, and the gap that is left (mm).
 /// The first of `most` turns leans towards a posture, if there is one.
 fn approach<const J: usize>(

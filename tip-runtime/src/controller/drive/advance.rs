@@ -2,6 +2,7 @@
 
 use super::law::{bounded, spring};
 use super::reach::{follow, name};
+use super::trial::PointOfLeg;
 use super::{Drive, LegDrive, Solved, THIRD};
 use crate::controller::params::{JointParams, LegParams, PointParams};
 use crate::controller::targets::number;
@@ -161,11 +162,15 @@ impl<const J: usize> LegDrive<J> {
             return Ok(());
         }
         let before = *track;
-        let (inverse, place) = (going.inverse, track.position());
-        self.lead
-            .look(leg.model, inverse, point, &self.angles, place);
+        let limits = leg.params.foot.limits();
+        let looking = PointOfLeg {
+            leg: leg.model,
+            point,
+            axes: going.inverse.axes(),
+        };
+        self.lead.look(&looking, &self.angles, track, limits);
         let held = going.held || self.lead.waits();
-        track.advance(leg.params.foot.limits(), going.dt, held);
+        track.advance(limits, going.dt, held);
         if let Some(target) = track.goal().target() {
             let line = (track.position(), target);
             self.lead.advance(line, going.dt, going.held);

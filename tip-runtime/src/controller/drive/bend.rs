@@ -6,6 +6,7 @@
 use super::guide::{Guide, Line};
 use super::trial::PointOfLeg;
 use crate::kinematics::{self, resolve_piece};
+use crate::model::Leg;
 
 /// How fast joints turn meanwhile: deg/s.
 const RATE: f64 = 30.0;
@@ -46,7 +47,7 @@ impl<const J: usize> Bend<J> {
     /// To the posture `to`, and from there along `line` to the posture `end`.
     pub(super) fn new(point: &PointOfLeg<'_, J>, to: [f64; J], end: [f64; J], line: Line) -> Self {
         Bend {
-            aim: aim(point),
+            aim: middle(point.leg),
             to,
             end,
             line,
@@ -104,7 +105,7 @@ impl<const J: usize> Bending<J> {
     /// Turns the joints by one step, with the point at `place`.
     pub(super) fn bend(mut self, point: &PointOfLeg<'_, J>, place: [f64; 3]) -> Bent<J> {
         let before = self.angles;
-        let posture = towards(&before, &aim(point), STEP);
+        let posture = towards(&before, &middle(point.leg), STEP);
         let turned = resolve_piece(point.leg, &before, point.point, place, point.axes, &posture);
         let Some(angles) = turned else {
             return Bent::Fails;
@@ -123,12 +124,13 @@ impl<const J: usize> Bending<J> {
     }
 }
 
-/// The middle of the limits; the first joint only turns the leg.
-fn aim<const J: usize>(point: &PointOfLeg<'_, J>) -> [f64; J] {
-    kinematics::starts(point.leg).nth(1).unwrap_or([0.0; J])
+/// The middle of the limits.
+pub(super) fn middle<const J: usize>(leg: &Leg<J>) -> [f64; J] {
+    kinematics::starts(leg).nth(1).unwrap_or([0.0; J])
 }
 
-/// The posture that joints lean to in order to turn by about `step` towards `aim`.
+/// The posture that joints lean to in order to turn by about `step` towards `aim`; the first joint only
+/// turns the leg.
 fn towards<const J: usize>(angles: &[f64; J], aim: &[f64; J], step: f64) -> [f64; J] {
     let mut posture = *angles;
     let share = 2.0 * step / farthest(angles, aim).max(step);

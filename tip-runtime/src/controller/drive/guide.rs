@@ -13,6 +13,9 @@ const PACE: Limits = Limits {
     acceleration: 4.0 / (RETURN * RETURN),
 };
 
+/// The share of the way to the posture past which it goes that a bowed leg takes halfway.
+const MOST_BOW: f64 = 0.75;
+
 /// A straight line of a point: from where to where, in mm.
 pub(super) type Line = ([f64; 3], [f64; 3]);
 
@@ -27,6 +30,8 @@ pub(in crate::controller) struct Guide<const J: usize> {
     ease: Option<Track<1>>,
     /// The posture to be taken once the point is at its target, if it is not `to`.
     home: Option<[f64; J]>,
+    /// The posture past which the leg goes halfway, if it does not go straight.
+    bow: Option<[f64; J]>,
 }
 
 impl<const J: usize> Guide<J> {
@@ -38,6 +43,7 @@ impl<const J: usize> Guide<J> {
             length: distance(line.0, line.1),
             ease: None,
             home: None,
+            bow: None,
         }
     }
 
@@ -56,6 +62,11 @@ impl<const J: usize> Guide<J> {
     /// The same, and then on to a posture, with the point at its target.
     pub(super) fn and_home(self, home: Option<[f64; J]>) -> Self {
         Guide { home, ..self }
+    }
+
+    /// The same, but bowed towards a posture within the limits.
+    pub(super) fn bowed(self, bow: Option<[f64; J]>) -> Self {
+        Guide { bow, ..self }
     }
 
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
@@ -90,6 +101,9 @@ impl<const J: usize> Guide<J> {
         let mut posture = self.to;
         for (angle, from) in posture.iter_mut().zip(self.from) {
             *angle += left * (from - *angle);
+        }
+        for (angle, bow) in posture.iter_mut().zip(self.bow.into_iter().flatten()) {
+            *angle += MOST_BOW * 4.0 * left * (1.0 - left) * (bow - *angle);
         }
         posture
     }

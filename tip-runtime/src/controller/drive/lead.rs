@@ -10,7 +10,8 @@ use super::guide::{Guide, Line};
 use super::reach::has_few_joints;
 use super::search::{Outcome, Search};
 use super::trial::PointOfLeg;
-use crate::kinematics::LegPoint;
+use crate::controller::trajectory::{Limits, Track};
+use crate::kinematics::{self, LegPoint};
 use crate::model::{Inverse, Leg};
 
 /// Who decides about joints to spare.
@@ -30,39 +31,44 @@ impl<const J: usize> Lead<J> {
     /// On the path of a point along `line`, for a leg at the angles `from`.
     pub(in crate::controller) fn to_place(
         inverse: Inverse,
+        leg: &Leg<J>,
         point: LegPoint,
         from: &[f64; J],
         line: Line,
     ) -> Self {
         if has_choice::<J>(inverse, point) {
-            Lead::Sought(Search::new(*from, line, None))
+            let axes = inverse.axes();
+            let point = PointOfLeg { leg, point, axes };
+            Lead::Sought(Search::new(&point, *from, line, None))
         } else {
             Lead::None
         }
     }
 
-    /// On the path of the foot along `line` to the posture `initial`, for a leg at the angles `from`.
+    /// On the path of the foot along `line` to its initial posture, for a leg at the angles `from`.
     pub(in crate::controller) fn to_initial(
         inverse: Inverse,
+        leg: &Leg<J>,
         from: &[f64; J],
         line: Line,
-        initial: [f64; J],
     ) -> Self {
         if has_choice::<J>(inverse, LegPoint::Tip) {
-            Lead::Sought(Search::new(*from, line, Some(initial)))
+            let (point, axes) = (LegPoint::Tip, inverse.axes());
+            let point = PointOfLeg { leg, point, axes };
+            Lead::Sought(Search::new(&point, *from, line, Some(leg.initial)))
         } else {
             Lead::None
         }
     }
 
-    /// Goes on with a search for postures, for a leg at the angles `from` whose point is at `place`.
+    /// Goes on with a search for postures, for a leg at the angles `from`. If its point moves, and would
+    /// swing too far to the side of its line, the leg brakes first.
     pub(super) fn look(
         &mut self,
-        leg: &Leg<J>,
-        inverse: Inverse,
-        point: LegPoint,
+        point: &PointOfLeg<'_, J>,
         from: &[f64; J],
-        place: [f64; 3],
+        track: &Track<3>,
+        limits: Limits,
     ) {
         if let Lead::Bends(bend) = self
             && let Some(guide) = bend.done(from)
@@ -72,9 +78,12 @@ impl<const J: usize> Lead<J> {
         let Lead::Sought(search) = self else {
             return;
         };
-        let axes = inverse.axes();
-        let point = PointOfLeg { leg, point, axes };
-        match search.advance(&point, from, place) {
+        let reaches =
+            |at| kinematics::resolve(point.leg, from, point.point, at, point.axes).is_some();
+        if !track.is_at_rest() && !reaches(track.swing(limits)) {
+            return;
+        }
+        match search.advance(point, from, track.position()) {
             None => {}
             Some(Outcome::Nothing) => *self = Lead::None,
             Some(Outcome::Found(guide)) => *self = Lead::Found(guide),

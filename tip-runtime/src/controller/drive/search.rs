@@ -3,10 +3,10 @@
 //! It begins at the target with the posture nearest to the present one. Where that leads into a limit,
 //! it goes on from postures that are spread over the limits.
 
-use super::bend::{Bend, Bending, Bent};
+use super::bend::{Bend, Bending, Bent, middle};
 use super::guide::{Guide, Line};
 use super::trial::{PointOfLeg, Shown, Trial};
-use crate::kinematics::{self, resolve_piece};
+use crate::kinematics::{self, is_straight, resolve_piece};
 
 /// The pieces of a line that are tried in one cycle, at most: enough for the nearest posture and for as
 /// many pieces as lines mostly have, so that most legs set off at once.
@@ -15,8 +15,8 @@ const A_CYCLE: usize = 48;
 /// How many pieces take as many turns as a posture that is started from anywhere.
 const START: usize = 6;
 
-/// How many postures a leg that has bent starts from.
-const STARTS_OF_BENT: usize = 4;
+/// How many postures a leg starts from that goes past the middle of its limits, or has bent.
+const STARTS_AGAIN: usize = 4;
 
 /// How often a posture at the target is drawn nearer to the present one.
 const DRAWS: u8 = 8;
@@ -28,11 +28,24 @@ pub(in crate::controller) struct Search<const J: usize> {
     line: Line,
     /// Where the joints return to, if they do.
     home: Option<[f64; J]>,
-    /// Whether `from` is the posture to which a nearly straight leg may bend first.
-    is_bent: bool,
+    attempt: Attempt,
+    /// Whether the leg was straight when the search began.
+    is_straight: bool,
     /// The number of the next posture to start from: 0 of the present one.
     next: usize,
     stage: Stage<J>,
+}
+
+/// What is tried, one after the other; a straight leg, whose posture does not show to which side it bends,
+/// tries the second first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Attempt {
+    /// Directly from posture to posture.
+    Direct,
+    /// Past the middle of the limits.
+    Bowed,
+    /// From the posture to which a nearly straight leg may bend first.
+    Bent,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +84,13 @@ pub(super) enum Outcome<const J: usize> {
 
 impl<const J: usize> Search<J> {
     /// For a leg at the angles `from`, whose joints return to the angles `home`, if there are any.
-    pub(super) fn new(from: [f64; J], line: Line, home: Option<[f64; J]>) -> Self {
+    pub(super) fn new(
+        point: &PointOfLeg<'_, J>,
+        from: [f64; J],
+        line: Line,
+        home: Option<[f64; J]>,
+    ) -> Self {
+        let is_straight = home.is_none() && is_straight(point.leg, &from, point.point, point.axes);
         let stage = match home {
             Some(home) => Stage::Trying(Trial::new(straight(from, home, line), from)),
             None => Stage::Starting,
@@ -80,7 +99,12 @@ impl<const J: usize> Search<J> {
             from,
             line,
             home,
-            is_bent: false,
+            attempt: if is_straight {
+                Attempt::Bowed
+            } else {
+                Attempt::Direct
+            },
+            is_straight,
             next: 0,
             stage,
         }
@@ -94,7 +118,7 @@ impl<const J: usize> Search<J> {
         place: [f64; 3],
     ) -> Option<Outcome<J>> {
         if self.line.0 != place {
-            *self = Search::new(*from, (place, self.line.1), self.home);
+            *self = Search::new(point, *from, (place, self.line.1), self.home);
         }
         let mut pieces = 0;
         while pieces < A_CYCLE {
@@ -113,7 +137,7 @@ impl<const J: usize> Search<J> {
             Stage::Drawing(end, draws) => self.draw(point, end, draws),
             Stage::Trying(trial) => match trial.try_piece(point, self.line) {
                 Shown::SoFar(trial) => Stage::Trying(trial),
-                Shown::Leads(guide) if self.is_bent => {
+                Shown::Leads(guide) if self.attempt == Attempt::Bent => {
                     let bend = Bend::new(point, self.from, guide.with_left(0.0), self.line);
                     return Some(Outcome::Bends(bend));
                 }
@@ -123,25 +147,32 @@ impl<const J: usize> Search<J> {
             Stage::Bending(bending) => match bending.bend(point, self.line.0) {
                 Bent::SoFar(bending) => Stage::Bending(bending),
                 Bent::To(angles) => {
-                    (self.from, self.next, self.is_bent) = (angles, 0, true);
-                    Stage::Starting
+                    self.from = angles;
+                    self.again(Attempt::Bent)
                 }
                 Bent::Fails => return Some(Outcome::Nothing),
             },
-            Stage::Exhausted if self.home.is_none() && !self.is_bent => {
-                Stage::Bending(Bending::new(self.from))
-            }
-            Stage::Exhausted => {
-                let direct = self.home.map(|home| straight(self.from, home, self.line));
-                return Some(direct.map_or(Outcome::Nothing, Outcome::Found));
-            }
+            Stage::Exhausted => match (self.home, self.attempt) {
+                (Some(home), _) => {
+                    return Some(Outcome::Found(straight(self.from, home, self.line)));
+                }
+                (None, Attempt::Direct) if !self.is_straight => self.again(Attempt::Bowed),
+                (None, Attempt::Bowed) if self.is_straight => self.again(Attempt::Direct),
+                (None, Attempt::Direct | Attempt::Bowed) => Stage::Bending(Bending::new(self.from)),
+                (None, Attempt::Bent) => return Some(Outcome::Nothing),
+            },
         };
         None
     }
 
+    fn again(&mut self, attempt: Attempt) -> Stage<J> {
+        (self.next, self.attempt) = (0, attempt);
+        Stage::Starting
+    }
+
     fn start(&mut self, point: &PointOfLeg<'_, J>) -> Stage<J> {
         let mut starts = core::iter::once(self.from).chain(kinematics::starts(point.leg));
-        let is_last = self.is_bent && self.next >= STARTS_OF_BENT;
+        let is_last = self.attempt != Attempt::Direct && self.next >= STARTS_AGAIN;
         let Some(start) = starts.nth(self.next).filter(|_| !is_last) else {
             return Stage::Exhausted;
         };
@@ -156,7 +187,10 @@ impl<const J: usize> Search<J> {
             Some(end) if draws + 1 < DRAWS => Stage::Drawing(end, draws + 1),
             nearest => {
                 let end = nearest.unwrap_or(end);
-                let guide = Guide::between(self.from, end, self.line).and_home(self.home);
+                let bow = (self.attempt == Attempt::Bowed).then(|| middle(point.leg));
+                let guide = Guide::between(self.from, end, self.line)
+                    .and_home(self.home)
+                    .bowed(bow);
                 Stage::Trying(Trial::new(guide, self.from))
             }
         }

@@ -5,9 +5,9 @@
 //! acceleration as the sides of a right triangle share its hypotenuse, so that neither limit is
 //! exceeded. From rest, and for a target straight ahead, there is no part across.
 
-use super::Limits;
 use super::approach::Approach;
 use super::vector::{add_scaled, dot, split};
+use super::{Limits, UNBOUNDED};
 
 /// A part across the line below this share of the speed is rounding.
 const STRAIGHT: f64 = 1e-9;
@@ -69,6 +69,15 @@ impl<const N: usize> Course<N> {
         let mut velocity = [0.0; N];
         velocity = add_scaled(velocity, self.line, self.along.speed);
         add_scaled(velocity, self.side, self.across.speed)
+    }
+
+    /// Where it is farthest to the side of its line.
+    pub(super) fn swing(mut self, limits: Limits) -> [f64; N] {
+        let braking = limits.acceleration * self.across_share;
+        if braking > 0.0 {
+            self.advance(limits, (self.across.speed / braking).min(UNBOUNDED));
+        }
+        self.position()
     }
 
     /// Moves on by `dt` seconds.

@@ -16,9 +16,9 @@ impl Dice {
     }
 }
 
-/// Cycles that a search takes at most: 18 postures, 60 steps of bending, 4 postures more; a line of 400
-/// pieces each, 9 solutions before.
-const LONGEST: usize = (18 * 414 + 60 + 4 * 414) / A_CYCLE + 1;
+/// Cycles that a search takes at most: 18 postures, 60 steps of bending, twice 4 postures more; a line of
+/// 400 pieces each, 9 solutions before.
+const LONGEST: usize = (18 * 414 + 60 + 2 * 4 * 414) / A_CYCLE + 1;
 
 /// What became of a search, in how many cycles; each is compared with as many steps.
 fn searched(
@@ -34,7 +34,7 @@ fn searched(
         point,
         axes: Inverse::Planar.axes(),
     };
-    let mut search = Search::new(start, (place, to), home);
+    let mut search = Search::new(&point, start, (place, to), home);
     for cycle in 1..=LONGEST {
         let mut stepped = search;
         let (mut pieces, mut steps) = (0, None);
