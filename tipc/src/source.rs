@@ -21,6 +21,7 @@ mod guess;
 mod lines;
 mod original;
 mod position;
+mod respelled;
 mod span;
 mod width;
 

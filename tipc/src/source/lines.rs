@@ -21,6 +21,17 @@ pub struct Lines<'a> {
     number: u32,
 }
 
+impl<'a> Lines<'a> {
+    /// Those of any text.
+    pub(super) fn of(text: &'a str) -> Self {
+        Lines {
+            bytes: text.as_bytes(),
+            at: 0,
+            number: 0,
+        }
+    }
+}
+
 impl Iterator for Lines<'_> {
     type Item = Line;
 

@@ -93,6 +93,11 @@ impl Events {
         })
     }
 
+    /// Keeps so many of them, the first ones.
+    pub(crate) fn truncate(&mut self, count: usize) {
+        self.0.truncate(count);
+    }
+
     /// Adds an event after those of its cycle, and not before place `from`.
     pub(crate) fn insert(&mut self, from: usize, event: Timed) {
         let later = self.0.get(from..).unwrap_or_default();

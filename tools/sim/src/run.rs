@@ -173,6 +173,11 @@ impl Run {
         Ok(())
     }
 
+    /// Nothing that was to happen from now on will; what has happened stays.
+    pub fn forget_events(&mut self) {
+        self.events.truncate(self.happened);
+    }
+
     /// Assigns a variable before the next step, as an event that is replayed when the run is taken back.
     ///
     /// # Errors

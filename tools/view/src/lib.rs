@@ -4,6 +4,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 mod csv;
+pub mod live;
 mod mcap;
 mod pack;
 mod page;

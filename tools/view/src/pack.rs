@@ -1,9 +1,13 @@
 //! A recording as bytes: a header in JSON, then columns of numbers, all of it deflated.
 
+mod channels;
 mod columns;
-mod header;
+pub(crate) mod header;
 
-use crate::recording::{At, Frame, Recording};
+use crate::recording::{At, Recording};
+pub(crate) use channels::{Channel, channels};
+pub(crate) use header::{each, event, values};
+
 use columns::{Columns, zigzag};
 use header::Header;
 
@@ -22,11 +26,7 @@ impl Recording {
         });
         columns.numbers("step", steps);
         columns.numbers("contact.cycle", differences(&self.contacts));
-        let mask = |touch: &At<Vec<bool>>| {
-            let feet = touch.what.iter().rev();
-            feet.fold(0, |mask, touches| mask << 1 | u64::from(*touches))
-        };
-        columns.numbers("contact", self.contacts.iter().map(mask));
+        columns.numbers("contact", self.contacts.iter().map(|at| mask(&at.what)));
         columns.numbers("set.cycle", differences(&self.sets));
         columns.numbers(
             "set.scalar",
@@ -49,45 +49,8 @@ impl Recording {
         let Some(first) = self.frames.first() else {
             return;
         };
-        let mut channel = |name: String, value: &dyn Fn(&Frame) -> Option<f64>| {
-            if value(first).is_some() {
-                columns.deltas(name, self.frames.iter().map(value));
-            }
-        };
-        for axis in 0..6 {
-            channel(format!("pose.{axis}"), &|frame| {
-                let pose = frame.pose?;
-                let [x, y, z] = pose.position;
-                Some([x, y, z, pose.roll, pose.pitch, pose.yaw][axis])
-            });
-        }
-        channel("margin".to_owned(), &|frame| frame.margin);
-        for leg in 0..self.robot.legs.len() {
-            for joint in 0..self.robot.legs[leg].joints.len() {
-                let of = |all: &[Vec<f64>]| all.get(leg)?.get(joint).copied();
-                channel(format!("angle.{leg}.{joint}"), &|frame| of(&frame.angles));
-                channel(format!("torque.{leg}.{joint}"), &|frame| of(&frame.torques));
-            }
-            channel(format!("load.{leg}"), &|frame| {
-                frame.loads.get(leg).copied()
-            });
-            for axis in 0..3 {
-                channel(format!("push.{leg}.{axis}"), &|frame| {
-                    frame.pushes.get(leg).map(|push| push[axis])
-                });
-            }
-        }
-        for axis in 0..3 {
-            channel(format!("slider.{axis}"), &|frame| Some(frame.slider?[axis]));
-        }
-        for thing in 0..first.objects.len() {
-            for axis in 0..3 {
-                channel(format!("thing.{thing}.{axis}"), &|frame| {
-                    let thing = frame.objects.get(thing)?;
-                    let [x, y, _] = thing.position;
-                    Some([x, y, thing.angle][axis])
-                });
-            }
+        for Channel { name, value } in channels(first) {
+            columns.deltas(name, self.frames.iter().map(|frame| value(frame)));
         }
     }
 }
@@ -97,4 +60,10 @@ fn differences<T>(list: &[At<T>]) -> impl Iterator<Item = u64> {
     let mut last = 0;
     list.iter()
         .map(move |at| at.cycle - std::mem::replace(&mut last, at.cycle))
+}
+
+/// Which feet or fingertips touch something, the first one in the lowest bit.
+pub(crate) fn mask(touch: &[bool]) -> u64 {
+    let feet = touch.iter().rev();
+    feet.fold(0, |mask, touches| mask << 1 | u64::from(*touches))
 }

@@ -1,5 +1,9 @@
 //! Recordings of runs.
 
+mod back;
+
+pub(crate) use back::Mark;
+
 use crate::recording::{Assigned, At, Frame, Outcome, Pace, Recording, Script, Stop, Thing, Tick};
 use crate::skeleton::Skeleton;
 use crate::slips::Slips;
@@ -164,7 +168,7 @@ pub(crate) struct Recorder {
     falls: u32,
     pub(crate) pace: Pace,
     /// Of the last cycle, if it is not among the frames.
-    pending: Option<Frame>,
+    pub(crate) pending: Option<Frame>,
 }
 
 impl Recorder {
@@ -196,7 +200,8 @@ impl Recorder {
         }
     }
 
-    fn take(&mut self, happened: Cycle, run: &Run) {
+    /// A cycle of a run, which is in the state after it.
+    pub(crate) fn take(&mut self, happened: Cycle, run: &Run) {
         let cycle = happened.number;
         self.keep_time(cycle, happened.time, run.time() - happened.time);
         self.note(happened);

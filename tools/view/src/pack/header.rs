@@ -1,15 +1,15 @@
 //! What the page is told in words: the robot, the program, and what happened seldom enough to be listed.
 
 use super::columns::Column;
-use crate::recording::{Outcome, Recording};
+use crate::recording::{self, Outcome, Recording};
 use crate::skeleton::Skeleton;
 use serde::Serialize;
 use tip_runtime::model::Range;
-use tip_runtime::plant::{Object, Shape};
+use tip_runtime::plant::{self, Object, Shape};
 use tip_sim::{Asked, Timed};
 
 #[derive(Serialize)]
-pub(super) struct Header<'a> {
+pub(crate) struct Header<'a> {
     robot: Robot<'a>,
     scene: Scene,
     script: Script<'a>,
@@ -26,7 +26,7 @@ pub(super) struct Header<'a> {
 }
 
 #[derive(Serialize)]
-struct Robot<'a> {
+pub(crate) struct Robot<'a> {
     name: &'a str,
     body: Option<Body>,
     legs: Vec<Leg<'a>>,
@@ -57,7 +57,7 @@ struct Joint {
 }
 
 #[derive(Serialize)]
-struct Scene {
+pub(crate) struct Scene {
     height: f64,
     slope: [f64; 2],
     objects: Vec<Outline>,
@@ -72,7 +72,7 @@ enum Outline {
 }
 
 #[derive(Serialize)]
-struct Script<'a> {
+pub(crate) struct Script<'a> {
     name: &'a str,
     title: &'a str,
     text: &'a str,
@@ -81,7 +81,7 @@ struct Script<'a> {
 }
 
 #[derive(Default, Serialize)]
-struct Ended<'a> {
+pub(crate) struct Ended<'a> {
     how: &'a str,
     error: Option<&'a str>,
     kind: Option<&'a str>,
@@ -93,21 +93,10 @@ impl<'a> Header<'a> {
         let Recording { robot, script, .. } = recording;
         let clock = recording.clock.iter();
         let falls = recording.falls.iter();
-        let objects = recording.scene.objects.iter().flatten();
         Header {
             robot: Robot::of(robot),
-            scene: Scene {
-                height: recording.scene.floor.height,
-                slope: recording.scene.floor.slope,
-                objects: objects.map(Outline::of).collect(),
-            },
-            script: Script {
-                name: &script.name,
-                title: &script.title,
-                text: &script.text,
-                lines: &script.lines,
-                scalars: &script.scalars,
-            },
+            scene: Scene::of(&recording.scene),
+            script: Script::of(script),
             cycles: recording.cycles,
             clock: clock
                 .map(|tick| (tick.cycle, tick.time, tick.period))
@@ -140,24 +129,50 @@ impl<'a> Header<'a> {
     }
 }
 
-fn each<'a, T, U>(list: &'a [crate::recording::At<T>], of: impl Fn(u64, &'a T) -> U) -> Vec<U> {
+pub(crate) fn each<'a, T, U>(
+    list: &'a [crate::recording::At<T>],
+    of: impl Fn(u64, &'a T) -> U,
+) -> Vec<U> {
     list.iter().map(|at| of(at.cycle, &at.what)).collect()
 }
 
 /// `10:key F` without the cycle.
-fn event(timed: &Timed) -> (u64, String) {
+pub(crate) fn event(timed: &Timed) -> (u64, String) {
     let text = tip_sim::Events::new(vec![timed.clone()]).to_string();
     let event = text.split_once(':').map_or(&*text, |(_, event)| event);
     (timed.cycle, event.to_owned())
 }
 
-fn values(asked: &Asked) -> String {
+pub(crate) fn values(asked: &Asked) -> String {
     let values: Vec<_> = asked.values.iter().map(ToString::to_string).collect();
     values.join(" ")
 }
 
+impl Scene {
+    pub(crate) fn of(scene: &plant::Scene) -> Self {
+        let objects = scene.objects.iter().flatten();
+        Scene {
+            height: scene.floor.height,
+            slope: scene.floor.slope,
+            objects: objects.map(Outline::of).collect(),
+        }
+    }
+}
+
+impl<'a> Script<'a> {
+    pub(crate) fn of(script: &'a recording::Script) -> Self {
+        Script {
+            name: &script.name,
+            title: &script.title,
+            text: &script.text,
+            lines: &script.lines,
+            scalars: &script.scalars,
+        }
+    }
+}
+
 impl<'a> Robot<'a> {
-    fn of(robot: &'a Skeleton) -> Self {
+    pub(crate) fn of(robot: &'a Skeleton) -> Self {
         let ends = |range: Range| [range.min, range.max];
         Robot {
             name: &robot.name,
@@ -199,7 +214,7 @@ impl Outline {
 }
 
 impl<'a> Ended<'a> {
-    fn of(recording: &'a Recording) -> Self {
+    pub(crate) fn of(recording: &'a Recording) -> Self {
         match &recording.outcome {
             Outcome::Program(word) => Ended {
                 how: word,

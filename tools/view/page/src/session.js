@@ -1,0 +1,55 @@
+// A live run, wherever it is: behind a WebSocket (socket.js), or in a module of this page.
+//
+// A session has two functions:
+//
+//   send(request)       asks for something: an object from below. Its answer is an update like the others.
+//   listen(listener)    calls listener(update) for each update from now on, the first ones bringing all that there is.
+//
+// and may have a third, watch(listener), which calls listener(true) when it is reached and listener(false) when it is not.
+// After it is reached anew it begins anew, with an update `run`.
+//
+// Requests; each may have a number `id`, which its answer repeats:
+//
+//   {do: 'play'}   {do: 'pause'}          the run goes on, or rests
+//   {do: 'step', cycles: -1}              so many cycles forward or back (1000 at most), then it rests
+//   {do: 'go', cycle: 611}                back to the end of a cycle, then it rests
+//   {do: 'speed', times: 0.5}             as a multiple of the robot's own
+//   {do: 'event', event: 'VR1=8'}         what `--events` takes, without the cycle: 'key F', 'key 0x0D', 'halt', 'touch on'
+//   {do: 'restart'}                       runs the text of the editor from the beginning
+//   {do: 'edit', text, base, by}          another text in the place of version `base`, by a viewer of that name
+//   {do: 'save'}   {do: 'reload'}         writes the text to its file, or takes that of the file
+//
+// Updates, by their `type`:
+//
+//   run        {run, robot, scene, script, channels, inputs}: a run begins. All but the last two are as in a recording;
+//              `channels` names the numbers of each frame, `inputs` those that have sliders
+//   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, falls, slips,
+//              events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any more, and
+//              what was before `first` is forgotten. Lists are as in a recording, but with cycles instead of differences;
+//              `now` is a frame of the last cycle that the next update takes back, or null
+//   text       {version, by, text}: the text of the editor
+//   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
+//              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`
+//   status     {playing, speed, late, over, outcome, running, changed, overtaken}: whether the run keeps up, how it ended,
+//              which version of the text runs, whether that of the editor is not the file's, and whether someone else
+//              has changed the file
+//   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
+//              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
+
+/** Sends a request, and calls `refused(answer)` if it is not fulfilled. */
+export class Requests {
+  constructor(session, refused) {
+    this.session = session;
+    this.refused = refused;
+    this.last = 0;
+    session.listen((update) => {
+      if (update.type === 'answer' && !update.ok) this.refused(update);
+    });
+  }
+
+  send(request) {
+    this.last = (this.last + 1) % 2 ** 31;
+    this.session.send({ id: this.last, ...request });
+    return this.last;
+  }
+}

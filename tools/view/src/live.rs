@@ -1,0 +1,37 @@
+//! A run that goes on while people look at it and act on it: requests in, updates out.
+//!
+//! A [`Session`] knows no clock, no file and no network. Whoever holds it says how much time has passed
+//! ([`Session::advance`]), hands over what viewers ask for ([`Session::request`]) and takes what each of them does not know
+//! yet ([`Session::update`]). Requests and updates are JSON objects; `page/src/session.js` lists them. A viewer that looks
+//! seldom gets fewer and larger updates; nothing waits for it.
+//!
+//! ```
+//! use tip_view::live::{NoFile, Session, Setup, Viewer};
+//! use tip_view::tip_sim::Robot;
+//!
+//! let robot = Robot::named("titan8")?;
+//! let setup = Setup::new("wave.prg", b"3.1\nwaves\nAGAIN:\nSLEEP 20\nGOTO AGAIN:\nEND\n", robot);
+//! let mut session = Session::new(setup).map_err(|loaded| format!("{:?}", loaded.diagnostics))?;
+//! let mut viewer = Viewer::default();
+//! let first = session.update(&mut viewer).expect("it has seen nothing");
+//! assert!(first.starts_with(r#"{"type":"run","#));
+//! let answer = session.request(r#"{"do":"play","id":1}"#, &mut NoFile);
+//! assert_eq!(answer, r#"{"type":"answer","id":1,"ok":true}"#);
+//! session.advance(1000.0, || true);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod draft;
+mod finding;
+mod host;
+mod request;
+mod runner;
+mod session;
+mod update;
+
+pub use host::{Host, NoFile};
+pub use session::{Session, Setup};
+pub use update::Viewer;
+
+/// The most bytes that a request may have; the text of a program takes most of it.
+pub const MOST_BYTES: usize = 2 << 20;

@@ -1,0 +1,89 @@
+//! What viewers ask for.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// A request without its number.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum Request {
+    /// The run goes on.
+    Play {},
+    /// The run rests.
+    Pause {},
+    /// So many cycles forward, or back if negative; then it rests.
+    Step { cycles: i64 },
+    /// To the end of a cycle that has been; then it rests.
+    Go { cycle: u64 },
+    /// So many times as fast as the robot.
+    Speed { times: f64 },
+    /// Something happens, in the text form of events without a cycle: `key F`, `VR1=8`, `halt`.
+    Event { event: String },
+    /// Runs the text of the editor from the beginning.
+    Restart {},
+    /// Another text in the place of the version `base`, by the viewer who calls itself `by`.
+    Edit { text: String, base: u64, by: String },
+    /// Writes the text to the file.
+    Save {},
+    /// Takes the text of the file.
+    Reload {},
+}
+
+/// Why a request is not fulfilled: a word that the page translates, and perhaps what it is about.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Refusal {
+    pub(super) error: &'static str,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) detail: String,
+}
+
+/// Refuses, with nothing more to say.
+pub(super) fn refuse<T>(error: &'static str) -> Result<T, Refusal> {
+    refuse_since(error, "")
+}
+
+/// Refuses, and says what it is about.
+pub(super) fn refuse_since<T>(error: &'static str, detail: impl ToString) -> Result<T, Refusal> {
+    let detail = detail.to_string();
+    Err(Refusal { error, detail })
+}
+
+/// An answer to one viewer.
+#[derive(Serialize)]
+pub(super) struct Answer {
+    r#type: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<u32>,
+    ok: bool,
+    #[serde(flatten)]
+    refusal: Option<Refusal>,
+}
+
+impl Answer {
+    pub(super) fn new(id: Option<u32>, result: Result<(), Refusal>) -> Self {
+        Answer {
+            r#type: "answer",
+            id,
+            ok: result.is_ok(),
+            refusal: result.err(),
+        }
+    }
+}
+
+/// Reads a request; its number is there if any could be found.
+pub(super) fn read(text: &str) -> (Option<u32>, Result<Request, Refusal>) {
+    if text.len() > super::MOST_BYTES {
+        return (None, refuse("long"));
+    }
+    let mut members: Map<String, Value> = match serde_json::from_str(text) {
+        Ok(members) => members,
+        Err(error) => return (None, refuse_since("malformed", error)),
+    };
+    let id = match members.remove("id").map(serde_json::from_value) {
+        None => None,
+        Some(Ok(id)) => Some(id),
+        Some(Err(error)) => return (None, refuse_since("malformed", error)),
+    };
+    let request = serde_json::from_value(Value::Object(members));
+    (id, request.or_else(|error| refuse_since("unknown", error)))
+}

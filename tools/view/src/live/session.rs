@@ -1,0 +1,306 @@
+//! A program that runs, the text that becomes the next one, and what viewers do to both.
+
+use super::draft::Draft;
+use super::host::Host;
+use super::request::{Answer, Refusal, Request, read, refuse, refuse_since};
+use super::runner::Runner;
+use super::{MOST_BYTES, update};
+use tip_sim::{Event, Events, Robot};
+use tipc::{Loaded, Options};
+
+/// How much slower and faster than the robot a run may go.
+const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=100.0;
+/// A run that cannot keep up leaves out what is more than this: ms of the viewers' time.
+const LATE: f64 = 100.0;
+/// The most cycles of one step.
+const STEP: i64 = 1000;
+/// The key that stops a robot.
+const RETURN_KEY: u8 = 0x0D;
+/// The longest name by which a viewer calls itself.
+const NAME: usize = 64;
+
+/// What a session begins with.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// The name of the program's file.
+    pub name: String,
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// The robot, in its scene.
+    pub robot: Robot,
+    /// How the file is read.
+    pub options: Options,
+    /// What happens to each run.
+    pub events: Events,
+    /// After how many cycles a run rests, if it has not been asked to earlier.
+    pub rest: Option<u64>,
+}
+
+impl Setup {
+    /// A program on a robot to which nothing happens.
+    pub fn new(name: &str, bytes: &[u8], robot: Robot) -> Self {
+        Setup {
+            name: name.to_owned(),
+            bytes: bytes.to_owned(),
+            options: robot.options(),
+            robot,
+            events: Events::NONE,
+            rest: None,
+        }
+    }
+}
+
+/// A live run: see the [module](self).
+pub struct Session {
+    robot: Robot,
+    events: Events,
+    rest: Option<u64>,
+    pub(super) draft: Draft,
+    pub(super) runner: Runner,
+    /// Counts the runs, from 1.
+    pub(super) runs: u64,
+    /// The version of the text that runs.
+    pub(super) running: u64,
+    pub(super) is_playing: bool,
+    pub(super) speed: f64,
+    /// How much time of the robot has passed that it has not run: ms.
+    owed: f64,
+    /// Whether the run was too slow for its speed just now.
+    pub(super) is_late: bool,
+}
+
+impl Session {
+    /// A program before its second cycle, at rest.
+    ///
+    /// # Errors
+    /// What was found in a text that is not a program for this robot, or nothing if the events cannot happen to it.
+    pub fn new(setup: Setup) -> Result<Self, Box<Loaded>> {
+        let Setup {
+            name,
+            bytes,
+            robot,
+            options,
+            events,
+            rest,
+        } = setup;
+        let draft = Draft::new(name, &bytes, options, &robot);
+        let refused = || Box::new(tipc::load("", b"", &options));
+        let loaded = draft.loaded().ok_or_else(refused)?;
+        let runner =
+            Runner::begin(loaded, &robot, &events).map_err(|_| Box::new(loaded.clone()))?;
+        Ok(Session {
+            robot,
+            events,
+            rest,
+            draft,
+            runner,
+            runs: 1,
+            running: 1,
+            is_playing: false,
+            speed: 1.0,
+            owed: 0.0,
+            is_late: false,
+        })
+    }
+
+    /// So much time has passed for the viewers (ms): the run goes on accordingly, as long as `goes_on` agrees, and a text
+    /// that was edited is checked.
+    pub fn advance(&mut self, elapsed: f64, mut goes_on: impl FnMut() -> bool) {
+        self.draft.check(&self.robot);
+        if !self.is_playing {
+            return;
+        }
+        self.owed += elapsed.max(0.0) * self.speed;
+        self.is_late = false;
+        loop {
+            let period = self.runner.run().period().max(0.01);
+            if self.owed < period {
+                return;
+            }
+            if !goes_on() {
+                self.is_late = self.owed > LATE * self.speed;
+                self.owed = self.owed.min(LATE * self.speed);
+                return;
+            }
+            self.owed -= period;
+            self.runner.cycle();
+            let rests = self.rest.is_some_and(|rest| self.runner.taken() >= rest);
+            if rests {
+                self.rest = None;
+            }
+            if rests || self.runner.is_over() {
+                self.pause();
+                return;
+            }
+        }
+    }
+
+    /// Does what a viewer asks for, a JSON object, and answers with another one. Nothing that is sent does harm: what is no
+    /// request is refused.
+    pub fn request(&mut self, text: &str, host: &mut dyn Host) -> String {
+        let (id, request) = read(text);
+        let result = request.and_then(|request| self.fulfil(request, host));
+        let answer = Answer::new(id, result);
+        // No value of it can fail to be written.
+        serde_json::to_string(&answer).unwrap_or_default()
+    }
+
+    fn fulfil(&mut self, request: Request, host: &mut dyn Host) -> Result<(), Refusal> {
+        match request {
+            Request::Play {} if self.runner.is_over() => refuse("over"),
+            Request::Play {} => {
+                self.is_playing = true;
+                Ok(())
+            }
+            Request::Pause {} => {
+                self.pause();
+                Ok(())
+            }
+            Request::Step { cycles } => {
+                let cycles = cycles.clamp(-STEP, STEP);
+                self.go_to(self.runner.taken().saturating_add_signed(cycles));
+                Ok(())
+            }
+            Request::Go { cycle } => self.go(cycle),
+            Request::Speed { times } if SPEEDS.contains(&times) => {
+                self.speed = times;
+                self.owed = 0.0;
+                Ok(())
+            }
+            Request::Speed { times } => refuse_since("impossible", times),
+            Request::Event { event } => self.give(&event),
+            Request::Restart {} => self.restart(),
+            Request::Edit { text, base, by } => self.edit(&text, base, by),
+            Request::Save {} => self.save(host),
+            Request::Reload {} => match host.read() {
+                Ok(bytes) => {
+                    self.load(&bytes);
+                    Ok(())
+                }
+                Err(reason) => refuse_since("unread", reason),
+            },
+        }
+    }
+
+    fn pause(&mut self) {
+        self.is_playing = false;
+        self.is_late = false;
+        self.owed = 0.0;
+    }
+
+    fn go_to(&mut self, taken: u64) {
+        self.pause();
+        self.runner.go_to(taken);
+    }
+
+    fn go(&mut self, cycle: u64) -> Result<(), Refusal> {
+        if cycle < self.runner.first() || cycle >= self.runner.taken() {
+            return refuse_since("impossible", cycle);
+        }
+        self.go_to(cycle + 1);
+        Ok(())
+    }
+
+    fn give(&mut self, event: &str) -> Result<(), Refusal> {
+        let event: Event = match event.parse() {
+            Ok(event) => event,
+            Err(error) => return refuse_since("impossible", error),
+        };
+        let stops = event == Event::Key(RETURN_KEY);
+        self.runner.give(event)?;
+        // A robot at rest stops as well: the key is read in one cycle, and acts in it or in the next.
+        if stops && !self.is_playing {
+            self.runner.cycle();
+            self.runner.cycle();
+        }
+        Ok(())
+    }
+
+    /// Runs the text from the beginning; a run that plays goes on playing.
+    fn restart(&mut self) -> Result<(), Refusal> {
+        self.draft.check(&self.robot);
+        let Some(loaded) = self.draft.loaded().filter(|_| self.draft.is_program()) else {
+            return refuse("errors");
+        };
+        match Runner::begin(loaded, &self.robot, &self.events) {
+            Ok(runner) => self.runner = runner,
+            Err(reason) => return refuse_since("impossible", reason),
+        }
+        self.runs += 1;
+        self.running = self.draft.version;
+        self.owed = 0.0;
+        self.is_playing &= !self.runner.is_over();
+        Ok(())
+    }
+
+    fn edit(&mut self, text: &str, base: u64, by: String) -> Result<(), Refusal> {
+        if base != self.draft.version {
+            return refuse("stale");
+        }
+        if by.len() > NAME || text.len() > MOST_BYTES {
+            return refuse("long");
+        }
+        self.draft.edit(text, by);
+        Ok(())
+    }
+
+    fn save(&mut self, host: &mut dyn Host) -> Result<(), Refusal> {
+        let bytes = match self.draft.bytes() {
+            Ok(bytes) => bytes,
+            Err(char) => return refuse_since("unspelled", char),
+        };
+        match host.write(&bytes) {
+            Ok(()) => self.draft.saved(&bytes),
+            Err(reason) => return refuse_since("unsaved", reason),
+        }
+        Ok(())
+    }
+
+    /// The file has changed. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
+    /// text stays, and viewers are told.
+    pub fn file_changed(&mut self, bytes: &[u8]) {
+        if self.draft.is_file(bytes) {
+            return;
+        }
+        match self.draft.is_changed() {
+            true => self.draft.is_overtaken = true,
+            false => self.load(bytes),
+        }
+    }
+
+    /// Takes the text of the file, and runs it if it is a program.
+    fn load(&mut self, bytes: &[u8]) {
+        self.draft.reload(bytes, &self.robot);
+        // With errors in the text the run before goes on.
+        let _ = self.restart();
+    }
+
+    /// What a viewer does not know yet, one update after the other; none if it knows all.
+    pub fn update(&self, viewer: &mut super::Viewer) -> Option<String> {
+        update::next(self, viewer)
+    }
+
+    /// How many cycles have run, as far as the run has not been taken back.
+    pub fn cycles(&self) -> u64 {
+        self.runner.taken()
+    }
+
+    /// A hash of what each joint was sent and measured in the last cycle.
+    pub fn state_hash(&self) -> u64 {
+        self.runner.run().state_hash()
+    }
+
+    pub(super) fn robot(&self) -> &Robot {
+        &self.robot
+    }
+}
+
+impl std::fmt::Debug for Session {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Session")
+            .field("run", &self.runs)
+            .field("cycles", &self.cycles())
+            .field("is_playing", &self.is_playing)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,97 @@
+//! A recorder that is taken back, and one that forgets.
+
+use super::Recorder;
+use crate::recording::{At, Recording, Tick};
+use crate::slips::Slips;
+use std::collections::HashSet;
+use std::hash::Hash;
+
+/// What a recorder knows beside its recording.
+#[derive(Clone, Debug)]
+pub(crate) struct Mark {
+    slips: Slips,
+    falls: u32,
+}
+
+impl Recorder {
+    /// Marks where it is.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark {
+            slips: self.slips.clone(),
+            falls: self.falls,
+        }
+    }
+
+    /// Back to where a mark was made, before this cycle.
+    pub(crate) fn take_back(&mut self, cycle: u64, mark: &Mark) {
+        self.slips = mark.slips.clone();
+        self.falls = mark.falls;
+        self.pending = None;
+        self.recording.cut(cycle);
+    }
+}
+
+impl Recording {
+    /// Takes away what happened from a cycle on; events stay, since they are going to happen again.
+    fn cut(&mut self, from: u64) {
+        let count = self.frames.partition_point(|frame| frame.cycle < from);
+        self.frames.truncate(count);
+        let ticks = self.clock.partition_point(|tick| tick.cycle < from);
+        self.clock.truncate(ticks);
+        cut(&mut self.steps, from);
+        cut(&mut self.messages, from);
+        cut(&mut self.sets, from);
+        cut(&mut self.lamps, from);
+        cut(&mut self.commands, from);
+        cut(&mut self.contacts, from);
+        cut(&mut self.falls, from);
+        cut(&mut self.slips, from);
+        self.cycles = from;
+    }
+
+    /// Forgets what happened before a cycle, but for what still holds in it.
+    pub(crate) fn forget(&mut self, before: u64) {
+        self.frames.retain(|frame| frame.cycle >= before);
+        let later = self.clock.partition_point(|tick| tick.cycle <= before);
+        if let Some(Tick {
+            cycle,
+            time,
+            period,
+        }) = self.clock.get(later.wrapping_sub(1)).copied()
+        {
+            let passed = before.saturating_sub(cycle) as f64 * period;
+            self.clock.drain(..later - 1);
+            self.clock[0] = Tick {
+                cycle: before,
+                time: time + passed,
+                period,
+            };
+        }
+        keep_last(&mut self.steps, before, |_| ());
+        keep_last(&mut self.contacts, before, |_| ());
+        keep_last(&mut self.messages, before, |_| ());
+        keep_last(&mut self.sets, before, |set| set.scalar);
+        keep_last(&mut self.lamps, before, |lamp| lamp.0);
+        keep_last(&mut self.commands, before, |asked| asked.target.to_string());
+        self.falls.retain(|fall| fall.cycle >= before);
+        self.slips.retain(|slip| slip.cycle >= before);
+        self.events.retain(|event| event.cycle >= before);
+    }
+}
+
+fn cut<T>(list: &mut Vec<At<T>>, from: u64) {
+    list.truncate(list.partition_point(|at| at.cycle < from));
+}
+
+/// Of what happened before a cycle, keeps the last of each key.
+fn keep_last<T, K: Eq + Hash>(list: &mut Vec<At<T>>, before: u64, key: impl Fn(&T) -> K) {
+    let mut seen = HashSet::new();
+    let later = list.partition_point(|at| at.cycle < before);
+    let mut kept: Vec<bool> = list[..later]
+        .iter()
+        .rev()
+        .map(|at| seen.insert(key(&at.what)))
+        .collect();
+    // Those that are left are asked for from the front on.
+    list.retain(|_| kept.pop().unwrap_or(true));
+}
