@@ -9,6 +9,7 @@ pub mod functions;
 mod index;
 pub mod inputs;
 pub mod keywords;
+pub mod names;
 pub mod reserved;
 
 pub use edition::Edition;

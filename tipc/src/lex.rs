@@ -1,15 +1,17 @@
 //! A statement's characters to words and operators. It knows no command.
+//!
+//! Whatever takes a text and a [`Span`] panics if that is not of the text.
 
 mod pieces;
 
-pub(crate) use pieces::{Piece, Pieces, split_comment};
+pub use pieces::{Piece, Pieces, split_comment};
 
 use crate::source::Span;
 use crate::syntax::{Arithmetic, Relation};
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A name, a number or anything else between delimiters and operators.
     Word,
     /// `=`, or `+= -= *= /=`.
@@ -26,13 +28,13 @@ pub(crate) enum Kind {
 
 /// A word or operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Token {
+pub struct Token {
     /// What it is.
-    pub(crate) kind: Kind,
+    pub kind: Kind,
     /// Where it is.
-    pub(crate) span: Span,
+    pub span: Span,
     /// A delimiter precedes it.
-    pub(crate) spaced: bool,
+    pub spaced: bool,
 }
 
 /// The full-width space as UTF-8 spells it.
@@ -46,7 +48,7 @@ pub(crate) const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 /// Reads the tokens of `span` into `tokens` and returns the first characters that no statement may hold.
 ///
 /// Those characters become part of words, so that the tokens around them stay usable.
-pub(crate) fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
+pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
     let mut foreign = None;
     let mut at = span.start;

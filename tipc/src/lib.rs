@@ -21,7 +21,7 @@ pub mod format;
 #[cfg(feature = "build")]
 pub mod generate;
 pub mod language;
-mod lex;
+pub mod lex;
 #[cfg(feature = "tools")]
 pub mod listing;
 mod load;

@@ -18,6 +18,8 @@ mod commanding;
 pub mod count;
 #[cfg(feature = "robot-files")]
 mod describing;
+#[cfg(feature = "tools")]
+mod editing;
 mod fixing;
 #[cfg(feature = "tools")]
 mod formatting;
@@ -52,6 +54,8 @@ pub use checking::Checking;
 pub use commanding::Commanding;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
+#[cfg(feature = "tools")]
+pub use editing::Editing;
 pub use fixing::Fixing;
 #[cfg(feature = "tools")]
 pub use formatting::Formatting;
@@ -98,6 +102,8 @@ tables! {
     Migrating,
     #[cfg(feature = "tools")]
     Formatting,
+    #[cfg(feature = "tools")]
+    Editing,
     #[cfg(feature = "tools")]
     Checking,
     #[cfg(feature = "tools")]

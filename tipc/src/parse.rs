@@ -29,8 +29,6 @@ use crate::syntax::{Module, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 pub(crate) const LINE_LIMIT: usize = 1023;
-/// The most bytes that the name of a label or variable may have (§4-3, §4-4).
-pub(crate) const NAME_LIMIT: usize = 32;
 
 /// Parses a source for version `tip_version` of the language.
 ///

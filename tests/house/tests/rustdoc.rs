@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta, Visibility};
 
 /// The libraries; the command has no pages.
-const LIBRARIES: [&str; 5] = [
+const LIBRARIES: [&str; 6] = [
     "tip-runtime",
     "tipc",
     "tip-macros",
+    "tools/ide",
     "tools/sim",
     "tools/view",
 ];

@@ -48,7 +48,11 @@ const ARROWS: &[(&str, &[&str])] = &[
     // Its front page compares compiled code.
     ("tip-sim", &["tip-runtime", "tipc", "tip-macros"]),
     ("tip-view", &["tip-runtime", "tipc", "tip-sim"]),
-    ("tipc-cli", &["tip-runtime", "tipc", "tip-sim", "tip-view"]),
+    ("tip-ide", &["tip-runtime", "tipc"]),
+    (
+        "tipc-cli",
+        &["tip-runtime", "tipc", "tip-sim", "tip-ide", "tip-view"],
+    ),
 ];
 
 #[test]

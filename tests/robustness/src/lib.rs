@@ -4,6 +4,7 @@
 
 pub mod compile;
 pub mod description;
+pub mod editing;
 #[cfg(unix)]
 pub mod files;
 pub mod fix;

@@ -1,10 +1,9 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3).
 
-use super::names::is_label_name;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::Edition;
 use crate::language::reserved::{LOOP, is_reserved};
+use crate::language::{Edition, names};
 use crate::message::Naming;
 use crate::syntax::{Jump, Module, Word};
 use std::collections::HashMap;
@@ -110,7 +109,7 @@ impl<'m> Labels<'m> {
 fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic> {
     let word = name.node.as_str();
     let fault = |reason: Naming| Diagnostic::new(Code::Argument, name.span, reason);
-    if !is_label_name(word) {
+    if !names::is_label(word) {
         let help = Naming::LabelCharacters;
         return Some(
             fault(Naming::NoLabelName {

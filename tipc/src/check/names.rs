@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
-use crate::language::{Edition, Keyword, flags, functions};
+use crate::language::{Edition, Keyword, flags, functions, names};
 use crate::message::{Habit, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
@@ -118,9 +118,9 @@ impl Names {
     fn refusal(&self, word: &Word) -> Option<Diagnostic> {
         let name = word.node.as_str();
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
-        if !is_variable_name(name) {
+        if !names::is_variable(name) {
             let help: Message = match name.split_once(['(', '[']) {
-                Some((array, _)) if is_variable_name(array) => {
+                Some((array, _)) if names::is_variable(array) => {
                     Habit::NoArray { name: array.into() }.into()
                 }
                 _ => Naming::VariableCharacters.into(),
@@ -300,34 +300,4 @@ fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     };
     let declaration = format!("{keyword} {name}").into();
     Naming::DeclareAs { declaration }
-}
-
-fn is_variable_name(name: &str) -> bool {
-    let starts_well = name.starts_with(|first: char| first.is_ascii_uppercase() || first == '_');
-    starts_well && is_label_name(name)
-}
-
-/// Whether a word can name a label.
-pub(crate) fn is_label_name(name: &str) -> bool {
-    let is_fit = |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_';
-    !name.is_empty() && name.bytes().all(is_fit)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{is_label_name, is_variable_name};
-
-    // clauses: 3.2
-    #[test]
-    fn names_are_letters_digits_and_underscores() {
-        for name in ["A", "_", "_A", "A_1", "N9"] {
-            assert!(is_variable_name(name) && is_label_name(name), "{name}");
-        }
-        for name in ["1", "1A"] {
-            assert!(!is_variable_name(name) && is_label_name(name), "{name}");
-        }
-        for name in ["", "A-B", "A B", "A.X", "\u{C4}"] {
-            assert!(!is_variable_name(name) && !is_label_name(name), "{name}");
-        }
-    }
 }

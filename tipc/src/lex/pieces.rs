@@ -6,7 +6,7 @@ use crate::source::Span;
 
 /// What is on a line before its comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Piece {
+pub enum Piece {
     /// `NAME:`, a label.
     Label {
         /// The name; empty if only the colon is there.
@@ -27,7 +27,7 @@ pub(crate) enum Piece {
 
 /// The labels and statements of a line, from left to right.
 #[derive(Debug)]
-pub(crate) struct Pieces<'a> {
+pub struct Pieces<'a> {
     text: &'a str,
     /// Where the line's code ends.
     code_end: usize,
@@ -43,7 +43,7 @@ pub(crate) struct Pieces<'a> {
 
 impl<'a> Pieces<'a> {
     /// Those of `code`; `single`: a MESSAGE or REM goes on to its end, as before version 3.0.
-    pub(crate) fn new(text: &'a str, code: Span, single: bool) -> Self {
+    pub fn new(text: &'a str, code: Span, single: bool) -> Self {
         let mut pieces = Pieces {
             text,
             code_end: code.end,
@@ -125,7 +125,7 @@ fn takes_text(word: &str) -> bool {
 }
 
 /// The code of a line, and its comment.
-pub(crate) fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
+pub fn split_comment(text: &str, line: Span) -> (Span, Option<Span>) {
     let bytes = &text.as_bytes()[line.start..line.end];
     match bytes.windows(2).position(|pair| pair == b"//") {
         Some(at) => {

@@ -6,8 +6,8 @@ use super::Migrator;
 use super::header::Style;
 use super::lines::Piece;
 use super::placeholders::old_placeholders;
+use crate::language::names;
 use crate::message::Migrating;
-use crate::parse::NAME_LIMIT;
 use crate::source::{Source, Span};
 use crate::syntax::VariableKind;
 use std::collections::btree_map::Entry;
@@ -113,7 +113,7 @@ impl Variables {
         };
         let (_, name) = Prefix::ALL[prefix as usize];
         let name = format!("{name}{digits}");
-        if name.len() > NAME_LIMIT {
+        if name.len() > names::LIMIT {
             self.too_long.push((place, name.clone()));
         }
         if prefix == Prefix::Var {
@@ -146,7 +146,7 @@ impl Variables {
             .iter()
             .filter(|(key, _)| of_kind(key))
             .map(|(_, name)| name.as_str())
-            .filter(|name| name.len() <= NAME_LIMIT)
+            .filter(|name| name.len() <= names::LIMIT)
             .collect()
     }
 
@@ -184,7 +184,7 @@ impl Migrator<'_> {
         }
         for (span, name) in &variables.too_long {
             let text = Migrating::NameTooLong {
-                most: NAME_LIMIT,
+                most: names::LIMIT,
                 name: name.clone(),
                 length: name.len(),
             };

@@ -1,10 +1,10 @@
 //! One line: its comment, its statements, their labels, and the words that need a line of their own.
 
-use super::{Flow, LINE_LIMIT, NAME_LIMIT, Parser};
+use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
-use crate::language::{Keyword, keywords};
+use crate::language::{Keyword, keywords, names};
 use crate::lex::{Piece, Pieces, foreign_run, split_comment};
 use crate::message::{Habit, Naming, Parsing};
 use crate::source::Span;
@@ -81,9 +81,9 @@ impl Parser<'_> {
 
     /// A declared name may not be too long.
     pub(super) fn check_name_length(&mut self, name: &Word) {
-        if name.node.len() > NAME_LIMIT {
+        if name.node.len() > names::LIMIT {
             let reason = Parsing::NameTooLong {
-                limit: NAME_LIMIT,
+                limit: names::LIMIT,
                 length: name.node.len(),
             };
             self.report(Diagnostic::new(Code::Format, name.span, reason));

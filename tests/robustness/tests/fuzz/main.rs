@@ -36,6 +36,6 @@ macro_rules! targets {
     };
 }
 
-targets! { compile description fix format load migrate names run scene terminal urdf }
+targets! { compile description editing fix format load migrate names run scene terminal urdf }
 #[cfg(unix)]
 targets! { files }

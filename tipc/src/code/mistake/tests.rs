@@ -77,6 +77,7 @@ const OTHERS: &[&str] = &[
     "Migrating",
     "Stopping",
     "Building",
+    "Editing",
     "Formatting",
     "Checking",
     "Running",

@@ -1,0 +1,42 @@
+//! What an editor writes beside lines: the turns of loops, and steps that never run.
+
+use crate::Document;
+use tipc::code::Code;
+use tipc::message::{Editing, Message};
+use tipc::source::Span;
+
+/// A remark beside a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hint {
+    /// Where it stands: the end of a statement.
+    pub at: usize,
+    /// What it says.
+    pub text: Message,
+}
+
+impl Document {
+    /// The remarks in a stretch of the text, in order.
+    pub fn hints(&self, span: Span) -> Vec<Hint> {
+        let module = &self.loaded.module;
+        let loops = self.parts().iter().filter_map(|part| {
+            let index = module.statement_of(self.opener(part)?)?;
+            Some(Hint {
+                at: module.statements[index].span.end,
+                text: self.turns(part),
+            })
+        });
+        let found = self.loaded.diagnostics.iter();
+        let unreachable = found.filter(|it| it.code == Code::Unreachable);
+        let unreachable = unreachable.filter_map(|it| {
+            let index = module.statement_at(it.span.start)?;
+            Some(Hint {
+                at: module.statements[index].span.end,
+                text: Editing::NeverRuns.into(),
+            })
+        });
+        let is_inside = |hint: &Hint| span.start <= hint.at && hint.at <= span.end;
+        let mut hints: Vec<Hint> = loops.chain(unreachable).filter(is_inside).collect();
+        hints.sort_by_key(|hint| hint.at);
+        hints
+    }
+}

@@ -1,0 +1,144 @@
+//! The forms of a command, and the argument that is being written.
+
+use crate::Document;
+use crate::hover::usage;
+use crate::word::{What, Word};
+use tipc::language::commands::{self, Command, Form};
+use tipc::lex::{self, Piece, Pieces, split_comment};
+use tipc::source::{Span, Unit};
+
+/// A command as it can be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signature {
+    /// The form, as `PTP [HS] F1 [R] x [R] y [R] z`.
+    pub text: String,
+    /// Where its arguments are in that text; those that may be left out are part of what follows them.
+    pub arguments: Vec<Span>,
+}
+
+/// The forms of the command at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signatures {
+    /// Its forms.
+    pub forms: Vec<Signature>,
+    /// What it does, in one line.
+    pub description: &'static str,
+    /// The form that fits what is written.
+    pub form: usize,
+    /// The argument that is being written, from 0.
+    pub argument: usize,
+}
+
+impl Document {
+    /// The forms of the command or function whose arguments are written at a byte of the text.
+    pub fn signatures(&self, offset: usize) -> Option<Signatures> {
+        let text = self.loaded.source.text();
+        let number = self.loaded.source.position(offset, Unit::Utf8).line;
+        let line = self.loaded.source.line(number);
+        let offset = line.span.start.max(offset.min(line.span.end));
+        let before = Span::new(line.span.start, offset);
+        let is_text = number < 3 || !text.is_char_boundary(offset);
+        if is_text || split_comment(text, before).1.is_some() {
+            return None;
+        }
+        if let Some(found) = self.of_function(line, offset) {
+            return Some(found);
+        }
+        let Some(Piece::Statement { word, span, .. }) = Pieces::new(text, before, false).last()
+        else {
+            return None;
+        };
+        let is_over = self.slice(Span::new(span.end, offset)).contains(';') || offset <= word.end;
+        let command = commands::find(self.slice(word)).filter(|_| !is_over)?;
+        let mut tokens = Vec::new();
+        lex::lex(text, span, &mut tokens);
+        tokens.retain(|token| token.span.end < offset && token.span.start > word.start);
+        let argument = match command.form {
+            Form::Words(_) => 0,
+            _ => self.counted(command, &tokens),
+        };
+        Some(forms(command, self, argument))
+    }
+
+    /// The function before a place on the right side of an equation.
+    fn of_function(&self, line: tipc::source::Line, offset: usize) -> Option<Signatures> {
+        let words = self.words(line);
+        let before: Vec<&Word> = words
+            .iter()
+            .take_while(|word| word.span.end < offset)
+            .collect();
+        let last = before
+            .iter()
+            .rposition(|word| matches!(word.what, What::Function(_)))?;
+        let What::Function(row) = before[last].what else {
+            return None;
+        };
+        let after = &before[last + 1..];
+        let is_over = self
+            .slice(Span::new(before[last].span.end, offset))
+            .contains(';');
+        if is_over
+            || after
+                .iter()
+                .any(|word| matches!(word.what, What::Command(_) | What::Keyword(_)))
+        {
+            return None;
+        }
+        let is_operand = |word: &&&Word| !matches!(word.what, What::Operator | What::Member(_));
+        Some(Signatures {
+            forms: vec![signature(usage(row))],
+            description: row.description,
+            form: 0,
+            argument: after.iter().filter(is_operand).count(),
+        })
+    }
+}
+
+fn forms(command: &Command, document: &Document, argument: usize) -> Signatures {
+    let usage = command.usage(document.robot());
+    let forms: Vec<Signature> = match command.form {
+        Form::Words(_) => usage.into_iter().map(whole).collect(),
+        _ => usage.into_iter().map(signature).collect(),
+    };
+    let form = forms
+        .iter()
+        .position(|form| form.arguments.len() > argument);
+    Signatures {
+        form: form.unwrap_or(0),
+        forms,
+        description: command.description,
+        argument,
+    }
+}
+
+/// A form whose arguments are words.
+fn signature(text: String) -> Signature {
+    let mut arguments = Vec::new();
+    let mut at = 0;
+    let mut optional = None;
+    for (index, word) in text.split(' ').enumerate() {
+        let start = at;
+        at += word.len() + 1;
+        match (index, word.starts_with('[')) {
+            (0, _) => {}
+            (_, true) => optional = optional.or(Some(start)),
+            (_, false) => {
+                let start = optional.take().unwrap_or(start);
+                arguments.push(Span::new(start, at - 1));
+            }
+        }
+    }
+    if let Some(start) = optional {
+        arguments.push(Span::new(start, text.len()));
+    }
+    Signature { text, arguments }
+}
+
+/// A form that the parser reads: all of it is one argument.
+fn whole(text: String) -> Signature {
+    let rest = text.find(' ').map(|at| Span::new(at + 1, text.len()));
+    Signature {
+        arguments: rest.into_iter().collect(),
+        text,
+    }
+}

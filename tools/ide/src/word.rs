@@ -1,0 +1,288 @@
+//! The words of a line, each with what it is there.
+
+use crate::Document;
+use tip_runtime::command::Target;
+use tipc::language::commands::{self, Command, Form};
+use tipc::language::reserved::{self, RESERVED};
+use tipc::language::{Edition, Keyword, flags, functions, inputs, keywords};
+use tipc::lex::{self, Kind, Piece, Pieces, Token, split_comment};
+use tipc::source::{Line, Span};
+use tipc::symbols::Use;
+use tipc::syntax::StatementKind;
+
+/// A word of the text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Word {
+    pub(crate) span: Span,
+    pub(crate) what: What,
+}
+
+/// What a word is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum What {
+    /// Line 1.
+    Version,
+    /// Line 2, and texts that are shown or passed over.
+    Text,
+    Comment,
+    Keyword(Keyword),
+    Command(&'static Command),
+    Function(&'static functions::Row),
+    Flag(&'static flags::Row),
+    Input(&'static inputs::Row),
+    Target(&'static reserved::Row),
+    /// `HS`, `R` or `A` among the arguments of a motion.
+    MotionFlag(&'static reserved::Row),
+    Constant(f64, &'static reserved::Row),
+    Member(&'static reserved::Row),
+    /// What the program names itself.
+    Name(Use),
+    Number,
+    Operator,
+    /// It is not known.
+    Unknown,
+}
+
+impl Document {
+    /// The word at a byte of the text, or right before it.
+    pub(crate) fn word_at(&self, offset: usize) -> Option<Word> {
+        let line = self.loaded.source.line(self.line_of(offset));
+        let words = self.words(line);
+        let holds = |word: &&Word| word.span.start <= offset && offset <= word.span.end;
+        let starts = |word: &&Word| word.span.start == offset;
+        let holding = || words.iter().filter(holds);
+        let of_letters = |word: &&Word| word.what != What::Operator;
+        let best = holding().filter(of_letters).find(starts);
+        best.or_else(|| holding().find(of_letters)).copied()
+    }
+
+    /// The words of a line from left to right; none after END.
+    pub(crate) fn words(&self, line: Line) -> Vec<Word> {
+        let mut words = Vec::new();
+        let text = self.loaded.source.text();
+        let end = self.end();
+        if end.is_some_and(|end| line.span.start > end) {
+            return words;
+        }
+        if line.number == 2 {
+            push(&mut words, line.span, What::Text);
+            return words;
+        }
+        let (code, comment) = split_comment(text, line.span);
+        if line.number == 1 {
+            push(&mut words, trimmed(text, code), What::Version);
+        } else {
+            for piece in Pieces::new(text, code, false) {
+                if end.is_some_and(|end| start(&piece) > end) {
+                    break;
+                }
+                self.piece(&piece, &mut words);
+            }
+        }
+        if let Some(comment) = comment {
+            push(&mut words, comment, What::Comment);
+        }
+        words
+    }
+
+    /// Where END stands.
+    fn end(&self) -> Option<usize> {
+        let last = self.statements().last()?;
+        (last.kind == StatementKind::End).then_some(last.span.start)
+    }
+
+    fn piece(&self, piece: &Piece, words: &mut Vec<Word>) {
+        match *piece {
+            Piece::Label { name, .. } => {
+                let what = self.name_in(name).map_or(What::Unknown, What::Name);
+                push(words, name, what);
+            }
+            Piece::Statement {
+                word,
+                span,
+                text_end,
+            } => match self.keyword(word) {
+                Some(keyword @ (Keyword::Message | Keyword::Rem)) => {
+                    push(words, word, What::Keyword(keyword));
+                    let text = Span::new(word.end, text_end);
+                    self.text(trimmed(self.loaded.source.text(), text), words);
+                }
+                // What follows END on its line is not read.
+                Some(Keyword::End) => push(words, word, What::Keyword(Keyword::End)),
+                _ => self.statement(word, span, words),
+            },
+        }
+    }
+
+    /// A text, and the names of variables between its percent signs.
+    fn text(&self, text: Span, words: &mut Vec<Word>) {
+        let mut at = text.start;
+        for named in self.loaded.symbols.within(text) {
+            let place = named.place;
+            push(words, Span::new(at, place.start), What::Text);
+            push(words, place, What::Name(*named));
+            at = place.end;
+        }
+        push(words, Span::new(at, text.end), What::Text);
+    }
+
+    fn statement(&self, word: Span, span: Span, words: &mut Vec<Word>) {
+        let mut tokens = Vec::new();
+        lex::lex(self.loaded.source.text(), span, &mut tokens);
+        let command = commands::find(self.slice(word));
+        for token in &tokens {
+            let is_first = token.span.start == span.start;
+            self.token(token, command, is_first, words);
+        }
+    }
+
+    fn token(
+        &self,
+        token: &Token,
+        command: Option<&'static Command>,
+        is_first: bool,
+        words: &mut Vec<Word>,
+    ) {
+        match token.kind {
+            Kind::Colon => {}
+            Kind::Word => match self.name_in(token.span) {
+                Some(named) => self.name(token.span, named, words),
+                None => {
+                    let what = self.meaning(self.slice(token.span), command, is_first);
+                    push(words, token.span, what);
+                }
+            },
+            _ => push(words, token.span, What::Operator),
+        }
+    }
+
+    /// A name with the member after it.
+    fn name(&self, span: Span, named: Use, words: &mut Vec<Word>) {
+        push(words, named.place, What::Name(named));
+        let rest = Span::new(named.place.end, span.end);
+        if let Some(member) = self.slice(rest).strip_prefix('.') {
+            let place = Span::new(rest.start + 1, rest.end);
+            push(
+                words,
+                place,
+                member_row(member).map_or(What::Unknown, What::Member),
+            );
+        }
+    }
+
+    /// What the program names somewhere in a word.
+    fn name_in(&self, span: Span) -> Option<Use> {
+        let named = self.loaded.symbols.within(span);
+        named
+            .iter()
+            .find(|it| it.place.start < it.place.end)
+            .copied()
+    }
+
+    fn keyword(&self, word: Span) -> Option<Keyword> {
+        keywords::find(self.slice(word), self.edition())
+    }
+
+    fn edition(&self) -> Edition {
+        self.loaded.module.edition
+    }
+
+    /// What a word is that is no name of the program.
+    fn meaning(&self, word: &str, command: Option<&'static Command>, is_first: bool) -> What {
+        let edition = self.edition();
+        let upper = word.to_ascii_uppercase();
+        if let Some(keyword) = keywords::find(word, edition) {
+            return What::Keyword(keyword);
+        }
+        if let Some(row) = commands::find(word).filter(|_| is_first) {
+            return What::Command(row);
+        }
+        if word.parse::<f64>().is_ok() && word.starts_with(|c: char| c == '.' || c.is_ascii_digit())
+        {
+            return What::Number;
+        }
+        let form = command.map(|command| command.form);
+        if let Some(Form::Robot(arguments)) = form
+            && (arguments.hs || arguments.motion)
+            && let Some(row) = motion_flag(&upper)
+        {
+            return What::MotionFlag(row);
+        }
+        let input = || inputs::find(&upper, edition).map(|(_, row)| What::Input(row));
+        if form == Some(Form::AdIn)
+            && let Some(input) = input()
+        {
+            return input;
+        }
+        let target = || upper.parse::<Target>().ok().and_then(target_row);
+        let flag = || flags::find(&upper, edition).map(|(_, row)| What::Flag(row));
+        let function = || functions::find(word, edition).and_then(function_row);
+        target()
+            .map(What::Target)
+            .or_else(flag)
+            .or_else(|| function().map(What::Function))
+            .or_else(|| constant(&upper, edition))
+            .or_else(input)
+            .or_else(|| commands::find(word).map(What::Command))
+            .unwrap_or(What::Unknown)
+    }
+}
+
+fn push(words: &mut Vec<Word>, span: Span, what: What) {
+    if span.start < span.end {
+        words.push(Word { span, what });
+    }
+}
+
+fn start(piece: &Piece) -> usize {
+    match piece {
+        Piece::Label { span, .. } | Piece::Statement { span, .. } => span.start,
+    }
+}
+
+fn trimmed(text: &str, span: Span) -> Span {
+    let inside = &text[span.start..span.end];
+    let start = span.start + (inside.len() - inside.trim_start().len());
+    Span::new(start, start + inside.trim().len())
+}
+
+/// The row of a member of a POS or JOINT.
+pub(crate) fn member_row(member: &str) -> Option<&'static reserved::Row> {
+    let upper = member.to_ascii_uppercase();
+    let is_it = |row: &&reserved::Row| {
+        let is_numbered = row.word == reserved::JOINT
+            && upper
+                .strip_prefix(row.word)
+                .is_some_and(|rest| rest.parse::<u8>().is_ok());
+        row.kind == reserved::Kind::Member && (row.word == upper || is_numbered)
+    };
+    RESERVED.iter().find(is_it)
+}
+
+fn motion_flag(word: &str) -> Option<&'static reserved::Row> {
+    let is_it = |row: &&reserved::Row| row.kind == reserved::Kind::MotionFlag && row.word == word;
+    RESERVED.iter().find(is_it)
+}
+
+fn target_row(target: Target) -> Option<&'static reserved::Row> {
+    let is_it = |row: &&reserved::Row| {
+        matches!(row.kind, reserved::Kind::Target(_)) && row.word == target.stem()
+    };
+    RESERVED.iter().find(is_it)
+}
+
+fn function_row(operation: functions::Operation) -> Option<&'static functions::Row> {
+    let mut rows = functions::FUNCTIONS.iter();
+    rows.find(|row| row.operation == operation)
+}
+
+fn constant(word: &str, edition: Edition) -> Option<What> {
+    let value = reserved::constant(word, edition)?;
+    let is_it = |row: &&reserved::Row| match row.kind {
+        reserved::Kind::Constant(_) => row.word == word,
+        reserved::Kind::Characters => word.starts_with(row.word),
+        _ => false,
+    };
+    let row = RESERVED.iter().find(is_it)?;
+    Some(What::Constant(value, row))
+}

@@ -1,0 +1,148 @@
+//! Hints, folding, classes of words.
+
+use super::cursor;
+use tip_ide::{FoldKind, Paint};
+use tipc::source::Span;
+
+fn hints(statements: &str) -> Vec<(u32, String)> {
+    let (document, _) = cursor(statements);
+    let all = Span::new(0, document.source().text().len());
+    let hints = document.hints(all).into_iter();
+    let line = |at| document.source().line_column(at).0;
+    hints
+        .map(|hint| (line(hint.at), hint.text.to_string()))
+        .collect()
+}
+
+#[test]
+fn loops_show_their_turns() {
+    let found = hints("DEF_VAR N\nFOR N = 1 TO 3\nREM\nNEXT\nWHILE KB_HIT\nWEND\nEND\n$0");
+    let expected = [
+        (4, "3 turns: a turn: 2 cycles, 40 ms".to_owned()),
+        (7, "a turn: 2 cycles, 40 ms".to_owned()),
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_loop_that_waits_says_so() {
+    let found = hints("WHILE !KB_HIT\nWAIT_INPOS ALL\nWEND\nEND\n$0");
+    assert_eq!(
+        found,
+        [(3, "a turn: 3 cycles, 60 ms, and waits".to_owned())]
+    );
+}
+
+#[test]
+fn steps_that_never_run_are_marked() {
+    let found = hints("EXIT\nSLEEP 40\nEND\n$0");
+    assert_eq!(found, [(4, "never runs".to_owned())]);
+}
+
+#[test]
+fn a_stretch_has_its_own_hints() {
+    let (document, at) = cursor("WHILE KB_HIT\nWEND\n$0WHILE KB_HIT\nWEND\nEND\n");
+    let end = document.source().text().len();
+    assert_eq!(document.hints(Span::new(at, end)).len(), 1);
+    assert_eq!(document.hints(Span::new(0, end)).len(), 2);
+}
+
+#[test]
+fn blocks_and_comments_fold() {
+    let (document, _) = cursor(
+        "// one\n// two\nIF KB_HIT THEN\nREM\nELSEIF HALT_REQUEST THEN\nREM\nELSE\nREM\nENDIF\n\
+         SUBROUTINE S:\nREPEAT\nREM\nUNTIL KB_HIT\nSUBEND\nREM // alone\nEND\n$0",
+    );
+    let folds = document.folds().into_iter();
+    let folds: Vec<(u32, u32, bool)> = folds
+        .map(|fold| (fold.first, fold.last, fold.kind == FoldKind::Comment))
+        .collect();
+    let expected = [
+        (3, 4, true),
+        (5, 6, false),
+        (7, 8, false),
+        (9, 11, false),
+        (12, 16, false),
+        (13, 15, false),
+    ];
+    assert_eq!(folds, expected);
+}
+
+#[test]
+fn a_block_that_is_open_folds_nothing() {
+    let (document, _) = cursor("IF KB_HIT THEN\nWHILE KB_HIT\nREM\nENDIF\nUNTIL KB_HIT\nEND\n$0");
+    let folds: Vec<(u32, u32)> = document
+        .folds()
+        .iter()
+        .map(|it| (it.first, it.last))
+        .collect();
+    assert_eq!(folds, [(3, 6)]);
+}
+
+/// The words of a line with their classes; `+` declares, `=` assigns.
+#[track_caller]
+fn check(statements: &str, expected: &[(&str, Paint, &str)]) {
+    let (document, at) = cursor(statements);
+    let line = document.source().line_column(at).0;
+    let span = document.source().line(line).span;
+    let painted = document.paint(span).into_iter();
+    let found: Vec<(&str, Paint, &str)> = painted
+        .map(|it| {
+            let marks = match (it.declares, it.assigns) {
+                (true, _) => "+",
+                (_, true) => "=",
+                _ => "",
+            };
+            (document.source().slice(it.span), it.paint, marks)
+        })
+        .collect();
+    assert_eq!(found, expected, "{statements}");
+}
+
+#[test]
+fn words_have_their_classes() {
+    check(
+        "DEF_VAR S\n$0PTP HS F1 R S -S 20 // up\nEND\n",
+        &[
+            ("PTP", Paint::Command, ""),
+            ("HS", Paint::Modifier, ""),
+            ("F1", Paint::Constant, ""),
+            ("R", Paint::Modifier, ""),
+            ("S", Paint::Variable, ""),
+            ("-", Paint::Operator, ""),
+            ("S", Paint::Variable, ""),
+            ("20", Paint::Number, ""),
+            ("// up", Paint::Comment, ""),
+        ],
+    );
+    check(
+        "$0DEF_POS P\nP.X = 1\nEND\n",
+        &[("DEF_POS", Paint::Keyword, ""), ("P", Paint::Variable, "+")],
+    );
+    check(
+        "DEF_POS P\n$0P.X = SQRT CHAR_A\nEND\n",
+        &[
+            ("P", Paint::Variable, "="),
+            ("X", Paint::Member, ""),
+            ("=", Paint::Operator, ""),
+            ("SQRT", Paint::Function, ""),
+            ("CHAR_A", Paint::Constant, ""),
+        ],
+    );
+    check(
+        "L1:\n$0IF !KB_HIT GOTO L1:; MESSAGE 歩 %A% 数\nDEF_VAR A\nEND\n",
+        &[
+            ("IF", Paint::Keyword, ""),
+            ("!", Paint::Operator, ""),
+            ("KB_HIT", Paint::Flag, ""),
+            ("GOTO", Paint::Keyword, ""),
+            ("L1", Paint::Label, ""),
+            ("MESSAGE", Paint::Keyword, ""),
+            ("歩 %", Paint::Text, ""),
+            ("A", Paint::Variable, ""),
+            ("% 数", Paint::Text, ""),
+        ],
+    );
+    check("$0END REM\nREM\n", &[("END", Paint::Keyword, "")]);
+    check("END\n$0REM\n", &[]);
+}
