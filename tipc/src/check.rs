@@ -11,6 +11,7 @@ mod equations;
 mod inputs;
 mod jumps;
 mod labels;
+mod meant;
 mod message;
 mod names;
 mod ranges;
@@ -18,6 +19,7 @@ mod resolve;
 mod resolved;
 mod structure;
 mod targets;
+mod title;
 mod usage;
 mod uses;
 mod values;
@@ -55,7 +57,7 @@ pub(crate) fn check<'m>(
 ) -> Checked<'m> {
     let names = Names::collect(module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);
-    let blocks = structure::blocks(module, &mut found);
+    let blocks = structure::blocks(source, module, &mut found);
     let jumps = jumps::resolve(module, &labels, &blocks, &mut found);
     let known = Known {
         source,
@@ -70,8 +72,8 @@ pub(crate) fn check<'m>(
     // What a variable is used for shows only where the blocks are whole.
     if found.iter().all(|finding| finding.code != Code::Structure) {
         usage::report(source, &names, &named, &mut found);
+        entries::warn_of_entries(module, &mut found);
     }
-    entries::warn_of_entries(module, &mut found);
     causes::join(source, module, &mut found);
     let resolved = statements.map(|statements| ResolvedModule {
         variables: names.variables,

@@ -1,9 +1,11 @@
 //! Words and spellings of other languages, with what is written here in their place. It never looks at programs.
 
 use crate::language::Keyword;
+use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
 use crate::message::Habit;
 use crate::syntax::VariableKind;
+use tip_runtime::function::Function;
 
 /// What a first word of another language was going to be, so that one mistake does not lead to others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +36,7 @@ const fn row(words: &'static str, means: Means, habit: Habit) -> Row {
 /// Words with blanks between, what they mean, and what to write.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT TEXT", Means::Statement, Habit::ShowText),
+    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT TEXT MSG MESS FPRINTF SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE ?", Means::Statement, Habit::ShowText),
     row("ELIF ELSIF ELSE_IF ELSEIFTHEN", Means::Keyword(Keyword::ElseIf), Habit::ElseIf),
     row("FI END_IF IFEND END-IF", Means::Keyword(Keyword::EndIf), Habit::EndIf),
     row("ENDWHILE END_WHILE ENDW WHEND WHILEEND WHILE_END", Means::Keyword(Keyword::Wend), Habit::Wend),
@@ -44,22 +46,25 @@ const ROWS: &[Row] = &[
     row("DO", Means::Statement, Habit::Loops),
     row("BREAK LEAVE EXITFOR EXIT_FOR EXITWHILE EXIT_WHILE", Means::Statement, Habit::Break),
     row("CONTINUE CYCLE", Means::Statement, Habit::Continue),
-    row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER", Means::Statement, Habit::Wait),
+    row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER WAIT_TIME WAITTIME WAIT_MS WAIT_SEC WAIT_FOR WAITFOR WAIT_UNTIL WAITUNTIL WAIT_MOVE TWAIT TIME.SLEEP SLEEP_MS DWELL G4 G04 INPOS IN_POS", Means::Statement, Habit::Wait),
     row("VAR DIM INT INTEGER FLOAT DOUBLE REAL NUM NUMBER LOCAL GLOBAL CONST DEF DEFINE DECLARE DEFVAR", Means::Declaration(VariableKind::Var), Habit::Declare),
     row("POS POINT POSITION VECTOR DEFPOS", Means::Declaration(VariableKind::Pos), Habit::Declare),
     row("JOINT ANGLES DEFJOINT", Means::Declaration(VariableKind::Joint), Habit::Declare),
     row("LET SET ASSIGN", Means::Statement, Habit::Let),
-    row("SUB FUNCTION FUNC FN PROC PROCEDURE ROUTINE", Means::Keyword(Keyword::Subroutine), Habit::Subroutine),
+    row("SUB FUNCTION FUNC FN PROC PROCEDURE ROUTINE VOID", Means::Keyword(Keyword::Subroutine), Habit::Subroutine),
     row("JUMP JMP GO BRANCH", Means::Statement, Habit::Goto),
-    row("MOVE MOV MOVEL MOVEJ MOVEP MOVL MOVJ MOVS DRIVE WALK", Means::Statement, Habit::Move),
-    row("STOP HALT", Means::Statement, Habit::Stop),
-    row("QUIT TERMINATE ABORT FINISH", Means::Statement, Habit::Exit),
-    row("INPUT INKEY INKEY$ GETCH GETKEY READKEY SCANF READ", Means::Statement, Habit::KeyIn),
-    row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ", Means::Statement, Habit::AdIn),
-    row("OUT DOUT LED LAMP", Means::Statement, Habit::Lamp),
+    row("MOVE MOV MOVEL MOVEJ MOVEP MOVL MOVJ MOVS DRIVE WALK MOVEC MOVEABSJ MOVE_TO MOVETO G0 G1 G2 G3 G00 G01 G02 G03 LIN CIRC APPRO APPROS DEPART DEPARTS SERVO SERVO.WRITE", Means::Statement, Habit::Move),
+    row("STOP HALT ESTOP E_STOP BRAKE STOPMOVE", Means::Statement, Habit::Stop),
+    row("QUIT TERMINATE ABORT FINISH M2 M02 M30", Means::Statement, Habit::Exit),
+    row("INPUT INKEY INKEY$ GETCH GETCHAR GETC GETKEY GET_KEY READKEY READ_KEY WAITKEY WAIT_KEY KEY SCANF READ SERIAL.READ", Means::Statement, Habit::KeyIn),
+    row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ DIGITALREAD", Means::Statement, Habit::AdIn),
+    row("OUT DOUT LED LAMP DIGITALWRITE SETDO SET_DO", Means::Statement, Habit::Lamp),
     row("SWITCH SELECT", Means::Statement, Habit::Cases),
     row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
-    row("HOME RESET INIT", Means::Statement, Habit::Home),
+    row("HOME RESET INIT G28 GOHOME GO_HOME HOMING", Means::Statement, Habit::Home),
+    row("PASS NOP NOOP", Means::Statement, Habit::Nothing),
+    row("UNLESS", Means::Keyword(Keyword::If), Habit::WriteNot),
+    row("WHEN WHENEVER ON", Means::Statement, Habit::Ask),
     row("{ } BEGIN", Means::Statement, Habit::Braces),
     row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
 ];
@@ -81,7 +86,7 @@ fn find(rows: &'static [Row], word: &str) -> Option<&'static Row> {
 #[rustfmt::skip]
 const PARTS: &[Row] = &[
     row("CASE DEFAULT OTHERWISE ENDSWITCH END_SWITCH ENDSELECT END_SELECT ESAC", Means::Statement, Habit::Cases),
-    row("DONE OD", Means::Statement, Habit::Loops),
+    row("DONE OD ENDLOOP END_LOOP LOOPEND", Means::Statement, Habit::Loops),
     row(LOOP, Means::Statement, Habit::LoopLabel),
 ];
 
@@ -91,7 +96,7 @@ pub(crate) fn goes_on(first: &str, word: &str) -> bool {
     begun.zip(part).is_some_and(|(begun, part)| {
         let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
         begun.habit == part.habit || is_loop
-    })
+    }) || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
 }
 
 /// The words of other languages for the end of a block, after END, and what ends it here.
@@ -118,15 +123,61 @@ pub(crate) fn is_function(word: &str) -> bool {
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
+/// The function that another language calls otherwise.
+pub(crate) fn function(word: &str) -> Option<&'static str> {
+    const CALLED: &[(&str, Operation)] = &[
+        ("ARCTAN ATN", Operation::Scalar(Function::Atan)),
+        ("ARCSIN ASN", Operation::Scalar(Function::Asin)),
+        ("ARCCOS ACS", Operation::Scalar(Function::Acos)),
+        ("ARCTAN2 ANGLE", Operation::Atan2),
+        ("SQR ROOT", Operation::Scalar(Function::Sqrt)),
+        ("FABS MAG", Operation::Scalar(Function::Abs)),
+        ("FLOOR FIX TRUNC", Operation::Scalar(Function::Int)),
+        ("RADIANS TORAD", Operation::Scalar(Function::Deg2Rad)),
+        ("DEGREES TODEG", Operation::Scalar(Function::Rad2Deg)),
+        ("LEN LENGTH HYPOT", Operation::Norm),
+        ("NORMALIZE UNIT", Operation::UnitVect),
+        ("ROTX ROT-X", Operation::Rotate(Axis::X)),
+        ("ROTY ROT-Y", Operation::Rotate(Axis::Y)),
+        ("ROTZ ROT-Z", Operation::Rotate(Axis::Z)),
+    ];
+    let is_it = |row: &&(&str, Operation)| row.0.split(' ').any(|one| one == word);
+    CALLED.iter().find(is_it).map(|row| row.1.word())
+}
+
+/// The relation that other languages write as a word or with other signs.
+pub(crate) fn relation(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "EQ" | "IS" | "EQUALS" => "==",
+        "NE" | "NEQ" | "ISNT" | "~" => "<>",
+        "GT" | "GREATER" => ">",
+        "LT" | "LESS" => "<",
+        "GE" | "GTE" => ">=",
+        "LE" | "LTE" => "<=",
+        _ => return None,
+    })
+}
+
+/// Whether a word is a type, which stands before or after a name in declarations of other languages.
+pub(crate) fn is_type(word: &str) -> bool {
+    const TYPES: &str = "INT INTEGER FLOAT DOUBLE";
+    TYPES.split(' ').any(|one| one.eq_ignore_ascii_case(word))
+}
+
+/// Whether a character takes up no room, so that nobody sees it.
+pub(crate) fn is_invisible(char: char) -> bool {
+    matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
+}
+
 /// Whether a word is a unit, which no number has.
 pub(crate) fn is_unit(word: &str) -> bool {
     const UNITS: &str = "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ";
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
-/// The name that a word begins with: `PRINT` of `PRINT("…")`.
+/// The name that a word begins with: `PRINT` of `PRINT("…")`, `time.sleep` of `time.sleep(1)`.
 pub(crate) fn name(word: &str) -> &str {
-    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+    let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
     &word[..end.unwrap_or(word.len())]
 }
 
@@ -163,6 +214,8 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
         '≧' | '≥' => ">=",
         '≦' | '≤' => "<=",
         '、' => ",",
+        'ﬁ' => "fi",
+        'ﬂ' => "fl",
         _ => return None,
     })
 }

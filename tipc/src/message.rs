@@ -26,6 +26,7 @@ mod formatting;
 mod habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 mod importing;
+mod instead;
 pub mod list;
 #[cfg(feature = "tools")]
 mod migrating;
@@ -62,6 +63,7 @@ pub use formatting::Formatting;
 pub use habit::Habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
+pub use instead::Instead;
 #[cfg(feature = "tools")]
 pub use migrating::Migrating;
 pub use naming::Naming;
@@ -91,6 +93,7 @@ tables! {
     Structuring,
     Suggesting,
     Habit,
+    Instead,
     Fixing,
     Warning,
     Allowing,

@@ -17,7 +17,7 @@ mod reader;
 mod shape;
 mod statement;
 
-pub(crate) use line::narrow;
+pub(crate) use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -46,6 +46,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         in_comment: false,
         braces: Vec::new(),
         hyphened: Vec::new(),
+        numbered: None,
         module: Module {
             edition: Edition::of(tip_version),
             title: header::title(source),
@@ -83,6 +84,8 @@ struct Parser<'a> {
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
     hyphened: Vec<String>,
+    /// The finding about lines with numbers.
+    numbered: Option<usize>,
     module: Module,
     diagnostics: Vec<Diagnostic>,
 }

@@ -11,6 +11,11 @@ pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
+    let candidates: Vec<&str> = candidates.into_iter().take(CANDIDATES).collect();
+    let mut alike = candidates.iter().copied().filter(|it| looks_like(word, it));
+    if let Some(alike) = alike.next() {
+        return Some(alike);
+    }
     // Of one or two letters nearly every other name is near.
     if word.len() < 3 || word.len() > LONGEST {
         return None;
@@ -18,13 +23,23 @@ pub(crate) fn nearest<'a>(
     let allowed = 1 + word.len() / 5;
     candidates
         .into_iter()
-        .take(CANDIDATES)
         .filter(|candidate| candidate.len().abs_diff(word.len()) <= allowed)
         .filter(|candidate| differing(word, candidate) <= 2 * allowed as u32)
         .map(|candidate| (distance(word.as_bytes(), candidate.as_bytes()), candidate))
         .filter(|(distance, _)| *distance <= allowed)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)
+}
+
+/// Whether two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
+fn looks_like(a: &str, b: &str) -> bool {
+    let shape = |byte: u8| match byte {
+        b'O' => b'0',
+        b'I' | b'L' => b'1',
+        other => other,
+    };
+    let same = || a.bytes().map(shape).eq(b.bytes().map(shape));
+    a != b && a.len() == b.len() && a.len() <= LONGEST && same()
 }
 
 /// How many letters are in only one of the words: a cheap lower bound of twice their distance.
@@ -69,6 +84,11 @@ mod tests {
         assert_eq!(nearest("B", ["A", "C"]), None);
         assert_eq!(nearest("N2", ["N1"]), None);
         assert_eq!(nearest("N12", ["N11"]), Some("N11"));
+        // What looks alike may be as short as it likes.
+        assert_eq!(nearest("LI", ["N1", "L1"]), Some("L1"));
+        assert_eq!(nearest("FL", ["F1"]), Some("F1"));
+        assert_eq!(nearest("O", ["0"]), Some("0"));
+        assert_eq!(nearest("LI", ["LI"]), None);
         let long = |letters: usize| "N".repeat(letters);
         assert!(nearest(&long(80), [long(79).as_str()]).is_some());
         assert_eq!(nearest(&long(81), [long(80).as_str()]), None);

@@ -5,15 +5,13 @@ use super::resolved::{self, Resolved};
 use super::targets::word;
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
-use crate::foreign;
 use crate::language::Keyword;
-use crate::language::commands::{self, Arguments, COMMANDS, Command, Form, Meaning};
+use crate::language::commands::{self, Arguments, Command, Form, Meaning};
 use crate::message::list::{Alternatives, Both};
 use crate::message::phrase::Lacking;
-use crate::message::{Commanding, Habit, Message, Suggesting};
+use crate::message::{Commanding, Habit};
 use crate::robot::Robot;
 use crate::source::Span;
-use crate::suggest::nearest;
 use crate::syntax::{Operand, Word};
 use tip_runtime::command::{FAST, Op, Target};
 
@@ -119,7 +117,7 @@ impl Resolver<'_> {
                 let command = name.node.clone();
                 let help = match self.is_after_text(name.span) {
                     true => Habit::SemicolonEndsText.into(),
-                    false => meant_by(word),
+                    false => self.meant_by(name),
                 };
                 (Commanding::NoCommand { word: command }, help)
             }
@@ -174,34 +172,5 @@ impl Resolver<'_> {
 
     pub(super) fn missing<T>(&mut self, place: Span, what: Lacking) -> Option<T> {
         self.refuse(Code::Argument, place, Commanding::Missing { what })
-    }
-}
-
-/// The command that a word begins with, if something else follows it without a blank: `PTP(F1`, `MESSAGE"…"`.
-fn glued(word: &str) -> Option<&'static str> {
-    let name = foreign::name(word);
-    let command = commands::find(name).filter(|_| name.len() < word.len())?;
-    Some(command.name)
-}
-
-/// What an unknown word may have been meant to be.
-fn meant_by(word: &str) -> Message {
-    if let Some(command) = commands::renamed(word) {
-        return Commanding::CalledNow { command }.into();
-    }
-    let name = foreign::name(word);
-    if let Some(row) = foreign::statement(word).or_else(|| foreign::statement(name)) {
-        return row.habit.clone().into();
-    }
-    if let Ok(target) = word.parse::<Target>() {
-        let target = target.to_string().into();
-        return Habit::TargetFirst { target }.into();
-    }
-    if let Some(command) = glued(word) {
-        return Habit::Glued { command }.into();
-    }
-    match nearest(word, COMMANDS.iter().map(|command| command.name)) {
-        Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-        None => Commanding::LabelOrEquation.into(),
     }
 }

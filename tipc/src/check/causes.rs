@@ -1,12 +1,13 @@
 //! One mistake, one finding: what follows from another finding joins it.
 
+use super::title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::foreign;
+use crate::language::Keyword;
 use crate::language::commands;
-use crate::language::keywords::{self, Keyword};
 use crate::lex::{Kind, Token, lex, split_comment};
-use crate::message::{Habit, Message, Naming, Parsing, Structuring};
+use crate::message::{Commanding, Habit, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use std::collections::{HashMap, HashSet};
@@ -18,8 +19,10 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
     labels_after_end(source, module, found);
     parts_of_statements(found);
     broken_lines(source, found);
-    same_text(source, found);
+    same_text(source, module, found);
     undeclared(source, module, found);
+    title::blame(source, module, found);
+    last_word(found);
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
@@ -155,7 +158,7 @@ fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
 }
 
 /// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
-fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
+fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
@@ -164,6 +167,14 @@ fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
             _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
                 let member = source.slice(finding.span).to_ascii_uppercase();
                 Some(format!("{} {member}", finding.code.id()))
+            }
+            // `P == Q`
+            _ if finding.reason == Commanding::StructForNumber.into() => {
+                let statement = module.statement_at(finding.span.start);
+                statement.map(|index| format!("statement {index}"))
+            }
+            _ if matches!(finding.reason, Message::Naming(Naming::NoLabelName { .. })) => {
+                Some(source.slice(finding.span).to_ascii_uppercase())
             }
             Some(Message::Parsing(Parsing::PlainNames)) => {
                 Some(source.slice(finding.span).to_owned())
@@ -179,6 +190,21 @@ fn same_text(source: &Source, found: &mut Vec<Diagnostic>) {
         }
     }
     *found = kept;
+}
+
+/// STOP in the place of END: that END is missing is the mistake.
+fn last_word(found: &mut Vec<Diagnostic>) {
+    let missing = found.iter().find(|it| it.code == Code::NoEnd);
+    let Some(place) = missing.map(|missing| missing.span) else {
+        return;
+    };
+    let is_end = |help: Option<&Message>| {
+        let ends = [Habit::Stop, Habit::Exit];
+        ends.into_iter().any(|end| help == Some(&end.into()))
+    };
+    let stands_for_it =
+        |it: &Diagnostic| it.code == Code::UnknownCommand && is_end(it.help.as_ref());
+    found.retain(|it| it.span != place || !stands_for_it(it));
 }
 
 /// Whether a statement at this place is this word alone.
@@ -204,7 +230,7 @@ fn is_before_command(kind: &StatementKind) -> bool {
 
 /// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.
 fn undeclared(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
-    let in_title = declared_in_title(source, module);
+    let in_title = title::declared(source, module);
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for mut finding in found.drain(..) {
@@ -245,30 +271,4 @@ fn is_open(help: Option<&Message>) -> bool {
 /// Whether a help names one type.
 fn is_guess(help: Option<&Message>) -> bool {
     matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
-}
-
-/// The names that line 2 would declare, if it were not the title.
-fn declared_in_title(source: &Source, module: &Module) -> HashMap<String, Span> {
-    let mut tokens = Vec::new();
-    if module.title.is_empty() || lex(source.text(), source.line(2).span, &mut tokens).is_some() {
-        return HashMap::new();
-    }
-    let word = |span: Span| upper_case(source.slice(span));
-    let declares = |keyword: Keyword| {
-        matches!(
-            keyword,
-            Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint
-        )
-    };
-    let first = tokens
-        .first()
-        .and_then(|token| keywords::find(&word(token.span), module.edition));
-    match first.is_some_and(declares) {
-        true => tokens[1..]
-            .iter()
-            .filter(|token| token.kind == Kind::Word)
-            .map(|token| (word(token.span).to_string(), token.span))
-            .collect(),
-        false => HashMap::new(),
-    }
 }

@@ -3,6 +3,7 @@
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::Structuring;
+use crate::source::Span;
 use crate::syntax::{Module, StatementKind};
 
 /// Warns of each SUBROUTINE that the step above it runs into.
@@ -12,8 +13,10 @@ pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
         if !statement.is_step() {
             continue;
         }
+        let is_reported = |place: Span| found.iter().any(|it| it.span == place);
         if let StatementKind::Subroutine { keyword, name } = &statement.kind
             && open_above
+            && !is_reported(*keyword)
         {
             let reason = Structuring::RunsInto;
             let help = Structuring::PutJumpAbove;

@@ -7,11 +7,12 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::functions::{self, Operation};
 use crate::message::phrase::{Operands, Type};
-use crate::message::{Calculating, Parsing};
+use crate::message::{Calculating, Instead, Message, Parsing};
 use crate::program::{Axis, ScalarExpression, StructExpression, VariableId};
 use crate::source::Span;
 use crate::symbols::Access;
 use crate::syntax::{Equation, Expression, Operand, OperandKind, VariableKind, Word};
+use tip_runtime::function::Function;
 
 /// The right side of an equation with its type.
 enum Value {
@@ -128,7 +129,12 @@ impl Resolver<'_> {
                                 _ => left.span.to(right.span),
                             };
                             let fault = Diagnostic::new(Code::Equation, place, reason);
-                            self.report(fault.help(Calculating::OneType));
+                            let is_number = kind_of(first).is_none() || kind_of(second).is_none();
+                            let help: Message = match is_number {
+                                true => Instead::MemberByMember.into(),
+                                false => Calculating::OneType.into(),
+                            };
+                            self.report(fault.help(help));
                             None
                         }
                     },
@@ -152,7 +158,12 @@ impl Resolver<'_> {
                 found: operands.len(),
             };
             let fault = Diagnostic::new(Code::Equation, place, reason);
-            self.report(fault.help(usage(operation)));
+            let help = match (operation, operands.len()) {
+                // `ATAN y x`
+                (Operation::Scalar(Function::Atan), 2) => usage(Operation::Atan2),
+                _ => usage(operation),
+            };
+            self.report(fault.help(help));
             return None;
         }
         match operation {
@@ -181,9 +192,8 @@ impl Resolver<'_> {
     }
 
     fn rotation(&mut self, axis: Axis, operands: &[Operand]) -> Option<Value> {
-        let turned = self.structure(&operands[0], Some(VariableKind::Pos));
-        let angle = self.variable_or_constant(&operands[1], Code::Equation);
-        let ((operand, kind), angle) = (turned?, angle?);
+        let (operand, kind) = self.structure(&operands[0], Some(VariableKind::Pos))?;
+        let angle = self.variable_or_constant(&operands[1], Code::Equation)?;
         Some(Value::Struct(
             kind,
             StructExpression::Rotate {

@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::LOOP;
 use crate::message::phrase::Entered;
-use crate::message::{Naming, Structuring};
+use crate::message::{Instead, Message, Naming, Structuring};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Jump, JumpKind, Module, StatementKind};
@@ -52,7 +52,7 @@ impl Jumps<'_> {
             .as_ref()
             .map_or(LOOP, |label| label.node.as_str());
         if name == LOOP {
-            return self.loop_target(index, kind, place);
+            return self.loop_target(index, kind, jump, place);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
             let help = match nearest(name, self.labels.names()) {
@@ -75,7 +75,13 @@ impl Jumps<'_> {
         Some(to)
     }
 
-    fn loop_target(&mut self, index: usize, kind: JumpKind, place: Span) -> Option<usize> {
+    fn loop_target(
+        &mut self,
+        index: usize,
+        kind: JumpKind,
+        jump: &Jump,
+        place: Span,
+    ) -> Option<usize> {
         if kind != JumpKind::Goto {
             let fault = Diagnostic::new(Code::Argument, place, Structuring::LoopForGoto);
             self.found.push(fault.help(Structuring::OwnLabel));
@@ -85,7 +91,13 @@ impl Jumps<'_> {
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
-            self.found.push(fault.help(Structuring::PutLoop));
+            let near = || nearest(LOOP, self.labels.names());
+            let help: Message = match (&jump.label, near()) {
+                (None, _) => Instead::GotoLoop.into(),
+                (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
+                (Some(_), None) => Structuring::PutLoop.into(),
+            };
+            self.found.push(fault.help(help));
         }
         to
     }

@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::reserved::{LOOP, is_reserved};
 use crate::language::{Edition, names};
-use crate::message::Naming;
+use crate::message::{Instead, Message, Naming};
 use crate::syntax::{Jump, Module, Word};
 use std::collections::HashMap;
 
@@ -70,8 +70,16 @@ impl<'m> Labels<'m> {
             let reason = Naming::DeclaredAgain {
                 name: name.node.clone(),
             };
+            let is_call = subroutine && !self.all[*first].subroutine;
+            let help: Message = match is_call {
+                true => Instead::Call {
+                    name: name.node.clone(),
+                }
+                .into(),
+                false => Naming::OwnName.into(),
+            };
             let fault = Diagnostic::new(Code::DuplicateLabel, name.span, reason)
-                .help(Naming::OwnName)
+                .help(help)
                 .label(self.all[*first].name.span, Naming::FirstDeclared);
             found.push(fault);
             return;

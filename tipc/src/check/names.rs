@@ -5,8 +5,8 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
-use crate::language::{Edition, Keyword, flags, functions, names};
-use crate::message::{Habit, Message, Naming, Suggesting};
+use crate::language::{Edition, Keyword, flags, functions, inputs, names};
+use crate::message::{Habit, Instead, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
@@ -14,6 +14,7 @@ use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
+use tip_runtime::command::{CONSTANT, Target};
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
@@ -102,7 +103,7 @@ impl Names {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
-            let array = name.split_once(['(', '[']);
+            let array = name.split_once(['(', '[', '.']);
             self.refused
                 .insert(array.map_or(name, |(name, _)| name).to_owned());
             return;
@@ -249,9 +250,20 @@ impl Names {
             let function = word.into();
             return Habit::FunctionInEquation { function }.into();
         }
-        match commands::find(word).map(|command| command.meaning) {
-            Some(Meaning::KeyIn) => Habit::KeyIn.into(),
-            Some(Meaning::AdIn) => Habit::AdIn.into(),
+        let target = SmolStr::from(word);
+        match word.parse() {
+            Ok(Target::Joint(..)) => return Instead::OfJoint { target }.into(),
+            Ok(Target::Foot(_)) => return Instead::OfFoot { target }.into(),
+            _ => {}
+        }
+        if inputs::find(word, self.edition).is_some() {
+            return Instead::ReadInput { input: target }.into();
+        }
+        let command = commands::find(word);
+        match command.map(|command| (command.meaning, command.name)) {
+            Some((Meaning::KeyIn, _)) => Habit::KeyIn.into(),
+            Some((Meaning::AdIn, _)) => Habit::AdIn.into(),
+            Some((Meaning::Robot(_), command)) => Instead::CommandFirst { command }.into(),
             _ => Naming::NumberBelongsHere.into(),
         }
     }
@@ -259,6 +271,7 @@ impl Names {
     fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
         let help: Message = match nearest(name, known) {
+            _ if name.starts_with(CONSTANT) => Instead::Keys.into(),
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => self.instead_of(name),
             None => match foreign::constant(name) {

@@ -7,6 +7,7 @@ use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::lex::split_comment;
 use crate::message::{Commanding, Message};
 use crate::program::{self, Scalar};
 use crate::robot::Robot;
@@ -300,6 +301,21 @@ impl Resolver<'_> {
     /// The text at a place.
     pub(super) fn slice(&self, span: Span) -> &str {
         self.known.source.slice(span)
+    }
+
+    /// What follows a place in its statement.
+    pub(super) fn rest_of_statement(&self, span: Span) -> &str {
+        let (line, _) = self.known.source.line_column(span.start);
+        let (code, _) = split_comment(self.known.source.text(), self.known.source.line(line).span);
+        let rest = Span::new(span.end, code.end.max(span.end));
+        let rest = self.known.source.slice(rest);
+        rest.split(';').next().unwrap_or_default()
+    }
+
+    /// Whether a label of that name is a SUBROUTINE, if there is one.
+    pub(super) fn is_subroutine(&self, name: &str) -> Option<bool> {
+        let label = self.known.labels.find(name)?;
+        Some(self.known.labels.all[label].subroutine)
     }
 
     /// What stands before a place on its line.

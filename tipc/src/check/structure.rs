@@ -1,16 +1,17 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
+mod other;
+
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
-use crate::foreign;
 use crate::language::Keyword;
 use crate::message::{Habit, Parsing, Structuring};
-use crate::source::Span;
+use crate::source::{Source, Span};
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 
 /// Ties every control word to its partner and reports those without one.
-pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
+pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
     let count = module.statements.len();
     let mut matcher = Matcher {
         module,
@@ -26,7 +27,7 @@ pub(crate) fn blocks(module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
     for index in 0..count {
         matcher.statement(index);
     }
-    matcher.close_rest();
+    matcher.close_rest(source);
     matcher.result
 }
 
@@ -196,6 +197,10 @@ impl Matcher<'_> {
             .iter()
             .rposition(fits)
             .filter(|depth| self.open[*depth].kind == kind);
+        if self.closes_other(index, kind, name, reachable.is_some()) {
+            self.result.around[index] = self.current();
+            return None;
+        }
         let Some(depth) = reachable else {
             self.result.around[index] = self.current();
             // A word that was to be this one is reported.
@@ -297,38 +302,9 @@ impl Matcher<'_> {
         Some(found.span)
     }
 
-    /// `END IF` ends the program, and whatever is open with it.
-    fn ended_in_two_words(&mut self) -> Option<()> {
-        let second = self.module.after_end.as_ref()?;
-        let innermost = self.open.last()?;
-        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
-        if second.node != opener.word() && foreign::ends(&second.node) != Some(closer) {
-            return None;
-        }
-        let end = self.module.statements.last()?.span;
-        let reason = Habit::EndInTwo {
-            word: opener.into(),
-        };
-        let help = match closer {
-            Keyword::Wend => Habit::Wend,
-            Keyword::Next => Habit::Next,
-            Keyword::SubEnd => Habit::SubEnd,
-            _ => Habit::InOneWord {
-                word: closer.into(),
-            },
-        };
-        let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
-            .label(self.place(innermost.first), Structuring::Open { opener })
-            .help(help);
-        self.found.push(fault);
-        for open in self.open.drain(..) {
-            self.result.blocks[open.block].broken = true;
-        }
-        Some(())
-    }
-
-    fn close_rest(&mut self) {
+    fn close_rest(&mut self, source: &Source) {
         self.ended_in_two_words();
+        self.ended_too_early(source);
         while !self.open.is_empty() {
             self.leave_open(None);
         }

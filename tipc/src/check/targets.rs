@@ -53,6 +53,18 @@ impl Resolver<'_> {
                     self.report(fault.help(Habit::JointName));
                     None
                 }
+                Some(_) if self.in_one_word(command).is_some() => {
+                    let word = self.in_one_word(command).unwrap_or_default().into();
+                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                    self.report(fault.help(Habit::InOneWord { word }));
+                    None
+                }
+                Some(word) if self.looks_like_target(word).is_some() => {
+                    let near = self.looks_like_target(word).unwrap_or_default().into();
+                    let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                    self.report(fault.help(Suggesting::DidYouMean { near }));
+                    None
+                }
                 Some(_) => self.refuse_target(first.span, reason),
             };
         };
@@ -79,6 +91,13 @@ impl Resolver<'_> {
             return self.refuse_target(first.span, reason);
         }
         Some(target)
+    }
+
+    /// `Fl`, `J1l`: the target, if letters were typed that look like digits.
+    fn looks_like_target(&self, word: &str) -> Option<String> {
+        let digits: String = word.chars().skip(1).map(digit_like).collect();
+        let target: Target = format!("{}{digits}", word.get(..1)?).parse().ok()?;
+        self.robot.has(target).then(|| target.to_string())
     }
 
     fn wanted(&self, targets: Targets) -> List {
@@ -136,6 +155,14 @@ impl Resolver<'_> {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None => flags_of(self.robot).into(),
         }
+    }
+}
+
+fn digit_like(letter: char) -> char {
+    match letter {
+        'O' => '0',
+        'I' | 'L' => '1',
+        other => other,
     }
 }
 

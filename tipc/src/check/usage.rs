@@ -4,11 +4,12 @@ use super::names::Names;
 use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::message::Naming;
 use crate::message::phrase::Assign;
+use crate::message::{Message, Naming, Suggesting};
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Use};
 use crate::syntax::VariableKind;
+use std::collections::HashSet;
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
 pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Vec<Diagnostic>) {
@@ -18,8 +19,14 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
             service.add(used);
         }
     }
+    // A misspelled name was to use the one that it is near to.
+    let meant = found.iter().filter_map(|finding| match &finding.help {
+        Some(Message::Suggesting(Suggesting::DidYouMean { near })) => Some(near.to_string()),
+        _ => None,
+    });
+    let meant: HashSet<String> = meant.collect();
     for (id, variable) in names.variables.iter().enumerate() {
-        if named.excused[id] {
+        if named.excused[id] || meant.contains(&variable.name) {
             continue;
         }
         let name = &variable.name;

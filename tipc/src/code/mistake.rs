@@ -94,7 +94,7 @@ mistakes! {
     Equation "E107-04" "a sign that stands apart", "離れた符号":
         Parsing { SignStandsBefore BetweenArguments PlusBeforeConstants };
     Equation "E107-05" "neither a number nor a name nor a member", "数値でも変数名でもメンバでもない語":
-        Parsing { NoNumber NoMember ForeignInName ConstantTooLarge NoOperand }
+        Parsing { NoNumber NoMember ForeignInName ConstantTooLarge NoOperand NoSuchFunction }
         Naming { NoMember };
     Equation "E107-06" "types that do not go together", "一緒に計算できない型":
         Calculating { SidesDiffer NotTogether BelongsHere StructSign }
@@ -147,7 +147,7 @@ mistakes! {
         Parsing { ComparedWithNothing ConditionMissing };
     Argument "E205-15" "a wrong relation", "関係演算子の誤り":
         Parsing { NoRelation AssignsComparesNothing RelationBelongsHere }
-        Habit { NotEqual };
+        Habit { NotEqual SplitOperator };
     Argument "E205-16" "more than a condition can say", "条件式に書けないこと":
         Habit { AndOr Not }
         Parsing { NotStandsBeforeFlag ConditionCannotCalculate CannotStandHere };

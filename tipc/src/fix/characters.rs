@@ -5,8 +5,8 @@ use crate::diagnostic::{Edit, Fix};
 use crate::foreign::{self, COMMENT};
 use crate::language::{Keyword, keywords};
 use crate::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
-use crate::message::{Fixing, Habit, Message, Parsing};
-use crate::parse::narrow;
+use crate::message::{Fixing, Habit, Instead, Message, Parsing};
+use crate::parse::{LONG_VOWEL, narrow};
 use crate::source::Span;
 
 /// What a comment of C begins and ends with.
@@ -17,6 +17,10 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()?) {
         (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
         | (_, Message::Habit(Habit::Plain { .. } | Habit::PlainBlank)) => half_width(site),
+        (_, Message::Instead(Instead::Invisible)) => {
+            let title = Fixing::RemoveInvisible;
+            Some(Fix::certain(title, [Edit::remove(site.span())]))
+        }
         (_, Message::Habit(Habit::Comment)) => comment(site),
         (_, Message::Habit(Habit::EachLine)) => comment_of_lines(site),
         _ => None,
@@ -56,6 +60,9 @@ fn half_width(site: &Site<'_>) -> Option<Fix> {
 
 /// What is typed for characters that are wide, or of typesetting.
 fn plain(text: &str) -> String {
+    if text == LONG_VOWEL {
+        return "-".to_owned();
+    }
     let mut out = String::new();
     for char in text.chars() {
         match foreign::plain(char) {

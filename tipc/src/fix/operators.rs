@@ -2,13 +2,39 @@
 
 use super::site::Site;
 use crate::diagnostic::{Edit, Fix};
+use crate::foreign;
 use crate::lex::{Kind, Token};
-use crate::message::{Commanding, Fixing, Habit, Message, Parsing};
+use crate::message::{Commanding, Fixing, Habit, Instead, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::Relation;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
+        (
+            Message::Habit(Habit::SplitOperator { .. }),
+            Some(Message::Habit(Habit::WriteRelation { relation })),
+        ) => Some(certain(site, site.span(), relation)),
+        (
+            Message::Parsing(Parsing::NoRelation),
+            Some(Message::Habit(Habit::WriteRelation { relation })),
+        ) if foreign::relation(site.text().to_ascii_uppercase().trim_end_matches('='))
+            .is_some() =>
+        {
+            Some(certain(site, site.span(), relation))
+        }
+        (
+            Message::Parsing(Parsing::NotStandsBeforeFlag),
+            Some(Message::Instead(Instead::Write { .. })),
+        ) => not_apart(site),
+        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
+            let title = Fixing::Insert { text: " ".into() };
+            let edit = Edit::insert(site.span().start + command.len(), " ");
+            Some(Fix::certain(title, [edit]))
+        }
+        (_, Some(Message::Instead(Instead::Digits { number }))) => {
+            let fix = certain(site, site.span(), number);
+            Some(Fix::likely(fix.title, fix.edits))
+        }
         (
             Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
             | Message::Habit(Habit::NotEqual),
@@ -41,11 +67,20 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             _,
             Some(
                 Message::Parsing(Parsing::NoParentheses)
+                | Message::Instead(Instead::NoParentheses)
                 | Message::Habit(Habit::Glued { .. } | Habit::NoBrackets),
             ),
         ) => parentheses(site),
         _ => None,
     }
+}
+
+/// `! INPOS_ALL`
+fn not_apart(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let gap = Span::new(site.span().end, tokens.get(at + 1)?.span.start);
+    Some(Fix::certain(Fixing::RemoveBlanks, [Edit::remove(gap)]))
 }
 
 /// What a number is compared with to be a condition.

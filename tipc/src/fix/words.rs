@@ -49,8 +49,8 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
         Habit::InOneWord { word } if word == Keyword::ElseIf.word() => Some(branch(site, &tokens)),
         Habit::InOneWord { word } => {
             let place = match site.reason() {
-                // Of `DEF VAR N` the first word is what is unknown.
-                Message::Commanding(_) => site.span().to(tokens.get(1)?.span),
+                // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
+                Message::Commanding(_) => in_pieces(site, &tokens, word)?,
                 _ => site.span(),
             };
             Some(certain(site, place, word))
@@ -67,6 +67,17 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
         Habit::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }
+}
+
+/// The words of a statement that are one in `whole`.
+fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
+    let parts = 1 + whole.matches('_').count();
+    (2..=parts.min(tokens.len())).find_map(|count| {
+        let words = tokens[..count].iter().map(|token| site.slice(token.span));
+        let joined = words.collect::<Vec<_>>().join("_");
+        let place = tokens[0].span.to(tokens[count - 1].span);
+        joined.eq_ignore_ascii_case(whole).then_some(place)
+    })
 }
 
 /// `ENDWHILE`, `END WHILE`.

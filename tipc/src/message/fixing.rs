@@ -16,6 +16,9 @@ messages! {
     Remove { text: SmolStr }
         "remove `{text}`",
         "`{text}` を取る";
+    RemoveInvisible
+        "delete the invisible character",
+        "見えない文字を消す";
     RemoveBlanks
         "remove the blanks",
         "空白を取る";

@@ -1,6 +1,5 @@
 //! What is said of words and spellings that people bring along from other languages.
 
-use super::list::List;
 use smol_str::SmolStr;
 
 messages! {
@@ -80,6 +79,12 @@ messages! {
     Home
         "`INITIAL_POSTURE` goes to the initial posture",
         "初期姿勢に戻るのは `INITIAL_POSTURE` です";
+    Nothing
+        "leave it out: a block may be empty, and `REM` passes one control cycle",
+        "消してください。ブロックは空でもかまいません。1制御周期だけ待つなら `REM` です";
+    Ask
+        "ask with `IF condition GOTO L1:`, or wait with `REPEAT` … `UNTIL condition`",
+        "調べるのは `IF 条件式 GOTO L1:`、待つのは `REPEAT` … `UNTIL 条件式` です";
     NoBraces
         "there are no braces",
         "波括弧は使えません";
@@ -194,9 +199,6 @@ messages! {
     Remainder
         "there is no remainder: of A by B it is `Q = A / B`, `Q = INT Q`, `Q *= B`, `R1 = A - Q`",
         "剰余の演算はありません。AをBで割った余りは `Q = A / B`、`Q = INT Q`、`Q *= B`、`R1 = A - Q` で求めます";
-    NoFunction { word: SmolStr, functions: List }
-        "there is no function {word}; there are {functions}",
-        "{word}という関数はありません。あるのは{functions}です";
     EachMember
         "a POS or JOINT is filled member by member: `P.X = 391`, `P.Y = 201`, `P.Z = -150`",
         "POSやJOINTにはメンバごとに代入します: `P.X = 391`、`P.Y = 201`、`P.Z = -150`";

@@ -219,6 +219,9 @@ messages! {
     EquationEnds
         "the equation ends before this",
         "式はこの前で終わりです";
+    NoSuchFunction { word: SmolStr }
+        "there is no function {word}",
+        "{word}という関数はありません";
     FunctionCannotStandHere { function: SmolStr }
         "{function} cannot stand here",
         "ここに{function}は書けません";

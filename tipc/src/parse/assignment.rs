@@ -4,7 +4,7 @@ use super::Parser;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Message};
+use crate::message::{Habit, Instead, Message};
 use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, upper_case};
 
 impl Parser<'_> {
@@ -14,7 +14,7 @@ impl Parser<'_> {
             return None;
         };
         if name.kind != Kind::Word {
-            return None;
+            return self.increment_before(tokens);
         }
         let next = rest.first();
         let both = operator
@@ -40,6 +40,16 @@ impl Parser<'_> {
                 let help = Habit::Update { name: word.clone() };
                 (Habit::SplitOperator { sign }, help.into())
             }
+            (Kind::Word, Some(Kind::Assign(None))) if self.source.slice(operator.span) == "%" => {
+                let sign = self.source.slice(both).into();
+                (Habit::NoOperator { sign }, Habit::Remainder.into())
+            }
+            (Kind::Arithmetic(Arithmetic::Sub), Some(Kind::Relation(Relation::Gt))) => {
+                let member = rest.get(1).map(|member| self.source.slice(member.span));
+                let text = upper_case(&format!("{word}.{}", member.unwrap_or_default()));
+                let sign = self.source.slice(both).into();
+                (Habit::NoOperator { sign }, Instead::Write { text }.into())
+            }
             (Kind::Colon, Some(Kind::Assign(None))) => {
                 let sign = self.source.slice(both).into();
                 let fault = Diagnostic::new(Code::Equation, both, Habit::NoOperator { sign });
@@ -49,6 +59,31 @@ impl Parser<'_> {
             _ => return None,
         };
         self.report_unknown(name.span, &word, reason, help);
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `++A`
+    fn increment_before(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let [first, second, name] = tokens else {
+            return None;
+        };
+        let is_sign = matches!(
+            first.kind,
+            Kind::Arithmetic(Arithmetic::Add | Arithmetic::Sub)
+        );
+        if !is_sign || second.kind != first.kind || second.spaced || name.kind != Kind::Word {
+            return None;
+        }
+        let sign = self.source.slice(first.span);
+        let both = first.span.to(second.span);
+        let reason = Habit::NoOperator {
+            sign: self.source.slice(both).into(),
+        };
+        let help = Habit::Increment {
+            name: upper_case(self.source.slice(name.span)),
+            sign: sign.into(),
+        };
+        self.report_unknown(both, sign, reason, help);
         Some(StatementKind::Broken(Shape::Plain))
     }
 }

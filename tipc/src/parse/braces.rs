@@ -74,9 +74,18 @@ impl Parser<'_> {
         let shape = match self.source.slice(word) {
             OPEN if tokens.len() == 1 => self.lone_brace(word),
             CLOSE => {
-                let begins_block = self.braces.pop()?;
                 let next = tokens.get(1).map(|token| self.source.slice(token.span));
                 let next = next.and_then(|next| keywords::find(next, self.module.edition));
+                let begins_block = match (self.braces.pop(), next) {
+                    (Some(begins_block), _) => begins_block,
+                    // The block that ends here began without a brace.
+                    (None, Some(Keyword::Else)) => {
+                        let reason = Commanding::NoCommand { word: CLOSE.into() };
+                        self.report_unknown(word, CLOSE, reason, Habit::Braces);
+                        true
+                    }
+                    (None, _) => return None,
+                };
                 match next {
                     Some(Keyword::Else) => {
                         self.braces.push(true);

@@ -2,11 +2,12 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
-use crate::language::Keyword;
+use crate::language::{Keyword, functions};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Message, Parsing};
-use crate::syntax::{Condition, Operand, OperandKind, Relation, Word};
+use crate::message::{Habit, Instead, Message, Parsing};
+use crate::source::Span;
+use crate::syntax::{Condition, Operand, OperandKind, Relation, Word, upper_case};
 
 impl Reader<'_> {
     /// `a REL b`, `FLAG` or `!FLAG`.
@@ -26,14 +27,45 @@ impl Reader<'_> {
         match self.peek() {
             Some(Token {
                 kind: Kind::Relation(relation),
+                span,
                 ..
             }) => {
                 self.take();
-                self.comparison(left, relation)
+                self.comparison(left, relation, span)
+            }
+            Some(token) if self.calls_function(&left) => {
+                let place = left.span.to(token.span);
+                let reason = Parsing::ConditionCannotCalculate;
+                Err(self.fault_with_help(place, reason, Habit::CalculateBefore))
+            }
+            Some(token) if self.foreign_relation(token).is_some() => {
+                let (place, relation) = self.foreign_relation(token).unwrap_or_default();
+                let help = Habit::WriteRelation { relation };
+                Err(self.fault_with_help(place, Parsing::NoRelation, help))
             }
             Some(token) if token.kind != Kind::Word => Err(self.no_relation(token)),
             _ => self.flag(left),
         }
+    }
+
+    /// `ABS A > 3`
+    fn calls_function(&self, left: &Operand) -> bool {
+        let is_function = |word: &str| functions::words().any(|it| it.eq_ignore_ascii_case(word));
+        let is_word = self.peek().is_some_and(|next| next.kind == Kind::Word);
+        is_word && is_function(self.slice(left.span))
+    }
+
+    /// `A EQ 3`, `A ~= 3`: where the relation stands, and what is written for it.
+    fn foreign_relation(&self, token: Token) -> Option<(Span, &'static str)> {
+        let relation = foreign::relation(&upper_case(self.slice(token.span)))?;
+        let next = self.peek_second().filter(|next| !next.spaced);
+        match next {
+            Some(next) if next.kind == Kind::Assign(None) => {
+                Some((token.span.to(next.span), relation))
+            }
+            _ => Some((token.span, relation)),
+        }
+        .filter(|_| token.kind == Kind::Word)
     }
 
     fn negated_flag(&mut self, not: Token) -> Parsed<Condition> {
@@ -48,6 +80,11 @@ impl Reader<'_> {
                     negated: true,
                 })
             }
+            Some(word) if word.kind == Kind::Word => {
+                let text = format!("!{}", upper_case(self.slice(word.span))).into();
+                let reason = Parsing::NotStandsBeforeFlag;
+                Err(self.fault_with_help(not.span, reason, Instead::Write { text }))
+            }
             _ => Err(self.fault_with_help(
                 not.span,
                 Parsing::NotStandsBeforeFlag,
@@ -56,11 +93,20 @@ impl Reader<'_> {
         }
     }
 
-    fn comparison(&mut self, left: Operand, relation: Relation) -> Parsed<Condition> {
+    fn comparison(&mut self, left: Operand, relation: Relation, sign: Span) -> Parsed<Condition> {
+        if let Some((token, whole)) = self.split_relation(relation) {
+            let place = sign.to(token.span);
+            let reason = Habit::SplitOperator { sign: whole.into() };
+            let help = Habit::WriteRelation { relation: whole };
+            return Err(self.fault_with_help(place, reason, help));
+        }
         if let Some(token) = self.peek().filter(is_part_of_relation) {
             let reason = Parsing::NoRelation;
             let help: Message = match (relation, token.kind) {
                 (Relation::Gt, Kind::Relation(Relation::Lt)) => Habit::WriteNotEqual.into(),
+                (Relation::Eq, Kind::Assign(None)) => {
+                    Habit::WriteRelation { relation: "==" }.into()
+                }
                 _ => Parsing::Relations.into(),
             };
             return Err(self.fault_with_help(token.span, reason, help));
@@ -71,7 +117,13 @@ impl Reader<'_> {
                 let reason = Parsing::CannotStandHere {
                     text: self.slice(token.span).into(),
                 };
-                Err(self.fault_with_help(token.span, reason, Parsing::Conditions))
+                let help: Message = match token.kind {
+                    // `1 < A < 3`
+                    Kind::Relation(_) => Habit::Nest.into(),
+                    Kind::Arithmetic(_) => Habit::CalculateBefore.into(),
+                    _ => Parsing::Conditions.into(),
+                };
+                Err(self.fault_with_help(token.span, reason, help))
             }
             _ => Ok(Condition::Compare {
                 left,
@@ -79,6 +131,18 @@ impl Reader<'_> {
                 right,
             }),
         }
+    }
+
+    /// `> =`, `< >`: the second sign, and what both are in one piece.
+    fn split_relation(&self, first: Relation) -> Option<(Token, &'static str)> {
+        let next = self.peek().filter(|next| next.spaced)?;
+        let whole = match (first, next.kind) {
+            (Relation::Lt, Kind::Assign(None)) => "<=",
+            (Relation::Gt, Kind::Assign(None)) => ">=",
+            (Relation::Lt, Kind::Relation(Relation::Gt)) => "<>",
+            _ => return None,
+        };
+        Some((next, whole))
     }
 
     /// What is wrong after a condition, if it goes on as in another language.

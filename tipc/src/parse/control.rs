@@ -1,10 +1,12 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
+use super::jump::bare;
 use super::reader::{Fault, Parsed, Reader};
-use crate::language::{Keyword, commands};
+use crate::foreign::{self, Means};
+use crate::language::{Edition, Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
-use crate::message::{Habit, Message, Parsing, Suggesting};
+use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case};
@@ -60,7 +62,21 @@ impl Reader<'_> {
         }
         match self.left() {
             0 => Ok((Then::Block, Ok(()))),
+            _ if self.goes_to_line() => {
+                let jump = Keyword::Goto.into();
+                Err(self.fault_with_help(place, Habit::OneLineIf, Habit::LeaveThenOut { jump }))
+            }
             _ => Err(self.fault_with_help(place, Habit::OneLineIf, Habit::CloseOneLineIf)),
+        }
+    }
+
+    /// `THEN 100`, `THEN L1:`: a jump of BASIC.
+    fn goes_to_line(&self) -> bool {
+        let is_line = |token: &Token| self.slice(token.span).bytes().all(|it| it.is_ascii_digit());
+        match self.left_tokens() {
+            [line] => is_line(line),
+            [name, colon] => name.kind == Kind::Word && colon.kind == Kind::Colon,
+            _ => false,
         }
     }
 
@@ -107,6 +123,9 @@ impl Reader<'_> {
         let next = self
             .peek()
             .map(|token| upper_case(self.slice(token.span)))?;
+        if before.parse::<Flag>().is_ok() && next.parse::<Flag>().is_ok() {
+            return Some(Habit::Nest);
+        }
         let flag = format!("{before}_{next}");
         if flag.parse::<Flag>().is_ok() {
             return Some(Habit::FlagOfTarget { flag: flag.into() });
@@ -168,7 +187,14 @@ impl Reader<'_> {
         };
         let end = match self.left() {
             0 => Ok(()),
-            _ => Err(self.fault_with_help(self.rest(), Parsing::ForEnds, Parsing::WriteFor)),
+            _ => {
+                let calculates = |token: Token| matches!(token.kind, Kind::Arithmetic(_));
+                let help: Message = match self.peek().is_some_and(calculates) {
+                    true => Instead::Limit.into(),
+                    false => Parsing::WriteFor.into(),
+                };
+                Err(self.fault_with_help(self.rest(), Parsing::ForEnds, help))
+            }
         };
         let kind = StatementKind::For {
             keyword,
@@ -216,7 +242,7 @@ impl Reader<'_> {
             0 => None,
             _ => Some(self.loop_variable_of_next()?),
         };
-        let end = self.expect_end(End::NextAndVariable);
+        let end = self.expect_end_or(End::NextAndVariable, Instead::NextEach);
         Ok((StatementKind::Next { keyword, variable }, end))
     }
 
@@ -232,7 +258,7 @@ impl Reader<'_> {
         let help = Parsing::WriteSubroutine {
             name: "NAME".into(),
         };
-        let name = match self.take() {
+        let mut name = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
                 return Err(self.fault_with_help(token.span, Parsing::NameBelongsHere, help));
@@ -244,9 +270,11 @@ impl Reader<'_> {
         let end = match self.peek() {
             Some(token) if token.kind == Kind::Colon => {
                 self.take();
-                self.expect_end(End::SubroutineAndName)
+                self.expect_end_or(End::SubroutineAndName, Instead::NoValues)
             }
             _ => {
+                // `SUBROUTINE WALK()`: what calls it is not wrong.
+                name.node = bare(&name.node);
                 let help = Parsing::WriteSubroutine {
                     name: name.node.clone(),
                 };
@@ -264,7 +292,11 @@ impl Reader<'_> {
         make: fn(Jump) -> StatementKind,
     ) -> Read {
         let jump = self.jump(keyword, name)?;
-        Ok((make(jump), self.expect_end(End::Label)))
+        let end = match name {
+            Keyword::Call => self.expect_end_or(End::Label, Instead::NoValues),
+            _ => self.expect_end(End::Label),
+        };
+        Ok((make(jump), end))
     }
 
     pub(super) fn goto_statement(&mut self, keyword: Span) -> Read {
@@ -274,7 +306,30 @@ impl Reader<'_> {
 
     /// A word that is alone in its statement.
     pub(super) fn alone(&mut self, name: Keyword, kind: StatementKind) -> Read {
-        Ok((kind, self.expect_end(End::Word { word: name.into() })))
+        let end = self.expect_end(End::Word { word: name.into() });
+        let end = end.map_err(|mut fault| {
+            fault.help = self.alone_help(name).or(fault.help);
+            fault
+        });
+        Ok((kind, end))
+    }
+
+    /// What was meant by words after one that is alone: `EXIT FOR`, `EXIT SUB`, `RETURN 0`.
+    fn alone_help(&self, name: Keyword) -> Option<Message> {
+        let next = upper_case(self.slice(self.here()));
+        let keyword = keywords::find(&next, Edition::default());
+        let foreign = foreign::statement(&next).map(|row| (row.means, &row.habit));
+        Some(match (name, keyword, foreign) {
+            (Keyword::Exit, Some(Keyword::For | Keyword::While | Keyword::Repeat), _)
+            | (Keyword::Exit, _, Some((_, Habit::Loops | Habit::LoopLabel))) => Habit::Break.into(),
+            (Keyword::Exit, Some(Keyword::Subroutine), _)
+            | (Keyword::Exit, _, Some((Means::Keyword(Keyword::Subroutine), _))) => {
+                Instead::LeaveSubroutine.into()
+            }
+            _ if commands::find(&next).is_some() => return None,
+            (Keyword::Return, ..) => Instead::NoResult.into(),
+            _ => Instead::Alone { word: name.into() }.into(),
+        })
     }
 }
 

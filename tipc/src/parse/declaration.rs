@@ -4,8 +4,10 @@ use super::Parser;
 use super::reader::{Fault, Reader};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
+use crate::language::{Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run};
-use crate::message::{Habit, Naming, Parsing};
+use crate::message::{Habit, Instead, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Arithmetic, StatementKind, VariableKind, Word};
 
@@ -28,6 +30,14 @@ impl Parser<'_> {
             let missing = Diagnostic::new(Code::Argument, keyword, Naming::NoNames);
             self.report(missing.help(Naming::WriteNames));
         }
+        if let Some(at) = self.declares_again(tokens) {
+            return self.two_declarations(kind, keyword, tokens, at, reported);
+        }
+        let types = self.types(tokens);
+        if let (Some(first), false) = (types.first(), reported) {
+            let fault = Diagnostic::new(Code::Argument, *first, Parsing::OnlyNames);
+            self.report(fault.help(Instead::TypeLeftOut));
+        }
         let reader = Reader::new(self.text, tokens, 0, Code::Argument);
         let glued = hyphened(tokens);
         for place in &glued {
@@ -44,7 +54,7 @@ impl Parser<'_> {
         let is_apart = |token: &&Token| {
             let place = token.span;
             let inside = |run: &Span| run.start <= place.start && place.end <= run.end;
-            !glued.iter().any(inside)
+            !glued.iter().chain(&types).any(inside)
         };
         let names: Vec<Word> = names_in(self.text, tokens, reported)
             .filter(is_apart)
@@ -58,6 +68,52 @@ impl Parser<'_> {
             kind,
             keyword,
             names,
+        }
+    }
+
+    /// Where another declaration begins in one: `DEF_VAR A, DEF_POS P`.
+    fn declares_again(&self, tokens: &[Token]) -> Option<usize> {
+        let declares = |token: &Token| {
+            let word = self.source.slice(token.span);
+            let keyword = keywords::find(word, self.module.edition);
+            keyword.is_some_and(|keyword| declared_kind(keyword).is_some())
+        };
+        let again = tokens.iter().skip(1).position(declares)?;
+        Some(again + 1)
+    }
+
+    /// The second of two declarations on a line is read as what it was meant to be.
+    fn two_declarations(
+        &mut self,
+        kind: VariableKind,
+        keyword: Span,
+        tokens: &[Token],
+        at: usize,
+        reported: bool,
+    ) -> StatementKind {
+        let second = tokens[at].span;
+        let first = self.define(kind, keyword, &tokens[..at], reported);
+        self.push(first, keyword);
+        let fault = Diagnostic::new(Code::Argument, second, Parsing::OnlyNames);
+        self.report(fault.help(Habit::NextStatement));
+        let kind = keywords::find(self.source.slice(second), self.module.edition)
+            .and_then(declared_kind)
+            .unwrap_or(kind);
+        self.define(kind, second, &tokens[at..], true)
+    }
+
+    /// The types of other languages among names: `DEF_VAR INT N`, `DEF_VAR N AS INT`.
+    fn types(&self, tokens: &[Token]) -> Vec<Span> {
+        let words = tokens.get(1..).unwrap_or_default();
+        let text = |token: &Token| self.source.slice(token.span);
+        let types = words.iter().enumerate().filter_map(|(at, token)| {
+            let next = words.get(at + 1).map(text).unwrap_or_default();
+            let is_as = text(token).eq_ignore_ascii_case("AS") && foreign::is_type(next);
+            (is_as || foreign::is_type(text(token))).then_some(token.span)
+        });
+        match words.len() {
+            0 | 1 => Vec::new(),
+            _ => types.collect(),
         }
     }
 
@@ -99,6 +155,16 @@ impl Parser<'_> {
         self.hyphened
             .iter()
             .any(|name| text.contains(name.as_str()))
+    }
+}
+
+/// The type of variables that a keyword declares.
+fn declared_kind(keyword: Keyword) -> Option<VariableKind> {
+    match keyword {
+        Keyword::DefVar => Some(VariableKind::Var),
+        Keyword::DefPos => Some(VariableKind::Pos),
+        Keyword::DefJoint => Some(VariableKind::Joint),
+        _ => None,
     }
 }
 

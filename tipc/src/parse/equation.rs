@@ -1,13 +1,14 @@
 //! `LHS op RHS` (T.I.P. 3.1 §5).
 
+use super::operand::no_function;
 use super::reader::{Fault, Parsed, Reader};
 use crate::code::Code;
 use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::list::List;
 use crate::message::{Habit, Message, Parsing};
+use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
 /// Whether the tokens are meant as an equation: an assignment follows the first word, or a non-word starts it.
@@ -83,6 +84,9 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
             ..
         }) => operation,
         Some(token) => {
+            if let Some(fault) = unknown_function(reader, &left, token) {
+                return Err(fault);
+            }
             let reason = Parsing::OperatorOrNothing;
             let help = instead(reader, &left, token);
             return Err(reader.fault_with_help(token.span, reason, help));
@@ -109,6 +113,20 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
     }
 }
 
+/// `MAX A B`, `ARCTAN A`: a word before an operand, that is known or near to a function.
+fn unknown_function(reader: &Reader<'_>, left: &Operand, next: Token) -> Option<Fault> {
+    let word = upper_case(reader.slice(left.span));
+    let is_name = matches!(left.kind, OperandKind::Name(_)) && next.kind == Kind::Word;
+    let is_near =
+        || nearest(&word, functions::words()).is_some() && commands::find(&word).is_none();
+    let is_known = || foreign::is_function(&word) || foreign::function(&word).is_some();
+    let is_one = is_name && next.spaced && (is_known() || is_near());
+    is_one.then(|| {
+        let (reason, help) = no_function(&word);
+        reader.fault_with_help(left.span, reason, help)
+    })
+}
+
 /// What to write in place of what follows the first operand.
 fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     let word = upper_case(reader.slice(token.span));
@@ -121,11 +139,6 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     }
     if let Some(number) = reader.comma_number(left.span, token.span) {
         return number.into();
-    }
-    if foreign::is_function(&first) {
-        let functions = List(functions::words().map(str::to_owned).collect());
-        let word = first;
-        return Habit::NoFunction { word, functions }.into();
     }
     match commands::find(&first).map(|command| command.meaning) {
         Some(Meaning::AdIn) => return Habit::AdIn.into(),

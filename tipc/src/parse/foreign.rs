@@ -1,14 +1,15 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
+use super::jump::{bare, joined, spread};
 use super::shape::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Label};
 use crate::foreign::{self, Means};
-use crate::language::commands::{self, COMMANDS};
+use crate::language::commands::{self, COMMANDS, Meaning};
 use crate::language::{Edition, Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Message, Suggesting};
+use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Shape, StatementKind, VariableKind, Word, upper_case};
@@ -96,7 +97,81 @@ impl Parser<'_> {
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         self.assignment(tokens)
             .or_else(|| self.brace(word, tokens))
+            .or_else(|| self.line_number(word, tokens))
+            .or_else(|| self.goes_on_declaring(word, tokens))
             .or_else(|| self.foreign_word(word, tokens))
+            .or_else(|| self.label_in_pieces(tokens))
+    }
+
+    /// `10 PTP F1 P`: one mistake, however many lines have a number.
+    fn line_number(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let text = self.source.slice(word);
+        let digits = text.trim_end_matches('.');
+        let is_number = !digits.is_empty() && digits.bytes().all(|it| it.is_ascii_digit());
+        let second = self.source.slice(tokens.get(1)?.span);
+        let command = commands::find(second).filter(|_| is_number)?;
+        let shape = match command.meaning {
+            Meaning::Keyword(keyword) => meant(keyword, self.text, &tokens[1..]),
+            _ => Shape::Plain,
+        };
+        match self.numbered {
+            Some(first) => {
+                let text = Instead::NumberedToo.into();
+                self.diagnostics[first]
+                    .labels
+                    .push(Label { span: word, text });
+            }
+            None => {
+                self.numbered = Some(self.diagnostics.len());
+                let reason = Commanding::NoCommand { word: text.into() };
+                self.report_unknown(word, text, reason, Instead::NoNumbers);
+            }
+        }
+        Some(StatementKind::Broken(shape))
+    }
+
+    /// `DEF_VAR A; B`: the name after the `;` was to be declared, too.
+    fn goes_on_declaring(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
+        let before = self.module.statements.last()?;
+        let StatementKind::Define { kind, .. } = before.kind else {
+            return None;
+        };
+        let text = upper_case(self.source.slice(word));
+        let is_name = tokens.len() == 1 && commands::find(&text).is_none();
+        if !is_name || before.line != self.line.number {
+            return None;
+        }
+        let reason = Commanding::NoCommand { word: text.clone() };
+        self.report_unknown(word, &text, reason, Parsing::SeparateNames);
+        let names = vec![Word {
+            node: text,
+            span: word,
+        }];
+        Some(StatementKind::Define {
+            kind,
+            keyword: word,
+            names,
+        })
+    }
+
+    /// `MAIN-LOOP:`, `MAIN LOOP:`
+    fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let (first, rest) = tokens.split_first()?;
+        let word = upper_case(self.source.slice(first.span));
+        let is_known = foreign::statement(&word).is_some()
+            || commands::find(&word).is_some()
+            || misspelt(&word).is_some();
+        if is_known || first.kind != Kind::Word {
+            return None;
+        }
+        let place = spread(self.text, first.span, rest)?;
+        let written = upper_case(self.source.slice(place));
+        let help = Parsing::WriteLabel {
+            name: joined(&written),
+        };
+        let reason = Naming::NoLabelName { word: written };
+        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        Some(StatementKind::Broken(Shape::Plain))
     }
 
     fn foreign_word(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
@@ -172,7 +247,7 @@ impl Parser<'_> {
         StatementKind::Subroutine {
             keyword: word,
             name: Word {
-                node: upper_case(self.source.slice(name.span)),
+                node: bare(&upper_case(self.source.slice(name.span))),
                 span: name.span,
             },
         }
@@ -180,8 +255,9 @@ impl Parser<'_> {
 
     /// `END.`
     pub(super) fn is_end_with_dot(&self, word: Span) -> bool {
-        let bare = self.source.slice(word).strip_suffix('.');
-        bare.is_some_and(|bare| bare.eq_ignore_ascii_case(Keyword::End.word()))
+        let text = self.source.slice(word);
+        let bare = text.trim_matches('.');
+        bare.len() < text.len() && bare.eq_ignore_ascii_case(Keyword::End.word())
     }
 
     pub(super) fn end_with_dot(&mut self, word: Span) {

@@ -4,11 +4,19 @@ use super::{Flow, LINE_LIMIT, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
+use crate::language::commands::{self, Meaning};
 use crate::language::{Keyword, keywords, names};
-use crate::lex::{Piece, Pieces, foreign_run, split_comment};
-use crate::message::{Habit, Naming, Parsing};
+use crate::lex::{DELIMITERS, Piece, Pieces, foreign_run, split_comment};
+use crate::message::{Habit, Instead, Message, Naming, Parsing};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, Word, upper_case};
+use smol_str::SmolStr;
+
+/// What an IME may type for a minus.
+pub(crate) const LONG_VOWEL: &str = "ー";
+
+/// The longest statement that is shown whole.
+const SHOWN: usize = 120;
 
 impl Parser<'_> {
     /// Reads the statements of the current line.
@@ -47,8 +55,10 @@ impl Parser<'_> {
             // The rest of the line is a text.
             Some(Keyword::Rem | Keyword::Message) => (Shape::Plain, Flow::NextLine),
             _ => {
-                self.label(word, span);
-                return Flow::Continue;
+                return match self.after_colon(word, span) {
+                    Some(help) => self.command_with_colon(word, span, help),
+                    None => self.label(word, span),
+                };
             }
         };
         let word_of = upper_case(self.source.slice(word));
@@ -61,15 +71,48 @@ impl Parser<'_> {
         flow
     }
 
-    fn label(&mut self, word: Span, span: Span) {
+    /// What to write in place of a command with a colon, if its arguments follow: `SLEEP: 100`, `GOTO :L1`.
+    fn after_colon(&self, word: Span, span: Span) -> Option<Message> {
+        let text = self.source.slice(word);
+        let command = commands::find(text)?;
+        let (code, _) = split_comment(self.text, self.line.span);
+        let rest = self
+            .source
+            .slice(Span::new(span.end, code.end.max(span.end)));
+        let next = rest.split(DELIMITERS).find(|next| !next.is_empty())?;
+        let is_apart = word.end + 1 < span.end;
+        let word = upper_case(text);
+        match command.meaning {
+            Meaning::Keyword(Keyword::Goto | Keyword::Gosub | Keyword::Call) => {
+                let name = upper_case(next.trim_end_matches(':'));
+                Some(Parsing::WriteLabel { name }.into())
+            }
+            Meaning::Keyword(Keyword::Return | Keyword::Exit) if is_apart => {
+                Some(Instead::ColonSeparates.into())
+            }
+            Meaning::Keyword(_) => None,
+            _ if is_apart => Some(Instead::ColonSeparates.into()),
+            _ => Some(Habit::WithoutColon { word }.into()),
+        }
+    }
+
+    fn command_with_colon(&mut self, word: Span, span: Span, help: Message) -> Flow {
+        let reason = Naming::WordOfLanguage {
+            word: upper_case(self.source.slice(word)),
+        };
+        self.report(Diagnostic::new(Code::Argument, word, reason).help(help));
+        self.push(StatementKind::Broken(Shape::Plain), span);
+        Flow::NextLine
+    }
+
+    fn label(&mut self, word: Span, span: Span) -> Flow {
         if let Some(foreign) = foreign_run(self.text, word) {
             self.report_foreign(foreign);
-            return self.push(StatementKind::Broken(Shape::Plain), span);
+            self.push(StatementKind::Broken(Shape::Plain), span);
+            return Flow::Continue;
         }
         if word.start == word.end {
-            let reason = Parsing::LabelNameMissing;
-            self.report(Diagnostic::new(Code::Argument, span, reason));
-            return self.push(StatementKind::Broken(Shape::Plain), span);
+            return self.nameless(span);
         }
         let name = Word {
             node: upper_case(self.source.slice(word)),
@@ -77,6 +120,22 @@ impl Parser<'_> {
         };
         self.check_name_length(&name);
         self.push(StatementKind::Label(name), span);
+        Flow::Continue
+    }
+
+    /// A colon without a name before it, or with one after it: `:L1`.
+    fn nameless(&mut self, colon: Span) -> Flow {
+        let fault = Diagnostic::new(Code::Argument, colon, Parsing::LabelNameMissing);
+        self.push(StatementKind::Broken(Shape::Plain), colon);
+        let next = self.text[colon.end..self.line.span.end.max(colon.end)].trim();
+        let is_name = |it: u8| it.is_ascii_alphanumeric() || it == b'_';
+        if next.is_empty() || !next.bytes().all(is_name) || commands::find(next).is_some() {
+            self.report(fault);
+            return Flow::Continue;
+        }
+        let name = upper_case(next);
+        self.report(fault.help(Parsing::WriteLabel { name }));
+        Flow::NextLine
     }
 
     /// A declared name may not be too long.
@@ -86,7 +145,8 @@ impl Parser<'_> {
                 limit: names::LIMIT,
                 length: name.node.len(),
             };
-            self.report(Diagnostic::new(Code::Format, name.span, reason));
+            let fault = Diagnostic::new(Code::Format, name.span, reason);
+            self.report(fault.help(Instead::ShorterName));
         }
     }
 
@@ -101,11 +161,18 @@ impl Parser<'_> {
         let before = &self.text[self.line.span.start..place.start];
         if let Some(plain) = text.chars().next().and_then(foreign::plain) {
             diagnostic = diagnostic.help(Habit::Plain { plain });
+        } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
+            diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
+        } else if text.chars().all(foreign::is_invisible) {
+            diagnostic = diagnostic.help(Instead::Invisible);
+        } else if let Some(character) = self.quoted_key(place) {
+            diagnostic = diagnostic.help(Habit::Character { character });
         } else if text.chars().all(char::is_whitespace) {
             diagnostic = diagnostic.help(Habit::PlainBlank);
         } else if foreign::ends_in_comment_mark(before) {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
+            let narrow = self.narrow_statement(place).unwrap_or(narrow);
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
             diagnostic = diagnostic.help(Habit::Comment);
@@ -115,6 +182,29 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Parsing::TakeOut);
         }
         self.report(diagnostic);
+    }
+
+    /// The statement around a place in half-width characters, if more than one of its words is full-width.
+    fn narrow_statement(&self, place: Span) -> Option<String> {
+        let (code, _) = split_comment(self.text, self.line.span);
+        let start = self.text[code.start..place.start].rfind(';');
+        let start = start.map_or(code.start, |at| code.start + at + 1);
+        let end = self.text[place.end..code.end.max(place.end)].find(';');
+        let end = end.map_or(code.end.max(place.end), |at| place.end + at);
+        let statement = self.source.slice(Span::new(start, end));
+        let words = statement.split_whitespace().collect::<Vec<_>>();
+        let wide = words.iter().filter(|word| !word.is_ascii()).count();
+        let narrow = narrow(&words.join(" "));
+        (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
+    }
+
+    /// The key between quotes of typesetting that begin at a place.
+    fn quoted_key(&self, place: Span) -> Option<SmolStr> {
+        let mut chars = self.text[place.start..].chars();
+        let is_quote = |char: char| matches!(char, '‘' | '’' | '“' | '”');
+        let (open, key, close) = (chars.next()?, chars.next()?, chars.next()?);
+        let is_key = is_quote(open) && is_quote(close) && key.is_ascii_alphanumeric();
+        is_key.then(|| SmolStr::from_iter([key.to_ascii_uppercase()]))
     }
 
     /// Whether a comment of another language begins before a place on its line.
@@ -196,6 +286,10 @@ pub(crate) fn narrow(text: &str) -> String {
 /// The same characters half-width, if they are full-width letters, digits or signs.
 fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
+}
+
+fn is_digit(char: char) -> bool {
+    char.is_ascii_digit()
 }
 
 /// The half-width form of a full-width letter, digit or sign.

@@ -4,9 +4,12 @@ use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
 use crate::language::{Keyword, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Message, Parsing};
+use crate::message::list::List;
+use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
 use crate::source::Span;
+use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
+use smol_str::SmolStr;
 
 /// Words that end an operand list in conditions and FOR; no variable has such a name.
 const STOPS: &[Keyword] = &[
@@ -56,6 +59,8 @@ impl Reader<'_> {
             fault.help = Some(Habit::Comment.into());
         } else if calculates {
             fault.help = Some(Habit::CalculateArgument.into());
+        } else if matches!(token.kind, Kind::Assign(_)) {
+            fault.help = Some(Parsing::SeparateArguments.into());
         }
         fault
     }
@@ -193,7 +198,22 @@ impl Reader<'_> {
     fn foreign_in_name(&self, word: &str, place: Span) -> Fault {
         let character = self.slice(place).into();
         let reason = Parsing::ForeignInName { character };
-        self.fault_with_help(place, reason, meant_by_name(word))
+        let help = meant_by_name(word);
+        let is_calculation = help == Parsing::NoParentheses.into() && self.is_equation();
+        let help: Message = match word.as_bytes() {
+            // `P = (391, 201, -150)`
+            [b'(' | b'{', b'0'..=b'9' | b'-', ..]
+                if self.is_equation() && self.peek().is_some_and(|it| it.kind == Kind::Word) =>
+            {
+                Habit::EachMember.into()
+            }
+            [b'~', _, ..] if !self.is_equation() => Habit::WriteNot.into(),
+            _ if help == Parsing::NoParentheses.into() && !is_calculation => {
+                Instead::NoParentheses.into()
+            }
+            _ => help,
+        };
+        self.fault_with_help(place, reason, help)
     }
 }
 
@@ -202,17 +222,36 @@ fn meant_by_number(word: &str) -> Message {
     let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
     let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
     let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
-    match hex.and_then(|hex| u32::from_str_radix(hex, 16).ok()) {
+    let binary = word.strip_prefix("0b").or_else(|| word.strip_prefix("0B"));
+    let hex = hex.and_then(|hex| u32::from_str_radix(hex, 16).ok());
+    let value = hex.or_else(|| u32::from_str_radix(binary?, 2).ok());
+    if let Some(number) = misread(word) {
+        return Instead::Digits { number }.into();
+    }
+    match value {
         Some(value) => Habit::NoHex { value }.into(),
         None if foreign::is_unit(unit) && !number.is_empty() => Habit::NoUnit.into(),
         None => Parsing::Constants.into(),
     }
 }
 
+/// `2O1`, `l0`, `1_000`: the number, if letters were typed that look like digits, or groups are set apart.
+fn misread(word: &str) -> Option<SmolStr> {
+    let digit = |c: char| match c {
+        'O' | 'o' => Some('0'),
+        'I' | 'l' => Some('1'),
+        '_' => None,
+        other => Some(other),
+    };
+    let number: String = word.chars().filter_map(digit).collect();
+    let is_plain = number.bytes().all(|it| it.is_ascii_digit() || it == b'.');
+    (is_plain && number.parse::<f64>().is_ok()).then(|| number.into())
+}
+
 /// What to write in place of a word with characters that no name has.
 fn meant_by_name(word: &str) -> Message {
     let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
-    if word.strip_prefix(['(', '[']).is_some_and(is_number) {
+    if word.strip_prefix(['(', '[']).is_some_and(is_number) || word.starts_with('{') {
         return Habit::NoBrackets.into();
     }
     let quotes = ['\'', '"'];
@@ -236,12 +275,28 @@ fn meant_by_name(word: &str) -> Message {
             return Parsing::NoParentheses.into();
         }
         let name = upper_case(name);
+        if foreign::is_function(&name) || foreign::function(&name).is_some() {
+            return no_function(&name).1;
+        }
         return Habit::NoArray { name }.into();
     }
     match word.contains(['(', ')']) {
         true => Parsing::NoParentheses.into(),
         false => Parsing::NameCharacters.into(),
     }
+}
+
+/// What is said of a function that the language lacks.
+pub(super) fn no_function(word: &str) -> (Message, Message) {
+    let near = foreign::function(word).or_else(|| nearest(word, functions::words()));
+    let help = match near {
+        Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+        None => {
+            let functions = List(functions::words().map(str::to_owned).collect());
+            Instead::Functions { functions }.into()
+        }
+    };
+    (Parsing::NoSuchFunction { word: word.into() }.into(), help)
 }
 
 fn is_name_char(char: char) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::Keyword;
+use crate::language::{Keyword, commands};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{Habit, Message, Parsing};
@@ -86,6 +86,16 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at.checked_sub(1)?).copied()
     }
 
+    /// The text that this reads.
+    pub(super) fn text(&self) -> &'a str {
+        self.text
+    }
+
+    /// The tokens that are left.
+    pub(super) fn left_tokens(&self) -> &'a [Token] {
+        &self.tokens[self.at..]
+    }
+
     /// How many tokens are left.
     pub(super) fn left(&self) -> usize {
         self.tokens.len() - self.at
@@ -132,6 +142,17 @@ impl<'a> Reader<'a> {
         help: impl Into<Message>,
     ) -> Fault {
         Box::new(Diagnostic::new(self.code, span, reason).help(help))
+    }
+
+    /// Nothing may be left; `help` unless another statement follows.
+    pub(super) fn expect_end_or(&self, end: End, help: impl Into<Message>) -> Parsed<()> {
+        self.expect_end(end).map_err(|mut fault| {
+            let next = self.slice(self.here());
+            if commands::find(next).is_none() {
+                fault.help = Some(help.into());
+            }
+            fault
+        })
     }
 
     /// Nothing may be left.

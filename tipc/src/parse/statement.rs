@@ -9,6 +9,7 @@ use crate::code::Code;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{Token, lex};
+use crate::message::Instead;
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind, VariableKind};
 
@@ -39,6 +40,11 @@ impl Parser<'_> {
                 self.end_with_dot(word);
                 return Flow::End;
             }
+            None if self.narrow_keyword(word) == Some(Keyword::End) => {
+                self.report_foreign(word);
+                self.push(StatementKind::End, word);
+                return Flow::End;
+            }
             Some(Keyword::For) if self.is_for_of_c(word, span) => return self.for_of_c(span),
             keyword => self.words(keyword, word, span),
         }
@@ -66,8 +72,27 @@ impl Parser<'_> {
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
         }
-        self.push(kind, span);
+        let kinds = match &kind {
+            // `NEXT I, J` was to close both.
+            StatementKind::Next { .. } if self.names_several(&tokens) => {
+                vec![StatementKind::Broken(Shape::Next); tokens.len() - 1]
+            }
+            _ => vec![kind],
+        };
+        for kind in kinds {
+            self.push(kind, span);
+        }
         self.tokens = tokens;
+    }
+
+    /// Whether more than one name follows a word, and nothing else.
+    fn names_several(&self, tokens: &[Token]) -> bool {
+        let is_name = |token: &Token| {
+            let word = self.source.slice(token.span);
+            let starts = word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+            starts && keywords::find(word, self.module.edition).is_none()
+        };
+        tokens.len() > 2 && tokens[1..].iter().all(is_name)
     }
 
     fn kind(
@@ -132,7 +157,12 @@ impl Parser<'_> {
     /// Reports what follows a word that must be alone on its line.
     fn check_alone(&mut self, keyword: Keyword, tokens: &[Token], reported: bool) -> bool {
         if let ([word, next, ..], [.., last], false) = (tokens, tokens, reported) {
-            self.report(not_alone(keyword, word.span, next.span.to(last.span)));
+            let fault = not_alone(keyword, word.span, next.span.to(last.span));
+            let counts = self.source.slice(next.span).parse::<f64>().is_ok();
+            self.report(match keyword {
+                Keyword::Repeat if counts => fault.help(Instead::CountTimes),
+                _ => fault,
+            });
         }
         tokens.len() == 1
     }

@@ -39,6 +39,39 @@ fn words_that_close_blocks() {
     );
 }
 
+// clauses: 5.1 7.1
+#[test]
+fn relations_words_and_characters_of_habit() {
+    let with =
+        |relation: &str| format!("DEF_VAR N\nAD_IN VR1 N\nIF N {relation} 3 THEN\nREM\nENDIF");
+    for (foreign, right) in [
+        ("EQ", "=="),
+        ("ne", "<>"),
+        ("~=", "<>"),
+        ("===", "=="),
+        ("> =", ">="),
+        ("< >", "<>"),
+    ] {
+        check_certain(&with(foreign), &with(right));
+    }
+    for (foreign, right) in [
+        ("INITIAL POSTURE", "INITIAL_POSTURE"),
+        ("SET V MAX F1 100", "SET_V_MAX F1 100"),
+        ("PTP ANGLE J11 30", "PTP_ANGLE J11 30"),
+        ("WAIT INPOS ALL", "WAIT_INPOS ALL"),
+        ("SLEEP: 100", "SLEEP 100"),
+        ("SLEEP100", "SLEEP 100"),
+        ("SLEEP \u{200B}100", "SLEEP 100"),
+        ("PTP F1 391 201 ー150", "PTP F1 391 201 -150"),
+        (
+            "WHILE ! INPOS_ALL\nSLEEP 10\nWEND",
+            "WHILE !INPOS_ALL\nSLEEP 10\nWEND",
+        ),
+    ] {
+        check_certain(foreign, right);
+    }
+}
+
 // clauses: 7.20
 #[test]
 fn branches_of_other_languages() {

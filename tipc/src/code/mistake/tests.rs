@@ -57,13 +57,20 @@ const BESIDE: &[(&str, &str)] = &[
     (
         "Habit",
         "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition ElseAfterJump WriteThen
-         WithoutColon NextStatement Update Power Remainder NoFunction EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
+         WithoutColon NextStatement Update Power Remainder EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
          JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
          NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
          KeyIn AdIn Lamp Cases Speed Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
          Assign Initial Nest WriteNot WriteNotEqual Forever LeaveThenOut CloseOneLineIf InOneWord Number Comma Migrate Title
-         TitleHere OtherEncoding",
+         TitleHere OtherEncoding Nothing Ask",
+    ),
+    (
+        "Instead",
+        "Write BlankAfter NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
+         CommandFirst Keys ColonSeparates NoParentheses Limit Functions MemberByMember TypeLeftOut ShorterName
+         Call JumpTo NoValues NoResult LeaveSubroutine Alone NextEach GotoLoop Closes
+         CountTimes",
     ),
 ];
 

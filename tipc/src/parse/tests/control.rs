@@ -91,7 +91,11 @@ fn for_has_two_or_three_operands() {
 fn next_may_name_its_variable() {
     check("NEXT", &["next -"]);
     check("NEXT I", &["next I"]);
-    check("NEXT I J", &["next I", "1:8: Wrong argument"]);
+    check(
+        "NEXT I J",
+        &["broken Next", "broken Next", "1:8: Wrong argument"],
+    );
+    check("NEXT I 5", &["next I", "1:8: Wrong argument"]);
     check("NEXT -I", &["broken Next", "1:6: Wrong argument"]);
     check("NEXT 5", &["broken Next", "1:6: Wrong argument"]);
 }

@@ -1,0 +1,95 @@
+//! What the first word of a statement was meant to be, if the language lacks it.
+
+use super::resolve::Resolver;
+use crate::foreign;
+use crate::language::commands::{self, COMMANDS};
+use crate::language::flags;
+use crate::lex::DELIMITERS;
+use crate::message::{Commanding, Habit, Instead, Message, Suggesting};
+use crate::suggest::nearest;
+use crate::syntax::{Word, upper_case};
+use tip_runtime::command::{FAST, Flag, Target};
+
+/// The most words that a command may have been taken apart into.
+const PARTS: usize = 4;
+
+impl Resolver<'_> {
+    pub(super) fn meant_by(&self, name: &Word) -> Message {
+        let word = name.node.as_str();
+        if let Some(command) = self.in_one_word(name) {
+            let word = command.into();
+            return Habit::InOneWord { word }.into();
+        }
+        if let Some(help) = self.call_of(word) {
+            return help;
+        }
+        if let Some(command) = commands::renamed(word) {
+            return Commanding::CalledNow { command }.into();
+        }
+        let name = foreign::name(word);
+        let last = name.rsplit('.').next().unwrap_or(name);
+        let rows = [word, name, last].into_iter();
+        if let Some(row) = rows.filter_map(foreign::statement).next() {
+            return row.habit.clone().into();
+        }
+        if let Ok(target) = word.parse::<Target>() {
+            let target = target.to_string().into();
+            return Habit::TargetFirst { target }.into();
+        }
+        if flags::find(word, self.names.edition).is_some() {
+            return Habit::FlagAlone { flag: word.into() }.into();
+        }
+        if let Some(command) = called(word, last) {
+            return Habit::Glued { command }.into();
+        }
+        if let Some(command) = glued(word) {
+            return Instead::BlankAfter { command }.into();
+        }
+        match nearest(word, COMMANDS.iter().map(|command| command.name)) {
+            Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+            None => Commanding::LabelOrEquation.into(),
+        }
+    }
+
+    /// `ALL STOP`: the command whose name is in several words.
+    pub(super) fn in_one_word(&self, first: &Word) -> Option<&'static str> {
+        let rest = self.rest_of_statement(first.span);
+        let rest = rest.split(DELIMITERS).filter(|word| !word.is_empty());
+        let words: Vec<&str> = rest.take(PARTS - 1).collect();
+        let mut counts = (1..=words.len()).rev();
+        counts.find_map(|count| {
+            let parts = [first.node.as_str()].into_iter();
+            let whole: Vec<&str> = parts.chain(words[..count].iter().copied()).collect();
+            let command = commands::find(&upper_case(&whole.join("_")))?;
+            Some(command.name)
+        })
+    }
+
+    /// A SUBROUTINE or label of that name, which was to be called.
+    fn call_of(&self, word: &str) -> Option<Message> {
+        let name = word.strip_suffix("()").unwrap_or(word);
+        let is_subroutine = self.is_subroutine(name)?;
+        let name = name.into();
+        Some(match is_subroutine {
+            true => Instead::Call { name }.into(),
+            false => Instead::JumpTo { name }.into(),
+        })
+    }
+}
+
+/// The command that a word calls as another language does: `PTP(F1`, `MESSAGE"…"`, `robot.ptp(1`.
+fn called(word: &str, name: &str) -> Option<&'static str> {
+    let command = commands::find(name).filter(|_| name.len() < word.len())?;
+    Some(command.name)
+}
+
+/// The command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.
+fn glued(word: &str) -> Option<&'static str> {
+    let is_argument = |rest: &str| {
+        let is_number = !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit());
+        is_number || rest == FAST || rest.parse::<Target>().is_ok() || rest.parse::<Flag>().is_ok()
+    };
+    let begins = |name: &&str| word.strip_prefix(*name).is_some_and(is_argument);
+    let names = COMMANDS.iter().map(|command| command.name);
+    names.filter(begins).max_by_key(|name| name.len())
+}

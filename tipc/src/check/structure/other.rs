@@ -1,0 +1,161 @@
+//! Ends of blocks that other languages write: END for each, NEXT for a WHILE.
+
+use super::Matcher;
+use crate::check::blocks::BlockKind;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::foreign;
+use crate::language::Keyword;
+use crate::lex::BLANKS;
+use crate::message::{Habit, Instead, Message, Structuring};
+use crate::source::Source;
+use crate::syntax::{Shape, StatementKind};
+
+/// How far the end of a block is looked for.
+const FAR: usize = 1_000;
+
+impl Matcher<'_> {
+    /// `WHILE … NEXT`: the end of another loop, where the innermost one never gets its own. `other_open` says whether
+    /// a loop that it could close is open around that one.
+    pub(super) fn closes_other(
+        &mut self,
+        index: usize,
+        kind: BlockKind,
+        name: Keyword,
+        other_open: bool,
+    ) -> bool {
+        let Some(open) = self.open.last() else {
+            return false;
+        };
+        let (inner, first, block) = (open.kind, open.first, open.block);
+        let may_be = is_loop(inner)
+            && is_loop(kind)
+            && inner != kind
+            && name == kind.closer()
+            && !self.is_reported(index)
+            && !self.is_reported(first);
+        if !may_be || self.comes_later(index, inner) || other_open && !self.comes_later(index, kind)
+        {
+            return false;
+        }
+        self.open.pop();
+        self.result.blocks[block].end = index;
+        self.result.blocks[block].broken = true;
+        let reason = Structuring::NothingOpen {
+            opener: kind.opener(),
+            word: name,
+        };
+        let (opener, closer) = (inner.opener(), inner.closer());
+        let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
+            .label(self.place(first), Structuring::Open { opener })
+            .help(Instead::Closes { opener, closer });
+        self.found.push(fault);
+        true
+    }
+
+    /// Whether the end of a block of this kind that is open now comes after a statement.
+    fn comes_later(&self, index: usize, kind: BlockKind) -> bool {
+        let mut inside = 0;
+        for statement in self.module.statements[index + 1..].iter().take(FAR) {
+            match statement.kind.shape() {
+                Shape::Subroutine | Shape::SubEnd => return false,
+                shape if shape == opens(kind) => inside += 1,
+                shape if shape == closes(kind) && inside == 0 => return true,
+                shape if shape == closes(kind) => inside -= 1,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// An END inside a block, with statements and another END after it, was to end the block, or to stop the run.
+    pub(super) fn ended_too_early(&mut self, source: &Source) -> Option<()> {
+        let innermost = self.open.last()?;
+        let last = self.module.statements.last()?;
+        if last.kind != StatementKind::End || self.is_reported(innermost.first) {
+            return None;
+        }
+        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
+        let (line, _) = source.line_column(last.span.start);
+        let after = (line + 1..=source.line_count()).map(|line| source.line_text(line));
+        let words = after.map(|text| {
+            let text = text.trim_matches(BLANKS);
+            text.split([' ', '\t', ';']).next().unwrap_or_default()
+        });
+        let words: Vec<&str> = words.take(FAR).collect();
+        let has = |word: Keyword| {
+            let is_it = |one: &&str| one.eq_ignore_ascii_case(word.word());
+            words.iter().any(is_it)
+        };
+        let help: Message = match (has(closer), has(Keyword::End)) {
+            (true, _) => Habit::Exit.into(),
+            (false, true) => Instead::Closes { opener, closer }.into(),
+            (false, false) => return None,
+        };
+        let reason = Habit::EndInTwo {
+            word: opener.into(),
+        };
+        let fault = Diagnostic::new(Code::Structure, last.span, reason)
+            .label(self.place(innermost.first), Structuring::Open { opener })
+            .help(help);
+        self.found.push(fault);
+        for open in self.open.drain(..) {
+            self.result.blocks[open.block].broken = true;
+        }
+        Some(())
+    }
+
+    /// `END IF` ends the program, and whatever is open with it.
+    pub(super) fn ended_in_two_words(&mut self) -> Option<()> {
+        let second = self.module.after_end.as_ref()?;
+        let innermost = self.open.last()?;
+        let (opener, closer) = (innermost.kind.opener(), innermost.kind.closer());
+        if second.node != opener.word() && foreign::ends(&second.node) != Some(closer) {
+            return None;
+        }
+        let end = self.module.statements.last()?.span;
+        let reason = Habit::EndInTwo {
+            word: opener.into(),
+        };
+        let help = match closer {
+            Keyword::Wend => Habit::Wend,
+            Keyword::Next => Habit::Next,
+            Keyword::SubEnd => Habit::SubEnd,
+            _ => Habit::InOneWord {
+                word: closer.into(),
+            },
+        };
+        let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
+            .label(self.place(innermost.first), Structuring::Open { opener })
+            .help(help);
+        self.found.push(fault);
+        for open in self.open.drain(..) {
+            self.result.blocks[open.block].broken = true;
+        }
+        Some(())
+    }
+}
+
+fn is_loop(kind: BlockKind) -> bool {
+    matches!(kind, BlockKind::While | BlockKind::Repeat | BlockKind::For)
+}
+
+fn opens(kind: BlockKind) -> Shape {
+    match kind {
+        BlockKind::If => Shape::If,
+        BlockKind::While => Shape::While,
+        BlockKind::Repeat => Shape::Repeat,
+        BlockKind::For => Shape::For,
+        BlockKind::Subroutine => Shape::Subroutine,
+    }
+}
+
+fn closes(kind: BlockKind) -> Shape {
+    match kind {
+        BlockKind::If => Shape::EndIf,
+        BlockKind::While => Shape::Wend,
+        BlockKind::Repeat => Shape::Until,
+        BlockKind::For => Shape::Next,
+        BlockKind::Subroutine => Shape::SubEnd,
+    }
+}

@@ -1,0 +1,106 @@
+//! What to write in place of what stands there.
+
+use super::list::List;
+use crate::language::Keyword;
+use smol_str::SmolStr;
+
+messages! {
+    /// Another way of writing.
+    Instead;
+
+    // Words.
+    Write { text: SmolStr }
+        "write `{text}`",
+        "`{text}` と書いてください";
+    BlankAfter { command: &'static str }
+        "put a blank after {command}",
+        "{command}の後に空白を入れてください";
+    NoNumbers
+        "lines have no numbers: leave them out, and jump to labels, as `GOTO L1:` to `L1:`",
+        "行番号は付けません。番号を取り、飛び先には `L1:` のようなラベルを置いて `GOTO L1:` と書いてください";
+    NumberedToo
+        "this line has a number, too",
+        "この行にも番号が付いています";
+    Digits { number: SmolStr }
+        "did you mean the number `{number}`?",
+        "数値の `{number}` の間違いではありませんか?";
+    Invisible
+        "this is an invisible character: delete it",
+        "見えない文字が入っています。消してください";
+
+    // Words of the language in another place.
+    ReadInput { input: SmolStr }
+        "read the input on the line before: `AD_IN {input} A`, and write A here",
+        "入力は前の行で `AD_IN {input} A` と読み、ここにはAを書いてください";
+    OfFoot { target: SmolStr }
+        "`TEACH_POSITION {target} P` reads where the foot is, `PTP {target} x y z` moves it",
+        "足先の位置を読むのは `TEACH_POSITION {target} P`、動かすのは `PTP {target} x y z` です";
+    OfJoint { target: SmolStr }
+        "`TEACH_ANGLE {target} A` reads the joint's angle, `PTP_ANGLE {target} 30` turns it",
+        "関節の角度を読むのは `TEACH_ANGLE {target} A`、回すのは `PTP_ANGLE {target} 30` です";
+    CommandFirst { command: &'static str }
+        "{command} is a command: it starts a statement, and its arguments follow after blanks",
+        "{command}はコマンドです。文の先頭に書き、引数は空白で区切って続けます";
+    Keys
+        "the keys are `CHAR_0`…`CHAR_9`, `CHAR_A`…`CHAR_Z` and `CHAR_SPC` (the space bar)",
+        "キーは `CHAR_0`…`CHAR_9`、`CHAR_A`…`CHAR_Z`、`CHAR_SPC` (スペース)です";
+    ColonSeparates
+        "a colon makes a label; between two statements write `;`, or start a new line",
+        "コロンを付けるとラベルになります。文の区切りは `;` か改行です";
+
+    // Conditions.
+    NoParentheses
+        "write it without parentheses",
+        "括弧を付けずに書いてください";
+    Limit
+        "calculate in an equation on the line before, and write its variable here",
+        "計算は前の行の式で行い、ここにはその変数を書いてください";
+
+    // Equations.
+    Functions { functions: List }
+        "the functions are {functions}",
+        "使える関数は{functions}です";
+    MemberByMember
+        "calculate member by member, as `P.Z = P.Z + 10`",
+        "`P.Z = P.Z + 10` のように、メンバごとに計算してください";
+    TypeLeftOut
+        "leave it out: `DEF_VAR` declares numbers",
+        "これは要りません。`DEF_VAR` で数値の変数になります";
+    ShorterName
+        "choose a shorter name",
+        "もっと短い名前にしてください";
+
+    // Calls and labels.
+    Call { name: SmolStr }
+        "to call the SUBROUTINE write `CALL {name}:`",
+        "SUBROUTINEを呼ぶのは `CALL {name}:` です";
+    JumpTo { name: SmolStr }
+        "to go there write `GOTO {name}:`, to call it `GOSUB {name}:`",
+        "そこへ飛ぶのは `GOTO {name}:`、呼ぶのは `GOSUB {name}:` です";
+    NoValues
+        "a SUBROUTINE takes no values: assign variables before the CALL",
+        "SUBROUTINEに値は渡せません。CALLの前に変数に代入してください";
+    NoResult
+        "RETURN gives no value back: leave it in a variable",
+        "RETURNで値は返せません。変数に入れておいてください";
+    LeaveSubroutine
+        "leave a SUBROUTINE with `RETURN`",
+        "SUBROUTINEから戻るのは `RETURN` です";
+    Alone { word: SmolStr }
+        "write `{word}` alone",
+        "`{word}` だけを書いてください";
+    NextEach
+        "close each FOR with a NEXT of its own, the inner one first",
+        "FORごとにNEXTで閉じます。内側のFORから順に書いてください";
+    GotoLoop
+        "GOTO without a label goes to the `LOOP:` above: name the label, as `GOTO L1:`",
+        "ラベルのないGOTOは上の `LOOP:` へ飛びます。`GOTO L1:` のように飛び先を書いてください";
+
+    // Blocks.
+    Closes { opener: Keyword, closer: Keyword }
+        "{closer} closes {opener}",
+        "{opener}を閉じるのは{closer}です";
+    CountTimes
+        "REPEAT counts nothing: to repeat 3 times write `FOR I = 1 TO 3` … `NEXT`",
+        "REPEATで回数は数えられません。3回繰り返すなら `FOR I = 1 TO 3` … `NEXT` です";
+}

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR A1
+A1 = ATAN 1 2
+SLEEP A1
+END

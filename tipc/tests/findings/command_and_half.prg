@@ -1,0 +1,4 @@
+3.1
+A title
+PTP ANGLE J11 30
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+PTP Fl 391 201 -150
+END

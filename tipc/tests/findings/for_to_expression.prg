@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR N M
+M = 3
+FOR N = 1 TO M-1
+SLEEP N
+NEXT
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+IF KB_HIT GOTO
+ALL_STOP
+END

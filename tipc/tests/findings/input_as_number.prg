@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR V
+V = VR1
+SLEEP V
+END

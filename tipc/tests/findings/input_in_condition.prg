@@ -1,0 +1,6 @@
+3.1
+A title
+IF ANTENNA > 2 THEN
+ALL_STOP
+ENDIF
+END

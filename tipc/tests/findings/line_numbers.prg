@@ -1,0 +1,6 @@
+3.1
+A title
+10 ALL_STOP
+20 SLEEP 100
+30 GOTO 10
+END

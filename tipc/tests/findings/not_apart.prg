@@ -1,0 +1,6 @@
+3.1
+A title
+WHILE ! INPOS_ALL
+SLEEP 10
+WEND
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+PTP F1 391 2O1 -150
+END

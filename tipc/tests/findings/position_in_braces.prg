@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_POS P
+P = {391, 201, -150}
+PTP F1 P
+END

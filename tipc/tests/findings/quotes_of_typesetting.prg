@@ -1,0 +1,7 @@
+3.1
+A title
+KEY_IN
+IF VAR_KEY == ‘A’ THEN
+EXIT
+ENDIF
+END

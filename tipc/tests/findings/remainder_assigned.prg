@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR A1
+A1 = 7
+A1 %= 3
+SLEEP A1
+END

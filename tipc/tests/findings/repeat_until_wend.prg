@@ -1,0 +1,6 @@
+3.1
+A title
+REPEAT
+SLEEP 10
+WEND
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+REPEAT 3
+ALL_STOP
+UNTIL KB_HIT
+END

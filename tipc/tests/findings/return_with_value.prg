@@ -1,0 +1,7 @@
+3.1
+A title
+GOSUB S:
+EXIT
+S: ALL_STOP
+RETURN 0
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+time.sleep(1)
+END

@@ -1,0 +1,4 @@
+3.1
+A title
+ALL_STOP
+STOP

@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR N
+AD_IN VR1 N
+IF N === 3 THEN
+ALL_STOP
+ENDIF
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+UNLESS KB_HIT THEN
+REM
+ENDIF
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR L1
+L1 = 100
+SLEEP LI
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+VOID SETUP() {
+ALL_STOP
+}
+END
