@@ -51,6 +51,7 @@
 //! # Ok::<(), tip_runtime::fault::Fault>(())
 //! ```
 
+mod aims;
 mod arrival;
 mod detect;
 mod drive;
@@ -71,6 +72,8 @@ mod teach;
 mod trajectory;
 mod vibrate;
 mod watch;
+
+pub use aims::{Aim, Mode};
 
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;

@@ -307,6 +307,11 @@ impl CallStack {
         Ok(())
     }
 
+    /// Where the open calls return to, the outermost first.
+    pub fn open(&self) -> &[u32] {
+        self.steps.get(..usize::from(self.len)).unwrap_or(&[])
+    }
+
     /// Where to return to.
     ///
     /// # Errors

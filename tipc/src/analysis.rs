@@ -12,4 +12,6 @@ pub mod spots;
 pub(crate) mod stuck;
 mod walk;
 
+pub use access::assigns;
+
 pub(crate) use flow::{Entry, always, enters};

@@ -5,6 +5,8 @@
 
 mod allow;
 pub mod analysis;
+#[cfg(feature = "tools")]
+pub mod ask;
 mod check;
 pub mod code;
 #[cfg(feature = "robot-files")]

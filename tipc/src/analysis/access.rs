@@ -12,7 +12,7 @@ pub(super) fn reads(program: &Program, action: &Action, found: impl FnMut(usize)
 }
 
 /// The scalars that have a value once the step is done: neighbours.
-pub(super) fn assigns(program: &Program, action: &Action) -> Range<usize> {
+pub fn assigns(program: &Program, action: &Action) -> Range<usize> {
     match action {
         Action::SetScalar { target: into, .. }
         | Action::For { variable: into, .. }

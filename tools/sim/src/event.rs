@@ -98,6 +98,11 @@ impl Events {
         self.0.truncate(count);
     }
 
+    /// Leaves out those that `keeps` refuses.
+    pub(crate) fn retain(&mut self, keeps: impl FnMut(&Timed) -> bool) {
+        self.0.retain(keeps);
+    }
+
     /// Adds an event after those of its cycle, and not before place `from`.
     pub(crate) fn insert(&mut self, from: usize, event: Timed) {
         let later = self.0.get(from..).unwrap_or_default();

@@ -2,6 +2,7 @@
 
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
+use tip_runtime::controller::Aim;
 use tip_runtime::plant::Motion;
 
 impl Run {
@@ -18,6 +19,11 @@ impl Run {
     /// The legs or fingers as they are after the last cycle; none if nothing but joints is simulated.
     pub fn limbs(&self) -> Option<Limbs> {
         self.shell.limbs()
+    }
+
+    /// What every leg or finger is to do, foot by foot or joint by joint.
+    pub fn aims(&self) -> Vec<Aim> {
+        self.shell.aims()
     }
 
     /// What the robot grasps; none if it is not a hand.

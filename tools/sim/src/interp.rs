@@ -48,6 +48,11 @@ impl Interpreter {
         }
     }
 
+    /// Where the open calls return to, the outermost first.
+    pub fn calls(&self) -> &[u32] {
+        self.calls.open()
+    }
+
     /// The program that it runs, which copies of the interpreter share.
     pub fn program(&self) -> &Arc<program::Program> {
         &self.program

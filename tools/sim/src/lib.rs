@@ -5,6 +5,7 @@
 
 mod body;
 mod cycle;
+pub mod debug;
 #[cfg(feature = "robot-files")]
 mod described;
 mod desk;

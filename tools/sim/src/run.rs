@@ -278,7 +278,7 @@ impl Run {
     }
 
     /// Lets everything happen that is due.
-    fn happen(&mut self) {
+    pub(crate) fn happen(&mut self) {
         let cycle = self.cycles();
         while let Some(due) = self.events.all().get(self.happened) {
             if due.cycle > cycle {

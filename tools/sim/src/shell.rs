@@ -8,6 +8,7 @@ use crate::native::Native;
 use crate::rig::{Failures, Rig};
 use std::any::Any;
 use tip_runtime::command::{Flag, MAX, Port};
+use tip_runtime::controller::Aim;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
 use tip_runtime::plant::{self, Motion, Plant as _};
@@ -28,6 +29,7 @@ pub(crate) trait Shell {
     fn motion(&self) -> Option<Motion>;
     fn first_fall(&self) -> Option<plant::Fall>;
     fn limbs(&self) -> Option<Limbs>;
+    fn aims(&self) -> Vec<Aim>;
     fn grasp(&self) -> Option<Grasp>;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn pause(&mut self, on: bool);
@@ -127,6 +129,10 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn limbs(&self) -> Option<Limbs> {
         self.hardware().limbs().map(Limbs::from)
+    }
+
+    fn aims(&self) -> Vec<Aim> {
+        self.controller().aims().collect()
     }
 
     fn grasp(&self) -> Option<Grasp> {

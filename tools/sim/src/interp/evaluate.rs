@@ -4,10 +4,9 @@ use super::Interpreter;
 use tip_runtime::command::MAX;
 use tip_runtime::fault::Fault;
 use tip_runtime::ops::{self, Domain};
-use tip_runtime::program::Context;
 use tipc::program::{
-    Arithmetic, Axis, Condition, Operand, Relation, Scalar, ScalarExpression, StructExpression,
-    VariableId,
+    Arithmetic, Axis, Condition, Flag, Operand, Relation, Scalar, ScalarExpression,
+    StructExpression, VariableId,
 };
 
 impl Interpreter {
@@ -54,7 +53,8 @@ impl Interpreter {
         }
     }
 
-    fn scalar_expression(&self, value: ScalarExpression) -> Result<f64, Fault> {
+    /// What stands on the right of an equation.
+    pub(crate) fn scalar_expression(&self, value: ScalarExpression) -> Result<f64, Fault> {
         match value {
             ScalarExpression::Operand(operand) => self.operand(operand),
             ScalarExpression::Binary {
@@ -130,7 +130,11 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn holds(&self, condition: Condition, cx: &dyn Context) -> Result<bool, Fault> {
+    pub(crate) fn holds(
+        &self,
+        condition: Condition,
+        flag_is_up: &dyn Fn(Flag) -> bool,
+    ) -> Result<bool, Fault> {
         match condition {
             Condition::Compare {
                 left,
@@ -148,7 +152,7 @@ impl Interpreter {
                     Relation::Ge => left >= right,
                 })
             }
-            Condition::Flag { flag, negated } => Ok(cx.flag(flag) != negated),
+            Condition::Flag { flag, negated } => Ok(flag_is_up(flag) != negated),
         }
     }
 }

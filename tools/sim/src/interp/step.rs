@@ -68,7 +68,7 @@ impl Interpreter {
             Action::If {
                 condition,
                 otherwise,
-            } => match self.holds(*condition, cx)? {
+            } => match self.holds(*condition, &|flag| cx.flag(flag))? {
                 true => on.with(),
                 false => Then::Otherwise(*otherwise).with(),
             },
@@ -77,7 +77,7 @@ impl Interpreter {
                 otherwise,
             } => {
                 if self.not_taken {
-                    match self.holds(*condition, cx)? {
+                    match self.holds(*condition, &|flag| cx.flag(flag))? {
                         true => on.with(),
                         false => Then::Otherwise(*otherwise).with(),
                     }
@@ -87,12 +87,12 @@ impl Interpreter {
             }
             Action::Else { end } => Then::To(if self.not_taken { next } else { *end }).with(),
             Action::While { condition, exit } => {
-                let goes_on = self.holds(*condition, cx)?;
+                let goes_on = self.holds(*condition, &|flag| cx.flag(flag))?;
                 Then::To(if goes_on { next } else { *exit }).with()
             }
             Action::Goto { to } => Then::To(*to).with(),
             Action::Until { condition, back } => {
-                let done = self.holds(*condition, cx)?;
+                let done = self.holds(*condition, &|flag| cx.flag(flag))?;
                 Then::To(if done { next } else { *back }).with()
             }
             Action::For {
@@ -126,14 +126,16 @@ impl Interpreter {
                 )
             }
             Action::IfGoto { condition, to } => {
-                let jumps = self.holds(*condition, cx)?;
+                let jumps = self.holds(*condition, &|flag| cx.flag(flag))?;
                 Then::To(if jumps { *to } else { next }).with()
             }
             Action::Gosub { to } => self.call(*to)?,
-            Action::IfGosub { condition, to } => match self.holds(*condition, cx)? {
-                true => self.call(*to)?,
-                false => on.with(),
-            },
+            Action::IfGosub { condition, to } => {
+                match self.holds(*condition, &|flag| cx.flag(flag))? {
+                    true => self.call(*to)?,
+                    false => on.with(),
+                }
+            }
             Action::Return => {
                 let mut calls = self.calls;
                 let back = calls.pop()?;

@@ -1,0 +1,150 @@
+//! What a controller does with every leg, to be looked at.
+
+use super::leg::LegState;
+use super::trajectory::{Goal, Track};
+use super::{ControllerView, targets};
+use crate::command::Target;
+use crate::controller::drive::{Drive, THIRD};
+
+/// How a foot or joint is controlled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Not at all: it stays where it is.
+    Rest,
+    /// It heads for a position or angle.
+    Position,
+    /// A spring pulls it to a position or angle.
+    Compliance,
+    /// It keeps a velocity or angular velocity.
+    Velocity,
+    /// It pushes with a force or torque.
+    Effort,
+}
+
+/// What a foot, a joint or the slider is to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aim {
+    /// Which one.
+    pub of: Target,
+    /// How it is controlled.
+    pub mode: Mode,
+    goal: [f64; 3],
+    axes: usize,
+}
+
+impl Aim {
+    fn of_track<const N: usize>(of: Target, track: &Track<N>) -> Self {
+        let (mode, goal) = match track.goal() {
+            Goal::Rest => (Mode::Rest, None),
+            Goal::Point { target, .. } => (Mode::Position, Some(target)),
+            Goal::Spring { target, .. } => (Mode::Compliance, Some(target)),
+            Goal::Speed(velocity) => (Mode::Velocity, Some(velocity)),
+            Goal::Effort(effort) => (Mode::Effort, Some(effort)),
+        };
+        let mut aim = Aim {
+            of,
+            mode,
+            goal: [0.0; 3],
+            axes: goal.map_or(0, |goal| goal.len().min(3)),
+        };
+        for (place, value) in aim.goal.iter_mut().zip(goal.iter().flatten()) {
+            *place = *value;
+        }
+        aim
+    }
+
+    /// Its target: three numbers of a foot or the slider, one of a joint, none at rest. Positions are mm and deg, velocities
+    /// mm/s and deg/s, efforts N and the robot's torque unit.
+    #[must_use]
+    pub fn goal(&self) -> &[f64] {
+        self.goal.get(..self.axes).unwrap_or(&[])
+    }
+}
+
+impl<const J: usize> ControllerView<'_, J> {
+    /// What every leg is to do, F1 first: its foot, if that is controlled, or else each of its joints; then the slider, if there
+    /// is one.
+    pub fn aims(&self) -> impl Iterator<Item = Aim> {
+        let legs = self.legs.iter().enumerate();
+        let legs = legs.flat_map(|(index, leg)| of_leg(targets::number(index), leg));
+        let slider = self.robot.slider.is_some();
+        let slider = slider.then(|| Aim::of_track(Target::Floor, &self.slider));
+        legs.chain(slider)
+    }
+}
+
+fn of_leg<const J: usize>(n: u8, leg: &LegState<'_, J>) -> impl Iterator<Item = Aim> {
+    let point = match &leg.drive.drive {
+        Drive::Joints(_) => None,
+        Drive::Foot(foot) => Some(Aim::of_track(Target::Foot(n), foot)),
+        Drive::Third(third, _) => {
+            let joint = Target::Joint(n, targets::number(THIRD));
+            Some(Aim::of_track(joint, third))
+        }
+    };
+    let (first, joints) = leg.drive.own_joints();
+    let joints = (first..)
+        .zip(joints)
+        .map(move |(index, joint)| Aim::of_track(Target::Joint(n, targets::number(index)), joint));
+    point.into_iter().chain(joints)
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::{Mode, Target};
+    use crate::command::{Command, Op, Value};
+    use crate::controller::Controller;
+    use crate::hardware::Sensors;
+    use crate::model::titan8;
+    use std::vec;
+    use std::vec::Vec;
+
+    #[test]
+    fn aims_are_what_commands_asked_for() {
+        let mut controller = Controller::new(&titan8::MODEL);
+        let angles = titan8::MODEL.legs.map(|leg| leg.initial);
+        let sensed = controller.sense(&Sensors {
+            angles,
+            ..Sensors::ZERO
+        });
+        assert_eq!(sensed, Ok(()));
+        assert_eq!(controller.aims().count(), 12);
+        assert!(
+            controller
+                .aims()
+                .all(|aim| aim.mode == Mode::Rest && aim.goal().is_empty())
+        );
+        for (op, target, values) in [
+            (Op::PtpAngle, Target::Joint(1, 2), &[10.0][..]),
+            (Op::OmegaControl, Target::Joint(1, 1), &[-3.0]),
+            (Op::VelControl, Target::Foot(2), &[1.0, 2.0, 3.0]),
+        ] {
+            let values: Vec<Value> = values.iter().copied().map(Value::Absolute).collect();
+            let done = controller.command(&Command {
+                op,
+                hs: false,
+                target,
+                values: &values,
+            });
+            assert!(done.is_ok(), "{op:?}");
+        }
+        let aims: Vec<_> = controller.aims().collect();
+        let shown = |place: usize| {
+            (
+                aims[place].of,
+                aims[place].mode,
+                aims[place].goal().to_vec(),
+            )
+        };
+        assert_eq!(shown(0), (Target::Joint(1, 1), Mode::Velocity, vec![-3.0]));
+        assert_eq!(shown(1), (Target::Joint(1, 2), Mode::Position, vec![10.0]));
+        // A leg whose foot is controlled has no joints of its own.
+        assert_eq!(
+            shown(3),
+            (Target::Foot(2), Mode::Velocity, vec![1.0, 2.0, 3.0])
+        );
+        assert_eq!(aims.len(), 10);
+    }
+}

@@ -1,0 +1,120 @@
+//! How long it takes to go back in a run of ten minutes.
+//!
+//! `cargo run --release -p tip-sim --example back`, and for a program of your own `-- ROBOT PROGRAM.prg`; a hand has its cylinder.
+
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::time::{Duration, Instant};
+use tip_runtime::plant::Scene;
+use tip_sim::debug::{Debugger, Move, Reason, When};
+use tip_sim::{Robot, load};
+
+/// Ten minutes: ms.
+const LONG: f64 = 600_000.0;
+
+/// TITAN VIII lifts a foot, again and again.
+const MARCH: &str = "3.1
+march
+DEF_VAR N
+N = 0
+STAND_UP 60
+WAIT_INPOS ALL
+L:
+N += 1
+PTP F1 R 0 0 20
+WAIT_INPOS F1
+PTP F1 R 0 0 -20
+WAIT_INPOS F1
+GOTO L:
+END
+";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    match &arguments[..] {
+        [] => measure("titan8", MARCH),
+        [robot, program] => measure(robot, &fs::read_to_string(program)?),
+        _ => Err("usage: back [ROBOT PROGRAM.prg]".into()),
+    }
+}
+
+fn measure(robot: &str, text: &str) -> Result<(), Box<dyn Error>> {
+    let mut robot = Robot::named(robot)?;
+    if let Some(scene) = Scene::by_name("cylinder")
+        && robot.anatomy().body.is_none()
+    {
+        robot = robot.with_scene(&scene)?;
+    }
+    let program = load("long.prg", text, &robot).map_err(|error| error.to_string())?;
+    let mut debugger = Debugger::new(program.program().clone(), &robot)?;
+    let last = (LONG / debugger.run().period()) as u64;
+    let started = Instant::now();
+    let stop = debugger.go(Move::To(last));
+    let run = started.elapsed();
+    println!("{}: {} cycles in {run:.2?}", robot.name(), stop.at);
+    step_back(&mut debugger, stop.at);
+    line_breakpoint(&mut debugger, stop.at)?;
+    condition(&mut debugger, stop.at)
+}
+
+/// A step back from places all over the run.
+fn step_back(debugger: &mut Debugger, last: u64) {
+    let mut times: Vec<Duration> = (1..=1000)
+        .map(|place| {
+            debugger.go(Move::To(last * place / 1000));
+            let started = Instant::now();
+            debugger.go(Move::StepBack);
+            started.elapsed()
+        })
+        .collect();
+    times.sort();
+    let (median, p99) = (times[times.len() / 2], times[times.len() * 99 / 100]);
+    let worst = times.last().copied().unwrap_or_default();
+    println!("  step back: median {median:.2?}, p99 {p99:.2?}, worst {worst:.2?}");
+}
+
+/// Over all of the run, to the line of its first step.
+fn line_breakpoint(debugger: &mut Debugger, last: u64) -> Result<(), Box<dyn Error>> {
+    debugger.go(Move::To(0));
+    let id = debugger
+        .break_at_line(debugger.line(), &When::default())?
+        .id;
+    debugger.go(Move::To(last));
+    // A later pass of it would not be over all of the run.
+    let mut longest = Duration::ZERO;
+    while debugger.now() > 0 {
+        let started = Instant::now();
+        debugger.go(Move::ReverseContinue);
+        longest = longest.max(started.elapsed());
+    }
+    println!("  reverse continue to the line of the first step: {longest:.2?}");
+    debugger.remove_breakpoint(id);
+    Ok(())
+}
+
+/// A condition that never holds is asked at every step, all the way back.
+fn condition(debugger: &mut Debugger, last: u64) -> Result<(), Box<dyn Error>> {
+    let when = When {
+        condition: Some("CYCLE < 0"),
+        hits: None,
+    };
+    let lines: Vec<u32> = debugger
+        .program()
+        .steps()
+        .iter()
+        .map(|step| step.line)
+        .collect();
+    for line in lines {
+        debugger.break_at_line(line, &when)?;
+    }
+    debugger.go(Move::To(last));
+    let started = Instant::now();
+    let stop = debugger.go(Move::ReverseContinue);
+    assert_eq!(stop.reason, Reason::Start);
+    println!(
+        "  reverse continue on conditions: {:.2?}",
+        started.elapsed()
+    );
+    Ok(())
+}

@@ -1,0 +1,188 @@
+//! A run to move about in, forwards and backwards: the engine of a debugger.
+//!
+//! A position is the number of the cycle that comes next. The debugger keeps the step of every cycle and a snapshot now and
+//! then; it goes back by taking the run to the last snapshot before a position and running it again, which does the same to the
+//! bit. While it stands, nothing moves: program and robot have one time.
+//!
+//! ```
+//! use tip_sim::debug::{Debugger, Discard, Move, Reason, When};
+//! use tip_sim::{Event, Robot, load};
+//!
+//! let robot = Robot::named("titan8")?;
+//! let text = "3.1\nCount\nDEF_VAR N\nN = 0\nL:\nN += 1\nIF N < 500 GOTO L:\nEND\n";
+//! let program = load("count.prg", text, &robot)?;
+//! let mut debugger = Debugger::new(program.program().clone(), &robot)?;
+//!
+//! // Forwards to a condition, then back to who set N last.
+//! let there = debugger.break_at_line(7, &When { condition: Some("N >= 300"), hits: None })?;
+//! let stop = debugger.go(Move::Continue);
+//! assert_eq!(stop.reason, Reason::Breakpoint(there.id));
+//! assert_eq!(debugger.value("N")?, Some(300.0));
+//! debugger.watch("N")?;
+//! debugger.go(Move::ReverseContinue);
+//! assert_eq!((debugger.line(), debugger.value("N")?), (6, Some(299.0)));
+//!
+//! // A change in the past is an event; what was run after it is discarded.
+//! let change: Event = "set N=499".parse()?;
+//! assert!(debugger.happens(change.clone(), Discard::Nothing).is_err());
+//! debugger.happens(change, Discard::Later)?;
+//! debugger.unwatch_all();
+//! debugger.go(Move::Over);
+//! assert_eq!(debugger.value("N")?, Some(500.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod ask;
+mod backward;
+mod breakpoints;
+mod change;
+mod errand;
+mod forward;
+mod goal;
+mod history;
+mod hits;
+mod learn;
+mod marks;
+mod progress;
+mod refused;
+mod seen;
+mod stop;
+mod watch;
+
+#[cfg(test)]
+mod tests;
+
+pub use ask::{Asked, Value};
+pub use breakpoints::{Placed, When};
+pub use change::Discard;
+pub use errand::Work;
+pub use goal::Move;
+pub use hits::{Hits, NotHits};
+pub use progress::Progress;
+pub use refused::Refused;
+pub use seen::{Frame, Variable};
+pub use stop::{By, Reason, Stop};
+
+use crate::event::Timed;
+use crate::interp::Interpreter;
+use crate::motion::Fall;
+use crate::robot::Robot;
+use crate::run::Run;
+use breakpoints::Breakpoints;
+use errand::Errand;
+use history::History;
+use marks::Marks;
+use std::sync::Arc;
+use tip_runtime::machine::Mismatch;
+use tipc::ask::Asker;
+use tipc::program::Program;
+use watch::Watches;
+
+/// A program on a simulated robot, to be run in both directions.
+pub struct Debugger {
+    program: Arc<Program>,
+    asker: Asker,
+    /// Where the debugger stands.
+    run: Run,
+    now: u64,
+    history: History,
+    marks: Marks,
+    breakpoints: Breakpoints,
+    watches: Watches,
+    stops_at_fall: bool,
+    /// The first one that is known.
+    fall: Option<Fall>,
+    /// What its user made happen.
+    changes: Vec<Timed>,
+    said: Vec<(u64, String)>,
+    /// How many of them someone has taken.
+    taken: usize,
+    errand: Option<Errand>,
+    stop: Stop,
+    next_id: u32,
+}
+
+impl Debugger {
+    /// Puts a program on a robot, before its first cycle.
+    ///
+    /// # Errors
+    /// The program was checked for another robot.
+    pub fn new(program: impl Into<Arc<Program>>, robot: &Robot) -> Result<Self, Mismatch> {
+        let program = program.into();
+        let run = Run::new(Interpreter::new(program.clone()), robot.clone())?;
+        Ok(Self::of(run, program, robot))
+    }
+
+    fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
+        let mut debugger = Debugger {
+            asker: Asker::new(&program, robot.options(), ask::OWN),
+            run,
+            now: 0,
+            history: History::default(),
+            marks: Marks::default(),
+            breakpoints: Breakpoints::new(program.steps().len()),
+            watches: Watches::default(),
+            stops_at_fall: false,
+            fall: None,
+            changes: Vec::new(),
+            said: Vec::new(),
+            taken: 0,
+            errand: None,
+            stop: Stop {
+                reason: Reason::Start,
+                at: 0,
+            },
+            next_id: 1,
+            program,
+        };
+        debugger.marks.note(0, &debugger.run);
+        debugger
+    }
+
+    /// Stops where the robot falls, or goes on.
+    pub fn stop_at_fall(&mut self, on: bool) {
+        self.stops_at_fall = on;
+    }
+
+    /// The position: the cycle that comes next.
+    pub fn now(&self) -> u64 {
+        self.now
+    }
+
+    /// How many cycles have been run at all; what follows them is not known yet.
+    pub fn known(&self) -> u64 {
+        self.history.len()
+    }
+
+    /// Why it stands where it does.
+    pub fn stop(&self) -> &Stop {
+        &self.stop
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Arc<Program> {
+        &self.program
+    }
+
+    /// The run where the debugger stands.
+    pub fn run(&self) -> &Run {
+        &self.run
+    }
+
+    /// The interpreter; every run of a debugger has one.
+    fn interpreter(run: &Run) -> Option<&Interpreter> {
+        run.engine()
+    }
+
+    /// How many calls are open in a run.
+    fn depth(run: &Run) -> u8 {
+        let calls = Self::interpreter(run).map_or(0, |engine| engine.calls().len());
+        u8::try_from(calls).unwrap_or(u8::MAX)
+    }
+
+    fn new_id(&mut self) -> u32 {
+        let id = self.next_id;
+        self.next_id += 1;
+        id
+    }
+}

@@ -1,0 +1,253 @@
+//! Breakpoints: where they are, under which conditions, and how often they were passed.
+
+use super::ask::{Asked, Now};
+use super::history::History;
+use super::hits::Hits;
+use super::{Debugger, Refused};
+use tipc::program::Program;
+
+/// Under which circumstances a breakpoint stops a run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct When<'a> {
+    /// A condition of the language, which may also name `CYCLE` and `TIME` (ms).
+    pub condition: Option<&'a str>,
+    /// Which passes, among those where the condition holds; the text of [`Hits`].
+    pub hits: Option<&'a str>,
+}
+
+/// A breakpoint that was placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Placed {
+    /// Its number, which no other breakpoint or watch has.
+    pub id: u32,
+    /// The line of its first step.
+    pub line: u32,
+    /// The column of its first step, in characters, from 1.
+    pub column: u32,
+}
+
+#[derive(Debug)]
+struct Breakpoint {
+    id: u32,
+    steps: Vec<u32>,
+    asked: Option<Asked>,
+    hits: Option<Hits>,
+    /// Where it was passed, in order; kept where hits count, and for positions before `known`.
+    passes: Vec<u64>,
+    known: u64,
+}
+
+impl Breakpoint {
+    /// Whether a pass at a position is one of those that count.
+    fn counts(&self, hits: Hits, at: u64) -> bool {
+        let place = self.passes.binary_search(&at);
+        place.is_ok_and(|place| hits.has(place as u64 + 1))
+    }
+
+    fn holds(&self, now: &Now<'_>) -> bool {
+        self.asked.as_ref().is_none_or(|asked| asked.holds(now))
+    }
+
+    fn passed(&mut self, at: u64, is_pass: bool) {
+        if is_pass {
+            self.passes.push(at);
+        }
+        self.known = at + 1;
+    }
+}
+
+/// What is known of a position without going there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    /// Nothing stops there.
+    No,
+    /// This breakpoint does.
+    Stops(u32),
+    /// Some condition decides.
+    Asks,
+}
+
+/// All breakpoints.
+#[derive(Debug)]
+pub(super) struct Breakpoints {
+    all: Vec<Breakpoint>,
+    /// Whether there is one at a step.
+    steps: Vec<bool>,
+}
+
+impl Breakpoints {
+    pub(super) fn new(steps: usize) -> Self {
+        Breakpoints {
+            all: Vec::new(),
+            steps: vec![false; steps],
+        }
+    }
+
+    fn are_at(&self, step: u32) -> bool {
+        self.steps.get(step as usize).copied().unwrap_or(false)
+    }
+
+    fn at(&self, step: u32) -> impl Iterator<Item = &Breakpoint> {
+        let all: &[Breakpoint] = if self.are_at(step) { &self.all } else { &[] };
+        all.iter().filter(move |one| one.steps.contains(&step))
+    }
+
+    fn changed(&mut self) {
+        self.steps.fill(false);
+        for step in self.all.iter().flat_map(|one| &one.steps) {
+            if let Some(place) = self.steps.get_mut(*step as usize) {
+                *place = true;
+            }
+        }
+    }
+
+    /// The first one that stops a run at a position where a step begins.
+    pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
+        let mut here = self.at(step);
+        let stops = here.find(|one| match one.hits {
+            Some(hits) => one.counts(hits, now.at),
+            None => one.holds(now),
+        });
+        stops.map(|one| one.id)
+    }
+
+    /// The same, as far as it is known without the run.
+    pub(super) fn known(&self, step: u32, at: u64) -> Known {
+        let mut known = Known::No;
+        for one in self.at(step) {
+            match (one.hits, &one.asked) {
+                (Some(hits), _) if one.counts(hits, at) => return Known::Stops(one.id),
+                (None, None) => return Known::Stops(one.id),
+                (None, Some(_)) => known = Known::Asks,
+                (Some(_), _) => {}
+            }
+        }
+        known
+    }
+
+    /// Counts the passes of a position where nobody counted yet; `step` begins there, if one does.
+    pub(super) fn count(&mut self, step: Option<u32>, now: &Now<'_>) {
+        for one in &mut self.all {
+            if one.hits.is_some() && one.known == now.at {
+                let is_there = step.is_some_and(|step| one.steps.contains(&step));
+                let is_pass = is_there && one.holds(now);
+                one.passed(now.at, is_pass);
+            }
+        }
+    }
+
+    /// Counts what needs no run up to a position; says from where on the rest is unknown, if anything is.
+    pub(super) fn count_known(&mut self, history: &History, until: u64) -> Option<u64> {
+        for one in &mut self.all {
+            if one.hits.is_some() && one.asked.is_none() {
+                for at in one.known..until {
+                    let is_pass = history.enters(at) && one.steps.contains(&history.step(at));
+                    one.passed(at, is_pass);
+                }
+            }
+        }
+        let counting = self.all.iter().filter(|one| one.hits.is_some());
+        let known = counting.map(|one| one.known).min()?;
+        (known < until).then_some(known)
+    }
+
+    /// Forgets what was counted from a position on.
+    pub(super) fn truncate(&mut self, at: u64) {
+        for one in &mut self.all {
+            one.passes.retain(|pass| *pass < at);
+            one.known = one.known.min(at);
+        }
+    }
+}
+
+impl Debugger {
+    /// Places a breakpoint before the first step of a line, or of the next line that has one.
+    ///
+    /// # Errors
+    /// There is no such line, or what it asks is wrong.
+    pub fn break_at_line(&mut self, line: u32, when: &When<'_>) -> Result<Placed, Refused> {
+        self.break_at(line, 1, when)
+    }
+
+    /// The same from a column (in characters, from 1) on, where a line has several steps.
+    ///
+    /// # Errors
+    /// As [`break_at_line`](Self::break_at_line).
+    pub fn break_at(&mut self, line: u32, column: u32, when: &When<'_>) -> Result<Placed, Refused> {
+        let step = first_from(&self.program, line, column);
+        self.place(vec![step.ok_or(Refused::NoStep(line))?], when)
+    }
+
+    /// Places a breakpoint where a routine or label is, or at every step that begins with this word, such as `PTP`.
+    ///
+    /// # Errors
+    /// Nothing has this name, or what it asks is wrong.
+    pub fn break_at_name(&mut self, name: &str, when: &When<'_>) -> Result<Placed, Refused> {
+        let word = name.trim().trim_end_matches(':').trim_end();
+        let is_it = |other: &str| other.eq_ignore_ascii_case(word);
+        let labels = self.program.labels().iter();
+        let label = labels
+            .filter(|label| is_it(&label.name))
+            .map(|label| label.step);
+        let mut steps: Vec<u32> = label.collect();
+        if steps.is_empty() {
+            let numbered = (0..).zip(self.program.steps());
+            let begins = numbered.filter(|(_, step)| {
+                let first = step.text.split([' ', '\t', ',', '\u{3000}']).next();
+                first.is_some_and(is_it)
+            });
+            steps.extend(begins.map(|(number, _)| number));
+        }
+        if steps.is_empty() || word.is_empty() {
+            return Err(Refused::NoName(word.to_owned()));
+        }
+        self.place(steps, when)
+    }
+
+    fn place(&mut self, steps: Vec<u32>, when: &When<'_>) -> Result<Placed, Refused> {
+        let asked = when.condition.map(|text| Asked::new(text, &self.asker));
+        let hits = when.hits.map(str::parse);
+        let (asked, hits) = (asked.transpose()?, hits.transpose()?);
+        let first = steps
+            .first()
+            .and_then(|step| self.program.steps().get(*step as usize));
+        let (line, column) = first.map_or((0, 0), |step| (step.line, step.column));
+        let id = self.new_id();
+        self.breakpoints.all.push(Breakpoint {
+            id,
+            steps,
+            asked,
+            hits,
+            passes: Vec::new(),
+            known: 0,
+        });
+        self.breakpoints.changed();
+        Ok(Placed { id, line, column })
+    }
+
+    /// Takes a breakpoint away; says whether there was one.
+    pub fn remove_breakpoint(&mut self, id: u32) -> bool {
+        let before = self.breakpoints.all.len();
+        self.breakpoints.all.retain(|one| one.id != id);
+        self.breakpoints.changed();
+        self.breakpoints.all.len() < before
+    }
+
+    /// The lines of a step where breakpoints are, with their numbers.
+    pub fn breakpoint_lines(&self) -> impl Iterator<Item = (u32, u32)> {
+        let all = self.breakpoints.all.iter();
+        all.flat_map(|one| {
+            one.steps
+                .iter()
+                .map(|step| (self.run.program().line(*step), one.id))
+        })
+    }
+}
+
+/// The first step that does not begin before a place.
+fn first_from(program: &Program, line: u32, column: u32) -> Option<u32> {
+    let steps = (0..).zip(program.steps());
+    let behind = steps.filter(|(_, step)| (step.line, step.column) >= (line, column));
+    let first = behind.min_by_key(|(_, step)| (step.line, step.column));
+    first.map(|(number, _)| number)
+}
