@@ -18,7 +18,7 @@ export function exporting(player, stage) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   };
   const image = () => {
-    stage.drawNow();
+    stage.drawFine();
     return new Promise((resolve) => stage.canvas.toBlob(resolve, 'image/png'));
   };
   const span = () => {

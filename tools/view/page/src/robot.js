@@ -1,9 +1,10 @@
 // The robot's body and links as solids, in true proportion.
 
-import { BoxGeometry, CapsuleGeometry, CylinderGeometry, Group, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
+import { BoxGeometry, CapsuleGeometry, CylinderGeometry, Group, Matrix4, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 import { links, placed } from './kinematics.js';
 import { colour, legColour } from './dom.js';
+import { Solid } from './solid.js';
 
 const UP = new Vector3(0, 1, 0);
 
@@ -17,7 +18,8 @@ export class RobotSolid extends Group {
   constructor(robot) {
     super();
     this.robot = robot;
-    this.materials = {};
+    this.material = new MeshLambertMaterial({ vertexColors: true });
+    this.solids = [];
     const thick = reach(robot) * 0.042;
     this.trunk = new Group();
     this.trunk.matrixAutoUpdate = false;
@@ -28,37 +30,37 @@ export class RobotSolid extends Group {
     this.recolour();
   }
 
-  material(name, leg) {
-    const key = leg === undefined ? name : `${name}${leg}`;
-    this.materials[key] ??= Object.assign(new MeshLambertMaterial(), { of: name, leg });
-    return this.materials[key];
-  }
-
   /** Takes the colours of the page's scheme. */
   recolour() {
-    for (const material of Object.values(this.materials)) {
-      material.color.set(material.leg === undefined ? colour(material.of) : legColour(material.leg));
-    }
+    const chosen = new Map();
+    const of = ({ name, leg }) => {
+      const key = `${name}${leg ?? ''}`;
+      if (!chosen.has(key)) chosen.set(key, leg === undefined ? colour(name) : legColour(leg));
+      return chosen.get(key);
+    };
+    for (const solid of this.solids) solid.recolour(of);
   }
 
-  solid(geometry, material, parent) {
-    const mesh = new Mesh(geometry, material);
-    mesh.castShadow = true;
-    mesh.receiveShadow = true;
-    parent.add(mesh);
-    return mesh;
+  /** One solid of all these parts, which moves as one and is drawn at once. */
+  solid(parts, parent) {
+    const made = new Solid(parts, this.material);
+    this.solids.push(made);
+    parent.add(made);
   }
 
   addBody({ x, y, z }, thick) {
     const size = [x, y, z].map(([min, max]) => Math.max(max - min, thick));
     const middle = [x, y, z].map(([min, max]) => (min + max) / 2);
-    const round = Math.min(...size) * 0.12;
-    this.solid(new RoundedBoxGeometry(...size, 3, round), this.material('robot-body'), this.trunk).position.set(...middle);
+    const trunk = new RoundedBoxGeometry(...size, 2, Math.min(...size) * 0.12);
     // A plate on top, and a window in front, show where forward is.
-    const plate = this.solid(new BoxGeometry(size[0] * 0.62, size[1] * 0.7, thick * 0.3), this.material('robot-link'), this.trunk);
-    plate.position.set(middle[0], middle[1], z[1] + thick * 0.1);
-    const nose = this.solid(new BoxGeometry(size[0] * 0.5, thick * 0.3, size[2] * 0.16), this.material('robot-front'), this.trunk);
-    nose.position.set(middle[0], y[1], z[1] - size[2] * 0.2);
+    const plate = new BoxGeometry(size[0] * 0.62, size[1] * 0.7, thick * 0.3);
+    const nose = new BoxGeometry(size[0] * 0.5, thick * 0.3, size[2] * 0.16);
+    const parts = [
+      { geometry: trunk.translate(...middle), name: 'robot-body' },
+      { geometry: plate.translate(middle[0], middle[1], z[1] + thick * 0.1), name: 'robot-link' },
+      { geometry: nose.translate(middle[0], y[1], z[1] - size[2] * 0.2), name: 'robot-front' },
+    ];
+    this.solid(parts, this.trunk);
   }
 
   /** What fingers, or the legs of a robot that is bolted down, begin on. */
@@ -70,8 +72,8 @@ export class RobotSolid extends Group {
     const up = this.robot.planar ? 1 : 2;
     const size = ends.map(([min, max], axis) => max - min + (axis === up ? thick * 1.6 : thick * 3));
     const middle = ends.map(([min, max], axis) => (min + max) / 2 + (axis === up ? thick * 1.6 : 0));
-    const palm = new RoundedBoxGeometry(...size, 3, thick * 0.5);
-    this.solid(palm, this.material('robot-body'), this.trunk).position.set(...middle);
+    const palm = new RoundedBoxGeometry(...size, 2, thick * 0.5);
+    this.solid([{ geometry: palm.translate(...middle), name: 'robot-body' }], this.trunk);
   }
 
   addLink(leg, l, { axis, link }, j, thick) {
@@ -80,21 +82,19 @@ export class RobotSolid extends Group {
     this.trunk.add(group);
     const [last, length] = [j === leg.joints.length - 1, Math.hypot(...link)];
     const radius = thick * (1 - (0.45 * j) / Math.max(leg.joints.length, 1));
-    const hub = this.solid(new CylinderGeometry(radius * 1.28, radius * 1.28, radius * 2.5, 20), this.material('robot-joint'), group);
-    hub.quaternion.setFromUnitVectors(UP, new Vector3(...axis));
-    if (length < 1e-6) return group;
-    const along = new Vector3(...link).normalize();
-    const limb = this.solid(new CylinderGeometry(radius * 0.72, radius * 0.98, length, 16), this.material('robot-link'), group);
-    limb.quaternion.setFromUnitVectors(UP, along);
-    limb.position.copy(along).multiplyScalar(length / 2);
-    if (last) {
-      // Its end is exactly where kinematics has the foot.
-      const foot = this.solid(new SphereGeometry(radius * 0.95, 20, 14), this.material('leg', l), group);
-      foot.position.copy(along).multiplyScalar(length - radius * 0.95);
-      const cuff = this.solid(new CapsuleGeometry(radius * 0.8, radius, 4, 14), this.material('leg', l), group);
-      cuff.quaternion.setFromUnitVectors(UP, along);
-      cuff.position.copy(along).multiplyScalar(length - radius * 1.8);
+    const hub = new CylinderGeometry(radius * 1.28, radius * 1.28, radius * 2.5, 16);
+    const parts = [{ geometry: turned(hub, new Vector3(...axis)), name: 'robot-joint' }];
+    if (length > 1e-6) {
+      const along = new Vector3(...link).normalize();
+      const add = (geometry, at, name, leg) => parts.push({ geometry: turned(geometry, along, at), name, leg });
+      add(new CylinderGeometry(radius * 0.72, radius * 0.98, length, 12), length / 2, 'robot-link');
+      if (last) {
+        // Its end is exactly where kinematics has the foot.
+        add(new SphereGeometry(radius * 0.95, 14, 10), length - radius * 0.95, 'leg', l);
+        add(new CapsuleGeometry(radius * 0.8, radius, 3, 12), length - radius * 1.8, 'leg', l);
+      }
     }
+    this.solid(parts, group);
     return group;
   }
 
@@ -107,6 +107,11 @@ export class RobotSolid extends Group {
       this.links[l].forEach((group, j) => group.matrix.copy(frames[j]));
     });
   }
+}
+
+/** A geometry whose axis was up, along a direction and so far that way. */
+function turned(geometry, direction, at = 0) {
+  return geometry.applyMatrix4(new Matrix4().makeRotationFromQuaternion(towards(direction)).setPosition(direction.clone().multiplyScalar(at)));
 }
 
 /** Turns the unit vector up into a direction. */

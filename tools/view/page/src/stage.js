@@ -2,13 +2,14 @@
 
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
-  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap,
-  PerspectiveCamera, PlaneGeometry, RepeatWrapping, RingGeometry, SRGBColorSpace, Scene, ShadowMaterial, SphereGeometry, Vector3, WebGLRenderer,
+  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera,
+  PlaneGeometry, RepeatWrapping, RingGeometry, Scene, ShadowMaterial, SphereGeometry, Vector3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { colour, legColour } from './dom.js';
 import { belly, centreOfMass, feet, hull } from './kinematics.js';
 import { RobotSolid, reach, towards } from './robot.js';
+import { Screen } from './screen.js';
 
 /** How long foot trails are: ms. */
 const TRAIL = 4000;
@@ -16,10 +17,6 @@ const TRAIL = 4000;
 const PLACES = 240;
 /** How long a slip stays marked: ms. */
 const MARKED = 1500;
-/** A frame that comes so late is slow: ms. */
-const SLOW = 30;
-/** Which share of the pixels along each side is drawn, from fast machines to slow ones. */
-const SHARES = [1, 0.7, 0.5, 0.35];
 /** A tile of the floor: mm. */
 const TILE = 500;
 /** A belly so far above the floor carries as well: mm. */
@@ -33,22 +30,22 @@ export class Stage {
     this.robot = recording.robot;
     this.shows = { follow: true, trails: true, forces: true, support: true };
     this.size = this.robot.body ? reach(this.robot) + Math.max(...[this.robot.body.x, this.robot.body.y].flat().map(Math.abs)) : reach(this.robot) * 1.6;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
+    this.screen = new Screen(canvas, () => this.render());
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, this.size / 50, this.size * 60);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.maxPolarAngle = this.robot.planar ? Math.PI : Math.PI * 0.495;
     this.controls.minDistance = this.size * 0.4;
     this.controls.maxDistance = this.size * 20;
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.screen.draw());
     // The page's up is y; a walker's is z.
     this.world = new Group();
     if (!this.robot.planar) this.world.rotation.x = -Math.PI / 2;
     this.scene.add(this.world);
     this.light();
     this.solid = new RobotSolid(this.robot);
+    // The processor has shadows to draw on the floor, and no time for those on the robot.
+    if (this.screen.isSoftware) this.solid.traverse((part) => (part.receiveShadow = false));
     this.world.add(this.solid);
     this.makeFloor();
     this.makeThings();
@@ -59,8 +56,8 @@ export class Stage {
   }
 
   light() {
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.5), new AmbientLight(0xffffff, 0.35));
-    this.sun = new DirectionalLight(0xffffff, 2.1);
+    this.scene.add(new HemisphereLight(0xffffff, 0x989a9f, 2), new AmbientLight(0xffffff, 0.48));
+    this.sun = new DirectionalLight(0xffffff, 1.05);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(512, 512);
     const half = this.size * 1.3;
@@ -95,7 +92,6 @@ export class Stage {
       const map = new CanvasTexture(this.tile);
       map.wrapS = map.wrapT = RepeatWrapping;
       map.minFilter = LinearMipmapNearestFilter;
-      map.colorSpace = SRGBColorSpace;
       const tiles = 2 * Math.ceil(span / TILE / 2);
       map.repeat.set(tiles, tiles);
       this.grid = new Mesh(new PlaneGeometry(tiles * TILE, tiles * TILE), new MeshBasicMaterial({ map, depthWrite: false }));
@@ -112,13 +108,18 @@ export class Stage {
     this.things = this.recording.scene.objects.map((outline) => {
       const depth = this.size * 0.42;
       const round = 'disc' in outline;
-      const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 40).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
+      const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 32).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
       const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
       mesh.castShadow = true;
       mesh.receiveShadow = true;
       this.world.add(mesh);
       return mesh;
     });
+  }
+
+  /** What marks are of: one program of the graphics draws them all. */
+  paint(options = {}) {
+    return new MeshBasicMaterial({ transparent: true, side: DoubleSide, ...options });
   }
 
   makeMarks() {
@@ -131,20 +132,20 @@ export class Stage {
       return made;
     };
     this.trails = this.robot.legs.map(() => line(PLACES + 1, new LineBasicMaterial({ transparent: true, opacity: 0.85 })));
-    this.polygon = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ transparent: true, opacity: 0.2, side: DoubleSide, depthWrite: false }));
+    this.polygon = new Mesh(new BufferGeometry(), this.paint({ opacity: 0.2, depthWrite: false }));
     this.polygon.geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * 3 * 13), 3));
     this.polygon.frustumCulled = false;
-    this.edge = line(14, new LineBasicMaterial());
-    this.plumb = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+    this.edge = line(14, new LineBasicMaterial({ transparent: true }));
+    this.plumb = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true }));
     this.plumb.geometry.setAttribute('position', new BufferAttribute(new Float32Array(6), 3));
     this.plumb.frustumCulled = false;
-    this.centre = new Mesh(new SphereGeometry(this.size * 0.014, 16, 12), new MeshBasicMaterial({ depthTest: false }));
+    this.centre = new Mesh(new SphereGeometry(this.size * 0.014, 16, 12), this.paint({ depthTest: false }));
     this.centre.renderOrder = 2;
-    this.spot = new Mesh(new RingGeometry(this.size * 0.014, this.size * 0.021, 32), new MeshBasicMaterial({ side: DoubleSide }));
+    this.spot = new Mesh(new RingGeometry(this.size * 0.014, this.size * 0.021, 32), this.paint());
     this.world.add(this.polygon, this.plumb, this.centre, this.spot);
     this.arrows = this.robot.legs.map(() => this.makeArrow());
     this.rings = this.robot.legs.map(() => {
-      const ring = new Mesh(new RingGeometry(this.size * 0.04, this.size * 0.05, 32), new MeshBasicMaterial({ side: DoubleSide }));
+      const ring = new Mesh(new RingGeometry(this.size * 0.04, this.size * 0.05, 32), this.paint());
       this.world.add(ring);
       return ring;
     });
@@ -152,7 +153,7 @@ export class Stage {
 
   makeArrow() {
     const arrow = new Group();
-    const material = new MeshBasicMaterial();
+    const material = this.paint();
     const thick = this.size * 0.006;
     arrow.shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 10).translate(0, 0.5, 0), material);
     arrow.head = new Mesh(new ConeGeometry(thick * 3, thick * 7, 14).translate(0, thick * 3.5, 0), material);
@@ -166,6 +167,7 @@ export class Stage {
   recolour() {
     const background = new Color(colour('stage'));
     this.scene.background = background;
+    this.tints = { good: new Color(colour('good')), bad: new Color(colour('bad')) };
     this.scene.fog = new Fog(background, this.size * 5, this.size * 14);
     if (this.grid) this.drawTile();
     this.table?.material.color.set(colour('table'));
@@ -174,7 +176,7 @@ export class Stage {
     this.rings.forEach((ring) => ring.material.color.set(colour('bad')));
     this.arrows.forEach((arrow) => arrow.material.color.set(colour('force')));
     this.solid.recolour();
-    this.draw();
+    this.screen.draw();
   }
 
   /** One tile of the floor: a line each 100 mm, a stronger one around. */
@@ -200,7 +202,7 @@ export class Stage {
     this.controls.target.copy(middle);
     this.camera.position.copy(from.normalize().multiplyScalar(distance)).add(middle);
     this.controls.update();
-    this.draw();
+    this.screen.draw();
   }
 
   /** What the view is about, in the page's axes. */
@@ -216,14 +218,12 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (!width || !height) return;
-    this.renderer.setSize(width, height, false);
-    this.share = undefined;
-    this.usePixels(1);
+    this.screen.resize(width, height);
     this.camera.aspect = width / height;
     // On a narrow page the robot keeps its width.
     this.camera.fov = this.camera.aspect < 1.2 ? 2 * Math.atan(Math.tan(0.28) * (1.2 / this.camera.aspect)) * (180 / Math.PI) : 32;
     this.camera.updateProjectionMatrix();
-    this.draw();
+    this.screen.draw();
   }
 
   /** Shows the robot as it was at a time. */
@@ -240,7 +240,7 @@ export class Stage {
     this.showForces();
     this.showSlips();
     if (this.shows.follow && !this.robot.planar) this.follow();
-    this.draw();
+    this.screen.draw();
   }
 
   follow() {
@@ -322,7 +322,7 @@ export class Stage {
     plumb.setXYZ(0, ...centre.toArray()).setXYZ(1, centre.x, centre.y, under);
     plumb.needsUpdate = true;
     const margin = this.recording.value('margin', this.place);
-    const tint = colour(margin === undefined || margin >= 0 ? 'good' : 'bad');
+    const tint = margin === undefined || margin >= 0 ? this.tints.good : this.tints.bad;
     [this.polygon, this.edge, this.spot, this.plumb, this.centre].forEach((mark) => mark.material.color.set(tint));
   }
 
@@ -355,49 +355,20 @@ export class Stage {
     });
   }
 
-  /** Draws before the browser shows the page again, however often it is asked to. */
-  draw() {
-    if (this.due) return;
-    const asked = performance.now();
-    this.due = requestAnimationFrame(() => {
-      this.adapt(performance.now() - asked);
-      this.render();
-    });
-  }
-
-  /** A machine whose frames come late draws fewer pixels while things move, and all of them at rest. */
-  adapt(late) {
-    if (late > SLOW) this.sparing = Math.min((this.sparing ?? 0) + 1, SHARES.length - 1);
-    else if (late < SLOW / 3 && this.sparing) this.sparing -= 0.02;
-    this.usePixels(SHARES[Math.ceil(this.sparing ?? 0)]);
-    clearTimeout(this.rest);
-    this.rest = setTimeout(() => {
-      if (this.share < 1) this.drawNow();
-    }, 300);
-  }
-
-  usePixels(share) {
-    if (this.share === share) return;
-    this.share = share;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * share);
-  }
-
   /** Draws at once, with all pixels. */
   drawNow() {
-    this.usePixels(1);
-    this.render();
+    this.screen.drawNow();
+  }
+
+  /** Draws at once, as well as it can. */
+  drawFine() {
+    this.screen.drawFine();
   }
 
   render() {
-    cancelAnimationFrame(this.due);
-    this.due = undefined;
     const middle = this.controls.target;
     this.sun.target.position.copy(middle);
     this.sun.position.set(-0.9, 2.6, 1.1).multiplyScalar(this.size).add(middle);
-    // Where frames come late, shadows follow in every third one.
-    this.frame = (this.frame ?? 0) + 1;
-    this.renderer.shadowMap.autoUpdate = this.share === 1;
-    this.renderer.shadowMap.needsUpdate = this.frame % 3 === 0;
-    this.renderer.render(this.scene, this.camera);
+    this.screen.renderer.render(this.scene, this.camera);
   }
 }
