@@ -33,9 +33,10 @@ unpack() {
   mv "$unpacked.part" "$unpacked"
 }
 
-# Builds a package for a target with the libraries of that target; the stock toolchain's linker links it.
+# Builds a package for a target by a profile, with those libraries of Rust's that are told; the stock toolchain's linker
+# links it.
 build_for() {
-  local triple=$1 package=$2 linker host variable
+  local triple=$1 package=$2 profile=${3:-release} libraries=${4:-core} linker host variable
   [[ -d $unpacked ]] || unpack
   host=$(rustc -vV | sed -n 's/^host: //p')
   linker=$(rustc --print sysroot)/lib/rustlib/$host/bin/rust-lld
@@ -44,8 +45,8 @@ build_for() {
   env "$variable=$linker" \
     LD_LIBRARY_PATH="$unpacked/usr/lib/$(uname -m)-linux-gnu" \
     RUSTC="$unpacked/usr/bin/rustc" RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR="$target/debian" \
-    cargo build --release --locked --target "$triple" -Zbuild-std=core --package "$package"
-  built=$target/debian/$triple/release
+    cargo build --profile "$profile" --locked --target "$triple" "-Zbuild-std=$libraries" --package "$package"
+  built=$target/debian/$triple/$profile
 }
 
 # The traces of this machine, made by the stock toolchain.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// Every script of the shell: what names it in its first line, and what others read.
 fn scripts() -> Vec<PathBuf> {
     let mut found = Vec::new();
-    for folder in [".ci", "benches", "examples", "tests", "tools"] {
+    for folder in [".ci", "benches", "examples", "site", "tests", "tools"] {
         collect(&root().join(folder), &mut found);
     }
     assert!(found.len() > 9, "the scripts are found: {found:?}");
@@ -160,7 +160,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 13] = [
+const NEEDS: [(&str, &[&str], &[&str]); 14] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "examples/bare-metal/cortex-m.sh",
@@ -174,6 +174,11 @@ const NEEDS: [(&str, &[&str], &[&str]); 13] = [
         "examples/bare-metal/wasm.sh",
         &[],
         &["node is not installed"],
+    ),
+    (
+        "site/build",
+        &[],
+        &["node is not installed", "npm is not installed"],
     ),
     (
         "tests/advisories/run",

@@ -3,11 +3,14 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+#[cfg(feature = "logs")]
 mod csv;
 pub mod live;
+#[cfg(feature = "logs")]
 mod mcap;
 mod pack;
 mod page;
+#[cfg(feature = "plots")]
 mod plot;
 mod recorder;
 mod recording;
@@ -15,6 +18,7 @@ mod skeleton;
 mod slips;
 mod trace;
 
+#[cfg(feature = "plots")]
 pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, NotRecorded};
 pub use recording::{

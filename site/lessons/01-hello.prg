@@ -1,0 +1,4 @@
+3.1
+My first program
+MESSAGE hello
+END

@@ -1,0 +1,16 @@
+3.1
+U stands up, D sits down, Q ends
+DEF_VAR KEY
+LOOP:
+  KEY_IN KEY
+  IF KEY == CHAR_U THEN
+    STAND_UP 60
+    WAIT_INPOS ALL
+    MESSAGE up
+  ELSEIF KEY == CHAR_D THEN
+    SIT_DOWN 60
+    WAIT_INPOS ALL
+    MESSAGE down
+  ENDIF
+  IF KEY <> CHAR_Q GOTO LOOP:
+END
