@@ -12,7 +12,9 @@ import { timeline } from './timeline.js';
 import { otherLanguage, speak, word } from './words.js';
 
 async function open() {
-  speak(navigator.language.startsWith('ja') ? 'ja' : 'en');
+  // A page around this one may choose the language, and have it play at once.
+  const { speaks, plays } = document.documentElement.dataset;
+  speak(speaks ?? (navigator.language.startsWith('ja') ? 'ja' : 'en'));
   const recording = await Recording.of(element('recording').textContent);
   const player = new Player(recording);
   element('title').textContent = recording.script.title || recording.script.name;
@@ -62,6 +64,7 @@ async function open() {
   stage?.resetView();
   stage?.drawNow();
   document.documentElement.dataset.ready = Math.round(performance.now());
+  if (plays !== undefined) player.play();
 }
 
 /** The stage, or a word where the browser has no 3-D graphics. */
