@@ -1,6 +1,6 @@
 // Browsers of this machine, without a screen and with graphics by software.
 import { execFileSync } from 'node:child_process';
-import { chromium, firefox } from 'playwright-core';
+import { chromium } from 'playwright-core';
 
 const path = (name) => {
   try {

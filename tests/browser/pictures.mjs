@@ -27,6 +27,15 @@ function show(name, cycle, viewport) {
   return open(browser, file, { viewport, colorScheme: 'light', locale: 'en' }, `#cycle=${cycle}`);
 }
 
+/** The canvas as a picture of that size; it may have more pixels, which make its edges smooth. */
+function still(canvas, { width, height, quality }) {
+  const copy = Object.assign(document.createElement('canvas'), { width, height });
+  const pen = copy.getContext('2d');
+  pen.imageSmoothingQuality = 'high';
+  pen.drawImage(canvas, 0, 0, width, height);
+  return copy.toDataURL('image/webp', quality);
+}
+
 function bytesOf(address) {
   return Buffer.from(address.split(',')[1], 'base64');
 }
@@ -50,8 +59,7 @@ for (const [name, { stills: count, from, to }] of Object.entries(MOTIONS)) {
       slider.dispatchEvent(new Event('input'));
     }, cycle);
     await page.waitForTimeout(REST);
-    const address = await page.$eval('#canvas', (canvas, quality) => canvas.toDataURL('image/webp', quality), QUALITY);
-    stills.push(bytesOf(address));
+    stills.push(bytesOf(await page.$eval('#canvas', still, { ...SIZE, quality: QUALITY })));
   }
   save(`${name}.webp`, animated(stills, SIZE, SHOWN));
   await close();

@@ -1,0 +1,50 @@
+// What Firefox makes of the pages; replay.test.mjs asks Chromium more.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launchFirefox } from './bidi.mjs';
+
+let firefox;
+before(async () => (firefox = await launchFirefox()));
+after(() => firefox.close());
+
+/** How many different colours the robot's picture has. */
+function colours() {
+  const [canvas, copy] = [document.getElementById('canvas'), Object.assign(document.createElement('canvas'), { width: 200, height: 120 })];
+  const pen = copy.getContext('2d');
+  pen.drawImage(canvas, 0, 0, 200, 120);
+  const { data } = pen.getImageData(0, 0, 200, 120);
+  return new Set(Array.from({ length: data.length / 4 }, (_, n) => data.slice(4 * n, 4 * n + 3).join())).size;
+}
+
+const shown = () => Number(document.getElementById('now-cycle').textContent.split(' ')[0]);
+
+for (const [name, cycle, line] of [['walk', 400, 143], ['grasp', 2600, 48], ['hexapod', 560, undefined]]) {
+  test(`${name}: asks for nothing, shows the robot, scrubs, steps, goes to a line`, async () => {
+    const { session } = firefox;
+    const address = `file://${process.env.PAGES}/${name}.html`;
+    await session.open(`${address}#cycle=${cycle}`);
+    assert.deepEqual(session.asked.filter((url) => !url.startsWith(address) && url !== 'about:blank'), []);
+    assert.equal(await session.run(shown), cycle);
+    if (line) assert.equal(await session.run(() => Number(document.querySelector('#source .lit').value)), line);
+    assert.ok((await session.run(colours)) > 100, 'the canvas is not blank');
+
+    await session.run(() => {
+      const slider = document.getElementById('scrub');
+      slider.value = 100;
+      slider.dispatchEvent(new Event('input'));
+    });
+    assert.equal(await session.run(shown), 100);
+    await session.run(() => document.getElementById('forward').click());
+    assert.equal(await session.run(shown), 101);
+    await session.run(() => document.getElementById('back').click());
+    assert.equal(await session.run(shown), 100);
+    const clicked = await session.run(() => {
+      // It runs in the first cycle.
+      const row = document.querySelector('#source .step');
+      row.querySelector('code').click();
+      return [row.value, Number(document.querySelector('#source .lit').value)];
+    });
+    assert.equal(clicked[1], clicked[0]);
+    assert.deepEqual(session.complaints, []);
+  });
+}
