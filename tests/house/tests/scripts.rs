@@ -160,7 +160,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 14] = [
+const NEEDS: [(&str, &[&str], &[&str]); 16] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "examples/bare-metal/cortex-m.sh",
@@ -216,6 +216,16 @@ const NEEDS: [(&str, &[&str], &[&str]); 14] = [
         &[
             "no nightly toolchain",
             "cargo-fuzz is not installed: cargo install cargo-fuzz",
+        ],
+    ),
+    ("tests/editors/bench", &[], &["python3 is not installed"]),
+    (
+        "tests/editors/run",
+        &[],
+        &[
+            "node is not installed",
+            "python3 is not installed",
+            "nvim is not installed",
         ],
     ),
     (

@@ -11,6 +11,7 @@ pub mod fix;
 pub mod format;
 pub mod load;
 mod lossless;
+pub mod lsp;
 pub mod migrate;
 pub mod names;
 pub mod run;

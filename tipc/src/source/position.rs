@@ -73,16 +73,18 @@ impl Source {
     pub fn position(&self, offset: usize, unit: Unit) -> Position {
         let offset = boundary(&self.text, offset);
         let number = self.line_number(offset);
-        let line = self.line(number);
-        if offset == line.end.end && line.end.start < line.end.end {
+        let bytes = self.text.as_bytes();
+        if offset == bytes.len() && matches!(bytes.last(), Some(b'\n' | b'\r')) {
             return Position {
                 line: number.saturating_add(1),
                 column: 1,
             };
         }
+        let is_in_end = offset > 0 && bytes.get(offset - 1..=offset) == Some(b"\r\n");
+        let start = self.start_of_line_at(offset);
         Position {
             line: number,
-            column: self.column_from(line.span.start, offset.min(line.span.end), unit),
+            column: self.column_from(start, offset - usize::from(is_in_end), unit),
         }
     }
 
@@ -125,7 +127,14 @@ impl Source {
     }
 
     fn column_from(&self, start: usize, offset: usize, unit: Unit) -> u32 {
-        let units = self.units_before(offset, unit) - self.units_before(start, unit);
+        let offset = offset.min(self.text.len());
+        // Nearly every line is shorter than what an index counts together.
+        let is_short = !self.columns.0.is_empty() && (start..start + STRETCH).contains(&offset);
+        let units = match unit {
+            Unit::Utf16 if is_short => utf16_units(&self.text, start, offset),
+            Unit::Character if is_short => characters(&self.text, start, offset),
+            _ => self.units_before(offset, unit) - self.units_before(start, unit),
+        };
         u32::try_from(units).map_or(u32::MAX, |units| units.saturating_add(1))
     }
 

@@ -17,6 +17,7 @@ mod fmt;
 mod input;
 mod interrupt;
 mod log;
+mod lsp;
 mod migrate;
 mod output;
 mod place;
@@ -56,6 +57,7 @@ use std::process::ExitCode;
   tipc verify walk.prg                compare its compiled code with the interpreter
   tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
   tipc explain E205                   say what the code of a finding means
+  tipc lsp                            serve an editor, which starts it
   tipc robot check hexapod.toml       check the description of your robot
 
 'tipc help COMMAND' shows examples of each command.
@@ -92,6 +94,8 @@ enum Verb {
     Migrate(migrate::Migrate),
     /// Say what the code of a finding means, with a wrong and a right program
     Explain(explain::Explain),
+    /// Serve an editor: the language server
+    Lsp(lsp::Lsp),
     /// Descriptions of robots
     #[command(subcommand)]
     Robot(describe::RobotVerb),
@@ -159,6 +163,7 @@ fn main() -> ExitCode {
         Verb::View(arguments) => view::view(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
+        Verb::Lsp(arguments) => lsp::lsp(arguments),
         Verb::Robot(verb) => describe::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {

@@ -32,6 +32,12 @@ impl FromStr for RobotChoice {
     }
 }
 
+impl Default for RobotChoice {
+    fn default() -> Self {
+        RobotChoice::Named(RobotName::Titan8)
+    }
+}
+
 /// How alike two names are of which one may be meant by the other, from 0 to 1.
 const ALIKE: f64 = 0.75;
 
@@ -65,6 +71,14 @@ impl RobotChoice {
         match self {
             RobotChoice::Named(_) => None,
             RobotChoice::File(path) => Some(path),
+        }
+    }
+
+    /// The same; a file that has no folder of its own is beside another one.
+    pub(super) fn beside(self, other: Option<&Path>) -> Self {
+        match (self, other.and_then(Path::parent)) {
+            (RobotChoice::File(path), Some(folder)) => RobotChoice::File(folder.join(path)),
+            (choice, _) => choice,
         }
     }
 

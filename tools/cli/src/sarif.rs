@@ -211,7 +211,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// The reference to a file (RFC 3986): relative if its path is.
-fn uri(name: &str) -> String {
+pub(super) fn uri(name: &str) -> String {
     let mut uri = match (Path::new(name).is_absolute(), name.starts_with('/')) {
         (true, true) => "file://".to_owned(),
         (true, false) => "file:///".to_owned(),

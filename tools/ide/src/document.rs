@@ -30,6 +30,11 @@ impl Document {
         }
     }
 
+    /// Finds out now what hovers and hints need, and would have to wait for.
+    pub fn prepare(&self) {
+        self.parts();
+    }
+
     /// Lets someone add to what was found, as `tip_sim::reach::warn` does.
     pub fn judge(&mut self, judge: impl FnOnce(&mut Loaded)) {
         judge(&mut self.loaded);

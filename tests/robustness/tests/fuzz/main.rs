@@ -2,6 +2,7 @@
 
 mod damaged;
 mod dictionaries;
+mod messages;
 #[path = "../random/mod.rs"]
 mod random;
 
@@ -36,6 +37,6 @@ macro_rules! targets {
     };
 }
 
-targets! { compile description editing fix format load migrate names run scene terminal urdf }
+targets! { compile description editing fix format load lsp migrate names run scene terminal urdf }
 #[cfg(unix)]
 targets! { files }

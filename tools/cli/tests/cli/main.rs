@@ -13,6 +13,7 @@ mod fmt;
 mod guides;
 mod logged;
 mod logs;
+mod lsp;
 mod migrate;
 mod motion;
 #[cfg(unix)]

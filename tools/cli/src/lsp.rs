@@ -1,0 +1,130 @@
+//! `tipc lsp`: the language server, over standard input and output. What it answers comes from `tip-ide`.
+
+mod answers;
+mod client;
+mod files;
+mod findings;
+mod frames;
+mod open;
+mod places;
+mod server;
+mod shapes;
+mod surroundings;
+mod tokens;
+
+use super::Status;
+use super::error::Error;
+use super::robot::RobotChoice;
+use clap::Args;
+use files::Files;
+use frames::{Frame, Frames};
+use lsp_server::{ErrorCode, Message, RequestId, Response};
+use server::Server;
+use std::io::{self, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+
+/// `tipc lsp`
+#[derive(Debug, Args)]
+#[command(
+    after_help = "An editor starts it, and talks to it through standard input and output: findings while you type, with fixes,
+hover, definition, references, renaming, completion, signature help, hints, folding, colours and formatting.
+docs/editors.md shows how to set up VS Code, neovim, helix and emacs.
+
+The robot is that of --robot, of the client's option 'robot', of the nearest tip.toml, or titan8, in this order.
+
+Exit status: 0 after 'shutdown' and 'exit', 1 if the editor goes away without them, 2 wrong usage."
+)]
+pub(super) struct Lsp {
+    /// Talk through standard input and output, as it always does
+    #[arg(long)]
+    stdio: bool,
+
+    /// The robot of every program: titan8, hand, generic, or a description
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    robot: Option<RobotChoice>,
+}
+
+/// Serves one editor.
+pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
+    let mut server = Server::new(Files::new(arguments.robot.clone()));
+    let frames = incoming();
+    while let Ok(frame) = frames.recv() {
+        let mut next = Some(frame);
+        // What waits may change the same text again: findings can wait as well.
+        while let Some(frame) = next {
+            if let Some(end) = take(&mut server, frame)? {
+                return Ok(end);
+            }
+            next = frames.try_recv().ok();
+        }
+        let due = catch_unwind(AssertUnwindSafe(|| server.due()));
+        send(due.unwrap_or_default())?;
+        let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));
+    }
+    Ok(Status::Failure)
+}
+
+/// The messages of the editor, read beside the work.
+fn incoming() -> Receiver<Frame> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let frames = Frames::new(io::stdin().lock());
+        for frame in frames {
+            if sender.send(frame).is_err() {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// Answers a message; how the process ends, if it does.
+fn take(server: &mut Server<Files>, frame: Frame) -> Result<Option<Status>, Error> {
+    let message = match frame {
+        Frame::Message(message) => *message,
+        Frame::Bad(reason) => {
+            write(&frames::unread(&reason))?;
+            return Ok(None);
+        }
+    };
+    let id = match &message {
+        Message::Request(request) => Some(request.id.clone()),
+        _ => None,
+    };
+    // A defect here is one answer less, not the end of a session.
+    let answered = catch_unwind(AssertUnwindSafe(|| server.take(message)));
+    let answers = match (answered, id) {
+        (Ok(answers), _) => answers,
+        (Err(_), Some(id)) => vec![defect(id)],
+        (Err(_), None) => Vec::new(),
+    };
+    send(answers)?;
+    Ok(server.end().map(|is_proper| match is_proper {
+        true => Status::Success,
+        false => Status::Failure,
+    }))
+}
+
+/// The answer where this program failed itself.
+fn defect(id: RequestId) -> Message {
+    let message = "tipc failed; this is a defect of tipc, please report it".to_owned();
+    Response::new_err(id, ErrorCode::InternalError as i32, message).into()
+}
+
+fn send(messages: Vec<Message>) -> Result<(), Error> {
+    for message in messages {
+        let mut bytes = Vec::new();
+        let written = message.write(&mut bytes);
+        written.map_err(|error| Error::Failed(error.to_string()))?;
+        write(&bytes)?;
+    }
+    Ok(())
+}
+
+fn write(bytes: &[u8]) -> Result<(), Error> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(bytes).and_then(|()| out.flush());
+    written.map_err(|error| Error::Failed(format!("the editor is gone: {error}")))
+}

@@ -1,0 +1,116 @@
+//! The files of this machine around a program.
+
+use super::surroundings::{Chosen, Surroundings};
+use crate::explain;
+use crate::robot::RobotChoice;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::{env, fs};
+use tipc::Options;
+use tipc::message::Lang;
+
+/// The files of this machine.
+pub(crate) struct Files {
+    robot: Option<RobotChoice>,
+    known: HashMap<String, Rc<Chosen>>,
+    pages: HashMap<(String, Lang), Option<String>>,
+}
+
+impl Files {
+    /// `robot`: that of every program.
+    pub(crate) fn new(robot: Option<RobotChoice>) -> Self {
+        Files {
+            robot,
+            known: HashMap::new(),
+            pages: HashMap::new(),
+        }
+    }
+
+    /// The choice, from the strongest to the weakest.
+    fn choice(&self, path: Option<&Path>, asked: Option<&str>) -> Result<RobotChoice, String> {
+        if let Some(choice) = &self.robot {
+            return Ok(choice.clone());
+        }
+        let Some(asked) = asked else {
+            return Ok(RobotChoice::default());
+        };
+        let choice: RobotChoice = asked.parse().map_err(|wrong| format!("{wrong}"))?;
+        Ok(choice.beside(path))
+    }
+}
+
+impl Surroundings for Files {
+    fn robot(&mut self, path: Option<&Path>, asked: Option<&str>) -> Rc<Chosen> {
+        let (choice, complaint) = match self.choice(path, asked) {
+            Ok(choice) => (choice, None),
+            Err(complaint) => (RobotChoice::default(), Some(complaint)),
+        };
+        let key = format!("{choice:?} {complaint:?}");
+        if let Some(chosen) = self.known.get(&key) {
+            return Rc::clone(chosen);
+        }
+        let chosen = Rc::new(chosen(&choice, complaint));
+        self.known.insert(key, Rc::clone(&chosen));
+        chosen
+    }
+
+    fn page(&mut self, code: &str, lang: Lang) -> Option<String> {
+        let key = (code.to_owned(), lang);
+        let page = self.pages.entry(key).or_insert_with(|| written(code, lang));
+        page.clone()
+    }
+
+    fn forget(&mut self) {
+        self.known.clear();
+    }
+}
+
+/// The robot, or the standard one and why.
+fn chosen(choice: &RobotChoice, complaint: Option<String>) -> Chosen {
+    match choice.load() {
+        Ok(robot) => Chosen {
+            options: Options {
+                robot: robot.robot(),
+                ..Options::default()
+            },
+            robot: robot.simulated().ok(),
+            complaint,
+        },
+        Err(loaded) => {
+            let first = loaded.diagnostics.first();
+            let reason = first.map_or_else(String::new, |first| first.reason.to_string());
+            let name = loaded.source.name();
+            Chosen {
+                complaint: Some(format!("{name}: {reason}")),
+                ..chosen(&RobotChoice::default(), None)
+            }
+        }
+    }
+}
+
+/// Writes the page about a code into the cache of this user; its address.
+fn written(code: &str, lang: Lang) -> Option<String> {
+    let text = explain::page(code, lang)?;
+    let language = if lang == Lang::Japanese { "ja" } else { "en" };
+    let version = env!("CARGO_PKG_VERSION");
+    let folder = cache()?.join("tipc").join(version).join(language);
+    let path = folder.join(format!("{code}.md"));
+    if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
+        fs::create_dir_all(&folder).ok()?;
+        fs::write(&path, text).ok()?;
+    }
+    Some(crate::sarif::uri(path.to_str()?))
+}
+
+/// Where programs keep what they can make again.
+fn cache() -> Option<PathBuf> {
+    let named = |name: &str| {
+        env::var_os(name)
+            .map(PathBuf::from)
+            .filter(|path| path.is_absolute())
+    };
+    named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))
+}
