@@ -28,6 +28,7 @@ mod robot;
 mod run;
 mod sarif;
 mod scene;
+mod shell;
 mod shown;
 mod usage;
 mod verify;
@@ -96,6 +97,10 @@ enum Verb {
     Explain(explain::Explain),
     /// Serve an editor: the language server
     Lsp(lsp::Lsp),
+    /// Print what a shell completes the command line with
+    Completions(shell::Completions),
+    /// Write the pages of man
+    Man(shell::Man),
     /// Descriptions of robots
     #[command(subcommand)]
     Robot(describe::RobotVerb),
@@ -164,6 +169,8 @@ fn main() -> ExitCode {
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Lsp(arguments) => lsp::lsp(arguments),
+        Verb::Completions(arguments) => shell::completions(arguments),
+        Verb::Man(arguments) => shell::man(arguments),
         Verb::Robot(verb) => describe::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {

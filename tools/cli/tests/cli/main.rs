@@ -23,6 +23,7 @@ mod robot;
 mod run;
 mod sarif;
 mod script;
+mod shell;
 mod speaks;
 mod stops;
 mod support;
