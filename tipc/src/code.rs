@@ -191,12 +191,18 @@ codes! {
     /// A constant target that the robot cannot reach.
     OutOfReach "W122" None, "this target is out of reach and stops the program when it runs",
         "この目標には届かず、実行すると緊急停止します";
+    /// A SPECIAL that the robot does not answer by itself.
+    Unanswered "W123" None, "nothing answers this SPECIAL, and it stops the program when it runs",
+        "このSPECIALに応えるものがなく、実行すると緊急停止します";
+    /// A value in a MESSAGE as other languages write it.
+    ForeignValue "W124" None, "the message shows this as it is",
+        "値に置き換わらず、このまま表示されます";
 }
 
 impl Code {
     /// Whether it is found after a program is loaded, by whoever knows the robot's geometry.
     pub(crate) const fn is_found_later(self) -> bool {
-        matches!(self, Code::OutOfReach)
+        matches!(self, Code::OutOfReach | Code::Unanswered)
     }
 
     /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.

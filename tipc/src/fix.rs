@@ -2,7 +2,9 @@
 //! is in the finding's messages, the rest in the statement around its place.
 
 mod blocks;
+mod braces;
 mod characters;
+mod conditions;
 mod declarations;
 mod jumps;
 mod numbers;
@@ -23,6 +25,8 @@ const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     words::fix,
     jumps::fix,
     blocks::fix,
+    braces::fix,
+    conditions::fix,
     operators::fix,
     numbers::fix,
     declarations::fix,

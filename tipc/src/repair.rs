@@ -32,6 +32,9 @@ use taken::Taken;
 /// The most times that a file is read again.
 const READINGS: usize = 200;
 
+/// The most mistakes of one line that are put right one after the other.
+const HIDDEN: usize = 4;
+
 /// A finding that was put right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
@@ -59,6 +62,7 @@ pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repair
     let mut repair = Repair {
         options,
         least,
+        follows: true,
         readings: READINGS,
         applied: Vec::new(),
         loaded,
@@ -76,6 +80,7 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
     let mut repair = Repair {
         options,
         least: Applicability::Likely,
+        follows: false,
         readings: READINGS,
         applied: Vec::new(),
         loaded,
@@ -103,6 +108,8 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
 struct Repair<'a> {
     options: &'a Options,
     least: Applicability,
+    /// Whether what another mistake hid on its line may be put right along with it.
+    follows: bool,
     readings: usize,
     applied: Vec<Applied>,
     loaded: Loaded,
@@ -111,6 +118,8 @@ struct Repair<'a> {
 /// The findings that are put right together, and what comes of the file.
 struct Accepted {
     findings: Vec<usize>,
+    /// What they hid, which is put right as well.
+    hidden: Vec<Applied>,
     loaded: Loaded,
 }
 
@@ -123,8 +132,16 @@ impl Repair<'_> {
         let Some(accepted) = accepted else {
             return false;
         };
-        let before = &self.loaded;
-        let applied = accepted.findings.iter().filter_map(|index| {
+        let applied = self.applied(&self.loaded, &accepted.findings);
+        self.applied.extend(applied);
+        self.applied.extend(accepted.hidden);
+        self.loaded = accepted.loaded;
+        true
+    }
+
+    /// What is put right by the fixes of these findings.
+    fn applied(&self, before: &Loaded, findings: &[usize]) -> Vec<Applied> {
+        let applied = findings.iter().filter_map(|index| {
             let finding = &before.diagnostics[*index];
             let (line, column) = before.source.line_column(finding.span.start);
             Some(Applied {
@@ -134,10 +151,7 @@ impl Repair<'_> {
                 fix: self.fix(finding)?.clone(),
             })
         });
-        let applied: Vec<Applied> = applied.collect();
-        self.applied.extend(applied);
-        self.loaded = accepted.loaded;
-        true
+        applied.collect()
     }
 
     /// The fix of a finding, if it is sure enough.
@@ -177,20 +191,51 @@ impl Repair<'_> {
         }
     }
 
-    /// The file with the fixes of these findings, if it is better.
+    /// The file with the fixes of these findings, if it is better. What they hid on their lines is put right, too.
     fn attempt(&self, findings: Vec<usize>) -> Option<Accepted> {
-        let before = &self.loaded;
+        let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
+        let mut hidden = Vec::new();
+        for _ in 0..HIDDEN {
+            if new.is_empty() {
+                return Some(Accepted {
+                    findings,
+                    hidden,
+                    loaded,
+                });
+            }
+            let can_follow = |index: &usize| self.fix(&loaded.diagnostics[*index]).is_some();
+            if !self.follows || !new.iter().all(can_follow) {
+                return None;
+            }
+            hidden.extend(self.applied(&loaded, &new));
+            (loaded, new) = self.changed(&loaded, &new)?;
+        }
+        None
+    }
+
+    /// A file with the fixes of some findings, and the findings that are new then; `None` if one of them was not hidden.
+    fn changed(&self, before: &Loaded, findings: &[usize]) -> Option<(Loaded, Vec<usize>)> {
         let found = findings.iter().map(|index| &before.diagnostics[*index]);
-        let fixes = found.filter_map(|finding| self.fix(finding));
-        let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
+        let fixes: Vec<&Fix> = found.filter_map(|finding| self.fix(finding)).collect();
+        let mut taken = Taken::default();
+        if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
+            return None;
+        }
+        let mut edits: Vec<&Edit> = fixes.iter().flat_map(|fix| &fix.edits).collect();
         edits.sort_by_key(|edit| edit.span);
         let source = &before.source;
         let changes = edits.iter().map(|edit| (edit.span, edit.text.as_str()));
         let bytes = source.changed(changes.clone());
         let loaded = load(source.name(), &bytes, self.options);
-        let is_as_meant = loaded.source.text() == spliced(source.text(), changes);
-        let is_better = is_as_meant && judge::is_better(before, &loaded, &findings, &edits);
-        is_better.then_some(Accepted { findings, loaded })
+        if loaded.source.text() != spliced(source.text(), changes) {
+            return None;
+        }
+        let new = judge::news(before, &loaded, findings, &edits);
+        let was_hidden = |index: &usize| {
+            let finding = &loaded.diagnostics[*index];
+            judge::was_hidden(before, finding, &loaded, &edits)
+        };
+        new.iter().all(was_hidden).then_some((loaded, new))
     }
 }
 

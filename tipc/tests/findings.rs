@@ -134,3 +134,31 @@ fn any_character_may_stand_in_what_another_language_shows() {
         );
     }
 }
+
+// clauses: 3.1 5.1 7.32
+#[test]
+fn habits_of_declarations_inputs_and_conditions() {
+    let help = |statements: &str| {
+        let loaded = check(statements);
+        let [finding] = loaded.diagnostics.as_slice() else {
+            panic!("{statements}: {:#?}", loaded.diagnostics);
+        };
+        finding.help.as_ref().map(Message::to_string)
+    };
+    let declare = Some(
+        "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`".to_owned(),
+    );
+    assert_eq!(help("DEF_INT N\nN = 3\nSLEEP N"), declare.clone());
+    assert_eq!(
+        help("DEF_POINT P\nTEACH_POSITION F1 P\nPTP F1 P"),
+        declare.clone()
+    );
+    assert_eq!(
+        help("DEF_ANGLE Q\nTEACH_ANGLE F1 Q\nPTP_ANGLE F1 Q"),
+        declare
+    );
+    let read = Some("read an input with `AD_IN VR1 A`".to_owned());
+    assert_eq!(help("DEF_VAR V\nV = AD_IN(VR1)\nSLEEP V"), read);
+    let conditions = Some("a condition is a comparison of two numbers, as `A >= 5`, or an event flag, as `KB_HIT` or `!KB_HIT`".to_owned());
+    assert_eq!(help("IF THEN\nALL_STOP\nENDIF"), conditions);
+}

@@ -55,6 +55,37 @@ fn a_text_needs_no_quotes() {
 }
 
 #[test]
+fn values_of_other_languages_are_shown_as_they_are() {
+    let with = |text: &str| format!("DEF_VAR N\nN = 1\nSLEEP N\nMESSAGE {text}");
+    for (text, column) in [
+        ("N=%d", 11),
+        ("N=%5.2f mm", 11),
+        ("N=$N", 11),
+        ("N={n} mm", 11),
+        ("N=%N", 11),
+        ("N = %N!", 13),
+    ] {
+        check(&with(text), &[&format!("W124 6:{column}")]);
+    }
+    // Other signs, names that nothing bears, and values as they are written here.
+    for text in [
+        "100 % done",
+        "50%d",
+        "{M} $M",
+        "%N% $ {",
+        "5 $",
+        "{N",
+        "a%%N%",
+    ] {
+        check(&with(text), &[]);
+    }
+    check("DEF_VAR N\nN = 1\nMESSAGE \"N=\" + N", &["W111 5:9"]);
+    // That nothing reads the variable follows from it.
+    check("DEF_VAR N\nN = 1\nMESSAGE N=%d", &["W124 5:11"]);
+    check("DEF_VAR N\nN = 1\nMESSAGE N=%N", &["W124 5:11"]);
+}
+
+#[test]
 fn steps_behind_a_jump_are_reached_by_a_label() {
     check("LOOP: REM\nGOTO LOOP:\nALL_STOP\nMESSAGE a", &["W112 5:1"]);
     check("EXIT\nPART: ALL_STOP", &["W112 4:1"]);

@@ -4,6 +4,8 @@ TITAN VIII stands up, feels that all feet carry, and sways its body in circles
 // SPECIAL 30 radius turns: sways the body along a circle (mm)
 // SPECIAL 31 volts: SPECIAL_FLAG0 tells whether every sole reads more than that
 
+// tip: allow(W123)
+
 DEF_VAR RADIUS, TURNS, CLEAR, ENOUGH, SETTLE
 
 RADIUS = 40  // mm

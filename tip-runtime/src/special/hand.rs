@@ -61,6 +61,9 @@ use closure::Closure;
 use friction::FrictionControl;
 use lever::Lever;
 
+/// The numbers of the hand's own commands.
+pub const NUMBERS: &[u8] = &[1, 2, 5, 6, 10, 11, 12, 13, 14, 15, 16, 20];
+
 /// Of the hand.
 const FINGERS: usize = 3;
 /// Of each finger.

@@ -49,6 +49,12 @@ messages! {
     Block
         "make a block of it, with its statement on a line of its own",
         "文を別の行に書いて、ブロックにする";
+    Words
+        "write the words of the block in place of the braces",
+        "波括弧の代わりにブロックの語を書く";
+    TwoIfs
+        "make two IFs of it",
+        "2つのIFに分ける";
     Show
         "show the text with MESSAGE, without quotes",
         "引用符を取り、MESSAGEで表示する";

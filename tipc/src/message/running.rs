@@ -46,6 +46,21 @@ messages! {
     Late { late: String, all: String, worst: String }
         "{late} of {all} cycles late, {worst} ms at most",
         "{all}周期のうち{late}周期が遅れ、最大{worst} ms";
+    Keys
+        "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program",
+        "キー: RETURNは非常停止、ESCは停止要求、Ctrl-Cは終了。ほかのキーはプログラムに渡ります";
+    NoKeys
+        "keys: none, standard input is not a terminal; --keys and --events press them",
+        "キー: 標準入力が端末ではないため使えません。--keysと--eventsで押せます";
+    Walks { y: String, margin: String, falls: String }
+        "{y} mm forward, margin {margin} mm, falls {falls}",
+        "前へ{y} mm、余裕{margin} mm、転倒{falls}回";
+    Lifts { value: String }
+        "lift {value} mm",
+        "持上{value} mm";
+    Pushes { forces: String }
+        "force {forces} N",
+        "力{forces} N";
     Fell { time: String, cycle: String }
         "the robot fell after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で転倒しました";

@@ -31,6 +31,28 @@ messages! {
     NotAVersion { text: String }
         "`{text}` is not a version of the language, as 3.1 is",
         "`{text}` は3.1のような言語のバージョンではありません";
+    // What the library of the command line says in English itself.
+    NoOption { option: String }
+        "there is no option `{option}`",
+        "`{option}` というオプションはありません";
+    NearOption { option: String, near: String }
+        "there is no option `{option}`: did you mean `{near}`?",
+        "`{option}` というオプションはありません。`{near}` のことですか?";
+    NoSuchValue { value: String, values: Each }
+        "`{value}` is not a value of it; the values are {values}",
+        "`{value}` は指定できません。指定できるのは{values}です";
+    NeedsValue
+        "it wants a value",
+        "値を指定してください";
+    NotTogether { option: String, other: String }
+        "`{option}` and `{other}` do not go together",
+        "`{option}` と `{other}` は同時に使えません";
+    MissingArgument { what: String }
+        "`{what}` is missing",
+        "`{what}` を指定してください";
+    WhichCommand { commands: Each }
+        "which command? The commands are {commands}",
+        "コマンドを指定してください。コマンドは{commands}です";
     WatchInput
         "--watch needs files: standard input does not change",
         "--watchにはファイルが必要です。標準入力は変更を検出できません";

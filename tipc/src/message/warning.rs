@@ -1,6 +1,6 @@
 //! What is said of a program that loads.
 
-use super::list::Quoted;
+use super::list::{List, Quoted};
 use super::phrase::{Assign, Lack, Stretch, Type};
 use smol_str::SmolStr;
 use tip_runtime::command::Target;
@@ -43,6 +43,15 @@ messages! {
     SevenAtMost { name: SmolStr }
         "write one digit after the point, as `%{name}.2%`",
         "`%{name}.2%` のように、ピリオドの後に数字を1個書いてください";
+    NoFormat
+        "a value is shown by the name of its variable",
+        "値は変数名で表示します";
+    ShowValue { name: SmolStr }
+        "write `%{name}%`",
+        "`%{name}%` と書いてください";
+    ShowAnyValue
+        "`%A%` shows the value of A, `%A.2%` with 2 decimals",
+        "`%A%` と書くとAの値が、`%A.2%` なら小数点以下2桁まで表示されます";
     QuotesShown
         "the quotes are part of the text",
         "引用符も文字列の一部になります";
@@ -128,6 +137,17 @@ messages! {
     MarkEach
         "write R before each number that is relative, and A before each that is absolute",
         "相対値には一つずつR、絶対値には一つずつAを付けてください";
+
+    // SPECIAL.
+    AnswersNone { robot: &'static str }
+        "{robot} has no SPECIAL of its own",
+        "{robot}自身のSPECIALはありません";
+    AnswersOthers { robot: &'static str, numbers: List }
+        "{robot} answers {numbers}",
+        "{robot}が応えるのは{numbers}です";
+    OwnNative
+        "if native code of yours answers it, silence this with `// tip: allow(W123)`",
+        "自分のネイティブコードで応えるなら、`// tip: allow(W123)` でこの警告を消せます";
 
     // Targets.
     TurnsTooFar { joint: Target, by: f64, limit: f64 }

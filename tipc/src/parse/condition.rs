@@ -23,7 +23,7 @@ impl Reader<'_> {
                 Parsing::Conditions,
             ));
         }
-        let left = self.operand_before_keyword()?;
+        let left = self.operand_before_keyword().map_err(as_in_condition)?;
         match self.peek() {
             Some(Token {
                 kind: Kind::Relation(relation),
@@ -111,7 +111,7 @@ impl Reader<'_> {
             };
             return Err(self.fault_with_help(token.span, reason, help));
         }
-        let right = self.operand_before_keyword()?;
+        let right = self.operand_before_keyword().map_err(as_in_condition)?;
         match self.peek() {
             Some(token) if token.kind != Kind::Word => {
                 let reason = Parsing::CannotStandHere {
@@ -216,6 +216,12 @@ impl Reader<'_> {
             _ => Err(self.fault_with_help(span, Parsing::ComparedWithNothing, Parsing::Conditions)),
         }
     }
+}
+
+/// A fault of an operand of a condition, which shows its forms.
+fn as_in_condition(mut fault: Fault) -> Fault {
+    fault.help.get_or_insert_with(|| Parsing::Conditions.into());
+    fault
 }
 
 fn is_part_of_relation(token: &Token) -> bool {

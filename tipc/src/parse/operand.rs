@@ -2,6 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
+use crate::language::commands::{self, Meaning};
 use crate::language::{Keyword, functions};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
@@ -275,6 +276,13 @@ fn meant_by_name(word: &str) -> Message {
             return Parsing::NoParentheses.into();
         }
         let name = upper_case(name);
+        match commands::find(&name).map(|command| (command.meaning, command.name)) {
+            // `V = AD_IN(VR1)`
+            Some((Meaning::AdIn, _)) => return Habit::AdIn.into(),
+            Some((Meaning::KeyIn, _)) => return Habit::KeyIn.into(),
+            Some((_, command)) => return Instead::CommandFirst { command }.into(),
+            None => {}
+        }
         if foreign::is_function(&name) || foreign::function(&name).is_some() {
             return no_function(&name).1;
         }

@@ -83,8 +83,14 @@ fn width(line: &str, bytes: usize) -> usize {
 pub fn human(source: &Source, diagnostic: &Diagnostic, style: Style) -> String {
     let windows = windows(source, diagnostic);
     let name = printable(source.name());
+    let headline = printable(diagnostic.headline(style.lang));
+    let headline = wrapped(
+        &headline,
+        style.width,
+        before_headline(diagnostic, style.lang),
+    );
     let title = level(diagnostic.level(), style.lang)
-        .primary_title(printable(diagnostic.headline(style.lang)))
+        .primary_title(headline)
         .id(diagnostic.id());
     let mut group = Group::with_title(title);
     if windows[0].range(source, diagnostic.span).is_none() {
@@ -124,15 +130,33 @@ fn before_help(windows: &[Window], name: &str) -> usize {
         .iter()
         .map(|window| window.first as usize + window.lines.len() - 1);
     let digits = ends.max().unwrap_or_default().to_string().len();
-    // A name is half-width or full-width.
+    digits + " = : ".len() + columns(name)
+}
+
+/// The columns before the text of a headline: those of the level and the code.
+fn before_headline(diagnostic: &Diagnostic, lang: Lang) -> usize {
+    let level = level_name(diagnostic.level(), lang);
+    columns(level) + "[]: ".len() + diagnostic.id().len()
+}
+
+/// How wide a name is that is half-width or full-width.
+fn columns(name: &str) -> usize {
     let columns = if name.is_ascii() { 1 } else { 2 };
-    digits + " = : ".len() + columns * name.chars().count()
+    columns * name.chars().count()
 }
 
 fn level(level: Level, lang: Lang) -> Title<'static> {
+    let title = match level {
+        Level::Error => Title::ERROR,
+        Level::Warning => Title::WARNING,
+    };
+    title.with_name(level_name(level, lang))
+}
+
+fn level_name(level: Level, lang: Lang) -> &'static str {
     match level {
-        Level::Error => Title::ERROR.with_name(lang.pick("error", "エラー")),
-        Level::Warning => Title::WARNING.with_name(lang.pick("warning", "警告")),
+        Level::Error => lang.pick("error", "エラー"),
+        Level::Warning => lang.pick("warning", "警告"),
     }
 }
 

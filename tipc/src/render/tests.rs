@@ -358,3 +358,18 @@ fn helps_fit_a_terminal() {
         }
     }
 }
+
+#[test]
+fn headlines_break_where_the_terminal_ends() {
+    let text = "3.1\nheadline\nSETUP_OF_THE_WHOLE_ROBOT = 1\nEND\n";
+    let loaded = crate::load("wide.prg", text.as_bytes(), &crate::Options::default());
+    for lang in [Lang::English, Lang::Japanese] {
+        let style = Style::default().lang(lang).width(Some(40));
+        let shown = human(&loaded.source, &loaded.diagnostics[0], style);
+        let arrow = shown.lines().position(|line| line.contains("-->"));
+        let headline: Vec<&str> = shown.lines().take(arrow.expect("a place")).collect();
+        assert!(headline.len() > 1, "{shown}");
+        let beyond = |line: &&str| crate::source::first_beyond(line, 40).is_some();
+        assert!(!headline.iter().any(|line| beyond(line)), "{shown}");
+    }
+}

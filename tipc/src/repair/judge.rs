@@ -1,4 +1,5 @@
 //! Whether a changed text is better: what was to be put right is gone, and nothing else is wrong that could be seen before.
+//! A statement has one finding at most, so that a second mistake shows when the first is put right.
 
 use crate::code::{Code, Level};
 use crate::diagnostic::{Diagnostic, Edit};
@@ -6,8 +7,13 @@ use crate::load::Loaded;
 use crate::syntax::StatementKind;
 use std::collections::HashMap;
 
-/// Whether the findings with these indices are gone, and none is new.
-pub(super) fn is_better(before: &Loaded, after: &Loaded, fixed: &[usize], edits: &[&Edit]) -> bool {
+/// The findings that are new after these were to be put right. One that is still there counts as new.
+pub(super) fn news(
+    before: &Loaded,
+    after: &Loaded,
+    fixed: &[usize],
+    edits: &[&Edit],
+) -> Vec<usize> {
     let mut allowed: HashMap<(Code, String), usize> = HashMap::new();
     for finding in &before.diagnostics {
         *allowed.entry(key(finding)).or_default() += 1;
@@ -18,14 +24,31 @@ pub(super) fn is_better(before: &Loaded, after: &Loaded, fixed: &[usize], edits:
         }
     }
     let seen = Seen::of(before, edits);
-    let mut judged = after.diagnostics.iter().filter(|it| seen.would_show(it));
-    judged.all(|finding| match allowed.get_mut(&key(finding)) {
+    let found = after.diagnostics.iter().enumerate();
+    let judged = found.filter(|(_, finding)| seen.would_show(finding));
+    let is_new = |finding: &Diagnostic| match allowed.get_mut(&key(finding)) {
         Some(count) if *count > 0 => {
             *count -= 1;
-            true
+            false
         }
-        _ => false,
-    })
+        _ => true,
+    };
+    let mut is_new = is_new;
+    let new = judged.filter(|(_, finding)| is_new(finding));
+    new.map(|(index, _)| index).collect()
+}
+
+/// Whether a finding stands on a line that was changed, where the mistake before may have hidden it.
+pub(super) fn was_hidden(
+    before: &Loaded,
+    finding: &Diagnostic,
+    after: &Loaded,
+    edits: &[&Edit],
+) -> bool {
+    let (line, _) = after.source.line_column(finding.span.start);
+    let same_lines = before.source.line_count() == after.source.line_count();
+    let changed = |edit: &&Edit| before.source.line_column(edit.span.start).0 == line;
+    same_lines && edits.iter().any(changed)
 }
 
 /// What makes two findings the same, wherever they are.

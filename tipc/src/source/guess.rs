@@ -12,7 +12,8 @@ pub(crate) fn looks_like(bytes: &[u8]) -> Option<&'static str> {
     if ISO_2022_JP.iter().any(has) {
         return Some("ISO-2022-JP (JIS)");
     }
-    is_euc_jp(bytes).then_some("EUC-JP")
+    // Full-width letters of UTF-8 are pairs of such bytes, too.
+    (std::str::from_utf8(bytes).is_err() && is_euc_jp(bytes)).then_some("EUC-JP")
 }
 
 /// Whether there are characters beyond ASCII and all are pairs of bytes as EUC-JP has them, kana among them: what is
@@ -50,6 +51,8 @@ mod tests {
             (b"3.1\n\x82\xA0\x82\xA2\n", None),
             (b"3.1\n\xE3\x81\x82\xE3\x81\x84\n", None),
             (b"3.1\n\xB1\n", None),
+            // Full-width `ELSE` of UTF-8.
+            ("3.1\nＥＬＳＥ\n".as_bytes(), None),
             (b"3.1\nEND\n", None),
         ] {
             assert_eq!(looks_like(bytes), encoding, "{bytes:x?}");

@@ -16,21 +16,71 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
         if let StatementKind::Message { text } = &statement.kind {
             found.extend(quoted(judged.source.slice(text.span), text.span));
             placeholders(judged, text.span, found);
+            foreign_values(judged, text.span, found);
         }
     }
 }
 
+/// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
+fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+    let text = judged.source.slice(place);
+    let is_var = |name: &str| {
+        let name = upper_case(name);
+        let mut vars = judged.program.variables().iter();
+        vars.any(|one| one.kind == VariableKind::Var && one.name == *name)
+    };
+    let mut signs = text.match_indices(['%', '$', '{']);
+    let first = signs.find_map(|(at, sign)| {
+        let rest = &text[at + 1..];
+        let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
+        let (name, after) = rest.split_at(end.unwrap_or(rest.len()));
+        let shown = match sign {
+            "%" if after.starts_with('%') || text[..at].ends_with(is_word_end) => return None,
+            "%" if is_format(name) && !is_var(name) => return Some((at, 1 + name.len(), None)),
+            "{" if !after.starts_with('}') => return None,
+            "{" => 2 + name.len(),
+            _ => 1 + name.len(),
+        };
+        is_var(name).then(|| (at, shown, Some(upper_case(name))))
+    });
+    let Some((at, length, name)) = first else {
+        return;
+    };
+    let span = Span::new(place.start + at, place.start + at + length);
+    let finding = Diagnostic::new(Code::ForeignValue, span, Warning::NoFormat);
+    found.push(match name {
+        Some(name) => finding
+            .about(name.as_str())
+            .help(Warning::ShowValue { name }),
+        None => finding.help(Warning::ShowAnyValue),
+    });
+}
+
+/// What may stand before a percent sign that is one: `50%`, `%A%`.
+fn is_word_end(char: char) -> bool {
+    char.is_ascii_alphanumeric() || char == '_' || char == '%'
+}
+
+/// `d`, `5.2f`: a format of C.
+fn is_format(text: &str) -> bool {
+    let kind = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+    matches!(kind, "d" | "i" | "f" | "lf" | "g" | "s" | "u" | "x" | "ld")
+}
+
 /// The whole text in quotes. Single words in quotes are part of a text.
 fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
-    let is_whole = |quote: char| {
-        let inner = text
-            .strip_prefix(quote)
-            .and_then(|rest| rest.strip_suffix(quote));
-        inner.is_some_and(|inner| !inner.contains(quote))
+    let mut after = ['"', '\''].into_iter().filter_map(|quote| {
+        let (_, after) = text.strip_prefix(quote)?.split_once(quote)?;
+        Some(after.trim_start())
+    });
+    let help = match after.next()? {
+        "" => Warning::LeaveQuotesOut,
+        // `"N=" + N`
+        after if after.starts_with(['+', ',']) => Warning::ShowAnyValue,
+        _ => return None,
     };
     let reason = Warning::QuotesShown;
-    (is_whole('"') || is_whole('\''))
-        .then(|| Diagnostic::new(Code::QuotedMessage, place, reason).help(Warning::LeaveQuotesOut))
+    Some(Diagnostic::new(Code::QuotedMessage, place, reason).help(help))
 }
 
 /// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
@@ -122,12 +172,23 @@ fn declare(variables: &[Variable], name: SmolStr) -> Warning {
     }
 }
 
+/// Whether a value was to be shown, and nothing says of which variable.
+pub(super) fn means_any(found: &[Diagnostic]) -> bool {
+    let any = Some(Warning::ShowAnyValue.into());
+    found.iter().any(|finding| finding.help == any)
+}
+
 /// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
 pub(super) fn meant(found: &[Diagnostic]) -> Vec<SmolStr> {
     let meant = found
         .iter()
         .filter_map(|finding| match (&finding.reason, &finding.help) {
-            (_, Some(Message::Warning(Warning::MeantPlaceholder { near: name })))
+            (
+                _,
+                Some(Message::Warning(
+                    Warning::MeantPlaceholder { near: name } | Warning::ShowValue { name },
+                )),
+            )
             | (
                 Message::Warning(
                     Warning::Decimals { name } | Warning::StructInMessage { name, .. },

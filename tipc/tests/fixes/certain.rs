@@ -74,6 +74,38 @@ fn relations_words_and_characters_of_habit() {
 
 // clauses: 7.20
 #[test]
+fn braces_become_the_words_of_their_block() {
+    let declared = |block: &str| format!("DEF_VAR N\nAD_IN VR1 N\n{block}");
+    check_certain(
+        &declared("IF N == 1 {\n  ALL_STOP\n}"),
+        &declared("IF N == 1 THEN\n  ALL_STOP\nENDIF"),
+    );
+    check_certain(
+        &declared("IF N == 1 THEN {\nREM\n} ELSE {\nALL_STOP\n}"),
+        &declared("IF N == 1 THEN\nREM\nELSE\nALL_STOP\nENDIF"),
+    );
+    check_certain(
+        &declared("WHILE N < 3 {\nIF N == 1 {\nREM\n}\nN += 1\n}"),
+        &declared("WHILE N < 3\nIF N == 1 THEN\nREM\nENDIF\nN += 1\nWEND"),
+    );
+}
+
+// clauses: 5.1 7.20
+#[test]
+fn two_mistakes_of_one_line() {
+    let declared = |block: &str| format!("DEF_VAR N\nAD_IN VR1 N\n{block}\nREM\nENDIF");
+    let right = declared("IF N == 1 THEN");
+    for wrong in ["IF N = 1", "IF (N = 1) THEN", "IF N === 1", "IF (N EQ 1)"] {
+        check_certain(&declared(wrong), &right);
+    }
+    check_certain(
+        "WHILE NOT KB_HIT DO\nSLEEP 10\nWEND",
+        "WHILE !KB_HIT\nSLEEP 10\nWEND",
+    );
+}
+
+// clauses: 7.20
+#[test]
 fn branches_of_other_languages() {
     let with = |branch: &str| format!("IF KB_HIT THEN\nREM\n{branch}\nREM\nENDIF");
     let right = with("ELSEIF HALT_REQUEST THEN");

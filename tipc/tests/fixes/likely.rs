@@ -1,6 +1,6 @@
 //! What most readers mean.
 
-use super::check_likely;
+use super::{check_kept, check_likely};
 
 // clauses: 3.1 8.1
 #[test]
@@ -64,4 +64,36 @@ fn other_habits() {
     check_likely("WAIT 200", "SLEEP 200");
     check_likely("QUIT", "EXIT");
     check_likely("ALL_STOP SLEEP 100", "ALL_STOP\nSLEEP 100");
+}
+
+// clauses: 5.1 7.20
+#[test]
+fn conditions_of_two() {
+    let declared = |block: &str| format!("DEF_VAR N\nAD_IN VR1 N\n{block}");
+    check_likely(
+        &declared("IF N == 1 AND KB_HIT THEN\n  ALL_STOP\nENDIF"),
+        &declared("IF N == 1 THEN\nIF KB_HIT THEN\n  ALL_STOP\nENDIF\nENDIF"),
+    );
+    check_likely(
+        &declared("IF N == 1 || KB_HIT GOTO L1:\nALL_STOP\nL1: REM"),
+        &declared("IF N == 1 GOTO L1:\nIF KB_HIT GOTO L1:\nALL_STOP\nL1: REM"),
+    );
+    check_likely(
+        &declared("IF N == 1 AND KB_HIT GOTO L1:\nALL_STOP\nL1: REM"),
+        &declared("IF N == 1 THEN\nIF KB_HIT GOTO L1:\nENDIF\nALL_STOP\nL1: REM"),
+    );
+    // What else is to be done would be done in one of two cases only.
+    check_kept(&declared(
+        "IF N == 1 AND KB_HIT THEN\nREM\nELSE\nALL_STOP\nENDIF",
+    ));
+    check_kept(&declared("IF N == 1 OR KB_HIT THEN\nALL_STOP\nENDIF"));
+}
+
+// clauses: 3.2
+#[test]
+fn names_in_one_piece() {
+    check_likely(
+        "DEF_VAR STEP-LENGTH\nstep-length = 3\nSLEEP STEP-LENGTH",
+        "DEF_VAR STEP_LENGTH\nstep_length = 3\nSLEEP STEP_LENGTH",
+    );
 }

@@ -10,7 +10,7 @@ use super::{Status, fix, input, interrupt, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
-use tip_sim::reach;
+use tip_sim::{reach, special};
 use tipc::diagnostic::Applicability;
 use tipc::message::{Checking, Using};
 use watch::Watch;
@@ -135,6 +135,7 @@ fn once(arguments: &Check) -> Result<Status, Error> {
             None => {
                 let mut loaded = input::load(file, &options);
                 reach::warn(&mut loaded, &robot);
+                special::warn(&mut loaded, &robot);
                 let loaded = fix::offered(loaded, &options, shown);
                 report::check(&loaded, shown)?;
                 loaded

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{Inputs, Interpreter, Observer, Robot, reach};
+use tip_sim::{Inputs, Interpreter, Observer, Robot, reach, special};
 use tipc::Loaded;
 use tipc::message::running::Weight;
 use tipc::program::Program;
@@ -116,6 +116,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         &arguments.source.options(robot.options().robot),
     );
     reach::warn(&mut loaded, &robot);
+    special::warn(&mut loaded, &robot);
     if loaded.program.is_none() || !arguments.quiet {
         report::findings(&loaded, arguments.source.shown);
     }
@@ -187,7 +188,10 @@ impl Job<'_> {
             fell: false,
         };
         if self.arguments.realtime {
-            watch.live = Some(Live::begin(self.arguments.quiet));
+            watch.live = Some(Live::begin(
+                self.arguments.quiet,
+                self.arguments.source.shown.lang(),
+            ));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
         let (fell, live) = (watch.fell, watch.live);

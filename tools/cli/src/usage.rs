@@ -46,10 +46,12 @@ pub(super) fn count(text: &str) -> Result<u64, Wrong> {
 
 /// Says what is wrong, or gives the help that is asked for.
 pub(super) fn report(error: &clap::Error) {
-    if let Some(reason) = reason(error) {
-        let lang = lang();
+    let lang = lang();
+    let in_japanese = || general(error).filter(|_| lang == Lang::Japanese);
+    if let Some(reason) = reason(error).or_else(in_japanese) {
         let option = text(error, ContextKind::InvalidArg);
-        let option = option.filter(|_| error.kind() == ErrorKind::ValueValidation);
+        let names_it = [ErrorKind::ValueValidation, ErrorKind::InvalidValue];
+        let option = option.filter(|_| names_it.contains(&error.kind()));
         let option = option.and_then(|option| Some(option.split_once(' ')?.0.to_owned() + ": "));
         let option = option.unwrap_or_default();
         let (error, reason) = (Weight::Error.in_lang(lang), reason.in_lang(lang));
@@ -92,6 +94,42 @@ fn reason(error: &clap::Error) -> Option<Using> {
         }
         _ => None,
     }
+}
+
+/// What the library says in English only.
+fn general(error: &clap::Error) -> Option<Using> {
+    let option = text(error, ContextKind::InvalidArg);
+    Some(match error.kind() {
+        ErrorKind::UnknownArgument => {
+            let option = option?;
+            match text(error, ContextKind::SuggestedArg) {
+                Some(near) => Using::NearOption { option, near },
+                None => Using::NoOption { option },
+            }
+        }
+        ErrorKind::InvalidValue => {
+            let value = text(error, ContextKind::InvalidValue).unwrap_or_default();
+            let values = strings(error, ContextKind::ValidValue);
+            match value.is_empty() {
+                true => Using::NeedsValue,
+                false => Using::NoSuchValue {
+                    value,
+                    values: Each(values),
+                },
+            }
+        }
+        ErrorKind::ArgumentConflict => Using::NotTogether {
+            option: option?,
+            other: text(error, ContextKind::PriorArg)?,
+        },
+        ErrorKind::MissingRequiredArgument => Using::MissingArgument {
+            what: strings(error, ContextKind::InvalidArg).join(" "),
+        },
+        ErrorKind::MissingSubcommand => Using::WhichCommand {
+            commands: Each(commands()),
+        },
+        _ => return None,
+    })
 }
 
 /// A first word that is not a command.

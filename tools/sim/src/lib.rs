@@ -28,6 +28,7 @@ pub mod search;
 mod shell;
 mod sink;
 mod snapshot;
+pub mod special;
 #[cfg(feature = "std")]
 mod trace;
 #[cfg(feature = "std")]

@@ -13,7 +13,7 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::special::Special;
-use tip_runtime::special::hand::HandSpecials;
+use tip_runtime::special::hand::{HandSpecials, NUMBERS};
 use tipc::{Facts, Options};
 
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
@@ -24,6 +24,8 @@ pub struct Robot {
     grasps: bool,
     around: Around,
     special: Native,
+    /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
+    answers: Option<&'static [u8]>,
 }
 
 impl Robot {
@@ -39,7 +41,10 @@ impl Robot {
             _ if name == hand::MODEL.name => {
                 let body = Rc::new(Sized::hand(&hand::MODEL));
                 let hand = Self::new(body, Facts::of(&hand::MODEL), true);
-                Ok(hand.with_special(HandSpecials::new()))
+                Ok(Robot {
+                    answers: Some(NUMBERS),
+                    ..hand.with_special(HandSpecials::new())
+                })
             }
             _ => Err(UnknownRobot(name.to_owned())),
         }
@@ -69,6 +74,7 @@ impl Robot {
                 scene: Scene::EMPTY,
             },
             special: Native::new(()),
+            answers: Some(&[]),
         }
     }
 
@@ -103,7 +109,13 @@ impl Robot {
     #[must_use]
     pub fn with_special(mut self, special: impl Special + Clone + 'static) -> Self {
         self.special = Native::new(special);
+        self.answers = None;
         self
+    }
+
+    /// The SPECIAL commands that are its own; `None` if its owner's code answers.
+    pub(crate) fn answers(&self) -> Option<&'static [u8]> {
+        self.answers
     }
 
     /// What it is called.

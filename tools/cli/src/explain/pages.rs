@@ -34,7 +34,7 @@ pages! {
     "E301" "E302" "E303" "E304" "E305" "E306"
     "E401" "E402" "E403" "E404" "E405" "E406" "E407"
     "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
-    "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122"
+    "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122" "W123" "W124"
 }
 
 #[cfg(test)]
@@ -114,6 +114,7 @@ mod tests {
                 let robot = tip_sim::Robot::named("titan8").expect("a robot");
                 let mut loaded = load("page.prg", text.as_bytes(), &Options::default());
                 tip_sim::reach::warn(&mut loaded, &robot);
+                tip_sim::special::warn(&mut loaded, &robot);
                 // A warning may foresee it.
                 let program = loaded
                     .program

@@ -26,17 +26,18 @@ pub(super) struct Live {
     /// When the line is due; none if nothing is to be said.
     due: Option<Instant>,
     every: Duration,
+    lang: Lang,
 }
 
 impl Live {
     /// From now on, with a legend of keys unless it is `quiet`.
-    pub(super) fn begin(quiet: bool) -> Self {
+    pub(super) fn begin(quiet: bool, lang: Lang) -> Self {
         if !quiet {
-            report::complain(if io::stdin().is_terminal() {
-                "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program\n"
-            } else {
-                "keys: none, standard input is not a terminal; --keys and --events press them\n"
-            });
+            let keys = match io::stdin().is_terminal() {
+                true => Running::Keys,
+                false => Running::NoKeys,
+            };
+            report::complain(&format!("{}\n", keys.in_lang(lang)));
         }
         let every = if io::stderr().is_terminal() {
             ON_TERMINAL
@@ -47,6 +48,7 @@ impl Live {
             pacer: Pacer::start(),
             due: (!quiet).then(|| Instant::now() + every),
             every,
+            lang,
         }
     }
 
@@ -54,7 +56,7 @@ impl Live {
     pub(super) fn after(&mut self, run: &mut Run, source: &Source) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = Some(Instant::now() + self.every);
-            let text = status(run, source);
+            let text = status(run, source, self.lang);
             if let Some(screen) = run.console_mut::<Screen>() {
                 screen.status(text);
             }

@@ -141,31 +141,33 @@ impl Lines {
 }
 
 /// How the robot is now, in one line: the time, its motion, and the statement that is next.
-pub(super) fn status(run: &Run, source: &Source) -> String {
+pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
     let program = run.program();
     let line = program.line(program.at());
     let mut text = format!("{} s", seconds(run.time()));
     // Writing to a String cannot fail.
     if let Some(motion) = run.motion() {
-        let (forward, margin) = (tenths(motion.travel.y), tenths(motion.margin));
-        let falls = motion.falls;
-        let _ = write!(
-            text,
-            " | {forward} mm forward, margin {margin} mm, falls {falls}"
-        );
+        let walks = Running::Walks {
+            y: tenths(motion.travel.y),
+            margin: tenths(motion.margin),
+            falls: motion.falls.to_string(),
+        };
+        let _ = write!(text, " | {}", walks.in_lang(lang));
     }
     if let Some(grasp) = run.grasp() {
         for object in &grasp.objects {
-            let _ = write!(text, " | lift {} mm", tenths(object.clearance));
+            let value = tenths(object.clearance);
+            let _ = write!(text, " | {}", Running::Lifts { value }.in_lang(lang));
         }
-        let forces = grasp
-            .fingertips
-            .iter()
-            .map(|tip| format!(" {:.2}", tip.force()));
-        let _ = write!(text, " | force{} N", forces.collect::<String>());
+        let forces = grasp.fingertips.iter();
+        let forces = forces.map(|tip| format!("{:.2}", tip.force()));
+        let forces = forces.collect::<Vec<_>>().join(" ");
+        let _ = write!(text, " | {}", Running::Pushes { forces }.in_lang(lang));
     }
-    let statement = source.line_text(line).trim();
-    let _ = write!(text, " | line {line}: {}", Printable::line(statement));
+    let statement = Printable::line(source.line_text(line).trim());
+    let statement = statement.to_string().into();
+    let next = Running::Next { line, statement };
+    let _ = write!(text, " | {}", next.in_lang(lang));
     text
 }
 

@@ -1,7 +1,7 @@
 //! The program as it stands in the editor.
 
 use super::finding::{Finding, findings};
-use tip_sim::{Robot, reach};
+use tip_sim::{Robot, reach, special};
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options};
 
@@ -84,6 +84,7 @@ impl Draft {
 
     fn keep(&mut self, mut loaded: Loaded, robot: &Robot) {
         reach::warn(&mut loaded, robot);
+        special::warn(&mut loaded, robot);
         self.findings = findings(&loaded);
         self.loaded = Some(loaded);
         self.checked = self.version;

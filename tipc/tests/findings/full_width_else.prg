@@ -1,0 +1,8 @@
+3.1
+A title
+IF KB_HIT THEN
+ALL_STOP
+ＥＬＳＥ
+SLEEP 100
+ENDIF
+END

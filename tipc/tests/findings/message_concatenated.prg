@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR N
+AD_IN VR1 N
+MESSAGE "N = " + N
+END
