@@ -16,8 +16,13 @@ export function launch() {
   return chromium.launch({ executablePath: path('chromium'), args });
 }
 
-/** A page of its own with a recording, and all that it asked for and complained of. */
-export async function open(browser, file, options = {}, hash = '') {
+/** A page of its own with a recording. */
+export function open(browser, file, options = {}, hash = '') {
+  return visit(browser, `file://${file}${hash}`, options);
+}
+
+/** A page of its own, and all that it asked for and complained of. */
+export async function visit(browser, address, options = {}, prepare = () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
   const [asked, complaints] = [[], []];
@@ -29,7 +34,8 @@ export async function open(browser, file, options = {}, hash = '') {
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('dialog', (dialog) => complaints.push(`dialog: ${dialog.message()}`));
-  await page.goto(`file://${file}${hash}`);
+  await prepare(page);
+  await page.goto(address);
   await page.waitForSelector('html[data-ready]', { state: 'attached', timeout: 30_000 });
   return { page, asked, complaints, close: () => context.close() };
 }

@@ -14,6 +14,7 @@ mod lossless;
 pub mod lsp;
 pub mod migrate;
 pub mod names;
+pub mod requests;
 pub mod run;
 pub mod scene;
 pub mod terminal;

@@ -56,6 +56,15 @@ messages! {
     WatchInput
         "--watch needs files: standard input does not change",
         "--watchにはファイルが必要です。標準入力は変更を検出できません";
+    ServeInput
+        "standard input cannot be saved or read again: serve a file",
+        "標準入力は保存も再読み込みもできません。ファイルを指定してください";
+    ServeOthers
+        "whoever has this address can run, edit and save the program",
+        "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
+    ServeEnds
+        "Ctrl-C ends",
+        "Ctrl-Cで終了します";
     SeeHelp { command: String }
         "`tipc help {command}` shows examples",
         "`tipc help {command}` で使用例を見られます";

@@ -1,11 +1,10 @@
 //! `tipc check`: reports everything that is wrong with programs.
 
-mod watch;
-
 use super::arguments::SourceArguments;
 use super::choices::Format;
 use super::deny::Deny;
 use super::error::Error;
+use super::watch::Watch;
 use super::{Status, fix, input, interrupt, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
@@ -13,7 +12,6 @@ use std::path::PathBuf;
 use tip_sim::{reach, special};
 use tipc::diagnostic::Applicability;
 use tipc::message::{Checking, Using};
-use watch::Watch;
 
 /// `tipc check`
 #[derive(Debug, Args)]

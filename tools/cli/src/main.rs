@@ -28,11 +28,13 @@ mod robot;
 mod run;
 mod sarif;
 mod scene;
+mod serve;
 mod shell;
 mod shown;
 mod usage;
 mod verify;
 mod view;
+mod watch;
 
 use choices::Format;
 use clap::{Parser, Subcommand};
@@ -55,6 +57,7 @@ use std::process::ExitCode;
   tipc emit rust walk.prg -o walk.rs  write it as Rust source
   tipc cycles walk.prg                count the control cycles of its parts
   tipc view walk.prg                  write walk.html, a page that replays the run
+  tipc serve walk.prg                 run it live in a page, with keys and knobs, and edit it there
   tipc verify walk.prg                compare its compiled code with the interpreter
   tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
   tipc explain E205                   say what the code of a finding means
@@ -91,6 +94,8 @@ enum Verb {
     Verify(verify::Verify),
     /// Write a page that replays a run: the robot in 3-D beside its program
     View(view::View),
+    /// Run a program live in a page, where it is steered and edited
+    Serve(serve::Serve),
     /// Turn a program of an older version into one of version 3.1
     Migrate(migrate::Migrate),
     /// Say what the code of a finding means, with a wrong and a right program
@@ -166,6 +171,7 @@ fn main() -> ExitCode {
         Verb::Cycles(arguments) => cycles::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
         Verb::View(arguments) => view::view(arguments),
+        Verb::Serve(arguments) => serve::serve(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Lsp(arguments) => lsp::lsp(arguments),

@@ -35,3 +35,9 @@ pub use update::Viewer;
 
 /// The most bytes that a request may have; the text of a program takes most of it.
 pub const MOST_BYTES: usize = 2 << 20;
+
+/// The page that shows a session at the other end of a WebSocket: `/live` of the server that it comes from, with the same
+/// query.
+pub fn page() -> &'static str {
+    include_str!("../page/dist/live.html")
+}

@@ -50,7 +50,7 @@ impl Recording {
             return;
         };
         for Channel { name, value } in channels(first) {
-            columns.deltas(name, self.frames.iter().map(|frame| value(frame)));
+            columns.deltas(name, self.frames.iter().map(value));
         }
     }
 }

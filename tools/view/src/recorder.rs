@@ -203,7 +203,12 @@ impl Recorder {
     /// A cycle of a run, which is in the state after it.
     pub(crate) fn take(&mut self, happened: Cycle, run: &Run) {
         let cycle = happened.number;
-        self.keep_time(cycle, happened.time, run.time() - happened.time);
+        // The clock stands still in the cycle of a fault; who looks at it sees a cycle like others.
+        let period = match run.time() - happened.time {
+            passed if passed > 0.0 => passed,
+            _ => run.period(),
+        };
+        self.keep_time(cycle, happened.time, period);
         self.note(happened);
         let motion = run.motion();
         if let Some(motion) = &motion {

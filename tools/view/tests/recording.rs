@@ -166,6 +166,16 @@ fn another_sampling_time_moves_the_clock() {
 }
 
 #[test]
+fn the_cycle_of_a_fault_takes_as_long_as_others() {
+    // The key is typed before the step of cycle 3, which does not run any more.
+    let text = "3.1\nStops\nAGAIN:\nREM\nGOTO AGAIN:\nEND\n";
+    let recording = record(text, &titan(), "3:key 0x0D", LONG);
+    assert!(recording.outcome.is_emergency());
+    let periods: Vec<_> = recording.clock.iter().map(|tick| tick.period).collect();
+    assert_eq!(periods, [20.0]);
+}
+
+#[test]
 fn falls_slips_and_contacts_are_noticed() {
     // Two feet of one side go up: the body tips over them.
     let text = "3.1\nTips\nSTAND_UP 60\nWAIT_INPOS ALL\nPTP F1 -391 201 -60\nPTP F3 -391 -201 -60\nWAIT_INPOS ALL\nEND\n";

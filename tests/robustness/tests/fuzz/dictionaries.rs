@@ -110,6 +110,34 @@ const URDF: &[&str] = &[
     "<?xml version=\"1.0\"?>",
 ];
 
+/// What requests to a live run have.
+const REQUESTS: &[&str] = &[
+    "{\"do\":\"play\"}\n",
+    "{\"do\":\"pause\"}\n",
+    "{\"do\":\"step\",\"cycles\":9}\n",
+    "{\"do\":\"step\",\"cycles\":-5}\n",
+    "{\"do\":\"go\",\"cycle\":3}\n",
+    "{\"do\":\"speed\",\"times\":50}\n",
+    "{\"do\":\"event\",\"event\":\"key F\"}\n",
+    "{\"do\":\"event\",\"event\":\"key 0x0D\"}\n",
+    "{\"do\":\"event\",\"event\":\"halt\"}\n",
+    "{\"do\":\"event\",\"event\":\"VR1=8\"}\n",
+    "{\"do\":\"event\",\"event\":\"set N=1\"}\n",
+    "{\"do\":\"event\",\"event\":\"touch on\"}\n",
+    "{\"do\":\"event\",\"event\":\"write fails\"}\n",
+    "{\"do\":\"restart\"}\n",
+    "{\"do\":\"edit\",\"text\":\"3.1\\nx\\nREM\\nEND\\n\",\"base\":1,\"by\":\"a\"}\n",
+    "{\"do\":\"save\"}\n",
+    "{\"do\":\"reload\"}\n",
+    "\"id\":7,",
+    "1e999",
+    "18446744073709551615",
+    "-9223372036854775808",
+    "\\ud83e\\udd16",
+    "\\u6b69",
+    "NaN",
+];
+
 /// A line of a dictionary of libFuzzer.
 fn entry(word: &str) -> String {
     let escape = |byte: u8| match byte {
@@ -174,6 +202,11 @@ fn of_descriptions() {
 #[test]
 fn of_scenes() {
     hold("scene", keys(Part::SCENE));
+}
+
+#[test]
+fn of_requests() {
+    hold("requests", REQUESTS.iter().map(|word| (*word).to_owned()));
 }
 
 #[test]

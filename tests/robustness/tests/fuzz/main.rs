@@ -37,6 +37,6 @@ macro_rules! targets {
     };
 }
 
-targets! { compile description editing fix format load lsp migrate names run scene terminal urdf }
+targets! { compile description editing fix format load lsp migrate names requests run scene terminal urdf }
 #[cfg(unix)]
 targets! { files }

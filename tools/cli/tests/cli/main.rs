@@ -23,6 +23,8 @@ mod robot;
 mod run;
 mod sarif;
 mod script;
+#[cfg(target_os = "linux")]
+mod serve;
 mod shell;
 mod speaks;
 mod stops;

@@ -83,6 +83,23 @@ export class Plots {
     this.movePlayheads();
   }
 
+  /** Another program: its variables are other ones. */
+  begin() {
+    this.chosen = firstChoice(this.recording);
+    this.groups = signalGroups(this.recording);
+    this.listSignals();
+    this.build();
+  }
+
+  /** Shows the last time (ms) of a run that goes on. */
+  follow(time) {
+    const { duration, first } = this.recording;
+    if (this.zoomed || !this.box.offsetParent) return;
+    const begin = Math.max(duration - time, this.recording.endOf(first));
+    this.charts.forEach(({ plot, signals }) => plot.setData(series(this.recording, signals, begin), false));
+    this.setRange([begin / 1000, Math.max(duration, begin + 1000) / 1000]);
+  }
+
   chart(group, signals) {
     const title = group.key === 'variable' ? word('variables') : `${word(group.title)} (${group.unit})`;
     const legend = signals.map((signal) => {
@@ -118,13 +135,16 @@ export class Plots {
     );
     const head = make('div', { className: 'playhead' });
     plot.over.append(head);
-    plot.over.addEventListener('dblclick', () => this.setRange([0, this.recording.duration / 1000]));
+    plot.over.addEventListener('dblclick', () => {
+      this.zoomed = false;
+      this.setRange([0, this.recording.duration / 1000]);
+    });
     plot.over.addEventListener('click', (event) => {
       if (!plot.select.width) this.goTo(event.offsetX + GUTTER);
     });
     plot.root.setAttribute('role', 'img');
     plot.root.setAttribute('aria-label', `${title}: ${signals.map((signal) => signal.name()).join(', ')}`);
-    return { group, plot, head, box };
+    return { group, signals, plot, head, box };
   }
 
   stroke(signal) {
@@ -136,6 +156,7 @@ export class Plots {
     if (width < 4) return;
     const range = [plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x')];
     plot.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    this.zoomed = true;
     this.setRange(range);
   }
 

@@ -1,5 +1,6 @@
 // What can be plotted: groups of signals with one unit each.
 
+import { countUpTo } from './search.js';
 import { word } from './words.js';
 
 /** Every group of a recording, with its signals: name, words, unit, and values by frame or by change. */
@@ -32,15 +33,20 @@ export function firstChoice(recording) {
   return new Set(recording.has('load.0') ? hand : arm);
 }
 
-/** Times (s) and values of signals of one group, on common times. */
-export function series(recording, signals) {
+/** Times (s) and values of signals of one group, on common times, from a time (ms) on. */
+export function series(recording, signals, begin = -Infinity) {
   if (signals.every(({ column }) => column)) {
-    const times = Array.from(recording.frameTimes, (time) => time / 1000);
-    return [times, ...signals.map(({ column }) => recording.columns[column])];
+    const from = Math.max(countUpTo(recording.frameTimes, begin) - 1, 0);
+    const times = Array.from(recording.frameTimes.slice(from), (time) => time / 1000);
+    return [times, ...signals.map(({ column }) => recording.columns[column].slice(from))];
   }
   // Variables: where one of them changes, and just before.
-  const cycles = new Set([0, recording.cycles - 1]);
-  for (const { scalar } of signals) recording.sets[scalar].cycles.forEach((cycle) => cycles.add(cycle));
+  const first = begin > 0 ? recording.cycleAt(begin) : 0;
+  const cycles = new Set([first, recording.cycles - 1]);
+  for (const { scalar } of signals) {
+    const changes = recording.sets[scalar].cycles;
+    changes.slice(countUpTo(changes, first)).forEach((cycle) => cycles.add(cycle));
+  }
   const ordered = [...cycles].sort((one, other) => one - other);
   const times = ordered.map((cycle) => recording.endOf(cycle) / 1000);
   return [times, ...signals.map(({ scalar }) => ordered.map((cycle) => recording.valueAt(scalar, cycle) ?? null))];

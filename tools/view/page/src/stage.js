@@ -267,11 +267,14 @@ export class Stage {
 
   /** Where the feet were in a frame; looked up once. */
   feetOf(frame) {
-    this.known ??= new Map();
-    if (!this.known.has(frame)) {
-      this.known.set(frame, feet(this.robot, this.recording.posture({ before: frame, after: frame, share: 0 })));
-    }
-    return this.known.get(frame);
+    this.known ??= [];
+    this.known[frame] ??= feet(this.robot, this.recording.posture({ before: frame, after: frame, share: 0 }));
+    return this.known[frame];
+  }
+
+  /** Frames from one on are other ones now. */
+  forget(frame) {
+    if (this.known?.length > frame) this.known.length = frame;
   }
 
   showTrails() {

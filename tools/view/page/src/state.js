@@ -13,11 +13,7 @@ const legName = (recording, leg) => `F${leg + 1}`;
 
 export function state(player, plot) {
   const { recording } = player;
-  const devices = [...new Set(recording.lamps.map((lamp) => lamp.device))].sort((one, other) => one - other);
-  const lamps = devices.map((device) => make('span', { className: 'lamp', textContent: device }));
-  element('lamps').append(...lamps);
-  element('lamps-box').hidden = !devices.length;
-  element('inputs-box').hidden = !recording.events.length;
+  let [devices, lamps, cells] = [[], [], []];
   const modes = recording.robot.legs.map((_, leg) => {
     const [name, text, dot] = [make('dt'), make('dd', { textContent: '–' }), make('i', { className: 'dot' })];
     dot.style.background = `var(--leg-${(leg % 9) + 1})`;
@@ -25,15 +21,18 @@ export function state(player, plot) {
     element('modes').append(name, text);
     return text;
   });
-  const told = recording.robot.legs.map((_, leg) => recording.commands.filter(({ target }) => concerns(target, leg)));
-  const cells = recording.script.scalars.map((name, scalar) => {
-    const value = make('td');
-    const button = make('button', { type: 'button', textContent: name });
-    button.addEventListener('click', () => plot(scalar));
-    element('variables').append(make('tr', {}, make('th', { scope: 'row' }, button), value));
-    return { value, button, name };
-  });
-  whenSpoken(() => cells.forEach(({ button, name }) => button.setAttribute('aria-label', word('plotIt', name))));
+  /** The rows that a program has, once it runs. */
+  const begin = () => {
+    cells = recording.script.scalars.map((name, scalar) => {
+      const value = make('td');
+      const button = make('button', { type: 'button', textContent: name });
+      button.addEventListener('click', () => plot(scalar));
+      return { value, button, name };
+    });
+    element('variables').replaceChildren(...cells.map(({ value, button }) => make('tr', {}, make('th', { scope: 'row' }, button), value)));
+    nameCells();
+  };
+  const nameCells = () => cells.forEach(({ button, name }) => button.setAttribute('aria-label', word('plotIt', name)));
 
   const show = () => {
     const { cycle } = player;
@@ -47,13 +46,10 @@ export function state(player, plot) {
     showMargin(player);
   };
   const showState = (cycle) => {
-    lamps.forEach((lamp, n) => {
-      const switched = recording.lamps.filter((lamp) => lamp.device === devices[n] && lamp.cycle <= cycle);
-      lamp.classList.toggle('on', Boolean(switched.at(-1)?.on));
-    });
-    told.forEach((commands, leg) => {
-      const last = commands[countUpTo(commands, cycle, (command) => command.cycle) - 1];
-      modes[leg].textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
+    showLamps(cycle);
+    modes.forEach((mode, leg) => {
+      const last = lastCommand(recording.commands, leg, cycle);
+      mode.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
     });
     cells.forEach(({ value }, scalar) => {
       const now = recording.valueAt(scalar, cycle);
@@ -62,6 +58,7 @@ export function state(player, plot) {
       value.textContent = text;
     });
     const done = recording.events.slice(0, countUpTo(recording.events, cycle, (event) => event.cycle));
+    element('inputs-box').hidden = !recording.events.length;
     element('inputs').replaceChildren(
       ...done.slice(-6).map((event) => {
         const fresh = player.time - recording.endOf(event.cycle) < PRESSED;
@@ -69,11 +66,33 @@ export function state(player, plot) {
       }),
     );
   };
+  const showLamps = (cycle) => {
+    const known = [...new Set(recording.lamps.map((lamp) => lamp.device))].sort((one, other) => one - other);
+    if (known.join() !== devices.join()) {
+      devices = known;
+      lamps = devices.map((device) => make('span', { className: 'lamp', textContent: device }));
+      element('lamps').replaceChildren(...lamps);
+    }
+    element('lamps-box').hidden = !devices.length;
+    lamps.forEach((lamp, n) => {
+      const switched = recording.lamps.findLast((lamp) => lamp.device === devices[n] && lamp.cycle <= cycle);
+      lamp.classList.toggle('on', Boolean(switched?.on));
+    });
+  };
+  begin();
   player.onMove(show);
   document.addEventListener('tab', show);
+  whenSpoken(nameCells);
   whenSpoken(show);
-  whenSpoken(() => showEnd(recording));
-  whenSpoken(() => listMarks(player));
+  return { begin };
+}
+
+/** What a leg was commanded last until the end of a cycle. */
+function lastCommand(commands, leg, cycle) {
+  for (let n = countUpTo(commands, cycle, (command) => command.cycle) - 1; n >= 0; n--) {
+    if (concerns(commands[n].target, leg)) return commands[n];
+  }
+  return undefined;
 }
 
 function showMargin({ recording, cycle, time }) {
@@ -104,15 +123,16 @@ function rounded(values) {
   return values.replace(/-?\d+\.\d+(e[-+]?\d+)?/g, (number) => shown(Number(number)));
 }
 
-function showEnd({ outcome, duration }) {
+/** How a run ended, and when. */
+export function endOf({ outcome, duration }) {
   const key = { limit: 'endedLimit', interrupted: 'endedInterrupted', emergency: 'endedEmergency' }[outcome.how] ?? 'endedProgram';
   const line = outcome.line ? `, ${word('line')} ${outcome.line}` : '';
   const why = outcome.error ? `: ${outcome.error}${line}` : '';
-  element('outcome').textContent = word(key, outcome.how, clockTime(duration)) + why;
-  element('outcome').classList.toggle('bad', outcome.how === 'emergency');
+  return word(key, outcome.how, clockTime(duration)) + why;
 }
 
-function listMarks(player) {
+/** All that happened besides the motion. */
+export function listMarks(player) {
   const { recording } = player;
   const words = {
     message: ({ text }) => text,

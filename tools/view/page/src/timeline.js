@@ -9,7 +9,6 @@ const MARKS = { message: 'mark-message', event: 'mark-event', slip: 'warn', fall
 export function timeline(player) {
   const { recording } = player;
   const [slider, strip, play, speed] = ['scrub', 'strip', 'play', 'speed'].map(element);
-  slider.max = recording.cycles - 1;
   slider.addEventListener('input', () => {
     player.pause();
     player.goTo(Number(slider.value));
@@ -28,6 +27,8 @@ export function timeline(player) {
   whenSpoken(showState);
   player.onMove(() => {
     const { cycle } = player;
+    slider.min = recording.first ?? 0;
+    slider.max = recording.cycles - 1;
     slider.value = cycle;
     const text = `${word('cycle')} ${cycle}, ${clockTime(player.time)}`;
     slider.setAttribute('aria-valuetext', text);
@@ -46,7 +47,8 @@ function drawMarks(canvas, recording) {
   pen.scale(ratio, ratio);
   // The thumb of the slider does not reach the ends of its track.
   const inset = 8;
-  const x = (cycle) => inset + ((width - 2 * inset) * cycle) / Math.max(recording.cycles - 1, 1);
+  const first = recording.first ?? 0;
+  const x = (cycle) => inset + ((width - 2 * inset) * (cycle - first)) / Math.max(recording.cycles - 1 - first, 1);
   for (const { cycle, kind } of recording.marks) {
     const grave = kind === 'fall' || kind === 'fault';
     pen.fillStyle = colour(MARKS[kind]);

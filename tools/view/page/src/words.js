@@ -86,6 +86,11 @@ const LANGUAGES = ['en', 'ja'];
 let language = 0;
 const listeners = [];
 
+/** Adds what a page says beside the words of all. */
+export function teach(words) {
+  Object.assign(WORDS, words);
+}
+
 /** Text in the page's language; {0}, {1} … are replaced. */
 export function word(key, ...values) {
   const text = WORDS[key][language];
@@ -101,6 +106,11 @@ export function speak(wanted) {
   }
   for (const element of document.querySelectorAll('[data-label]')) label(element, element.dataset.label);
   listeners.forEach((listener) => listener());
+}
+
+/** Which of several texts is the page's: 0 is English, 1 is Japanese. */
+export function spoken() {
+  return language;
 }
 
 export function otherLanguage() {

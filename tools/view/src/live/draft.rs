@@ -2,7 +2,7 @@
 
 use super::finding::{Finding, findings};
 use tip_sim::{Robot, reach, special};
-use tipc::source::{Encoding, Source};
+use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
 
 /// The text that viewers edit, and the file that it comes from.
@@ -62,9 +62,10 @@ impl Draft {
 
     /// Takes the text of the file.
     pub(super) fn reload(&mut self, bytes: &[u8], robot: &Robot) {
-        (self.file, _) = Source::decode(&*self.name, bytes, self.options.encoding);
+        let (file, _) = Source::decode(&*self.name, bytes, self.options.encoding);
         self.is_overtaken = false;
-        self.edit(&self.file.text().to_owned(), String::new());
+        self.edit(file.text(), String::new());
+        self.file = file;
         self.read(bytes, robot);
     }
 
@@ -124,7 +125,12 @@ impl Draft {
 
     /// The file has these bytes now.
     pub(super) fn saved(&mut self, bytes: &[u8]) {
-        (self.file, _) = Source::decode(&*self.name, bytes, self.options.encoding);
+        // Without its Japanese it would be guessed to be something else.
+        let encoding = match self.file.charset() {
+            Charset::Utf8 => Encoding::Utf8,
+            Charset::ShiftJis => Encoding::ShiftJis,
+        };
+        (self.file, _) = Source::decode(&*self.name, bytes, encoding);
         self.is_overtaken = false;
     }
 }

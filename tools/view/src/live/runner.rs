@@ -81,7 +81,7 @@ impl Runner {
         }
         self.happen();
         let now = self.run.cycles();
-        if now % APART == 0 && self.marks.back().is_none_or(|mark| mark.cycle < now) {
+        if now.is_multiple_of(APART) && self.marks.back().is_none_or(|mark| mark.cycle < now) {
             self.marks.push_back(Mark {
                 cycle: now,
                 snapshot: self.run.snapshot(),

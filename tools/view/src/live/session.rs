@@ -103,6 +103,11 @@ impl Session {
         })
     }
 
+    /// The run goes on from now on, unless it is over.
+    pub fn play(&mut self) {
+        self.is_playing = !self.runner.is_over();
+    }
+
     /// So much time has passed for the viewers (ms): the run goes on accordingly, as long as `goes_on` agrees, and a text
     /// that was edited is checked.
     pub fn advance(&mut self, elapsed: f64, mut goes_on: impl FnMut() -> bool) {
@@ -149,7 +154,7 @@ impl Session {
         match request {
             Request::Play {} if self.runner.is_over() => refuse("over"),
             Request::Play {} => {
-                self.is_playing = true;
+                self.play();
                 Ok(())
             }
             Request::Pause {} => {

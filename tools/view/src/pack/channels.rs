@@ -5,8 +5,11 @@ use crate::recording::Frame;
 /// A number of each frame.
 pub(crate) struct Channel {
     pub(crate) name: String,
-    pub(crate) value: Box<dyn Fn(&Frame) -> Option<f64>>,
+    pub(crate) value: Value,
 }
+
+/// What it is in a frame, if it is there.
+pub(crate) type Value = Box<dyn Fn(&Frame) -> Option<f64>>;
 
 /// Those that a frame has.
 pub(crate) fn channels(first: &Frame) -> Vec<Channel> {

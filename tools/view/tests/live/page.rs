@@ -76,15 +76,11 @@ impl Page {
     }
 
     /// All that it has seen of the run.
-    pub(crate) fn seen(
-        &self,
-    ) -> (
-        u64,
-        &BTreeMap<u64, Value>,
-        &Value,
-        &BTreeMap<&'static str, Vec<Value>>,
-    ) {
-        (self.cycles, &self.frames, &self.now, &self.lists)
+    pub(crate) fn seen(&self) -> String {
+        format!(
+            "{} {:?} {} {:?}",
+            self.cycles, self.frames, self.now, self.lists
+        )
     }
 
     pub(crate) fn value(&self, name: &str) -> f64 {

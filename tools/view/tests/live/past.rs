@@ -14,34 +14,18 @@ fn back_is_the_state_that_was_and_the_same_happens_again() {
     does(&mut session, json!({"do": "event", "event": "key F"}));
     does(&mut session, json!({"do": "step", "cycles": 9}));
     page.look(&session);
-    let earlier = (
-        session.cycles(),
-        session.state_hash(),
-        format!("{:?}", page.seen()),
-    );
+    let earlier = (session.cycles(), session.state_hash(), page.seen());
     does(&mut session, json!({"do": "event", "event": "VR1=4"}));
     does(&mut session, json!({"do": "step", "cycles": 900}));
     page.look(&session);
-    let later = (
-        session.cycles(),
-        session.state_hash(),
-        format!("{:?}", page.seen()),
-    );
+    let later = (session.cycles(), session.state_hash(), page.seen());
     does(&mut session, json!({"do": "step", "cycles": -900}));
     page.look(&session);
-    let back = (
-        session.cycles(),
-        session.state_hash(),
-        format!("{:?}", page.seen()),
-    );
+    let back = (session.cycles(), session.state_hash(), page.seen());
     assert_eq!(back, earlier);
     does(&mut session, json!({"do": "step", "cycles": 900}));
     page.look(&session);
-    let again = (
-        session.cycles(),
-        session.state_hash(),
-        format!("{:?}", page.seen()),
-    );
+    let again = (session.cycles(), session.state_hash(), page.seen());
     assert_eq!(again, later, "the knob turned again");
     let mut fresh = Page::default();
     fresh.look(&session);

@@ -1,7 +1,7 @@
-//! `--watch`: something is done again after each change of a file.
+//! Something is done again after each change of a file.
 
-use super::super::error::Error;
-use super::super::interrupt;
+use super::error::Error;
+use super::interrupt;
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,0 +1,19 @@
+3.1
+Counts, and says what it is told
+DEF_VAR N
+DEF_VAR K
+DEF_VAR V
+N = 0
+LOOP:
+N = N + 1
+AD_IN VR1 V
+IF KB_HIT THEN
+KEY_IN K
+MESSAGE key
+ENDIF
+IF HALT_REQUEST THEN
+MESSAGE halted
+EXIT
+ENDIF
+GOTO LOOP:
+END

@@ -1,0 +1,193 @@
+// The page of `tipc serve`, in a browser: TIPC is the command that `run` has built.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { after, afterEach, before, beforeEach, test } from 'node:test';
+import axe from 'axe-core';
+import { launch, visit } from './browsers.mjs';
+import { serve } from './served.mjs';
+
+/** Graphics by software take their time. */
+const SMALL = { width: 1000, height: 560 };
+let browser;
+let server;
+let view;
+before(async () => (browser = await launch()));
+after(() => browser?.close());
+beforeEach(async () => {
+  server = await serve('counts.prg');
+  view = await visit(browser, server.address, { viewport: SMALL });
+});
+afterEach(async () => {
+  await view?.close();
+  assert.equal(await server.end(), 130);
+});
+
+const cycle = (page) => page.$eval('#now-cycle', (element) => Number(element.textContent.split(' ')[0]));
+/** Waits until an element says something. */
+const says = (page, selector, text) =>
+  page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
+const value = async (page, name) => {
+  await page.click('#state-tab');
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+};
+const rests = async (page) => {
+  await page.click('#play');
+  await says(page, '#outcome', 'paused');
+};
+/** The editor's text, which is in a tree of its own. */
+const editor = (page) => page.locator('#editor .cm-content');
+const write = async (page, line, text, key) => {
+  await page.click('#source-tab');
+  await page.locator('#editor .cm-line').nth(line - 1).click();
+  await page.keyboard.press('Home');
+  if (key) await page.keyboard.press(key);
+  await page.keyboard.type(text);
+};
+
+test('runs, and complains of nothing', async () => {
+  const { page, complaints } = view;
+  const first = await cycle(page);
+  await page.waitForTimeout(600);
+  assert.ok((await cycle(page)) > first, 'it runs');
+  assert.equal(await page.textContent('#outcome'), 'running');
+  await page.waitForFunction(() => document.querySelector('#editor').shadowRoot.querySelector('.lit'));
+  assert.deepEqual(complaints, []);
+});
+
+test('takes a key and a knob', async () => {
+  const { page } = view;
+  await page.fill('#keys', '');
+  await page.focus('#keys');
+  await page.keyboard.type('F');
+  await says(page, '#message', 'key');
+  assert.equal(await value(page, 'K'), '70');
+  await page.locator('input[data-input=VR1]').fill('7.5');
+  await page.waitForTimeout(300);
+  assert.equal(await value(page, 'V'), '7.500');
+  assert.match(await page.textContent('#inputs'), /VR1=7.5/);
+});
+
+test('rests, and steps forward and back', async () => {
+  const { page } = view;
+  await rests(page);
+  const at = await cycle(page);
+  const before = await value(page, 'N');
+  for (let n = 0; n < 7; n++) await page.click('#forward');
+  await page.waitForFunction((at) => document.querySelector('#now-cycle').textContent.startsWith(`${at} `), at + 7);
+  assert.notEqual(await value(page, 'N'), before);
+  for (let n = 0; n < 7; n++) await page.click('#back');
+  await page.waitForFunction((at) => document.querySelector('#now-cycle').textContent.startsWith(`${at} `), at);
+  assert.equal(await value(page, 'N'), before);
+});
+
+test('looks back while the run goes on, and goes on from there', async () => {
+  const { page } = view;
+  await page.waitForFunction(() => Number(document.querySelector('#scrub').max) > 60);
+  await page.$eval('#scrub', (slider) => {
+    slider.value = 20;
+    slider.dispatchEvent(new Event('input'));
+  });
+  await page.waitForSelector('#past:not([hidden])');
+  await page.waitForTimeout(300);
+  assert.equal(await cycle(page), 20);
+  await page.click('#go-on');
+  await page.waitForSelector('#past', { state: 'hidden' });
+  await says(page, '#now-cycle', '20 / 20');
+  await page.click('#play');
+  await says(page, '#outcome', 'running');
+});
+
+test('finds an error where it is written, and runs the program when it is put right', async () => {
+  const { page } = view;
+  await write(page, 12, 'X');
+  await page.waitForSelector('.problem.error');
+  assert.match(await page.textContent('#problems'), /12:1.*XMESSAGE/);
+  assert.equal(await page.locator('#editor .cm-lintRange-error').count(), 1);
+  await page.click('#language');
+  assert.match(await page.textContent('#problems'), /[ぁ-ん]/);
+  await page.click('#language');
+  await page.click('#restart');
+  await says(page, '#notice', 'errors');
+  await says(page, '#file-state', 'not saved');
+  await write(page, 12, '', 'Delete');
+  await page.waitForSelector('.problem.error', { state: 'detached' });
+  await write(page, 2, 'New: ');
+  await page.click('#restart');
+  await says(page, '#title', 'New: Counts');
+  assert.equal(await page.isHidden('#past'), true, 'the keys are those of the editor');
+  await page.click('#save');
+  await page.waitForFunction(() => document.querySelector('#file-state').textContent === 'saved');
+  assert.match(readFileSync(server.file, 'utf8'), /^3\.1\nNew: Counts/);
+});
+
+test('shows another text when its file changes', async () => {
+  const { page } = view;
+  writeFileSync(server.file, readFileSync(server.file, 'utf8').replace('Counts,', 'Changed:'));
+  await says(page, '#title', 'Changed:');
+  assert.match(await editor(page).textContent(), /Changed:/);
+});
+
+test('halts', async () => {
+  const { page } = view;
+  await page.click('#halt');
+  await says(page, '#message', 'halted');
+  await says(page, '#outcome', 'EXIT');
+});
+
+test('stops in an emergency, and runs again', async () => {
+  const { page } = view;
+  await page.click('#stop');
+  await says(page, '#outcome', 'emergency stop');
+  assert.equal(await page.textContent('#alert'), 'emergency stop');
+  await page.click('#restart');
+  await says(page, '#outcome', 'running');
+});
+
+test('two pages see one run', async () => {
+  const other = await visit(browser, server.address, { viewport: SMALL });
+  await rests(view.page);
+  await says(other.page, '#outcome', 'paused');
+  assert.equal(await cycle(other.page), await cycle(view.page));
+  await write(other.page, 2, 'Both: ');
+  await view.page.waitForFunction(() => document.querySelector('#editor').shadowRoot.textContent.includes('Both: '));
+  await other.close();
+});
+
+test('reaches the server anew', async () => {
+  await view.close();
+  const sockets = [];
+  const { page, close } = await visit(browser, server.address, { viewport: SMALL }, (page) =>
+    page.routeWebSocket(/live/, (socket) => {
+      socket.connectToServer();
+      sockets.push(socket);
+    }),
+  );
+  const first = await cycle(page);
+  await sockets[0].close();
+  await page.waitForSelector('#lost:not([hidden])', { state: 'attached' });
+  await page.waitForSelector('#lost', { state: 'hidden' });
+  await page.waitForFunction((first) => Number(document.querySelector('#now-cycle').textContent.split(' ')[0]) > first + 10, first);
+  assert.equal(sockets.length, 2);
+  await page.click('#play');
+  await says(page, '#outcome', 'paused');
+  await close();
+});
+
+test('has nothing that axe objects to, in both schemes and languages', async () => {
+  await rests(view.page);
+  await view.close();
+  for (const colorScheme of ['light', 'dark']) {
+    for (const locale of ['en', 'ja']) {
+      const { page, close } = await visit(browser, server.address, { viewport: SMALL, colorScheme, locale, bypassCSP: true });
+      await write(page, 2, 'x');
+      await page.evaluate(axe.source);
+      for (const tab of ['source-tab', 'state-tab', 'log-tab']) {
+        await page.click(`#${tab}`);
+        const { violations } = await page.evaluate(() => globalThis.axe.run());
+        const found = violations.map(({ id, nodes }) => `${colorScheme} ${locale} ${tab} ${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
+        assert.deepEqual(found, []);
+      }
+      await close();
+    }
+  }
+});

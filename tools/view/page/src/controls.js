@@ -1,0 +1,70 @@
+// What one does to a robot that runs: keys, knobs, halt, emergency stop.
+
+import { element, make } from './dom.js';
+import { label, whenSpoken, word } from './words.js';
+
+/** The highest reading of an input: V. */
+const VOLTS = 10;
+/** Keys that write nothing, by what the robot's keyboard sends. */
+const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
+
+export function controls(requests, inputs) {
+  const happen = (event) => requests.send({ do: 'event', event });
+  element('stop').addEventListener('click', () => happen(CODES.Enter));
+  element('halt').addEventListener('click', () => happen(CODES.Escape));
+  const keys = element('keys');
+  keys.addEventListener('keydown', (event) => {
+    event.stopPropagation();
+    if (!(event.key in CODES) || event.isComposing) return;
+    event.preventDefault();
+    happen(CODES[event.key]);
+  });
+  // What is written, by a keyboard of keys or of a screen.
+  keys.addEventListener('input', (event) => {
+    if (event.isComposing) return;
+    for (const char of keys.value) {
+      const byte = char.codePointAt(0);
+      if (byte < 128) happen(`key 0x${byte.toString(16).padStart(2, '0')}`);
+    }
+    keys.value = '';
+  });
+  whenSpoken(() => (keys.placeholder = word('typeHere')));
+  const knobs = inputs.map((name) => knob(name, happen));
+  const isKnob = ({ name }) => name.startsWith('VR');
+  element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
+  element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
+  element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
+  return { show: (recording, cycle) => knobs.forEach((knob) => knob.show(recording, cycle)) };
+}
+
+/** A slider of an input; it shows what others do as well. */
+function knob(name, happen) {
+  const slider = make('input', { type: 'range', min: 0, max: VOLTS, step: 0.1, value: 0 });
+  slider.dataset.input = name;
+  const reading = make('output', { textContent: '0.0 V' });
+  const show = () => (reading.textContent = `${Number(slider.value).toFixed(1)} V`);
+  let due;
+  slider.addEventListener('input', () => {
+    show();
+    // As often as the page is drawn, however fast the pointer moves.
+    due ??= requestAnimationFrame(() => {
+      due = undefined;
+      happen(`${name}=${slider.value}`);
+    });
+  });
+  whenSpoken(() => label(slider, 'input', name));
+  let last;
+  return {
+    name,
+    box: make('label', { className: 'knob' }, make('span', { textContent: name }), slider, reading),
+    show({ events }) {
+      if (events.length === last) return;
+      last = events.length;
+      const own = events.findLast(({ text }) => text.startsWith(`${name}=`));
+      const volts = own ? Number(own.text.slice(name.length + 1)) : 0;
+      if (slider.matches(':active') || !Number.isFinite(volts)) return;
+      slider.value = volts;
+      show();
+    },
+  };
+}

@@ -1,0 +1,172 @@
+// The page of a run that goes on, whatever session is behind it.
+
+import { controls } from './controls.js';
+import { element } from './dom.js';
+import { Editor } from './editor.js';
+import { FollowingPlayer } from './following.js';
+import { GrowingRecording } from './growing.js';
+import { dialogs, keys, languages, observeSize, openStage, showChoices, showTab, tabs, themes } from './page.js';
+import { LIVE_WORDS } from './live-words.js';
+import { Plots } from './plots.js';
+import { Requests } from './session.js';
+import { endOf, listMarks, state } from './state.js';
+import { timeline } from './timeline.js';
+import { teach, whenSpoken, word } from './words.js';
+
+/** How often plots, marks and the list of events follow: ms. */
+const SELDOM = 250;
+/** How much of the run the plots show while they follow: ms. */
+const WINDOW = 30_000;
+/** How long a refusal is shown: ms. */
+const NOTICE = 6000;
+
+/** Shows the run of a session: see session.js. */
+export function openLive(session) {
+  teach(LIVE_WORDS);
+  languages();
+  let [page, recording, begun] = [];
+  const requests = new Requests(session, (answer) => {
+    if (answer.error === 'stale') page?.editor.refused();
+    notice(answer);
+  });
+  const takes = {
+    // With its first cycle there is something to show.
+    run: (update) => (begun = update),
+    more(update) {
+      const begins = begun;
+      begun = undefined;
+      if (begins) recording = page ? recording.begin(begins) : new GrowingRecording(begins);
+      recording.take(update);
+      page ??= build(requests, recording);
+      if (begins) page.begun();
+      page.more();
+    },
+    text: (update) => page.editor.takeText(update),
+    findings: (update) => page.editor.takeFindings(update),
+    status: (update) => page.status(update),
+  };
+  session.listen((update) => takes[update.type]?.(update));
+  session.watch?.((reached) => {
+    document.documentElement.dataset.reached = reached;
+    element('lost').hidden = reached;
+  });
+  return requests;
+}
+
+/** Says for a while why something was not done. */
+function notice({ error, detail }) {
+  const box = element('notice');
+  box.textContent = word(`refused-${error}`, detail ?? '');
+  box.hidden = false;
+  clearTimeout(notice.due);
+  notice.due = setTimeout(() => (box.hidden = true), NOTICE);
+}
+
+/** Everything that shows a run, once there is something to show; returns what it does with updates. */
+function build(requests, recording) {
+  let status = { playing: false, speed: 1 };
+  let [dirty, seldom] = [false, 0];
+  const player = new FollowingPlayer(recording, requests);
+  const editor = new Editor(requests, player);
+  editor.running(recording.script);
+  const stage = openStage(recording);
+  const plots = new Plots(player);
+  const strip = timeline(player);
+  const shown = state(player, (scalar) => {
+    showTab('plots-tab');
+    plots.showVariable(scalar);
+  });
+  const knobs = controls(requests, recording.inputs);
+
+  const showNames = () => {
+    const { title, name } = recording.script;
+    document.title = title || name;
+    element('title').textContent = title || name;
+    element('file').textContent = `${name} · ${recording.robot.name}`;
+  };
+  const showStatus = () => {
+    const { playing, late, over, changed, overtaken } = status;
+    const goes = late ? 'runsLate' : 'runs';
+    element('outcome').textContent = over ? endOf(recording) : word(playing ? goes : 'rests');
+    element('outcome').classList.toggle('bad', Boolean(over) && recording.outcome.how === 'emergency');
+    element('file-state').textContent = word(overtaken ? 'overtaken' : changed ? 'unsaved' : 'saved');
+    element('file-state').classList.toggle('bad', Boolean(overtaken));
+    element('play').disabled = Boolean(over);
+    element('past').hidden = player.following;
+    element('past-text').textContent = word('looksBack', player.cycle);
+  };
+  const showSeldom = () => {
+    const now = performance.now();
+    if (now - seldom < SELDOM) return;
+    seldom = now;
+    strip.draw();
+    if (player.following) plots.follow(WINDOW);
+    if (element('log-panel').classList.contains('chosen')) listMarks(player);
+  };
+  const draw = () => {
+    dirty = false;
+    stage?.forget(recording.changed);
+    recording.changed = recording.frames.length;
+    player.grown();
+    showSeldom();
+  };
+
+  player.onMove(() => {
+    stage?.show(player.time);
+    editor.light(recording.lineAt(player.cycle));
+    knobs.show(recording);
+    if (!player.following) showStatus();
+  });
+  player.onState(showStatus);
+  whenSpoken(showStatus);
+  whenSpoken(() => listMarks(player));
+  document.addEventListener('tab', () => {
+    listMarks(player);
+    seldom = 0;
+    showSeldom();
+  });
+  if (stage) showChoices(stage, player);
+  element('restart').addEventListener('click', () => editor.ask({ do: 'restart' }));
+  element('save').addEventListener('click', () => editor.ask({ do: 'save' }));
+  element('reload').addEventListener('click', () => requests.send({ do: 'reload' }));
+  element('newest').addEventListener('click', () => player.newest());
+  element('go-on').addEventListener('click', () => player.goOnFromHere());
+  themes(() => {
+    stage?.recolour();
+    plots.build();
+    strip.draw();
+    player.goToTime(player.time);
+  });
+  observeSize(stage, strip);
+  tabs();
+  dialogs();
+  keys(player, stage);
+  showNames();
+  stage?.resize();
+  draw();
+  stage?.resetView();
+  stage?.drawNow();
+  document.documentElement.dataset.ready = Math.round(performance.now());
+
+  return {
+    editor,
+    begun() {
+      shown.begin();
+      plots.begin();
+      editor.running(recording.script);
+      showNames();
+      player.newest();
+    },
+    more() {
+      if (dirty) return;
+      dirty = true;
+      requestAnimationFrame(draw);
+    },
+    status(update) {
+      status = update;
+      recording.outcome = update.outcome ?? { how: 'limit' };
+      player.takeStatus(update);
+      player.grown();
+    },
+  };
+}
