@@ -40,7 +40,8 @@ impl Judged<'_> {
                     .any(|name| finding.subject.as_deref() == Some(name))
         };
         let is_meant = message::means_any(&warnings);
-        found.retain(|finding| !follows(finding) && !(is_meant && finding.code == Code::NeverRead));
+        let is_unread = |finding: &Diagnostic| is_meant && finding.code == Code::NeverRead;
+        found.retain(|finding| !follows(finding) && !is_unread(finding));
         found.extend(warnings);
     }
 
