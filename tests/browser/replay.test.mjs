@@ -168,3 +168,25 @@ test('what a program says is text, whatever it says', async () => {
   assert.equal(await page.locator('script').count(), 2);
   await close();
 });
+
+test('forces inside an object show through it', async () => {
+  const { page, close } = await open(browser, `${pages}/grasp.html`, { colorScheme: 'light' }, '#cycle=2600');
+  const picture = async () => {
+    // At rest all pixels are drawn.
+    await page.waitForTimeout(1000);
+    return page.$eval('#canvas', (canvas) => {
+      const copy = Object.assign(document.createElement('canvas'), { width: 400, height: 200 });
+      const pen = copy.getContext('2d');
+      pen.drawImage(canvas, 0, 0, 400, 200);
+      return [...pen.getImageData(0, 0, 400, 200).data];
+    });
+  };
+  const shown = await picture();
+  await page.click('#show-forces');
+  const hidden = await picture();
+  const differs = (at) => [0, 1, 2].reduce((sum, n) => sum + Math.abs(shown[at + n] - hidden[at + n]), 0) > 24;
+  const pixels = shown.filter((_, at) => at % 4 === 0 && differs(at)).length;
+  // What stands out of the object is about half of it.
+  assert.ok(pixels > 95, `${pixels} pixels`);
+  await close();
+});

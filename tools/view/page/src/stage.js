@@ -110,6 +110,8 @@ export class Stage {
       const round = 'disc' in outline;
       const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 32).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
       const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
+      // Forces inside it show through.
+      mesh.renderOrder = 1;
       mesh.castShadow = true;
       mesh.receiveShadow = true;
       this.world.add(mesh);
