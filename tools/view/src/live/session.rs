@@ -50,7 +50,7 @@ impl Setup {
     }
 }
 
-/// A live run: see the [module](self).
+/// A live run: see the [module](crate::live).
 pub struct Session {
     robot: Robot,
     events: Events,
