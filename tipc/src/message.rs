@@ -16,6 +16,8 @@ mod checking;
 mod commanding;
 #[cfg(feature = "tools")]
 pub mod count;
+#[cfg(feature = "tools")]
+mod debugging;
 #[cfg(feature = "robot-files")]
 mod describing;
 #[cfg(feature = "tools")]
@@ -53,6 +55,8 @@ pub use calculating::Calculating;
 #[cfg(feature = "tools")]
 pub use checking::Checking;
 pub use commanding::Commanding;
+#[cfg(feature = "tools")]
+pub use debugging::Debugging;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
 #[cfg(feature = "tools")]
@@ -115,6 +119,8 @@ tables! {
     Using,
     #[cfg(feature = "tools")]
     Stopping,
+    #[cfg(feature = "tools")]
+    Debugging,
     #[cfg(feature = "build")]
     Building,
 }

@@ -160,7 +160,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 16] = [
+const NEEDS: [(&str, &[&str], &[&str]); 17] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "examples/bare-metal/cortex-m.sh",
@@ -201,6 +201,11 @@ const NEEDS: [(&str, &[&str], &[&str]); 16] = [
             "no nightly toolchain",
             "cargo-llvm-cov is not installed: cargo install cargo-llvm-cov",
         ],
+    ),
+    (
+        "tests/debugger/run",
+        &[],
+        &["node is not installed", "npm is not installed"],
     ),
     (
         "tests/fuzz/minimise",

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod compile;
+pub mod dap;
 pub mod description;
 pub mod editing;
 #[cfg(unix)]

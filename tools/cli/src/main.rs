@@ -6,6 +6,8 @@ mod check;
 mod checked;
 mod choices;
 mod cycles;
+mod dap;
+mod debug;
 mod deny;
 mod describe;
 mod emit;
@@ -96,6 +98,10 @@ enum Verb {
     View(view::View),
     /// Run a program live in a page, where it is steered and edited
     Serve(serve::Serve),
+    /// Debug a program on the terminal, forwards and backwards
+    Debug(debug::Debug),
+    /// Serve a debugger to editors: the Debug Adapter Protocol
+    Dap(dap::Dap),
     /// Turn a program of an older version into one of version 3.1
     Migrate(migrate::Migrate),
     /// Say what the code of a finding means, with a wrong and a right program
@@ -172,6 +178,8 @@ fn main() -> ExitCode {
         Verb::Verify(arguments) => verify::verify(arguments),
         Verb::View(arguments) => view::view(arguments),
         Verb::Serve(arguments) => serve::serve(arguments),
+        Verb::Debug(arguments) => debug::debug(arguments),
+        Verb::Dap(arguments) => dap::dap(arguments),
         Verb::Migrate(arguments) => migrate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Lsp(arguments) => lsp::lsp(arguments),

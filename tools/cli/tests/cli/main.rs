@@ -4,6 +4,7 @@ mod check;
 #[cfg(unix)]
 mod commands;
 mod cycles;
+mod dap;
 mod emit;
 #[cfg(target_os = "linux")]
 mod faults;

@@ -1,0 +1,130 @@
+//! What a debugger says.
+
+use super::Text;
+
+messages! {
+    /// What a debugger says.
+    Debugging;
+
+    // Titles.
+    Variables
+        "Variables",
+        "変数";
+    Calls
+        "Calls",
+        "呼び出し";
+    Legs
+        "Modes and targets",
+        "制御モードと目標";
+    Above
+        "From above",
+        "上面図";
+    Side
+        "From the side",
+        "側面図";
+    Said
+        "Messages",
+        "メッセージ";
+    Unassigned
+        "unassigned",
+        "未代入";
+    MainProgram
+        "(program)",
+        "(本体)";
+
+    // How a leg is controlled.
+    AtRest
+        "rest",
+        "停止";
+    Position
+        "position",
+        "位置";
+    Compliance
+        "compliance",
+        "コンプライアンス";
+    Velocity
+        "velocity",
+        "速度";
+    Effort
+        "force",
+        "力";
+
+    // Why it stands.
+    Start
+        "at the beginning",
+        "先頭です";
+    Stepped
+        "stands",
+        "停止中";
+    There
+        "there",
+        "到達しました";
+    AtBreakpoint
+        "breakpoint",
+        "ブレークポイント";
+    Assigned { line: u32 }
+        "assigned by line {line}",
+        "{line}行目で代入";
+    AssignedByEvent
+        "assigned by an event",
+        "イベントによる代入";
+    Fell
+        "the robot falls",
+        "ロボットが転倒しました";
+    Ended
+        "the program is over",
+        "プログラムは終了しました";
+    Interrupted
+        "interrupted",
+        "中断しました";
+    Changed
+        "changed",
+        "変更しました";
+    Running
+        "running; Esc interrupts",
+        "実行中(Escで中断)";
+    Searching { percent: u32 }
+        "searching backwards, {percent} %; Esc interrupts",
+        "逆方向に検索中 {percent}%(Escで中断)";
+
+    // What is asked.
+    AskEvent
+        "event (key F, VR1=8, N = 5)",
+        "イベント(key F、VR1=8、N = 5)";
+    AskExpression
+        "expression",
+        "式";
+    AskWatch
+        "variable to watch (empty: none)",
+        "監視する変数(空欄で解除)";
+    AskCycle
+        "cycle",
+        "サイクル";
+    AskCondition { line: u32 }
+        "condition of the breakpoint on line {line} (empty: none)",
+        "{line}行目のブレークポイントの条件(空欄で無条件)";
+    AskDiscard { count: usize }
+        "{count} cycles that have been run after this one would be discarded: y or n",
+        "これより後の{count}サイクルの実行結果は破棄されます。よろしいですか(y/n)";
+
+    // What is answered.
+    Comes { text: Text, value: Text }
+        "{text} = {value}",
+        "{text} = {value}";
+    Watches { name: Text }
+        "watching {name}",
+        "{name}を監視します";
+    NotANumber { text: Text }
+        "`{text}` is not a cycle",
+        "`{text}` はサイクル番号ではありません";
+    NeitherEventNorAssignment { text: Text }
+        "`{text}` is not an event, such as `key F`, `VR1=8`, `halt` or `N = 5`",
+        "`{text}` はイベントではありません。`key F`、`VR1=8`、`halt`、`N = 5` のように書いてください";
+
+    HelpMoves
+        "r run  n over  s into  o out  c cycle  l to line  g to cycle  CAPITALS: back",
+        "r 実行 n 次へ s 中へ o 外へ c 1サイクル l 行まで g サイクル指定 大文字:逆方向";
+    HelpOthers
+        "b break  B condition  w watch  i event  e value  ↑↓ . lines  Esc stop  q quit",
+        "b ブレーク B 条件 w 監視 i イベント e 式 ↑↓ . 行 Esc 中断 q 終了";
+}

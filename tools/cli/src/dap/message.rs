@@ -1,0 +1,249 @@
+//! The messages of the Debug Adapter Protocol that are served, as data.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What a client asks for.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Request {
+    pub(crate) seq: i64,
+    pub(crate) command: String,
+    #[serde(default)]
+    pub(crate) arguments: Value,
+}
+
+/// An answer, or an event.
+#[derive(Debug, Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub(crate) enum Sent {
+    Response(Response),
+    Event(Event),
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Response {
+    pub(crate) seq: i64,
+    pub(crate) request_seq: i64,
+    pub(crate) success: bool,
+    pub(crate) command: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) message: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) body: Option<Value>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Event {
+    pub(crate) seq: i64,
+    pub(crate) event: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) body: Option<Value>,
+}
+
+/// What a client says of itself.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(crate) struct Client {
+    pub(crate) lines_start_at1: bool,
+    pub(crate) columns_start_at1: bool,
+    pub(crate) supports_progress_reporting: bool,
+    pub(crate) supports_invalidated_event: bool,
+    pub(crate) locale: Option<String>,
+}
+
+impl Default for Client {
+    fn default() -> Self {
+        Client {
+            lines_start_at1: true,
+            columns_start_at1: true,
+            supports_progress_reporting: false,
+            supports_invalidated_event: false,
+            locale: None,
+        }
+    }
+}
+
+/// What can be asked for beyond the least.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Capabilities {
+    pub(crate) supports_configuration_done_request: bool,
+    pub(crate) supports_function_breakpoints: bool,
+    pub(crate) supports_conditional_breakpoints: bool,
+    pub(crate) supports_hit_conditional_breakpoints: bool,
+    pub(crate) supports_evaluate_for_hovers: bool,
+    pub(crate) supports_step_back: bool,
+    pub(crate) supports_set_variable: bool,
+    pub(crate) supports_exception_info_request: bool,
+    pub(crate) supports_data_breakpoints: bool,
+    pub(crate) supports_stepping_granularity: bool,
+    pub(crate) supports_terminate_request: bool,
+    pub(crate) supports_cancel_request: bool,
+    pub(crate) exception_breakpoint_filters: Vec<Filter>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Filter {
+    pub(crate) filter: &'static str,
+    pub(crate) label: &'static str,
+    pub(crate) default: bool,
+}
+
+/// What is to be debugged.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Launch {
+    pub(crate) program: String,
+    #[serde(default)]
+    pub(crate) robot: Option<String>,
+    #[serde(default)]
+    pub(crate) scene: Option<String>,
+    #[serde(default)]
+    pub(crate) encoding: Option<String>,
+    #[serde(default)]
+    pub(crate) events: Option<String>,
+    #[serde(default)]
+    pub(crate) stop_on_entry: bool,
+    #[serde(default)]
+    pub(crate) stop_on_fall: bool,
+    #[serde(default)]
+    pub(crate) no_debug: bool,
+}
+
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+pub(crate) struct SourceFile {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) path: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct SetBreakpoints {
+    pub(crate) source: SourceFile,
+    #[serde(default)]
+    pub(crate) breakpoints: Vec<SourceBreakpoint>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct SourceBreakpoint {
+    pub(crate) line: i64,
+    pub(crate) column: Option<i64>,
+    pub(crate) condition: Option<String>,
+    pub(crate) hit_condition: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct SetFunctionBreakpoints {
+    pub(crate) breakpoints: Vec<FunctionBreakpoint>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct FunctionBreakpoint {
+    pub(crate) name: String,
+    pub(crate) condition: Option<String>,
+    pub(crate) hit_condition: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct SetExceptionBreakpoints {
+    pub(crate) filters: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct DataBreakpointInfo {
+    pub(crate) name: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct SetDataBreakpoints {
+    pub(crate) breakpoints: Vec<DataBreakpoint>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct DataBreakpoint {
+    pub(crate) data_id: String,
+    pub(crate) condition: Option<String>,
+    pub(crate) hit_condition: Option<String>,
+}
+
+/// A breakpoint as it was placed, or why it was not.
+#[derive(Debug, Default, Serialize)]
+pub(crate) struct Breakpoint {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) id: Option<u32>,
+    pub(crate) verified: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) message: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) source: Option<SourceFile>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) line: Option<i64>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(crate) struct StackTrace {
+    pub(crate) start_frame: Option<i64>,
+    pub(crate) levels: Option<i64>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct StackFrame {
+    pub(crate) id: i64,
+    pub(crate) name: String,
+    pub(crate) source: SourceFile,
+    pub(crate) line: i64,
+    pub(crate) column: i64,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Scope {
+    pub(crate) name: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) presentation_hint: Option<&'static str>,
+    pub(crate) variables_reference: i64,
+    pub(crate) expensive: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Variables {
+    pub(crate) variables_reference: i64,
+    pub(crate) start: Option<u64>,
+    pub(crate) count: Option<u64>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Variable {
+    pub(crate) name: String,
+    pub(crate) value: String,
+    #[serde(rename = "type", skip_serializing_if = "Option::is_none")]
+    pub(crate) kind: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) evaluate_name: Option<String>,
+    pub(crate) variables_reference: i64,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct SetVariable {
+    pub(crate) name: String,
+    pub(crate) value: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(crate) struct Evaluate {
+    pub(crate) expression: String,
+    pub(crate) context: Option<String>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct Step {
+    pub(crate) granularity: Option<String>,
+}

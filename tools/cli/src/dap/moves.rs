@@ -1,0 +1,222 @@
+//! Movements, and what is told of where they end.
+
+use super::message::Step;
+use super::session::{Answer, Host, Session, THREAD, read};
+use serde_json::{Value, json};
+use tip_sim::debug::{Move, Progress, Reason};
+
+/// What a client calls a long search.
+const PROGRESS: &str = "search";
+
+/// A search of so many cycles is announced.
+const LONG: u64 = 20_000;
+
+impl<H: Host> Session<H> {
+    /// Everything is set up.
+    pub(super) fn begin(&mut self) {
+        match self.launch.stop_on_entry && !self.launch.no_debug {
+            true => self.stopped_because("entry", None),
+            false => {
+                if self.go(Move::Continue).is_ok() {
+                    self.settle();
+                }
+            }
+        }
+    }
+
+    pub(super) fn go(&mut self, movement: Move) -> Answer {
+        let debuggee = self.standing()?;
+        debuggee.debugger.start(movement);
+        Ok(match movement {
+            Move::Continue => Some(json!({ "allThreadsContinued": true })),
+            _ => None,
+        })
+    }
+
+    /// A statement, or with the finest granularity a control cycle.
+    pub(super) fn step(&mut self, step: Move, cycle: Move, arguments: Value) -> Answer {
+        let Step { granularity } = read(arguments)?;
+        match granularity.as_deref() {
+            Some("instruction") => self.go(cycle),
+            _ => self.go(step),
+        }
+    }
+
+    /// A movement that is over before it begins.
+    pub(super) fn follow_move(&mut self, command: &str) {
+        match command {
+            "continue" | "next" | "stepIn" | "stepOut" if self.is_at_end() => self.end_as_program(),
+            "continue" | "next" | "stepIn" | "stepOut" | "stepBack" | "reverseContinue" => {
+                self.settle();
+            }
+            _ if std::mem::take(&mut self.has_moved) => self.settle(),
+            _ => {}
+        }
+    }
+
+    /// Tells where it stands, if it does.
+    fn settle(&mut self) {
+        if !self.is_going() {
+            self.stopped();
+        }
+    }
+
+    /// Whether it stood at the end before it was to go on: there is nothing to go on to.
+    fn is_at_end(&self) -> bool {
+        self.debuggee.as_ref().is_some_and(|debuggee| {
+            let stop = debuggee.debugger.stop();
+            let is_end = matches!(stop.reason, Reason::Ended(_) | Reason::Fault(_));
+            is_end && self.told_end == Some(stop.at) && !debuggee.debugger.is_going()
+        })
+    }
+
+    fn end_as_program(&mut self) {
+        let fault = self
+            .debuggee
+            .as_ref()
+            .is_some_and(|debuggee| matches!(debuggee.debugger.stop().reason, Reason::Fault(_)));
+        self.end(if fault { 3 } else { 0 });
+    }
+
+    /// The session is over for the client.
+    pub(super) fn end(&mut self, code: i64) {
+        if let Some(debuggee) = &mut self.debuggee {
+            debuggee.debugger.cancel();
+            self.event("exited", Some(json!({ "exitCode": code })));
+        }
+        self.event("terminated", None);
+    }
+
+    pub(super) fn interrupt(&mut self) {
+        let Some(debuggee) = self.debuggee.as_mut() else {
+            return;
+        };
+        if debuggee.debugger.is_going() {
+            debuggee.debugger.cancel();
+            self.stopped();
+        }
+    }
+
+    /// Passes on what the program said for the first time.
+    pub(super) fn say(&mut self) {
+        let Some(debuggee) = &mut self.debuggee else {
+            return;
+        };
+        for (_, text) in debuggee.debugger.news() {
+            if !text.is_empty() {
+                let body = json!({ "category": "stdout", "output": format!("{text}\n") });
+                self.event("output", Some(body));
+            }
+        }
+    }
+
+    /// Tells how far a long search is.
+    pub(super) fn report(&mut self, progress: Progress) {
+        let Some(of) = progress.of.filter(|of| *of >= LONG) else {
+            return;
+        };
+        if !self.client.supports_progress_reporting {
+            return;
+        }
+        let percentage = progress.done.saturating_mul(100) / of;
+        if !self.has_progress {
+            self.has_progress = true;
+            self.event(
+                "progressStart",
+                Some(json!({ "progressId": PROGRESS, "title": "Searching", "cancellable": true, "percentage": 0 })),
+            );
+            self.percentage = 0;
+        }
+        if percentage > self.percentage {
+            self.percentage = percentage;
+            self.event(
+                "progressUpdate",
+                Some(json!({ "progressId": PROGRESS, "percentage": percentage })),
+            );
+        }
+    }
+
+    /// Tells where and why it stands.
+    pub(super) fn stopped(&mut self) {
+        if std::mem::take(&mut self.has_progress) {
+            self.event("progressEnd", Some(json!({ "progressId": PROGRESS })));
+        }
+        self.say();
+        let Some(debuggee) = &self.debuggee else {
+            return;
+        };
+        let stop = debuggee.debugger.stop().clone();
+        let is_end = matches!(stop.reason, Reason::Ended(_) | Reason::Fault(_));
+        if is_end && self.launch.no_debug {
+            return self.end_as_program();
+        }
+        self.told_end = is_end.then_some(stop.at);
+        let by_name = |id: &u32| self.placed[1].contains(id);
+        match &stop.reason {
+            Reason::Start => {
+                self.stopped_because("entry", Some("at the beginning of the run".to_owned()))
+            }
+            Reason::Step => self.stopped_because("step", None),
+            Reason::There => self.stopped_because("goto", None),
+            Reason::Breakpoint(id) => {
+                let reason = if by_name(id) {
+                    "function breakpoint"
+                } else {
+                    "breakpoint"
+                };
+                self.stopped_at(reason, None, Some(*id));
+            }
+            Reason::Watch { id, .. } => self.stopped_at("data breakpoint", None, Some(*id)),
+            Reason::Fall(fall) => {
+                let text = format!("the robot falls in cycle {}", fall.cycle);
+                self.stopped_because("exception", Some(text));
+            }
+            Reason::Fault(emergency) => {
+                self.stopped_because("exception", Some(emergency.to_string()));
+            }
+            Reason::Ended(end) => {
+                let text = format!(
+                    "the program is over ({})",
+                    format!("{end:?}").to_uppercase()
+                );
+                self.stopped_because("pause", Some(text));
+            }
+            _ => self.stopped_because("pause", None),
+        }
+    }
+
+    fn stopped_because(&mut self, reason: &str, text: Option<String>) {
+        self.stopped_at(reason, text, None);
+    }
+
+    fn stopped_at(&mut self, reason: &str, text: Option<String>, id: Option<u32>) {
+        let mut body = json!({ "reason": reason, "threadId": THREAD, "allThreadsStopped": true });
+        if let Some(text) = text {
+            body["description"] = text.clone().into();
+            body["text"] = text.into();
+        }
+        if let Some(id) = id {
+            body["hitBreakpointIds"] = json!([id]);
+        }
+        self.event("stopped", Some(body));
+    }
+
+    /// What happened, where an emergency or a fall stopped it.
+    pub(super) fn exception_info(&mut self) -> Answer {
+        let debuggee = self.standing()?;
+        let (id, text) = match &debuggee.debugger.stop().reason {
+            Reason::Fault(emergency) => (emergency.fault.kind().to_string(), emergency.to_string()),
+            Reason::Fall(fall) => (
+                "fall".to_owned(),
+                format!(
+                    "the robot falls in cycle {}, {:.1} mm outside of its feet",
+                    fall.cycle, -fall.margin
+                ),
+            ),
+            _ => return Err("nothing happened here".to_owned()),
+        };
+        Ok(Some(
+            json!({ "exceptionId": id, "description": text, "breakMode": "always" }),
+        ))
+    }
+}

@@ -1,0 +1,236 @@
+//! What a client is shown where the program stands: calls, variables, the robot.
+
+use super::message::{Scope, SourceFile, StackFrame, StackTrace, Variable, Variables};
+use super::session::{Answer, Host, Session, THREAD};
+use serde_json::{Value, json};
+use tip_runtime::controller::{Aim, Mode};
+use tip_sim::debug::{self, Debugger};
+use tipc::program::VariableKind;
+use tipc::source::Source;
+
+/// What the numbers of lists of variables stand for.
+const PROGRAM: i64 = 1;
+const ROBOT: i64 = 2;
+const LEGS: i64 = 3;
+/// A variable of the program with members; its place is added.
+const MEMBERS: i64 = 1000;
+
+impl<H: Host> Session<H> {
+    pub(super) fn threads(&mut self) -> Answer {
+        let debuggee = self.debuggee.as_ref();
+        let name = debuggee.map_or("T.I.P.", |debuggee| {
+            debuggee.debugger.program().source_name()
+        });
+        Ok(Some(json!({ "threads": [{ "id": THREAD, "name": name }] })))
+    }
+
+    pub(super) fn stack_trace(&mut self, asked: &StackTrace) -> Answer {
+        let (first_line, first_column) = (self.first_line(), self.first_column());
+        let debuggee = self.standing()?;
+        let file = SourceFile {
+            name: Some(debuggee.debugger.program().source_name().to_owned()),
+            path: Some(debuggee.path.clone()),
+        };
+        let all = debuggee.debugger.frames();
+        let total = all.len();
+        let frames = (1..).zip(all).map(|(id, frame)| StackFrame {
+            id,
+            name: frame
+                .name
+                .unwrap_or_else(|| debuggee.debugger.program().title().to_owned()),
+            source: file.clone(),
+            line: i64::from(frame.line) - 1 + first_line,
+            column: column(&debuggee.source, frame.line, frame.column) - 1 + first_column,
+        });
+        let from = usize::try_from(asked.start_frame.unwrap_or(0)).unwrap_or(0);
+        let levels = asked.levels.filter(|levels| *levels > 0);
+        let levels = levels.map_or(usize::MAX, |levels| {
+            usize::try_from(levels).unwrap_or(usize::MAX)
+        });
+        let frames: Vec<Value> = frames
+            .skip(from)
+            .take(levels)
+            .filter_map(|frame| serde_json::to_value(frame).ok())
+            .collect();
+        Ok(Some(json!({ "stackFrames": frames, "totalFrames": total })))
+    }
+
+    pub(super) fn scopes(&mut self) -> Answer {
+        self.standing()?;
+        let scope = |name, variables_reference, presentation_hint| Scope {
+            name,
+            presentation_hint,
+            variables_reference,
+            expensive: false,
+        };
+        let scopes = [
+            scope("Variables", PROGRAM, Some("locals")),
+            scope("Robot", ROBOT, None),
+            scope("Legs", LEGS, None),
+        ];
+        let scopes: Vec<Value> = scopes
+            .iter()
+            .filter_map(|scope| serde_json::to_value(scope).ok())
+            .collect();
+        Ok(Some(json!({ "scopes": scopes })))
+    }
+
+    pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
+        let debugger = &self.standing()?.debugger;
+        let all = match asked.variables_reference {
+            PROGRAM => (0..)
+                .zip(debugger.variables())
+                .map(|(place, it)| variable(place, &it))
+                .collect(),
+            ROBOT => robot(debugger),
+            LEGS => debugger.run().aims().iter().map(aim).collect(),
+            reference => members(debugger, reference.saturating_sub(MEMBERS))?,
+        };
+        let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
+        let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
+        let shown: Vec<Value> = all
+            .iter()
+            .skip(from)
+            .take(usize::try_from(count).unwrap_or(usize::MAX))
+            .filter_map(|it| serde_json::to_value(it).ok())
+            .collect();
+        Ok(Some(json!({ "variables": shown })))
+    }
+}
+
+/// The number of the list of a variable's members; 0 if it is a number itself.
+pub(super) fn reference(place: i64, variable: &debug::Variable) -> i64 {
+    match variable.kind {
+        VariableKind::Var => 0,
+        VariableKind::Pos | VariableKind::Joint => MEMBERS + place,
+    }
+}
+
+/// A variable's value, or the values of its members.
+pub(super) fn value(variable: &debug::Variable) -> String {
+    let mut scalars = variable.scalars.iter().map(|(_, value)| number(*value));
+    match variable.kind {
+        VariableKind::Var => scalars.next().unwrap_or_default(),
+        VariableKind::Pos | VariableKind::Joint => {
+            format!("({})", scalars.collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+pub(super) fn number(value: Option<f64>) -> String {
+    value.map_or("unassigned".to_owned(), |value| format!("{value}"))
+}
+
+fn variable(place: i64, it: &debug::Variable) -> Variable {
+    Variable {
+        name: it.name.clone(),
+        value: value(it),
+        kind: Some(match it.kind {
+            VariableKind::Var => "VAR",
+            VariableKind::Pos => "POS",
+            VariableKind::Joint => "JOINT",
+        }),
+        evaluate_name: Some(it.name.clone()),
+        variables_reference: reference(place, it),
+    }
+}
+
+fn members(debugger: &Debugger, place: i64) -> Result<Vec<Variable>, String> {
+    let variables = debugger.variables();
+    let place = usize::try_from(place).ok();
+    let variable = place.and_then(|place| variables.get(place));
+    let variable = variable.ok_or_else(|| "there is no such list of variables".to_owned())?;
+    let member = |(name, value): &(String, Option<f64>)| Variable {
+        name: name.clone(),
+        value: number(*value),
+        kind: None,
+        evaluate_name: Some(name.clone()),
+        variables_reference: 0,
+    };
+    Ok(variable.scalars.iter().map(member).collect())
+}
+
+fn plain(name: &str, value: String) -> Variable {
+    Variable {
+        name: name.to_owned(),
+        value,
+        kind: None,
+        evaluate_name: None,
+        variables_reference: 0,
+    }
+}
+
+/// The time, and how the robot is.
+fn robot(debugger: &Debugger) -> Vec<Variable> {
+    let run = debugger.run();
+    let mut shown = vec![
+        plain("cycle", debugger.now().to_string()),
+        plain("time", format!("{} ms", run.time())),
+    ];
+    if let Some(motion) = run.motion() {
+        let pose = motion.pose;
+        let [x, y, z] = pose.position;
+        shown.push(plain("position", format!("({x:.1}, {y:.1}, {z:.1}) mm")));
+        let (roll, pitch, yaw) = (pose.roll, pose.pitch, pose.yaw);
+        shown.push(plain(
+            "roll, pitch, yaw",
+            format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg"),
+        ));
+        shown.push(plain("falls", motion.falls.to_string()));
+    }
+    if let Some(limbs) = run.limbs() {
+        for (leg, angles) in (1..).zip(&limbs.angles) {
+            shown.push(plain(
+                &format!("angles of leg {leg}"),
+                format!("{} deg", list(angles)),
+            ));
+        }
+        if !limbs.loads.is_empty() {
+            shown.push(plain("loads", format!("{} N", list(&limbs.loads))));
+        }
+    }
+    shown
+}
+
+fn list(values: &[f64]) -> String {
+    let values: Vec<String> = values.iter().map(|value| format!("{value:.2}")).collect();
+    format!("({})", values.join(", "))
+}
+
+fn aim(aim: &Aim) -> Variable {
+    let mode = match aim.mode {
+        Mode::Rest => "at rest",
+        Mode::Position => "position",
+        Mode::Compliance => "compliance",
+        Mode::Velocity => "velocity",
+        Mode::Effort => "effort",
+    };
+    let goal = match aim.goal() {
+        [] => String::new(),
+        [one] => format!(" {one}"),
+        several => format!(" {}", list(several)),
+    };
+    plain(&aim.of.to_string(), format!("{mode}{goal}"))
+}
+
+/// A column in UTF-16 code units of one in characters; both from 1.
+fn column(source: &Source, line: u32, column: u32) -> i64 {
+    let line = source.line_text(line);
+    let before = line.chars().take((column as usize).saturating_sub(1));
+    let units: usize = before.map(char::len_utf16).sum();
+    i64::try_from(units).unwrap_or(0) + 1
+}
+
+/// The column in characters, from 1, that so many UTF-16 code units come before.
+pub(super) fn character(source: &Source, line: u32, units: i64) -> u32 {
+    let mut left = usize::try_from(units).unwrap_or(0);
+    let mut column = 1;
+    for char in source.line_text(line).chars() {
+        match left.checked_sub(char.len_utf16()) {
+            Some(rest) => left = rest,
+            None => break,
+        }
+        column += 1;
+    }
+    column
+}

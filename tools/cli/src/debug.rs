@@ -1,0 +1,143 @@
+//! `tipc debug`: a debugger on the terminal.
+
+mod app;
+mod ask;
+mod draw;
+mod figure;
+mod keys;
+mod panes;
+mod question;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+use super::arguments::{InputArguments, SourceArguments};
+use super::error::Error;
+use super::{Status, input, interrupt, report, scene};
+use app::App;
+use clap::Args;
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event, KeyEventKind};
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use tip_sim::debug::Debugger;
+
+/// `tipc debug`
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  tipc debug walk.prg                            stands before the first step
+  tipc debug walk.prg --events '120:key F'       a key is pressed before cycle 120
+  tipc debug --robot hand grasp.prg --scene cylinder
+
+Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
+l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
+breakpoint, B one with a condition, w watches a variable: R then finds who set it last. i makes
+something happen, such as 'key F', 'VR1=8' or 'N = 5'; e shows what an expression comes to.
+Esc interrupts, q ends.")]
+pub(super) struct Debug {
+    /// The program
+    file: PathBuf,
+
+    #[command(flatten)]
+    source: SourceArguments,
+
+    #[command(flatten)]
+    inputs: InputArguments,
+}
+
+/// How long to wait for a key before looking whether the process is to end.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// How often the screen is drawn while the program runs.
+const FRAME: Duration = Duration::from_millis(40);
+
+/// Cycles between two looks at the keyboard.
+const PORTION: u64 = 200;
+
+/// Debugs a program until its user has enough.
+pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
+    let Some(app) = load(arguments)? else {
+        return Ok(Status::Failure);
+    };
+    if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
+        let reason = "tipc debug needs a terminal; editors start tipc dap";
+        return Err(Error::Usage(reason.to_owned()));
+    }
+    interrupt::catch();
+    // From here on a panic gives the terminal back, too.
+    let terminal = ratatui::try_init();
+    let done = terminal.and_then(|mut terminal| show(app, &mut terminal));
+    ratatui::restore();
+    interrupt::hold();
+    match done {
+        Ok(()) if interrupt::is_requested() => Ok(Status::Interrupted),
+        Ok(()) => Ok(Status::Success),
+        Err(error) => Err(Error::Failed(format!(
+            "the terminal cannot be used: {error}"
+        ))),
+    }
+}
+
+/// The program on its robot; none, with its findings reported, if something does not load.
+fn load(arguments: &Debug) -> Result<Option<App>, Error> {
+    let shown = arguments.source.shown;
+    let robot = match arguments.source.robot.load() {
+        Ok(robot) => robot,
+        Err(loaded) => {
+            report::findings(&loaded, shown);
+            return Ok(None);
+        }
+    };
+    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), shown) else {
+        return Ok(None);
+    };
+    let robot = scene::around(robot.simulated()?, &scene)?;
+    let loaded = input::load(
+        &arguments.file,
+        &arguments.source.options(robot.options().robot),
+    );
+    let Some(program) = loaded.program.clone() else {
+        report::findings(&loaded, shown);
+        return Ok(None);
+    };
+    let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
+    let mut debugger = Debugger::new(program, &robot)
+        .map_err(|mismatch| usage(&mismatch))?
+        .with_events(&arguments.inputs.inputs().events)
+        .map_err(|refused| usage(&refused))?;
+    debugger.stop_at_fall(true);
+    Ok(Some(App::new(
+        debugger,
+        loaded.source,
+        &robot,
+        shown.lang(),
+    )))
+}
+
+/// Shows the program, and does what keys say.
+fn show(mut app: App, terminal: &mut DefaultTerminal) -> io::Result<()> {
+    let mut drawn = None;
+    while !app.is_over() && !interrupt::is_requested() {
+        let is_due = drawn.is_none_or(|at: Instant| at.elapsed() >= FRAME);
+        if is_due || !app.is_going() {
+            terminal.draw(|frame| draw::draw(&app, frame))?;
+            drawn = Some(Instant::now());
+        }
+        let patience = match app.is_going() {
+            true => Duration::ZERO,
+            false => PATIENCE,
+        };
+        if event::poll(patience)? {
+            if let Event::Key(key) = event::read()?
+                && key.kind != KeyEventKind::Release
+            {
+                keys::press(&mut app, key);
+            }
+        } else {
+            app.work(PORTION);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,85 @@
+//! What its user is asked, and what becomes of the answer.
+
+use super::app::App;
+use super::question::Question;
+use tip_sim::Event;
+use tip_sim::debug::{Discard, Move, Value, When};
+use tipc::message::{Debugging, Text};
+
+impl App {
+    pub(crate) fn ask(&mut self, question: Question) {
+        self.answer = None;
+        self.question = Some((question, String::new()));
+    }
+
+    /// The answer to the question is complete.
+    pub(crate) fn answered(&mut self) {
+        let Some((question, text)) = self.question.take() else {
+            return;
+        };
+        let text = text.trim();
+        match question {
+            Question::Event => self.make_happen(text),
+            Question::Expression => self.show_value(text),
+            Question::Watch => self.watch(text),
+            Question::Cycle => match text.parse() {
+                Ok(cycle) => self.go(Move::To(cycle)),
+                Err(_) => self.answer = Some(self.say(Debugging::NotANumber { text: word(text) })),
+            },
+            Question::Condition => self.place(&When {
+                condition: (!text.is_empty()).then_some(text),
+                hits: None,
+            }),
+            Question::Discard(..) => {}
+        }
+    }
+
+    /// A change of the past is confirmed, or not.
+    pub(crate) fn confirmed(&mut self, yes: bool) {
+        if let Some((Question::Discard(event, _), _)) = self.question.take()
+            && yes
+        {
+            self.change(event, Discard::Later);
+        }
+    }
+
+    fn make_happen(&mut self, text: &str) {
+        match text.parse().ok().or_else(|| Event::assignment(text)) {
+            Some(event) => self.change(event, Discard::Nothing),
+            None => {
+                let text = word(text);
+                self.answer = Some(self.say(Debugging::NeitherEventNorAssignment { text }));
+            }
+        }
+    }
+
+    fn show_value(&mut self, text: &str) {
+        let unassigned = || self.say(Debugging::Unassigned);
+        let value = match (self.debugger.value(text), self.debugger.evaluate(text)) {
+            (Ok(value), _) => value.map_or_else(unassigned, |value| value.to_string()),
+            (_, Ok(Value::Number(value))) => value.to_string(),
+            (_, Ok(Value::Truth(truth))) => truth.to_string(),
+            (_, Err(refused)) => return self.refuse(&refused),
+        };
+        let (text, value) = (word(text), word(&value));
+        self.answer = Some(self.say(Debugging::Comes { text, value }));
+    }
+
+    fn watch(&mut self, name: &str) {
+        self.debugger.unwatch_all();
+        if name.is_empty() {
+            return;
+        }
+        match self.debugger.watch(name) {
+            Ok(_) => {
+                let name = word(&name.to_ascii_uppercase());
+                self.answer = Some(self.say(Debugging::Watches { name }));
+            }
+            Err(refused) => self.refuse(&refused),
+        }
+    }
+}
+
+fn word(text: &str) -> Text {
+    Text::from(text.to_owned())
+}

@@ -1,0 +1,202 @@
+//! The screen, and what keys do to it.
+
+use super::app::App;
+use super::{draw, keys};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use tip_sim::Robot;
+use tip_sim::debug::{Debugger, Reason};
+use tipc::message::Lang;
+
+const PROGRAM: &str = "3.1
+歩く練習
+DEF_VAR N
+DEF_POS P
+N = 0
+L:
+GOSUB COUNT:
+MESSAGE 歩数 %N%
+PTP F1 R 0 0 10
+IF N < 5 GOTO L:
+EXIT
+COUNT:
+N += 1
+TEACH_POS F1 P
+RETURN
+END
+";
+
+fn app(robot: &str, lang: Lang) -> App {
+    let robot = Robot::named(robot).expect("it has a name");
+    let mut loaded = tipc::load("walk.prg", PROGRAM.as_bytes(), &robot.options());
+    let program = loaded.program.take().expect("it is right");
+    let debugger = Debugger::new(program, &robot).expect("it is for this robot");
+    App::new(debugger, loaded.source, &robot, lang)
+}
+
+fn screen(app: &App, width: u16, height: u16) -> String {
+    let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("memory");
+    terminal
+        .draw(|frame| draw::draw(app, frame))
+        .expect("memory");
+    let shown = terminal.backend().to_string();
+    // What follows a wide character is not a character of its own.
+    shown.replace(' ', "")
+}
+
+fn press(app: &mut App, keys: &str) {
+    for char in keys.chars() {
+        let code = match char {
+            '\n' => KeyCode::Enter,
+            '\u{1B}' => KeyCode::Esc,
+            other => KeyCode::Char(other),
+        };
+        keys::press(app, KeyEvent::new(code, KeyModifiers::NONE));
+        while app.is_going() {
+            app.work(1000);
+        }
+    }
+}
+
+#[test]
+fn keys_go_forwards_and_back() {
+    let mut app = app("titan8", Lang::English);
+    assert_eq!((app.debugger.line(), app.cursor), (5, 5));
+    press(&mut app, "nns");
+    assert_eq!((app.debugger.line(), app.cursor), (12, 12));
+    press(&mut app, "oN");
+    assert_eq!(app.debugger.line(), 7);
+    press(&mut app, "g20\n");
+    assert_eq!(app.debugger.now(), 20);
+    press(&mut app, "cC");
+    assert_eq!(app.debugger.now(), 20);
+    // To the line of the cursor, both ways.
+    app.cursor = 14;
+    press(&mut app, "l");
+    assert_eq!(app.debugger.line(), 14);
+    app.cursor = 9;
+    press(&mut app, "L");
+    assert_eq!(app.debugger.line(), 9);
+    press(&mut app, "r");
+    assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
+    press(&mut app, "R");
+    assert_eq!(app.debugger.now(), 0);
+    press(&mut app, "q");
+    assert!(app.is_over());
+}
+
+#[test]
+fn breakpoints_watches_and_values_are_asked_for() {
+    let mut app = app("titan8", Lang::English);
+    app.cursor = 13;
+    press(&mut app, "BN >= 3\nr");
+    assert_eq!(
+        (app.debugger.line(), app.debugger.value("N")),
+        (13, Ok(Some(3.0)))
+    );
+    assert!(screen(&app, 80, 24).contains("breakpoint"));
+    press(&mut app, "eN * 2\n");
+    assert_eq!(app.answer.as_deref(), Some("N * 2 = 6"));
+    press(&mut app, "b");
+    assert!(app.breakpoints.is_empty());
+    press(&mut app, "wn\nR");
+    assert_eq!(
+        (app.debugger.line(), app.debugger.value("N")),
+        (13, Ok(Some(2.0)))
+    );
+    press(&mut app, "wHEIGHT\n");
+    assert!(app.answer.is_some());
+    // A question that is not answered changes nothing.
+    press(&mut app, "g99\u{1B}");
+    assert_eq!(app.question, None);
+    press(&mut app, "gx\n");
+    assert_eq!(app.answer.as_deref(), Some("`x` is not a cycle"));
+}
+
+#[test]
+fn a_change_of_the_past_asks_first() {
+    let mut app = app("titan8", Lang::English);
+    press(&mut app, "rg20\niN = 1\n");
+    assert!(screen(&app, 120, 40).contains("wouldbediscarded"));
+    let known = app.debugger.known();
+    press(&mut app, "n");
+    assert_eq!(app.debugger.known(), known, "no is no, and no step");
+    press(&mut app, "iN = 1\ny");
+    assert_eq!(
+        (app.debugger.known(), app.debugger.value("N")),
+        (20, Ok(Some(1.0)))
+    );
+    press(&mut app, "ijump\n");
+    assert!(app.answer.is_some());
+    press(&mut app, "ikey F\n");
+    assert_eq!(app.debugger.changes().to_string(), "20:set N=1, 20:key F");
+}
+
+#[test]
+fn the_screen_shows_the_program_and_the_robot_in_both_sizes_and_languages() {
+    for (lang, words) in [
+        (
+            Lang::English,
+            [
+                "Variables",
+                "Calls",
+                "Modesandtargets",
+                "Fromabove",
+                "Fromtheside",
+                "Messages",
+            ],
+        ),
+        (
+            Lang::Japanese,
+            [
+                "変数",
+                "呼び出し",
+                "制御モードと目標",
+                "上面図",
+                "側面図",
+                "メッセージ",
+            ],
+        ),
+    ] {
+        for (width, height) in [(80, 24), (120, 40)] {
+            for robot in ["titan8", "generic"] {
+                let mut app = app(robot, lang);
+                press(&mut app, "g12\n");
+                let shown = screen(&app, width, height);
+                for word in words {
+                    assert!(shown.contains(word), "{word} in\n{shown}");
+                }
+                for seen in ["walk.prg", "12/12", "240ms", "▶", "歩数", "F1", "COUNT"] {
+                    assert!(shown.contains(seen), "{seen} in\n{shown}");
+                }
+                // The figure is made of braille.
+                assert!(
+                    shown
+                        .chars()
+                        .any(|char| ('\u{2801}'..='\u{28FF}').contains(&char))
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn hardly_any_room_is_no_reason_to_fail() {
+    let mut app = app("generic", Lang::Japanese);
+    press(&mut app, "r");
+    for (width, height) in [(1, 1), (2, 3), (10, 5), (200, 4), (5, 80)] {
+        screen(&app, width, height);
+    }
+}
+
+#[test]
+fn control_c_ends_whatever_is_asked() {
+    let mut app = app("titan8", Lang::English);
+    press(&mut app, "e");
+    keys::press(
+        &mut app,
+        KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL),
+    );
+    assert!(app.is_over());
+}
