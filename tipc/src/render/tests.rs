@@ -370,6 +370,6 @@ fn headlines_break_where_the_terminal_ends() {
         let headline: Vec<&str> = shown.lines().take(arrow.expect("a place")).collect();
         assert!(headline.len() > 1, "{shown}");
         let beyond = |line: &&str| crate::source::first_beyond(line, 40).is_some();
-        assert!(!headline.iter().any(|line| beyond(line)), "{shown}");
+        assert!(!headline.iter().any(beyond), "{shown}");
     }
 }

@@ -56,11 +56,11 @@ impl<H: Host> Session<H> {
     /// An expression; in the console also something that happens, `N = 5`, or `to 300`.
     pub(super) fn evaluate(&mut self, asked: &Evaluate) -> Answer {
         let text = asked.expression.trim();
-        if asked.context.as_deref() == Some("repl") {
-            if let Some(done) = self.command(text) {
-                done?;
-                return Ok(Some(json!({ "result": "", "variablesReference": 0 })));
-            }
+        if asked.context.as_deref() == Some("repl")
+            && let Some(done) = self.command(text)
+        {
+            done?;
+            return Ok(Some(json!({ "result": "", "variablesReference": 0 })));
         }
         let lang = self.lang();
         let debugger = &self.standing()?.debugger;
