@@ -88,6 +88,7 @@ const OTHERS: &[&str] = &[
     "Formatting",
     "Checking",
     "Running",
+    "Debugging",
     "Using",
 ];
 
