@@ -1,5 +1,6 @@
 //! Fixes: what they write loads with no new finding, a program that loads goes on to, and nothing is left to be done.
 
+use std::collections::HashSet;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Applicability;
 use tipc::message::{Habit, Lang, Message};
@@ -34,7 +35,9 @@ pub fn examine(bytes: &[u8]) {
             let gone = applied
                 .iter()
                 .filter(|it| it.finding.level() == Level::Error);
-            assert!(new + gone.count() <= old, "{seen}\n{applied:#?}");
+            // What one mistake of a line hid from the reader was not counted before.
+            let gone: HashSet<u32> = gone.map(|it| it.line).collect();
+            assert!(new + gone.len() <= old, "{seen}\n{applied:#?}");
         }
     }
     confirm(before, &options);

@@ -192,8 +192,13 @@ impl Resolver<'_> {
     }
 
     fn rotation(&mut self, axis: Axis, operands: &[Operand]) -> Option<Value> {
-        let (operand, kind) = self.structure(&operands[0], Some(VariableKind::Pos))?;
-        let angle = self.variable_or_constant(&operands[1], Code::Equation)?;
+        let turned = self.structure(&operands[0], Some(VariableKind::Pos));
+        // Operands the other way round are one mistake, names that are not declared are two.
+        if turned.is_none() && self.is_declared(&operands[0]) {
+            return None;
+        }
+        let angle = self.variable_or_constant(&operands[1], Code::Equation);
+        let ((operand, kind), angle) = (turned?, angle?);
         Some(Value::Struct(
             kind,
             StructExpression::Rotate {
@@ -202,6 +207,13 @@ impl Resolver<'_> {
                 angle,
             },
         ))
+    }
+
+    fn is_declared(&self, operand: &Operand) -> bool {
+        match &operand.kind {
+            OperandKind::Name(name) => self.names.find(name).is_some(),
+            OperandKind::Number(_) | OperandKind::Member(_) => true,
+        }
     }
 
     /// A whole struct, of one kind if `kind` says so.

@@ -105,11 +105,13 @@ fn unused(site: &Site<'_>) -> Option<Fix> {
     let title = Fixing::RemoveDeclaration {
         name: site.text().into(),
     };
-    let place = match tokens.len() {
-        2 => declaration(site)?,
+    let place = match (at, tokens.get(2)) {
+        // Where the line is wrong too, what stands before the name may be no part of it.
+        (0, _) => return None,
+        (_, None) => declaration(site)?,
         // Of several names, one side's blanks stay.
-        _ if at == 1 => Span::new(tokens[1].span.start, tokens[2].span.start),
-        _ => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
+        (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
+        (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
     };
     Some(Fix::likely(title, [Edit::remove(place)]))
 }

@@ -123,8 +123,8 @@ messages! {
 
     HelpMoves
         "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
-        "r実行、n次へ、s中へ、o外へ、c1サイクル、l行まで、gサイクル指定、大文字は逆方向";
+        "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";
     HelpOthers
         "b break, B condition, w watch, i event, e value, ↑↓ . lines, Esc stop, q quit",
-        "bブレーク、B条件、w監視、iイベント、e式、↑↓ .行、Esc中断、q終了";
+        "b:ブレーク B:条件 w:監視 i:イベント e:式 ↑↓ .:行 Esc:中断 q:終了";
 }

@@ -72,14 +72,15 @@ impl Parser<'_> {
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
         }
-        let kinds = match &kind {
-            // `NEXT I, J` was to close both.
-            StatementKind::Next { .. } if self.names_several(&tokens) => {
-                vec![StatementKind::Broken(Shape::Next); tokens.len() - 1]
+        // `NEXT I, J` was to close both.
+        if matches!(kind, StatementKind::Next { .. }) && self.names_several(&tokens) {
+            let mut start = span.start;
+            for name in &tokens[1..] {
+                let part = Span::new(start, name.span.end);
+                self.push(StatementKind::Broken(Shape::Next), part);
+                start = name.span.end;
             }
-            _ => vec![kind],
-        };
-        for kind in kinds {
+        } else {
             self.push(kind, span);
         }
         self.tokens = tokens;
