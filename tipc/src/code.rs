@@ -125,6 +125,8 @@ codes! {
     Hardware "E406" Some(Kind::Robot), "Hardware fault {}";
     /// Someone pressed the key of the emergency stop.
     EmergencyKey "E407" Some(Kind::Robot), "Emergency stop key";
+    /// A `tip.toml` that cannot be used.
+    Project "E408" Some(Kind::Robot), "Wrong tip.toml";
     /// A variable that nothing uses.
     Unused "W101" None, "variable \"{}\" is declared but never used",
         "変数 \"{}\" は宣言されていますが、使われていません";

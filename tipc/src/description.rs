@@ -28,6 +28,7 @@ mod keys;
 mod legs;
 mod model;
 mod name;
+mod project;
 mod rust;
 mod scene;
 mod section;
@@ -38,6 +39,7 @@ mod tests;
 
 pub use keys::{KEYS, Key, Part};
 pub use model::WithModel;
+pub use project::{Project, Settings, parse_project};
 pub use rust::{const_name, skeleton};
 pub use scene::parse_scene;
 

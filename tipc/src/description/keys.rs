@@ -1,4 +1,4 @@
-//! The one table of every key of a description or scene. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
+//! The one table of every key of a description, a scene or `tip.toml`. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
 
 use crate::code::Code;
 use crate::message::phrase::Table;
@@ -26,6 +26,10 @@ pub enum Part {
     Floor,
     /// `[[object]]` of a scene.
     Object,
+    /// Keys above the first table of `tip.toml`.
+    Project,
+    /// `[[programs]]` of `tip.toml`.
+    Programs,
 }
 
 impl Part {
@@ -43,10 +47,15 @@ impl Part {
     /// Every table of a scene, in the order of the documentation.
     pub const SCENE: &'static [Part] = &[Part::Scene, Part::Floor, Part::Object];
 
+    /// Every table of `tip.toml`, in the order of the documentation.
+    pub const PROJECT: &'static [Part] = &[Part::Project, Part::Programs];
+
     /// The tables of the same file.
     pub(super) fn beside(self) -> &'static [Part] {
         if Part::SCENE.contains(&self) {
             Part::SCENE
+        } else if Part::PROJECT.contains(&self) {
+            Part::PROJECT
         } else {
             Part::ALL
         }
@@ -56,6 +65,8 @@ impl Part {
     pub(super) fn code(self) -> Code {
         if Part::SCENE.contains(&self) {
             Code::Scene
+        } else if Part::PROJECT.contains(&self) {
+            Code::Project
         } else {
             Code::Description
         }
@@ -66,6 +77,7 @@ impl Part {
         match self {
             Part::Robot => Table::Robot,
             Part::Scene => Table::Scene,
+            Part::Project => Table::Project,
             part => Table::Named { name: part.name() },
         }
     }
@@ -73,7 +85,7 @@ impl Part {
     /// How the file spells it; nothing for what is above the first table.
     pub const fn name(self) -> &'static str {
         match self {
-            Part::Robot | Part::Scene => "",
+            Part::Robot | Part::Scene | Part::Project => "",
             Part::Joint => "[[joint]]",
             Part::Leg => "[[leg]]",
             Part::Body => "[body]",
@@ -82,6 +94,7 @@ impl Part {
             Part::Slider => "[slider]",
             Part::Floor => "[floor]",
             Part::Object => "[[object]]",
+            Part::Programs => "[[programs]]",
         }
     }
 
@@ -190,4 +203,14 @@ keys! {
     Object "x", "a number in mm", Some("0"), "where its centre is at first";
     Object "y", "a number in mm", Some("it stands on the floor"), "where its centre is at first";
     Object "angle", "a number in deg", Some("0"), "how far it is turned at first, from x to y";
+
+    Project "robot", "a robot's name, or a description's \"FILE.toml\"", Some("titan8"), "the robot of the programs in this folder and below";
+    Project "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"", Some("auto"), "how their files spell text";
+    Project "scene", "\"cylinder\", or a scene's \"FILE.toml\"", Some("a level floor"), "what surrounds the robot when they run";
+    Project "programs", "a list of [[programs]] tables", Some("none"), "programs with settings of their own; of several that mean a program the last one counts";
+
+    Programs "files", "a pattern: `*` is any name, `**` any folders", None, "which programs, by their paths from this folder on";
+    Programs "robot", "a robot's name, or a description's \"FILE.toml\"", Some("that of all programs"), "their robot";
+    Programs "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"", Some("that of all programs"), "how their files spell text";
+    Programs "scene", "\"cylinder\", or a scene's \"FILE.toml\"", Some("that of all programs"), "what surrounds the robot when they run";
 }

@@ -52,6 +52,7 @@ messages! {
 
     Robot "the robot", "ロボット";
     Scene "the scene", "シーン";
+    Project "the project", "プロジェクト";
     Named { name: &'static str } "{name}", "{name}";
 }
 

@@ -85,7 +85,7 @@ fn again_and_again(arguments: &Check) -> Result<Status, Error> {
     }
     interrupt::catch();
     let programs = arguments.files.iter().map(PathBuf::as_path);
-    let watch = Watch::begin(programs.chain(arguments.source.robot.file()))?;
+    let watch = Watch::begin(programs.chain(arguments.source.robot().file()))?;
     let is_human = arguments.source.shown.message_format == Format::Human;
     let says = |message: Checking| {
         if is_human {
@@ -114,20 +114,22 @@ const RULE: &str = "────────";
 fn once(arguments: &Check) -> Result<Status, Error> {
     let shown = arguments.source.shown;
     let mut total = report::Total::new(shown);
-    let robot = match arguments.source.robot.load() {
-        Ok(robot) => robot,
-        Err(loaded) => {
-            report::check(&loaded, shown)?;
-            total.add(&loaded);
-            total.report(shown)?;
-            return Ok(Status::Failure);
-        }
-    };
-    let options = arguments.source.options(robot.robot());
-    let robot = robot.simulated()?;
     let mut status = Status::Success;
     let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
+        let mut source = arguments.source.clone();
+        let robot = source.complete(file).and_then(|_| source.robot().load());
+        let robot = match robot {
+            Ok(robot) => robot,
+            Err(loaded) => {
+                report::check(&loaded, shown)?;
+                total.add(&loaded);
+                total.report(shown)?;
+                return Ok(Status::Failure);
+            }
+        };
+        let options = source.options(robot.robot());
+        let robot = robot.simulated()?;
         let loaded = match arguments.least() {
             Some(least) => fix::fix(file, &options, least, shown)?,
             None => {

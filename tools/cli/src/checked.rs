@@ -25,7 +25,7 @@ pub(super) struct Checked {
 /// `None` if one of them does not load.
 pub(super) fn checked(path: &Path, arguments: &SourceArguments) -> Option<Checked> {
     let shown = arguments.shown;
-    let robot = match arguments.robot.load() {
+    let robot = match arguments.robot().load() {
         Ok(robot) => robot,
         Err(loaded) => {
             report::findings(&loaded, shown);

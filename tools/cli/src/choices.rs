@@ -27,8 +27,9 @@ impl RobotName {
 }
 
 /// The encodings by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(super) enum EncodingName {
+    #[default]
     Auto,
     #[value(name = "utf-8", alias = "utf8")]
     Utf8,
@@ -37,6 +38,21 @@ pub(super) enum EncodingName {
 }
 
 impl EncodingName {
+    /// The name of an encoding.
+    pub(super) fn of(encoding: Encoding) -> Self {
+        match encoding {
+            Encoding::Auto => EncodingName::Auto,
+            Encoding::Utf8 => EncodingName::Utf8,
+            Encoding::ShiftJis => EncodingName::ShiftJis,
+        }
+    }
+
+    /// As options and `tip.toml` write it.
+    pub(super) fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
     pub(super) fn encoding(self) -> Encoding {
         match self {
             EncodingName::Auto => Encoding::Auto,

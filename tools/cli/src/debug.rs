@@ -38,13 +38,13 @@ something happen, such as 'key F', 'VR1=8' or 'N = 5'; e shows what an expressio
 Esc interrupts, q ends.")]
 pub(super) struct Debug {
     /// The program
-    file: PathBuf,
+    pub(super) file: PathBuf,
 
     #[command(flatten)]
-    source: SourceArguments,
+    pub(super) source: SourceArguments,
 
     #[command(flatten)]
-    inputs: InputArguments,
+    pub(super) inputs: InputArguments,
 }
 
 /// How long to wait for a key before looking whether the process is to end.
@@ -83,7 +83,7 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
 /// The program on its robot; none, with its findings reported, if something does not load.
 fn load(arguments: &Debug) -> Result<Option<App>, Error> {
     let shown = arguments.source.shown;
-    let robot = match arguments.source.robot.load() {
+    let robot = match arguments.source.robot().load() {
         Ok(robot) => robot,
         Err(loaded) => {
             report::findings(&loaded, shown);

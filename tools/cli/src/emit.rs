@@ -67,7 +67,7 @@ pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
     };
     match &arguments.out {
         Some(out) => {
-            let robot = arguments.source.robot.file();
+            let robot = arguments.source.robot().file();
             let inputs: Vec<_> = robot.into_iter().chain([&*arguments.file]).collect();
             output::refuse_inputs(out, &inputs)?;
             output::replace(out, &text)?;

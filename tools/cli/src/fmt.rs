@@ -5,7 +5,7 @@ use super::choices::EncodingName;
 use super::error::Error;
 use super::robot::RobotChoice;
 use super::shown::Shown;
-use super::{Status, input, output, report};
+use super::{Status, input, output, project, report};
 use clap::Args;
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use tip_runtime::printable::Printable;
 use tipc::code::Level;
 use tipc::format::{Refusal, format};
 use tipc::message::Formatting;
-use tipc::source::Source;
+use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 
 /// `tipc fmt`
@@ -54,9 +54,9 @@ pub(super) struct Fmt {
     #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
     tip_version: f64,
 
-    /// How the files spell text; auto takes UTF-8 if it is valid, else Shift_JIS
-    #[arg(long, value_enum, default_value = "auto")]
-    encoding: EncodingName,
+    /// How the files spell text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
+    #[arg(long, value_enum)]
+    encoding: Option<EncodingName>,
 
     #[command(flatten)]
     pub(super) shown: Shown,
@@ -64,20 +64,11 @@ pub(super) struct Fmt {
 
 /// Lays out each file; one that has to be left as it is makes the whole command fail.
 pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
-    let robots = match &arguments.robot {
-        None => Robot::ALL.to_vec(),
-        Some(choice) => match choice.load() {
-            Ok(robot) => vec![robot.robot()],
-            Err(loaded) => {
-                report::findings(&loaded, arguments.shown);
-                return Ok(Status::Failure);
-            }
-        },
-    };
     let mut status = Status::Success;
     for path in &arguments.files {
-        let done = match input::bytes(path) {
-            Ok((name, bytes)) => arguments.file(path, &name, &bytes, &robots)?,
+        let read = meant(arguments, path).and_then(|meant| Ok((meant, input::bytes(path)?)));
+        let done = match read {
+            Ok((meant, (name, bytes))) => arguments.file(path, &name, &bytes, &meant)?,
             Err(loaded) => {
                 report::findings(&loaded, arguments.shown);
                 false
@@ -90,10 +81,32 @@ pub(super) fn fmt(arguments: &Fmt) -> Result<Status, Error> {
     Ok(status)
 }
 
+/// What a file is meant for.
+struct Meant {
+    /// The robots that it may be for.
+    robots: Vec<Robot>,
+    encoding: Encoding,
+}
+
+/// What options and the nearest `tip.toml` say of a file; without them it may be for any robot that has a name.
+fn meant(arguments: &Fmt, path: &Path) -> Result<Meant, Box<Loaded>> {
+    let given = project::of(path)?;
+    let given_robot = given.as_ref().and_then(|given| given.robot.as_ref());
+    let robots = match arguments.robot.as_ref().or(given_robot) {
+        None => Robot::ALL.to_vec(),
+        Some(choice) => vec![choice.load()?.robot()],
+    };
+    let encoding = arguments.encoding.or_else(|| given.as_ref()?.encoding);
+    Ok(Meant {
+        robots,
+        encoding: encoding.map_or(Encoding::Auto, EncodingName::encoding),
+    })
+}
+
 impl Fmt {
     /// Whether the file is in the style, or is now.
-    fn file(&self, path: &Path, name: &str, bytes: &[u8], robots: &[Robot]) -> Result<bool, Error> {
-        let formatted = match self.formatted(name, bytes, robots) {
+    fn file(&self, path: &Path, name: &str, bytes: &[u8], meant: &Meant) -> Result<bool, Error> {
+        let formatted = match self.formatted(name, bytes, meant) {
             Ok(formatted) => formatted,
             Err(refusal) => {
                 self.explain(name, &refusal);
@@ -105,7 +118,7 @@ impl Fmt {
             if changes && self.check {
                 output::print(format!("{}\n", Printable::line(name)))?;
             } else if changes {
-                output::print(self.difference(name, bytes, &formatted))?;
+                output::print(difference(name, bytes, &formatted, meant.encoding))?;
             }
             return Ok(!changes);
         }
@@ -118,13 +131,13 @@ impl Fmt {
     }
 
     /// Formatted for the first robot that it loads for; else what is wrong with it for the one that it suits best.
-    fn formatted(&self, name: &str, bytes: &[u8], robots: &[Robot]) -> Result<Vec<u8>, Refusal> {
+    fn formatted(&self, name: &str, bytes: &[u8], meant: &Meant) -> Result<Vec<u8>, Refusal> {
         let mut best: Option<Box<Loaded>> = None;
-        for robot in robots {
+        for robot in &meant.robots {
             let options = Options {
                 robot: *robot,
                 tip_version: self.tip_version,
-                encoding: self.encoding.encoding(),
+                encoding: meant.encoding,
             };
             match format(name, bytes, &options) {
                 Err(Refusal::Findings(found)) => {
@@ -153,20 +166,20 @@ impl Fmt {
         let reason = reason.in_lang(self.shown.lang());
         report::complain(&format!("{}: {reason}\n", Printable::line(name)));
     }
+}
 
-    /// Both texts, line by line, as patches show them.
-    fn difference(&self, name: &str, before: &[u8], after: &[u8]) -> String {
-        let text = |bytes| {
-            let (source, _) = Source::decode(name, bytes, self.encoding.encoding());
-            source.text().to_owned()
-        };
-        let (before, after) = (text(before), text(after));
-        let name = Printable::line(name).to_string();
-        let diff = TextDiff::from_lines(before.as_str(), after.as_str());
-        let mut diff = diff.unified_diff();
-        diff.header(&name, &format!("{name} (formatted)"))
-            .to_string()
-    }
+/// Both texts, line by line, as patches show them.
+fn difference(name: &str, before: &[u8], after: &[u8], encoding: Encoding) -> String {
+    let text = |bytes| {
+        let (source, _) = Source::decode(name, bytes, encoding);
+        source.text().to_owned()
+    };
+    let (before, after) = (text(before), text(after));
+    let name = Printable::line(name).to_string();
+    let diff = TextDiff::from_lines(before.as_str(), after.as_str());
+    let mut diff = diff.unified_diff();
+    diff.header(&name, &format!("{name} (formatted)"))
+        .to_string()
 }
 
 fn errors(loaded: &Loaded) -> usize {

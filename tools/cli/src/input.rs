@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use tip_runtime::plant::Scene;
 use tipc::code::Code;
-use tipc::description::Description;
+use tipc::description::{Description, Project};
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Reading;
 use tipc::migrate::Migration;
@@ -44,6 +44,15 @@ pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let name = name(path);
     match read(path) {
         Ok(bytes) => tipc::description::parse(&name, &bytes),
+        Err(error) => Err(Box::new(unreadable(name, &error))),
+    }
+}
+
+/// Reads the `tip.toml` at `path`.
+pub(super) fn project(path: &Path) -> Result<Project, Box<Loaded>> {
+    let name = name(path);
+    match read(path) {
+        Ok(bytes) => tipc::description::parse_project(&name, &bytes),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }

@@ -23,7 +23,7 @@ Exit status: as for 'tipc run'."
 )]
 pub(super) struct Log {
     #[command(flatten)]
-    recorded: RecordedArguments,
+    pub(super) recorded: RecordedArguments,
 
     /// The file; its ending says what it is
     #[arg(short, long, value_name = "OUT.mcap|OUT.csv")]

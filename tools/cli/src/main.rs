@@ -24,6 +24,7 @@ mod migrate;
 mod output;
 mod place;
 mod plot;
+mod project;
 mod recorded;
 mod report;
 mod robot;
@@ -41,7 +42,9 @@ mod watch;
 use choices::Format;
 use clap::{Parser, Subcommand};
 use error::Error;
+use shown::Shown;
 use std::process::ExitCode;
+use tipc::Loaded;
 
 /// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
 #[derive(Debug, Parser)]
@@ -134,6 +137,48 @@ impl Verb {
     }
 }
 
+impl Verb {
+    /// Takes what options leave open from the nearest `tip.toml`; of commands for several programs each takes its own.
+    ///
+    /// # Errors
+    /// What is wrong with it, and how to show that.
+    fn complete(&mut self) -> Result<(), (Box<Loaded>, Shown)> {
+        let (file, source, inputs, says) = match self {
+            Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
+            Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
+            Verb::Emit(it) => (&it.file, &mut it.source, None, false),
+            Verb::Cycles(it) => (&it.file, &mut it.source, None, false),
+            Verb::Debug(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
+            Verb::Log(log::Log { recorded: it, .. })
+            | Verb::Plot(plot::Plot { recorded: it, .. })
+            | Verb::Serve(serve::Serve { recorded: it, .. }) => {
+                (&it.file, &mut it.source, Some(&mut it.inputs), false)
+            }
+            Verb::View(it) => {
+                let recorded = &mut it.recorded;
+                let file = it.program.as_ref().unwrap_or(&recorded.file);
+                (
+                    file,
+                    &mut recorded.source,
+                    Some(&mut recorded.inputs),
+                    false,
+                )
+            }
+            _ => return Ok(()),
+        };
+        let shown = source.shown;
+        let given = match inputs {
+            Some(inputs) => source.complete_run(file, inputs),
+            None => source.complete(file),
+        };
+        let given = given.map_err(|loaded| (loaded, shown))?;
+        if let Some(given) = given.filter(|_| says) {
+            report::complain(&format!("{given}\n"));
+        }
+        Ok(())
+    }
+}
+
 /// How the process ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Status {
@@ -153,7 +198,7 @@ enum Status {
 
 /// Does what the command line says.
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let mut arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
             usage::report(&error);
@@ -164,6 +209,10 @@ fn main() -> ExitCode {
             });
         }
     };
+    if let Err((loaded, shown)) = arguments.verb.complete() {
+        report::findings(&loaded, shown);
+        return exit(Status::Failure);
+    }
     let outcome = match &arguments.verb {
         verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
             "tipc check writes SARIF, no other command does".to_owned(),

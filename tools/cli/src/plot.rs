@@ -20,7 +20,7 @@ Exit status: as for 'tipc run'."
 )]
 pub(super) struct Plot {
     #[command(flatten)]
-    recorded: RecordedArguments,
+    pub(super) recorded: RecordedArguments,
 
     /// The file
     #[arg(short, long, value_name = "OUT.svg")]

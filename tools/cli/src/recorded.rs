@@ -47,7 +47,7 @@ impl RecordedArguments {
     pub(super) fn files(&self) -> Vec<&Path> {
         let scene = self.inputs.scene.as_ref();
         let scene = scene.and_then(scene::SceneChoice::file);
-        let robot = self.source.robot.file();
+        let robot = self.source.robot().file();
         [self.file.as_path()]
             .into_iter()
             .chain(robot)
@@ -79,7 +79,7 @@ impl RecordedArguments {
         quiet: bool,
     ) -> Result<Option<(Loaded, Robot)>, Error> {
         interrupt::catch();
-        let robot = match self.source.robot.load() {
+        let robot = match self.source.robot().load() {
             Ok(robot) => robot,
             Err(loaded) => {
                 report::findings(&loaded, self.source.shown);

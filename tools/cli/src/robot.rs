@@ -5,6 +5,7 @@ use super::error::Error;
 use super::input;
 use super::usage::Wrong;
 use clap::ValueEnum;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tipc::description::Description;
@@ -35,6 +36,15 @@ impl FromStr for RobotChoice {
 impl Default for RobotChoice {
     fn default() -> Self {
         RobotChoice::Named(RobotName::Titan8)
+    }
+}
+
+impl fmt::Display for RobotChoice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RobotChoice::Named(name) => f.write_str(name.robot().name()),
+            RobotChoice::File(path) => path.display().fmt(f),
+        }
     }
 }
 

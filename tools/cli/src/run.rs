@@ -98,7 +98,7 @@ pub(super) struct Run {
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
-    let robot = match arguments.source.robot.load() {
+    let robot = match arguments.source.robot().load() {
         Ok(robot) => robot,
         Err(loaded) => {
             report::findings(&loaded, arguments.source.shown);

@@ -24,6 +24,14 @@ impl SceneChoice {
             SceneChoice::File(path) => Some(path),
         }
     }
+
+    /// A scene by its name, or by its path from the folder of another file.
+    pub(super) fn beside(name: &str, other: &Path) -> Option<Self> {
+        Some(match (name.parse().ok()?, other.parent()) {
+            (SceneChoice::File(path), Some(folder)) => SceneChoice::File(folder.join(path)),
+            (choice, _) => choice,
+        })
+    }
 }
 
 impl fmt::Display for SceneChoice {

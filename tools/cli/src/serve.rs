@@ -44,7 +44,7 @@ Exit status: 130 ended by Ctrl-C, 1 the program does not load or the address can
 2 wrong usage.")]
 pub(super) struct Serve {
     #[command(flatten)]
-    recorded: RecordedArguments,
+    pub(super) recorded: RecordedArguments,
 
     /// The address to listen at; port 0 is any that is free
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]

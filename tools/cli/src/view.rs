@@ -32,11 +32,11 @@ Exit status: 0 written, 1 the program does not load or a file cannot be read or 
 2 wrong usage, 130 interrupted; what was recorded until then is written.")]
 pub(super) struct View {
     #[command(flatten)]
-    recorded: RecordedArguments,
+    pub(super) recorded: RecordedArguments,
 
     /// The program of FILE, which is a trace that 'tipc run --trace-motion' wrote
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
-    program: Option<PathBuf>,
+    pub(super) program: Option<PathBuf>,
 
     /// Write the page here; otherwise beside FILE, as FILE.html
     #[arg(short, long, value_name = "OUT.html")]

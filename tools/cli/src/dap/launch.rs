@@ -4,6 +4,7 @@ use super::message::Launch;
 use super::session::{Debuggee, Host};
 use crate::choices::EncodingName;
 use crate::input;
+use crate::project::{self, Given};
 use crate::robot::RobotChoice;
 use crate::scene::{self, SceneChoice};
 use clap::ValueEnum;
@@ -20,10 +21,11 @@ pub(super) struct Files;
 impl Host for Files {
     fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String> {
         let path = Path::new(&launch.program);
-        let robot = robot(launch, path, lang)?;
+        let given = project::of(path).map_err(|loaded| findings(&loaded, lang))?;
+        let robot = robot(launch, path, given.as_ref(), lang)?;
         let encoding = match &launch.encoding {
             Some(name) => EncodingName::from_str(name, true)?,
-            None => EncodingName::Auto,
+            None => given.and_then(|it| it.encoding).unwrap_or_default(),
         };
         let options = Options {
             encoding: encoding.encoding(),
@@ -49,17 +51,24 @@ impl Host for Files {
     }
 }
 
-/// The robot in its scene.
-fn robot(launch: &Launch, program: &Path, lang: Lang) -> Result<Robot, String> {
-    let choice = launch.robot.as_deref().unwrap_or("titan8");
-    let choice: RobotChoice = choice.parse().map_err(|error| format!("{error:?}"))?;
-    let choice = match choice {
-        RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
-        named @ RobotChoice::Named(_) => named,
+/// The robot in its scene; what the client leaves open is `given`.
+fn robot(
+    launch: &Launch,
+    program: &Path,
+    given: Option<&Given>,
+    lang: Lang,
+) -> Result<Robot, String> {
+    let choice = match &launch.robot {
+        None => given.and_then(|it| it.robot.clone()).unwrap_or_default(),
+        Some(name) => match name.parse().map_err(|error| format!("{error:?}"))? {
+            RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
+            named @ RobotChoice::Named(_) => named,
+        },
     };
     let robot = choice.load().map_err(|loaded| findings(&loaded, lang))?;
     let robot = robot.simulated().map_err(|error| error.to_string())?;
-    let scene = match launch.scene.as_deref().map(str::parse).transpose()? {
+    let asked = launch.scene.as_deref().map(str::parse).transpose()?;
+    let scene = match asked.or_else(|| given?.scene.clone()) {
         None => Scene::EMPTY,
         Some(SceneChoice::Named(scene)) => *scene,
         Some(SceneChoice::File(path)) => {

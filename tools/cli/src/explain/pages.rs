@@ -32,7 +32,7 @@ pages! {
     "E206"
     "E207" "E207-01" "E207-02" "E207-03" "E207-04" "E207-05" "E207-06" "E207-07" "E207-08"
     "E301" "E302" "E303" "E304" "E305" "E306"
-    "E401" "E402" "E403" "E404" "E405" "E406" "E407"
+    "E401" "E402" "E403" "E404" "E405" "E406" "E407" "E408"
     "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
     "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122" "W123" "W124"
 }
@@ -43,7 +43,7 @@ mod tests {
     use tip_runtime::record::Ending;
     use tip_sim::{Interpreter, Limit, Robot, Run};
     use tipc::code::{Code, Mistake};
-    use tipc::description::{parse, parse_scene};
+    use tipc::description::{parse, parse_project, parse_scene};
     use tipc::diagnostic::Diagnostic;
     use tipc::message::Lang;
     use tipc::program::Program;
@@ -126,6 +126,8 @@ mod tests {
                 loaded.diagnostics
             }
             (_, Code::Scene) => parse_scene("page.toml", text.as_bytes())
+                .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
+            (_, Code::Project) => parse_project("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
             (_, _) => parse("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),

@@ -1,14 +1,14 @@
 //! The files of this machine around a program.
 
 use super::surroundings::{Chosen, Surroundings};
-use crate::explain;
 use crate::robot::RobotChoice;
+use crate::{explain, project};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::{env, fs};
-use tipc::Options;
 use tipc::message::Lang;
+use tipc::{Loaded, Options, render};
 
 /// The files of this machine.
 pub(crate) struct Files {
@@ -32,11 +32,13 @@ impl Files {
         if let Some(choice) = &self.robot {
             return Ok(choice.clone());
         }
-        let Some(asked) = asked else {
-            return Ok(RobotChoice::default());
-        };
-        let choice: RobotChoice = asked.parse().map_err(|wrong| format!("{wrong}"))?;
-        Ok(choice.beside(path))
+        if let Some(asked) = asked {
+            let choice: RobotChoice = asked.parse().map_err(|wrong| format!("{wrong}"))?;
+            return Ok(choice.beside(path));
+        }
+        let given = path.map_or(Ok(None), project::of);
+        let given = given.map_err(|loaded| first_finding(&loaded))?;
+        Ok(given.and_then(|given| given.robot).unwrap_or_default())
     }
 }
 
@@ -77,16 +79,20 @@ fn chosen(choice: &RobotChoice, complaint: Option<String>) -> Chosen {
             robot: robot.simulated().ok(),
             complaint,
         },
-        Err(loaded) => {
-            let first = loaded.diagnostics.first();
-            let reason = first.map_or_else(String::new, |first| first.reason.to_string());
-            let name = loaded.source.name();
-            Chosen {
-                complaint: Some(format!("{name}: {reason}")),
-                ..chosen(&RobotChoice::default(), None)
-            }
-        }
+        Err(loaded) => Chosen {
+            complaint: Some(first_finding(&loaded)),
+            ..chosen(&RobotChoice::default(), None)
+        },
     }
+}
+
+/// The first finding about a file, in a line.
+fn first_finding(loaded: &Loaded) -> String {
+    let first = loaded.diagnostics.first();
+    first.map_or_else(String::new, |first| {
+        let line = render::short(&loaded.source, first, Lang::English);
+        line.trim_end().to_owned()
+    })
 }
 
 /// Writes the page about a code into the cache of this user; its address.

@@ -10,7 +10,7 @@ use tip_runtime::console::LogFiles;
 
 /// Refuses a target that is an input of the run, or another of its targets.
 pub(super) fn check(arguments: &Run) -> Result<(), Error> {
-    let robot = arguments.source.robot.file();
+    let robot = arguments.source.robot().file();
     let scene = arguments
         .inputs
         .scene

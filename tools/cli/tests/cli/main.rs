@@ -19,6 +19,7 @@ mod migrate;
 mod motion;
 #[cfg(unix)]
 mod printable;
+mod project;
 mod readme;
 mod robot;
 mod run;

@@ -1,0 +1,227 @@
+//! `tip.toml`: what the programs beside it are for.
+
+use super::keys::Part;
+use super::open;
+use super::section::{Found, Section};
+use crate::load::Loaded;
+use crate::message::Describing;
+use crate::robot::Robot;
+use crate::source::Encoding;
+use glob::{MatchOptions, Pattern};
+use tip_runtime::scene::Scene;
+
+/// What a `tip.toml` says of the programs in its folder and below.
+///
+/// ```
+/// let text = b"robot = \"hand\"\n[[programs]]\nfiles = \"old/*.prg\"\nencoding = \"shift_jis\"\n";
+/// let project = tipc::description::parse_project("tip.toml", text).expect("it is right");
+/// let said = project.of("old/grasp.prg");
+/// assert_eq!(said.robot, Some("hand"));
+/// assert_eq!(said.encoding, Some(tipc::source::Encoding::ShiftJis));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Project {
+    every: Said,
+    some: Vec<(Pattern, Said)>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Said {
+    robot: Option<String>,
+    encoding: Option<Encoding>,
+    scene: Option<String>,
+}
+
+/// What is said of one program.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings<'a> {
+    /// The robot: a name, or a description by its path from the folder of `tip.toml`.
+    pub robot: Option<&'a str>,
+    /// How the file spells its text.
+    pub encoding: Option<Encoding>,
+    /// What surrounds the robot: a name, or a file by its path from that folder.
+    pub scene: Option<&'a str>,
+}
+
+/// Reads a `tip.toml`. `name` is how diagnostics call the file.
+///
+/// # Errors
+/// Everything that is wrong with the file, each fault at its place; there is no program in it.
+pub fn parse_project(name: &str, bytes: &[u8]) -> Result<Project, Box<Loaded>> {
+    open(name, bytes, Part::Project, |_, top, found| {
+        let mut project = Project {
+            every: said(top, found),
+            some: Vec::new(),
+        };
+        let parts = top.tables("programs", Part::Programs, found);
+        for part in parts.unwrap_or_default() {
+            let said = said(part, found);
+            if let Some((place, files)) = part.text("files", found) {
+                let pattern = Pattern::new(files).ok();
+                let key = "files".to_owned();
+                let refused =
+                    || part.refuse("files", place, Describing::CannotBeThis { key }, found);
+                if let Some(pattern) = pattern.or_else(refused) {
+                    project.some.push((pattern, said));
+                }
+            }
+        }
+        Some(project)
+    })
+}
+
+fn said(section: Section<'_>, found: &mut Found) -> Said {
+    let is_robot = |name: &str| Robot::from_name(name).is_some();
+    let is_scene = |name: &str| Scene::by_name(name).is_some();
+    let words = [
+        ("auto", Encoding::Auto),
+        ("utf-8", Encoding::Utf8),
+        ("shift_jis", Encoding::ShiftJis),
+    ];
+    Said {
+        robot: named(section, "robot", is_robot, found),
+        encoding: match section.has("encoding") {
+            true => section.choice("encoding", &words, found),
+            false => None,
+        },
+        scene: named(section, "scene", is_scene, found),
+    }
+}
+
+/// A name that is known, or a file.
+fn named(
+    section: Section<'_>,
+    key: &str,
+    is_known: impl Fn(&str) -> bool,
+    found: &mut Found,
+) -> Option<String> {
+    let (place, text) = section.text(key, found)?;
+    if is_known(text) || text.ends_with(".toml") {
+        return Some(text.to_owned());
+    }
+    let key_name = key.to_owned();
+    section.refuse(
+        key,
+        place,
+        Describing::CannotBeThis { key: key_name },
+        found,
+    )
+}
+
+impl Project {
+    /// What it says of a program, by its path from the folder of `tip.toml`, with `/` between folders. Of several parts
+    /// that mean the program the last one counts.
+    pub fn of(&self, path: &str) -> Settings<'_> {
+        let meant = self.some.iter();
+        let meant = meant.filter(|(files, _)| files.matches_with(path, AS_IN_SHELLS));
+        let mut settings = Settings::default();
+        for said in std::iter::once(&self.every).chain(meant.map(|(_, said)| said)) {
+            settings = Settings {
+                robot: said.robot.as_deref().or(settings.robot),
+                encoding: said.encoding.or(settings.encoding),
+                scene: said.scene.as_deref().or(settings.scene),
+            };
+        }
+        settings
+    }
+}
+
+/// As in shells: `?` is a character of a name, `*` any characters of one, `**` any folders.
+const AS_IN_SHELLS: MatchOptions = MatchOptions {
+    case_sensitive: true,
+    require_literal_separator: true,
+    require_literal_leading_dot: false,
+};
+
+#[cfg(test)]
+mod tests {
+    use super::{Settings, parse_project};
+    use crate::render;
+    use crate::source::Encoding;
+
+    #[test]
+    fn a_pattern_stays_in_its_folder_unless_two_stars_say_otherwise() {
+        let means = |pattern: &str, path| {
+            let text = format!("[[programs]]\nfiles = \"{pattern}\"\nrobot = \"hand\"\n");
+            let project = parse_project("tip.toml", text.as_bytes()).expect("it is right");
+            project.of(path).robot.is_some()
+        };
+        for (pattern, path) in [
+            ("walk.prg", "walk.prg"),
+            ("w?lk.prg", "walk.prg"),
+            ("歩*", "歩く.prg"),
+            ("**/grasp.prg", "grasp.prg"),
+            ("**/grasp.prg", "a/b/grasp.prg"),
+            ("a/**/*.prg", "a/b/c/d.prg"),
+            ("a/**/*.prg", "a/d.prg"),
+        ] {
+            assert!(means(pattern, path), "{pattern} {path}");
+        }
+        for (pattern, path) in [
+            ("*.prg", "hand/grasp.prg"),
+            ("hand/?", "hand/ab"),
+            ("WALK.prg", "walk.prg"),
+            ("**/grasp.prg", "nograsp.prg"),
+        ] {
+            assert!(!means(pattern, path), "{pattern} {path}");
+        }
+    }
+
+    #[test]
+    fn the_last_part_that_means_a_program_counts() {
+        let text = b"robot = \"hand\"\nencoding = \"utf-8\"\n\
+            [[programs]]\nfiles = \"old/*\"\nencoding = \"shift_jis\"\nscene = \"cylinder\"\n\
+            [[programs]]\nfiles = \"old/six.prg\"\nrobot = \"robots/six.toml\"\n";
+        let project = parse_project("tip.toml", text).expect("it is right");
+        let hand = Settings {
+            robot: Some("hand"),
+            encoding: Some(Encoding::Utf8),
+            scene: None,
+        };
+        assert_eq!(project.of("grasp.prg"), hand);
+        let old = Settings {
+            encoding: Some(Encoding::ShiftJis),
+            scene: Some("cylinder"),
+            ..hand
+        };
+        assert_eq!(project.of("old/grasp.prg"), old);
+        let six = Settings {
+            robot: Some("robots/six.toml"),
+            ..old
+        };
+        assert_eq!(project.of("old/six.prg"), six);
+        let empty = parse_project("tip.toml", b"").expect("nothing is needed");
+        assert_eq!(empty.of("walk.prg"), Settings::default());
+    }
+
+    /// What is said of a wrong one.
+    #[track_caller]
+    fn check(text: &str, expected: &[&str]) {
+        let loaded = parse_project("tip.toml", text.as_bytes()).expect_err("it is wrong");
+        let found = loaded.diagnostics.iter();
+        let lines =
+            found.map(|one| render::short(&loaded.source, one, crate::message::Lang::English));
+        let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
+        assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn each_fault_is_reported_at_its_place() {
+        check(
+            "robto = \"hand\"\n[[programs]]\nencoding = \"latin1\"\n",
+            &[
+                "tip.toml:1:1: error[E408]: the project has no key `robto` (TIP_ERR:Wrong tip.toml)",
+                "tip.toml:2:1: error[E408]: [[programs]] lacks `files` (TIP_ERR:Wrong tip.toml)",
+                "tip.toml:3:12: error[E408]: `encoding` cannot be this (TIP_ERR:Wrong tip.toml)",
+            ],
+        );
+        check(
+            "robot = \"titan9\"\nscene = 5\n[[programs]]\nfiles = \"a**\"\n",
+            &[
+                "tip.toml:1:9: error[E408]: `robot` cannot be this (TIP_ERR:Wrong tip.toml)",
+                "tip.toml:2:9: error[E408]: a number cannot stand here (TIP_ERR:Wrong tip.toml)",
+                "tip.toml:4:9: error[E408]: `files` cannot be this (TIP_ERR:Wrong tip.toml)",
+            ],
+        );
+    }
+}

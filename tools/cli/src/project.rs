@@ -1,0 +1,109 @@
+//! `tip.toml` beside programs: the robot, the encoding and the scene that options leave open. The nearest one counts.
+
+use super::arguments::{InputArguments, SourceArguments};
+use super::choices::EncodingName;
+use super::input;
+use super::robot::RobotChoice;
+use super::scene::SceneChoice;
+use std::env;
+use std::fmt;
+use std::path::{Path, PathBuf, absolute};
+use tipc::Loaded;
+
+/// How the file is called.
+const NAME: &str = "tip.toml";
+
+/// What a `tip.toml` gives a program.
+#[derive(Clone, Debug)]
+pub(super) struct Given {
+    /// The file that gives it.
+    file: PathBuf,
+    pub(super) robot: Option<RobotChoice>,
+    pub(super) encoding: Option<EncodingName>,
+    pub(super) scene: Option<SceneChoice>,
+}
+
+/// What the nearest `tip.toml` gives the program at `path`; nothing if there is none.
+///
+/// # Errors
+/// What is wrong with it.
+pub(super) fn of(path: &Path) -> Result<Option<Given>, Box<Loaded>> {
+    let Some((program, folder)) = nearest(path) else {
+        return Ok(None);
+    };
+    let file = shown(&folder.join(NAME));
+    let project = input::project(&file)?;
+    let names = program.strip_prefix(&folder).unwrap_or(&program).iter();
+    let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
+    let said = project.of(&names.join("/"));
+    let beside = |choice: RobotChoice| choice.beside(Some(&file));
+    let given = Given {
+        robot: said.robot.and_then(|name| name.parse().ok()).map(beside),
+        encoding: said.encoding.map(EncodingName::of),
+        scene: said.scene.and_then(|name| SceneChoice::beside(name, &file)),
+        file,
+    };
+    Ok(Some(given).filter(Given::is_something))
+}
+
+/// The program's whole path, and the nearest folder with a `tip.toml`.
+fn nearest(path: &Path) -> Option<(PathBuf, PathBuf)> {
+    let program = absolute(path).ok()?;
+    let mut folders = program.ancestors().skip(1);
+    let folder = folders.find(|folder| folder.join(NAME).is_file())?;
+    Some((program.clone(), folder.to_owned()))
+}
+
+/// A path as people write it: from the folder that they are in.
+fn shown(path: &Path) -> PathBuf {
+    let here = env::current_dir().ok();
+    let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_owned));
+    inside.unwrap_or_else(|| path.to_owned())
+}
+
+impl SourceArguments {
+    /// Takes what options leave open from the nearest `tip.toml`, and returns what that gives.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Given>, Box<Loaded>> {
+        let given = of(program)?;
+        if let Some(given) = &given {
+            self.robot = self.robot.take().or_else(|| given.robot.clone());
+            self.encoding = self.encoding.or(given.encoding);
+        }
+        Ok(given)
+    }
+
+    /// The same for a run, which has surroundings.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(super) fn complete_run(
+        &mut self,
+        program: &Path,
+        inputs: &mut InputArguments,
+    ) -> Result<Option<Given>, Box<Loaded>> {
+        let given = self.complete(program)?;
+        if let Some(given) = &given {
+            inputs.scene = inputs.scene.take().or_else(|| given.scene.clone());
+        }
+        Ok(given)
+    }
+}
+
+impl Given {
+    fn is_something(&self) -> bool {
+        self.robot.is_some() || self.encoding.is_some() || self.scene.is_some()
+    }
+}
+
+impl fmt::Display for Given {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let robot = self.robot.as_ref().map(|robot| format!("robot {robot}"));
+        let encoding = self.encoding.map(|it| format!("encoding {}", it.name()));
+        let scene = self.scene.as_ref().map(|scene| format!("scene {scene}"));
+        let given: Vec<String> = [robot, encoding, scene].into_iter().flatten().collect();
+        write!(f, "{}: {}", self.file.display(), given.join(", "))
+    }
+}

@@ -1,0 +1,121 @@
+//! `tip.toml` beside programs: the nearest one counts, options win, and a broken one is an error at its place.
+
+use crate::support::Folder;
+
+/// A program that only a hand understands.
+const HAND: &str = "DEF_VAR T\nTEACH_TORQUE J11 T\nSLEEP T\nEND";
+
+#[test]
+fn the_nearest_file_counts_and_options_win() {
+    let folder = Folder::new("project-nearest")
+        .file("tip.toml", "robot = \"hand\"\n")
+        .program("grasp.prg", HAND)
+        .program("far/away/grasp.prg", HAND)
+        .file("walker/tip.toml", "robot = \"titan8\"\n")
+        .program("walker/grasp.prg", HAND);
+    folder
+        .tipc(&["check", "grasp.prg", "far/away/grasp.prg"])
+        .expect(0);
+    folder.tipc(&["check", "walker/grasp.prg"]).expect(1);
+    folder
+        .tipc(&["check", "--robot", "titan8", "grasp.prg"])
+        .expect(1);
+    folder
+        .tipc(&["check", "--robot", "hand", "walker/grasp.prg"])
+        .expect(0);
+    // Each program of one call has its own.
+    let outcome = folder.tipc(&[
+        "check",
+        "--message-format",
+        "short",
+        "grasp.prg",
+        "walker/grasp.prg",
+    ]);
+    let outcome = outcome.expect(1);
+    assert!(
+        outcome
+            .out
+            .starts_with("walker/grasp.prg:4:1: error[E204-02]: titan8 has no TEACH_TORQUE"),
+        "{outcome:#?}"
+    );
+    folder.tipc(&["cycles", "grasp.prg"]).expect(0);
+    folder.tipc(&["emit", "rust", "grasp.prg"]).expect(0);
+    folder.tipc(&["fmt", "--check", "grasp.prg"]).expect(0);
+    folder
+        .tipc(&["fmt", "--check", "walker/grasp.prg"])
+        .expect(1);
+}
+
+#[test]
+fn a_run_names_it() {
+    let folder = Folder::new("project-run")
+        .file(
+            "tip.toml",
+            "[[programs]]\nfiles = \"grasp*.prg\"\nrobot = \"hand\"\nscene = \"cylinder\"\n",
+        )
+        .program("grasp1.prg", HAND)
+        .program("rise.prg", "END");
+    let outcome = folder.tipc(&["run", "grasp1.prg"]).expect(0);
+    assert_eq!(
+        outcome.err.lines().next(),
+        Some("tip.toml: robot hand, scene cylinder"),
+        "{outcome:#?}"
+    );
+    let outcome = folder.tipc(&["run", "--quiet", "grasp1.prg"]).expect(0);
+    assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
+    // Nothing is said where nothing is given.
+    let outcome = folder.tipc(&["run", "rise.prg"]).expect(0);
+    assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
+}
+
+#[test]
+fn files_are_found_from_its_folder_on() {
+    let robot = include_str!("../../../../tipc/tests/robots/hexapod.toml");
+    let folder = Folder::new("project-files")
+        .file("tip.toml", "robot = \"robots/hexapod.toml\"\n")
+        .file("robots/hexapod.toml", robot)
+        .program("motions/march.prg", "WAIT_INPOS F6\nEND");
+    folder.tipc(&["check", "motions/march.prg"]).expect(0);
+}
+
+#[test]
+fn the_encoding_of_old_files_is_given_by_a_pattern() {
+    // Valid UTF-8 by chance: two half-width kana of Shift_JIS.
+    let text = b"3.1\n\xC3\xA9\nEND\n";
+    let folder = Folder::new("project-encoding")
+        .file(
+            "tip.toml",
+            "[[programs]]\nfiles = \"old/**\"\nencoding = \"shift_jis\"\n",
+        )
+        .file("old/a.prg", text)
+        .file("new/a.prg", text);
+    let title = |file: &str| {
+        let outcome = folder.tipc(&["emit", "rust", file]).expect(0);
+        outcome.out.contains("\u{FF83}\u{FF69}")
+    };
+    assert!(title("old/a.prg"));
+    assert!(!title("new/a.prg"));
+}
+
+#[test]
+fn a_broken_one_is_an_error_at_its_place() {
+    let folder = Folder::new("project-broken")
+        .file("tip.toml", "robot = \"hnad\"\n")
+        .program("grasp.prg", "END");
+    let place = "tip.toml:1:9: error[E408]: `robot` cannot be this";
+    for command in ["check", "run", "cycles", "fmt"] {
+        let outcome = folder
+            .tipc(&[command, "--message-format", "short", "grasp.prg"])
+            .expect(1);
+        let said = format!("{}{}", outcome.out, outcome.err);
+        assert!(said.contains(place), "{command}: {outcome:#?}");
+    }
+    let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
+    assert!(
+        outcome.err.contains("`robot` にこの値は使えません"),
+        "{outcome:#?}"
+    );
+    let help = "`robot` is a robot's name, or a description's";
+    let outcome = folder.tipc(&["run", "grasp.prg"]).expect(1);
+    assert!(outcome.err.contains(help), "{outcome:#?}");
+}
