@@ -1,8 +1,7 @@
 //! Fixes: what they write loads with no new finding, a program that loads goes on to, and nothing is left to be done.
 
-use std::collections::HashSet;
 use tipc::code::{Code, Level};
-use tipc::diagnostic::Applicability;
+use tipc::diagnostic::{Applicability, Diagnostic};
 use tipc::message::{Habit, Lang, Message};
 use tipc::repair::{Applied, confirm, render_json, render_short, repair};
 use tipc::{Loaded, Options, load};
@@ -32,12 +31,8 @@ pub fn examine(bytes: &[u8]) {
         );
         if !applied.iter().any(shows_more) {
             let (old, new) = (errors(&before, &before), errors(&after, &before));
-            let gone = applied
-                .iter()
-                .filter(|it| it.finding.level() == Level::Error);
-            // What one mistake of a line hid from the reader was not counted before.
-            let gone: HashSet<u32> = gone.map(|it| it.line).collect();
-            assert!(new + gone.len() <= old, "{seen}\n{applied:#?}");
+            let gone = seen_before(&applied, &before);
+            assert!(new + gone <= old, "{seen}\n{applied:#?}");
         }
     }
     confirm(before, &options);
@@ -56,6 +51,19 @@ fn errors(loaded: &Loaded, before: &Loaded) -> usize {
         .iter()
         .filter(|it| it.level() == Level::Error);
     errors.filter(|it| could_be(it.code)).count()
+}
+
+/// How many of the errors that were fixed had been found before; the others hid behind those of their lines.
+fn seen_before(applied: &[Applied], before: &Loaded) -> usize {
+    let mut known: Vec<_> = before.diagnostics.iter().collect();
+    let errors = applied.iter().map(|it| &it.finding);
+    let errors = errors.filter(|it| it.level() == Level::Error);
+    let seen = errors.filter(|error| {
+        let is_same = |it: &&Diagnostic| it.code == error.code && it.reason == error.reason;
+        let place = known.iter().position(is_same);
+        place.map(|place| known.swap_remove(place)).is_some()
+    });
+    seen.count()
 }
 
 /// Whether what was fixed hid the rest of the program.

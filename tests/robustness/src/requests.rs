@@ -1,4 +1,4 @@
-//! Requests to a live run, one a line: each is answered, and what viewers are told fits together.
+//! Requests to a live run, one a line: each is answered, and the updates that viewers receive fit together.
 
 use serde_json::Value;
 use tip_sim::Robot;
@@ -8,7 +8,7 @@ use tipc::source::{Encoding, Source};
 /// In Shift_JIS, with a character that it spells twice, and the line ends of DOS.
 const PROGRAM: &[u8] = b"3.1\r\n\x95\xE0\x82\xAD \xEE\xFA\r\nDEF_VAR N\r\nDEF_VAR V\r\nN = 0\r\nLOOP:\r\nN = N + 1\r\nAD_IN VR1 V\r\nIF KB_HIT THEN\r\nMESSAGE %f03N%\r\nENDIF\r\nGOTO LOOP:\r\nEND\r\n\x1A";
 
-/// What a viewer is told at once has at most so many bytes.
+/// One update has at most so many bytes.
 const MOST: usize = 16 << 20;
 
 /// Asks a live run for each line.

@@ -1,4 +1,4 @@
-//! What editors are told of a program: at a word, beside a line, and of names that cannot be changed.
+//! Texts for editors: about a word, beside a line, and why a name cannot be changed.
 
 use super::Message;
 use super::list::{Each, List};

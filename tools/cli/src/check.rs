@@ -5,7 +5,7 @@ use super::choices::Format;
 use super::deny::Deny;
 use super::error::Error;
 use super::watch::Watch;
-use super::{Status, fix, input, interrupt, report};
+use super::{Status, fix, input, interrupt, project, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
@@ -85,7 +85,7 @@ fn again_and_again(arguments: &Check) -> Result<Status, Error> {
     }
     interrupt::catch();
     let programs = arguments.files.iter().map(PathBuf::as_path);
-    let watch = Watch::begin(programs.chain(arguments.source.robot().file()))?;
+    let mut watch = Watch::begin(programs.chain(arguments.source.robot().file()))?;
     let is_human = arguments.source.shown.message_format == Format::Human;
     let says = |message: Checking| {
         if is_human {
@@ -93,6 +93,7 @@ fn again_and_again(arguments: &Check) -> Result<Status, Error> {
         }
     };
     for count in 2.. {
+        watch.extend(arguments.files.iter().flat_map(|file| project::files(file)));
         once(arguments)?;
         let files = arguments.files.len().into();
         says(Checking::Watching { files });

@@ -46,6 +46,16 @@ pub(super) fn of(path: &Path) -> Result<Option<Given>, Box<Loaded>> {
     Ok(Some(given).filter(Given::is_something))
 }
 
+/// The files that decide what the program at `path` is given: every `tip.toml` that may stand above it, and the description that
+/// the nearest one names.
+pub(super) fn files(path: &Path) -> Vec<PathBuf> {
+    let program = absolute(path).unwrap_or_default();
+    let projects = program.ancestors().skip(1).map(|folder| folder.join(NAME));
+    let robot = of(path).ok().flatten().and_then(|given| given.robot);
+    let description = robot.and_then(|robot| robot.file().map(Path::to_owned));
+    projects.chain(description).collect()
+}
+
 /// The program's whole path, and the nearest folder with a `tip.toml`.
 fn nearest(path: &Path) -> Option<(PathBuf, PathBuf)> {
     let program = absolute(path).ok()?;

@@ -19,7 +19,7 @@ const LONGEST: Duration = Duration::from_secs(1);
 /// Files whose changes are awaited.
 pub(super) struct Watch {
     /// It watches as long as it lives.
-    _watcher: RecommendedWatcher,
+    watcher: RecommendedWatcher,
     events: Receiver<notify::Result<Event>>,
     files: BTreeSet<PathBuf>,
 }
@@ -34,27 +34,40 @@ impl Watch {
             Error::Failed(format!("{}: {error}", file.display()))
         };
         let (sender, events) = channel();
-        let mut watcher = notify::recommended_watcher(sender)
+        let watcher = notify::recommended_watcher(sender)
             .map_err(|error| Error::Failed(error.to_string()))?;
-        let mut watched = BTreeSet::new();
+        let mut watch = Watch {
+            watcher,
+            events,
+            files: BTreeSet::new(),
+        };
         for file in files {
-            let real = real(file).map_err(|error| failed(file, &error))?;
-            // A link may be changed, and so may what it leads to.
-            let target = fs::canonicalize(file).ok();
-            for path in [Some(real), target].into_iter().flatten() {
+            watch.add(file).map_err(|error| failed(file, &error))?;
+        }
+        Ok(watch)
+    }
+
+    /// Watches these as well, as far as the system lets it.
+    pub(super) fn extend(&mut self, files: impl IntoIterator<Item = PathBuf>) {
+        for file in files {
+            // A folder that cannot be watched holds nothing that a check could read.
+            let _ = self.add(&file);
+        }
+    }
+
+    fn add(&mut self, file: &Path) -> Result<(), Box<dyn std::error::Error>> {
+        let real = real(file)?;
+        // A link may be changed, and so may what it leads to.
+        let target = fs::canonicalize(file).ok();
+        for path in [Some(real), target].into_iter().flatten() {
+            if !self.files.contains(&path) {
                 if let Some(folder) = path.parent() {
-                    watcher
-                        .watch(folder, RecursiveMode::NonRecursive)
-                        .map_err(|error| failed(folder, &error))?;
+                    self.watcher.watch(folder, RecursiveMode::NonRecursive)?;
                 }
-                watched.insert(path);
+                self.files.insert(path);
             }
         }
-        Ok(Watch {
-            _watcher: watcher,
-            events,
-            files: watched,
-        })
+        Ok(())
     }
 
     /// Waits for a change of a file; false if Ctrl-C came before one.

@@ -1,4 +1,4 @@
-//! Movements, and what is told of where they end.
+//! Movements, and the events that report where they end.
 
 use super::message::Step;
 use super::session::{Answer, Host, Session, THREAD, read};

@@ -45,9 +45,9 @@ pub(crate) struct Session<H> {
     pub(super) has_progress: bool,
     /// Whether a line of the console has moved the program.
     pub(super) has_moved: bool,
-    /// How far it was told to be: %.
+    /// The progress that was last reported: %.
     pub(super) percentage: u64,
-    /// The end of the program, once it has been told.
+    /// The end of the program, once it has been reported.
     pub(super) told_end: Option<u64>,
     is_over: bool,
 }

@@ -15,7 +15,7 @@ const TURN: Duration = Duration::from_millis(20);
 /// How many requests wait; viewers wait with the next ones.
 const WAITING: usize = 64;
 
-/// What the hub is told.
+/// What the hub receives.
 pub(super) enum News {
     /// A viewer has come.
     Came(Arc<Outbox>),

@@ -11,7 +11,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 const PARTING: Duration = Duration::from_millis(200);
 const PARTS: usize = 256;
 
-/// What every answer says: nothing is kept, guessed, framed, or told to other sites.
+/// What every answer says: nothing is cached, guessed, framed, or passed on to other sites.
 const FIELDS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n\
     Referrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\nConnection: close\r\n";
 

@@ -73,6 +73,23 @@ fn a_change_is_checked_and_ctrl_c_ends() {
 }
 
 #[test]
+fn what_tip_toml_gives_is_watched_with_the_program() {
+    let folder = Folder::new("watch-project")
+        .file("tip.toml", "robot = \"hand\"\n")
+        .program("far/p.prg", "END");
+    let mut watching = Watching::begin(&folder, &["far/p.prg"]);
+    assert_eq!(watching.check(), ["far/p.prg: 1 step for hand, 0 warnings"]);
+    fs::write(folder.path("tip.toml"), "robot = \"titan8\"\n").expect("writable");
+    let again = watching.check().join("\n");
+    assert!(again.contains("1 step for titan8"), "{again}");
+    // A nearer one that is new.
+    fs::write(folder.path("far/tip.toml"), "robot = \"generic\"\n").expect("writable");
+    let nearer = watching.check().join("\n");
+    assert!(nearer.contains("1 step for generic"), "{nearer}");
+    assert_eq!(watching.end(), Some(130));
+}
+
+#[test]
 fn a_file_may_come_and_go() {
     let folder = Folder::new("watch-comes").program("p.prg", "END");
     let mut watching = Watching::begin(&folder, &["p.prg", "late.prg", "--lang", "en"]);

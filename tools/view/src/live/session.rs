@@ -262,7 +262,7 @@ impl Session {
     }
 
     /// The file has changed. Its text takes the place of one that nobody has edited, and runs if it is a program; an edited
-    /// text stays, and viewers are told.
+    /// text stays, and viewers learn of it.
     pub fn file_changed(&mut self, bytes: &[u8]) {
         if self.draft.is_file(bytes) {
             return;

@@ -1,10 +1,10 @@
-//! What stands for the page: a viewer that keeps what it is told.
+//! What stands for the page: a viewer that keeps what it receives.
 
 use serde_json::Value;
 use std::collections::BTreeMap;
 use tip_view::live::{Session, Viewer};
 
-/// A viewer that keeps what it is told, as the page does.
+/// A viewer that keeps what it receives, as the page does.
 #[derive(Default)]
 pub(crate) struct Page {
     pub(crate) viewer: Viewer,
