@@ -1,8 +1,8 @@
 //! Words and spellings of other languages, with what is written here in their place. It never looks at programs.
 
-use crate::language::Keyword;
 use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
+use crate::language::{Edition, Keyword, flags};
 use crate::message::Habit;
 use crate::syntax::VariableKind;
 use tip_runtime::function::Function;
@@ -58,10 +58,11 @@ const ROWS: &[Row] = &[
     row("QUIT TERMINATE ABORT FINISH M2 M02 M30", Means::Statement, Habit::Exit),
     row("INPUT INKEY INKEY$ GETCH GETCHAR GETC GETKEY GET_KEY READKEY READ_KEY WAITKEY WAIT_KEY KEY SCANF READ SERIAL.READ", Means::Statement, Habit::KeyIn),
     row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ DIGITALREAD", Means::Statement, Habit::AdIn),
-    row("OUT DOUT LED LAMP DIGITALWRITE SETDO SET_DO", Means::Statement, Habit::Lamp),
+    row("OUT DOUT LED LED0 LED1 LED2 LAMP LAMP0 LAMP1 LAMP2 DIGITALWRITE SETDO SET_DO", Means::Statement, Habit::Lamp),
     row("SWITCH SELECT", Means::Statement, Habit::Cases),
     row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
     row("HOME RESET INIT INITIALIZE INITIALISE G28 GOHOME GO_HOME HOMING", Means::Statement, Habit::Home),
+    row("SERVO_ON SERVO_OFF SERVOON SERVOOFF SVON SVOFF MOTOR_ON MOTOR_OFF MOTORS_ON MOTORS_OFF POWER_ON POWER_OFF TORQUE_ON TORQUE_OFF", Means::Statement, Habit::Motors),
     row("PASS NOP NOOP", Means::Statement, Habit::Nothing),
     row("UNLESS", Means::Keyword(Keyword::If), Habit::WriteNot),
     row("WHEN WHENEVER ON", Means::Statement, Habit::Ask),
@@ -96,7 +97,13 @@ pub(crate) fn goes_on(first: &str, word: &str) -> bool {
     begun.zip(part).is_some_and(|(begun, part)| {
         let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
         begun.habit == part.habit || is_loop
-    }) || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
+    }) || begins_cases(first) && find(ROWS, word).is_some_and(|row| row.habit == Habit::Break)
+        || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
+}
+
+/// Whether a word begins the cases of a value; a `BREAK` ends each of them.
+fn begins_cases(word: &str) -> bool {
+    find(ROWS, word).is_some_and(|row| row.habit == Habit::Cases)
 }
 
 /// The words of other languages for the end of a block, after END, and what ends it here.
@@ -169,6 +176,12 @@ pub(crate) fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
 
+/// Whether a word names a speed; one command sets it for all the motions after it.
+pub(crate) fn is_speed(word: &str) -> bool {
+    const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
+    SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
+}
+
 /// Whether a word is a unit, which no number has.
 pub(crate) fn is_unit(word: &str) -> bool {
     const UNITS: &str = "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ";
@@ -191,11 +204,22 @@ pub(crate) fn shows_text(word: &str) -> bool {
 /// The marks of comments in other languages.
 const COMMENTS: &[&str] = &["#", "'", "/*", "*/", "--", "%", "(*"];
 
+/// The mark of comments in Fortran and Modula; the language negates flags with it.
+const BANG: &str = "!";
+
 /// Whether a statement is a comment in another language.
 pub(crate) fn is_comment(statement: &str) -> bool {
     // `#include` is none.
     let first = statement.split_whitespace().next().unwrap_or_default();
-    COMMENTS.iter().any(|mark| statement.starts_with(mark)) && self::statement(first).is_none()
+    let is_marked = COMMENTS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement);
+    is_marked && self::statement(first).is_none()
+}
+
+/// `! text`, but not `!KB_HIT`.
+fn is_banged(statement: &str) -> bool {
+    let mut words = statement.strip_prefix(BANG).unwrap_or_default().split(' ');
+    let first = words.next().unwrap_or_default().to_ascii_uppercase();
+    words.next().is_some() && flags::find(&first, Edition::default()).is_none()
 }
 
 /// Whether a comment of another language, or what is taken for one, begins where this part of a line ends.
@@ -225,7 +249,7 @@ pub(crate) const COMMENT: &str = "//";
 
 /// The mark that a comment of another language begins with.
 pub(crate) fn comment_mark(comment: &str) -> Option<&'static str> {
-    let mut marks = COMMENTS.iter().copied();
+    let mut marks = COMMENTS.iter().copied().chain([BANG]);
     marks.find(|mark| comment.starts_with(mark))
 }
 
@@ -293,10 +317,18 @@ mod tests {
 
     #[test]
     fn comments_of_other_languages_are_known() {
-        for text in ["# x", "#x", "'x", "/* x */", "-- x", "% x"] {
+        for text in ["# x", "#x", "'x", "/* x */", "-- x", "% x", "! x", "!x y"] {
             assert!(is_comment(text), "{text}");
         }
-        for text in ["A = 1", "PTP F1", "#include <x>", "-A = 1", "!KB_HIT"] {
+        for text in [
+            "A = 1",
+            "PTP F1",
+            "#include <x>",
+            "-A = 1",
+            "!KB_HIT",
+            "!KB_HIT GOTO L1:",
+            "!x",
+        ] {
             assert!(!is_comment(text), "{text}");
         }
     }

@@ -18,6 +18,8 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
     labels_without_colon(module, found);
     labels_after_end(source, module, found);
     parts_of_statements(found);
+    arrays_declared(source, found);
+    reversed_loops(found);
     broken_lines(source, found);
     same_text(source, module, found);
     undeclared(source, module, found);
@@ -134,6 +136,34 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
     *found = kept;
 }
 
+/// `DIM A(10)`: that there are no arrays is the mistake.
+fn arrays_declared(source: &Source, found: &mut Vec<Diagnostic>) {
+    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+    let is_array =
+        |it: &&Diagnostic| matches!(it.help, Some(Message::Habit(Habit::NoArray { .. })));
+    let arrays: HashSet<u32> = found.iter().filter(is_array).map(line_of).collect();
+    found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
+}
+
+/// UNTIL with its REPEAT after it.
+fn reversed_loops(found: &mut Vec<Diagnostic>) {
+    let is_until = |it: &Diagnostic| matches!(&it.reason, Message::Structuring(Structuring::NothingOpen { opener, .. }) if *opener == Keyword::Repeat);
+    let is_repeat = |it: &Diagnostic| matches!(&it.reason, Message::Structuring(Structuring::NotClosed { opener }) if *opener == Keyword::Repeat);
+    while let Some(until) = found.iter().position(is_until)
+        && let Some(repeat) = found[until..].iter().position(is_repeat)
+    {
+        let repeat = found.remove(until + repeat);
+        let until = &mut found[until];
+        until.labels.push(label(
+            repeat.span,
+            Structuring::StandsHere {
+                word: Keyword::Repeat,
+            },
+        ));
+        until.help = Some(Habit::UntilCloses.into());
+    }
+}
+
 /// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
 fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
@@ -163,7 +193,9 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
         let same = match &finding.help {
-            Some(Message::Habit(Habit::NoArray { name })) => Some(name.to_string()),
+            Some(Message::Habit(Habit::NoArray { name } | Habit::NoParameters { name })) => {
+                Some(name.to_string())
+            }
             _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
                 let member = source.slice(finding.span).to_ascii_uppercase();
                 Some(format!("{} {member}", finding.code.id()))

@@ -241,7 +241,7 @@ impl Resolver<'_> {
         match extra.first() {
             None => Some(()),
             Some(operand) => {
-                if let Some(habit) = self.extra_word(name, operand) {
+                if let Some(habit) = self.extra_word(name, operand, extra.len() > 1) {
                     let reason = Commanding::TooMany {
                         command: name.node.clone(),
                     };
@@ -262,8 +262,13 @@ impl Resolver<'_> {
     }
 
     /// What an argument too many is.
-    fn extra_word(&self, name: &Word, operand: &Operand) -> Option<Habit> {
+    fn extra_word(&self, name: &Word, operand: &Operand, has_more: bool) -> Option<Habit> {
         match word(operand) {
+            Some(word)
+                if has_more && foreign::is_speed(word) && self.names.find(word).is_none() =>
+            {
+                Some(Habit::Speed)
+            }
             Some(FAST) => Some(Habit::FastFirst {
                 command: name.node.clone(),
             }),

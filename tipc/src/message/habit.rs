@@ -79,6 +79,9 @@ messages! {
     Home
         "`INITIAL_POSTURE` goes to the initial posture",
         "初期姿勢に戻るのは `INITIAL_POSTURE` です";
+    Motors
+        "leave it out: the motors hold the robot from the start",
+        "不要です。モータは最初から入っていて、ロボットを保持しています";
     Nothing
         "leave it out: a block may be empty, and `REM` passes one control cycle",
         "消してください。ブロックは空でもかまいません。1制御周期だけ待つなら `REM` です";
@@ -227,6 +230,15 @@ messages! {
     NoArray { name: SmolStr }
         "there are no arrays: declare `{name}1`, `{name}2` and so on",
         "配列はありません。`{name}1`、`{name}2` のように別々に宣言してください";
+    NoParameters { name: SmolStr }
+        "a SUBROUTINE takes no arguments: assign variables, and write `CALL {name}:`",
+        "SUBROUTINEに引数はありません。変数に代入してから `CALL {name}:` と書いてください";
+    UntilCloses
+        "a loop is `REPEAT` … `UNTIL condition`, in this order",
+        "繰り返しは `REPEAT` … `UNTIL 条件式` の順に書きます";
+    WithoutEquals { written: SmolStr }
+        "arguments follow the command without `=`: `{written}`",
+        "引数に `=` は付けません: `{written}`";
 
     // Conditions.
     WriteRelation { relation: &'static str }

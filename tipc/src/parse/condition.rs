@@ -2,7 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
-use crate::language::{Keyword, functions};
+use crate::language::{Edition, Keyword, flags, functions};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{Habit, Instead, Message, Parsing};
@@ -43,7 +43,7 @@ impl Reader<'_> {
                 let help = Habit::WriteRelation { relation };
                 Err(self.fault_with_help(place, Parsing::NoRelation, help))
             }
-            Some(token) if token.kind != Kind::Word => Err(self.no_relation(token)),
+            Some(token) if token.kind != Kind::Word => Err(self.no_relation(&left, token)),
             _ => self.flag(left),
         }
     }
@@ -161,7 +161,7 @@ impl Reader<'_> {
         })
     }
 
-    fn no_relation(&self, token: Token) -> Fault {
+    fn no_relation(&self, left: &Operand, token: Token) -> Fault {
         if token.kind == Kind::Not {
             return self.fault_with_help(token.span, Habit::NotEqual, Habit::WriteNotEqual);
         }
@@ -181,7 +181,12 @@ impl Reader<'_> {
             }
             (Kind::Assign(None), None) => {
                 let reason = Parsing::AssignsComparesNothing;
-                self.fault_with_help(token.span, reason, Parsing::Relations)
+                let word = upper_case(self.slice(left.span));
+                let help: Message = match flags::find(&word, Edition::default()) {
+                    Some(_) => Habit::FlagAlone { flag: word }.into(),
+                    None => Parsing::Relations.into(),
+                };
+                self.fault_with_help(token.span, reason, help)
             }
             (Kind::Arithmetic(_), _) => {
                 let reason = Parsing::ConditionCannotCalculate;

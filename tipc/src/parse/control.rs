@@ -1,6 +1,6 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
-use super::jump::bare;
+use super::jump::{bare, with_parameters};
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign::{self, Means};
 use crate::language::{Edition, Keyword, commands, keywords};
@@ -274,9 +274,13 @@ impl Reader<'_> {
             }
             _ => {
                 // `SUBROUTINE WALK()`: what calls it is not wrong.
-                name.node = bare(&name.node);
-                let help = Parsing::WriteSubroutine {
-                    name: name.node.clone(),
+                let alone = with_parameters(&name.node);
+                let takes_some = alone.is_some();
+                name.node = alone.unwrap_or_else(|| bare(&name.node));
+                let written = name.node.clone();
+                let help: Message = match takes_some {
+                    true => Habit::NoParameters { name: written }.into(),
+                    false => Parsing::WriteSubroutine { name: written }.into(),
                 };
                 Err(self.fault_with_help(name.span, Parsing::NameColonMissing, help))
             }

@@ -135,6 +135,7 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     match word.as_str() {
         "^" => return Habit::Power.into(),
         "%" | "MOD" => return Habit::Remainder.into(),
+        "!" => return Habit::Comment.into(),
         _ => {}
     }
     if let Some(number) = reader.comma_number(left.span, token.span) {

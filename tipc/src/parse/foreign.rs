@@ -1,6 +1,6 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::jump::{bare, joined, spread};
+use super::jump::{bare, joined, spread, starred};
 use super::shape::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
@@ -101,6 +101,8 @@ impl Parser<'_> {
             .or_else(|| self.goes_on_declaring(word, tokens))
             .or_else(|| self.foreign_word(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
+            .or_else(|| self.starred_label(tokens))
+            .or_else(|| self.after_semicolon(word))
     }
 
     /// `10 PTP F1 P`: one mistake, however many lines have a number.
@@ -171,6 +173,30 @@ impl Parser<'_> {
         };
         let reason = Naming::NoLabelName { word: written };
         self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `*L1` where a label stands.
+    fn starred_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let (place, name) = starred(self.text, tokens)?;
+        let reason = Naming::NoLabelName {
+            word: upper_case(self.source.slice(place)),
+        };
+        let help = Parsing::WriteLabel { name };
+        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `; a comment`: nothing but the mark stands before a word that is none of the language.
+    fn after_semicolon(&mut self, word: Span) -> Option<StatementKind> {
+        let start = self.line.span.start;
+        let before = self.source.slice(Span::new(start, word.start));
+        let text = upper_case(self.source.slice(word));
+        if before.trim() != ";" || commands::find(&text).is_some() {
+            return None;
+        }
+        let reason = Commanding::NoCommand { word: text.clone() };
+        self.report_unknown(word, &text, reason, Habit::Comment);
         Some(StatementKind::Broken(Shape::Plain))
     }
 

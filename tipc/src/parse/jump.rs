@@ -17,6 +17,12 @@ pub(super) fn bare(name: &str) -> SmolStr {
     }
 }
 
+/// The name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
+pub(super) fn with_parameters(name: &str) -> Option<SmolStr> {
+    let (name, rest) = name.split_once('(')?;
+    (!name.is_empty() && rest != ")").then(|| name.into())
+}
+
 /// A name in one piece: `MAIN_LOOP` of `MAIN-LOOP` and `MAIN LOOP`.
 pub(super) fn joined(written: &str) -> SmolStr {
     let words = written.split(['-', ' ', '\t', ',', '\u{3000}']);
@@ -35,6 +41,18 @@ pub(super) fn spread(text: &str, first: Span, rest: &[Token]) -> Option<Span> {
     };
     let last = between.last().filter(|last| last.kind == Kind::Word)?;
     (between.iter().all(is_part) && !colon.spaced).then(|| first.to(last.span))
+}
+
+/// `*L1`, a label of N88-BASIC: where it stands, and its name here.
+pub(super) fn starred(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
+    let (star, name) = match tokens {
+        [star, name] => (star, name),
+        [star, name, colon] if colon.kind == Kind::Colon => (star, name),
+        _ => return None,
+    };
+    let is_label = star.kind != Kind::Word && name.kind == Kind::Word && !name.spaced;
+    let word = &text[name.span.start..name.span.end];
+    is_label.then(|| (star.span.to(name.span), upper_case(word)))
 }
 
 impl Reader<'_> {
@@ -70,16 +88,16 @@ impl Reader<'_> {
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
-                let reason = Parsing::LabelBelongsHere;
-                let name = self.peek().filter(|name| name.kind == Kind::Word);
-                let help = match name.filter(|name| !name.spaced) {
-                    // `GOTO *L1`
-                    Some(name) => Parsing::WriteLabel {
-                        name: self.word(name.span).node,
-                    },
-                    None => Parsing::WriteJump { jump: jump.into() },
-                };
-                return Err(self.fault_with_help(token.span, reason, help));
+                // `GOTO *L1`
+                let all = [&[token], self.left_tokens()].concat();
+                if let Some((place, name)) = starred(self.text(), &all) {
+                    let reason = Naming::NoLabelName {
+                        word: upper_case(self.slice(place)),
+                    };
+                    return Err(self.fault_with_help(place, reason, Parsing::WriteLabel { name }));
+                }
+                let help = Parsing::WriteJump { jump: jump.into() };
+                return Err(self.fault_with_help(token.span, Parsing::LabelBelongsHere, help));
             }
             None => {
                 let help = Parsing::WriteJump { jump: jump.into() };
@@ -105,6 +123,10 @@ impl Reader<'_> {
                 Err(self.fault_with_help(gap, Parsing::BlankBeforeColon, help))
             }
             _ => {
+                if let Some(name) = with_parameters(&word.node) {
+                    let help = Habit::NoParameters { name };
+                    return Err(self.fault_with_help(word.span, Parsing::LabelColonMissing, help));
+                }
                 let name = bare(&word.node);
                 let is_number = name.chars().all(|c| c.is_ascii_digit());
                 let help: Message = match is_number {

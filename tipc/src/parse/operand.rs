@@ -61,9 +61,16 @@ impl Reader<'_> {
         } else if calculates {
             fault.help = Some(Habit::CalculateArgument.into());
         } else if matches!(token.kind, Kind::Assign(_)) {
-            fault.help = Some(Parsing::SeparateArguments.into());
+            fault.help = Some(self.without_equals().into());
         }
         fault
+    }
+
+    /// `AD_IN VR1 = V`
+    fn without_equals(&self) -> Habit {
+        let parts: Vec<&str> = self.slice(self.whole()).split('=').map(str::trim).collect();
+        let written = parts.join(" ").into();
+        Habit::WithoutEquals { written }
     }
 
     /// An operand of a condition or of FOR.

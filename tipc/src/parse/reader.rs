@@ -110,6 +110,14 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The whole statement.
+    pub(super) fn whole(&self) -> Span {
+        match self.tokens {
+            [first, .., last] => first.span.to(last.span),
+            _ => self.here(),
+        }
+    }
+
     /// All that is left.
     pub(super) fn rest(&self) -> Span {
         match self.tokens.last() {

@@ -1,0 +1,4 @@
+3.1
+TITLE
+!comment like Fortran
+END

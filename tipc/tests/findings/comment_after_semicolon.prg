@@ -1,0 +1,4 @@
+3.1
+COMMENT
+; a comment in assembler style
+END

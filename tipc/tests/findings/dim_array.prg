@@ -1,0 +1,5 @@
+3.1
+TITLE
+DIM X(3)
+X(1) = 5
+END

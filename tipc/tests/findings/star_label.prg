@@ -1,0 +1,5 @@
+3.1
+TITLE
+*L1
+GOTO *L1
+END
