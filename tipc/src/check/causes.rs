@@ -20,6 +20,7 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
     parts_of_statements(found);
     arrays_declared(source, found);
     reversed_loops(found);
+    crossed_loops(source, found);
     broken_lines(source, found);
     same_text(source, module, found);
     undeclared(source, module, found);
@@ -164,6 +165,31 @@ fn reversed_loops(found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are one mistake.
+fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
+    let names = |it: &Diagnostic| match &it.reason {
+        Message::Structuring(Structuring::NextNames { name }) => {
+            let own = it.labels.first()?.span;
+            Some((name.clone(), upper_case(source.slice(own))))
+        }
+        _ => None,
+    };
+    let mut at = 0;
+    while at < found.len() {
+        if let Some((outer, inner)) = names(&found[at])
+            && let Some(second) = found[at + 1..]
+                .iter()
+                .position(|it| names(it) == Some((inner.clone(), outer.clone())))
+        {
+            let second = found.remove(at + 1 + second);
+            let first = &mut found[at];
+            first.labels.push(label(second.span, second.reason));
+            first.help = Some(Habit::InnerFirst { inner, outer }.into());
+        }
+        at += 1;
+    }
+}
+
 /// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
 fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
@@ -192,9 +218,19 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
+        let text = || source.slice(finding.span).to_ascii_uppercase();
         let same = match &finding.help {
             Some(Message::Habit(Habit::NoArray { name } | Habit::NoParameters { name })) => {
                 Some(name.to_string())
+            }
+            // `1N`, which is no number either.
+            _ if matches!(
+                finding.reason,
+                Message::Naming(Naming::NoVariableName { .. })
+                    | Message::Parsing(Parsing::NoNumber { .. })
+            ) =>
+            {
+                Some(text())
             }
             _ if matches!(finding.reason, Message::Naming(Naming::NoMember { .. })) => {
                 let member = source.slice(finding.span).to_ascii_uppercase();

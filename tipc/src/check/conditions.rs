@@ -7,6 +7,7 @@ use crate::language::flags;
 use crate::message::Habit;
 use crate::program::Condition;
 use crate::syntax;
+use tip_runtime::command::CONSTANT;
 
 impl Resolver<'_> {
     pub(super) fn condition(&mut self, condition: &syntax::Condition) -> Option<Condition> {
@@ -20,6 +21,7 @@ impl Resolver<'_> {
                 let left = self.number(left, Code::Argument);
                 if left.is_none() && is_flag {
                     // What it is compared with is not wrong for itself.
+                    self.suggest_reading(right);
                     return None;
                 }
                 let told = self.found.len();
@@ -40,6 +42,14 @@ impl Resolver<'_> {
 
     fn is_flag(&self, name: &str) -> bool {
         self.names.find(name).is_none() && flags::find(name, self.names.edition).is_some()
+    }
+
+    /// A flag that is compared with a key: the key has to be read.
+    fn suggest_reading(&mut self, right: &syntax::Operand) {
+        let key = word(right).filter(|word| word.starts_with(CONSTANT));
+        if let (Some(fault), Some(key)) = (self.found.last_mut(), key) {
+            fault.help = Some(Habit::KeyFirst { key: key.into() }.into());
+        }
     }
 
     /// A letter that is compared with and not declared may be that of a key.

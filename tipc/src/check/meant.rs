@@ -47,7 +47,10 @@ impl Resolver<'_> {
         }
         match nearest(word, COMMANDS.iter().map(|command| command.name)) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-            None => Commanding::LabelOrEquation.into(),
+            None => match begun(word) {
+                Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+                None => Commanding::LabelOrEquation.into(),
+            },
         }
     }
 
@@ -81,6 +84,13 @@ impl Resolver<'_> {
 fn called(word: &str, name: &str) -> Option<&'static str> {
     let command = commands::find(name).filter(|_| name.len() < word.len())?;
     Some(command.name)
+}
+
+/// The command that the first parts of a word are: `TORQUE_CONTROL`.
+fn begun(word: &str) -> Option<&'static str> {
+    let ends = word.match_indices('_').map(|(at, _)| at);
+    let mut parts = ends.rev().filter_map(|end| commands::find(&word[..end]));
+    parts.next().map(|command| command.name)
 }
 
 /// The command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.

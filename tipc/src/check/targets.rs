@@ -13,8 +13,8 @@ use crate::message::{Commanding, Habit, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Operand, OperandKind, Word};
-use tip_runtime::command::{Flag, Target};
+use crate::syntax::{Operand, OperandKind, Word, upper_case};
+use tip_runtime::command::{CONSTANT, Flag, Target};
 
 /// The word that an operand is, if it is one without sign and member.
 pub(super) fn word(operand: &Operand) -> Option<&str> {
@@ -40,8 +40,14 @@ impl Resolver<'_> {
             return self.refuse_target(command.span, reason);
         };
         let Some(target) = word(first).and_then(|word| word.parse().ok()) else {
+            let instead = self.target_meant(command, targets, arguments);
             let targets = self.wanted(targets);
             let reason = Commanding::TargetBelongsHere { targets };
+            if let Some(help) = instead {
+                let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                self.report(fault.help(help));
+                return None;
+            }
             return match word(first) {
                 // The form of the command will be its help.
                 Some(word) if self.names.find(word).is_some() => {
@@ -88,9 +94,48 @@ impl Resolver<'_> {
                 target,
                 targets: self.wanted(targets),
             };
+            if target == Target::All {
+                let command = command.node.clone();
+                let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                self.report(fault.help(Habit::OneTarget { command }));
+                return None;
+            }
             return self.refuse_target(first.span, reason);
         }
         Some(target)
+    }
+
+    /// `PTP_ANGLE 11 30`, `TEACH_POSITION P F1`: what was meant by a first argument that is no target.
+    fn target_meant(
+        &self,
+        command: &Word,
+        targets: Targets,
+        arguments: &[Operand],
+    ) -> Option<Message> {
+        let [first, rest @ ..] = arguments else {
+            return None;
+        };
+        let is_target =
+            |target: &Target| self.robot.has(*target) && takes(targets, *target, self.robot);
+        let number = self.slice(first.span);
+        let by_number = || {
+            let digits: Vec<u8> = number.bytes().map(|it| it.wrapping_sub(b'0')).collect();
+            match digits.as_slice() {
+                [leg @ 0..=9] => Some(Target::Foot(*leg)),
+                [leg @ 0..=9, joint @ 0..=9] => Some(Target::Joint(*leg, *joint)),
+                _ => None,
+            }
+        };
+        if let Some(target) = by_number().filter(is_target).filter(|_| !rest.is_empty()) {
+            let near = target.to_string().into();
+            return Some(Suggesting::DidYouMean { near }.into());
+        }
+        let second = word(rest.first()?)?
+            .parse::<Target>()
+            .ok()
+            .filter(is_target)?;
+        let written = format!("{} {second} {}", command.node, upper_case(number)).into();
+        (rest.len() == 1).then(|| Habit::TargetBefore { written }.into())
     }
 
     /// `Fl`, `J1l`: the target, if letters were typed that look like digits.
@@ -150,6 +195,9 @@ impl Resolver<'_> {
     fn flag_help(&self, word: &str) -> Message {
         if foreign::constant(word).is_some() {
             return Habit::Forever.into();
+        }
+        if word.starts_with(CONSTANT) {
+            return Habit::KeyFirst { key: word.into() }.into();
         }
         match nearest(word, flags::words()).filter(|near| *near != word) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),

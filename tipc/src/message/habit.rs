@@ -230,6 +230,15 @@ messages! {
     NoArray { name: SmolStr }
         "there are no arrays: declare `{name}1`, `{name}2` and so on",
         "配列はありません。`{name}1`、`{name}2` のように別々に宣言してください";
+    KeyFirst { key: SmolStr }
+        "read the key into a variable and compare that: `KEY_IN A`, then `IF A == {key} GOTO L1:`",
+        "キーは変数に読んでから比較します: `KEY_IN A` の後に `IF A == {key} GOTO L1:`";
+    TargetBefore { written: SmolStr }
+        "the target stands first: `{written}`",
+        "対象を先に書きます: `{written}`";
+    InnerFirst { inner: SmolStr, outer: SmolStr }
+        "the inner loop ends first: `NEXT {inner}`, then `NEXT {outer}`",
+        "内側のループを先に閉じます: `NEXT {inner}`、次に `NEXT {outer}`";
     NoParameters { name: SmolStr }
         "a SUBROUTINE takes no arguments: assign variables, and write `CALL {name}:`",
         "SUBROUTINEに引数はありません。変数に代入してから `CALL {name}:` と書いてください";

@@ -7,7 +7,7 @@ use crate::foreign;
 use crate::language::commands::{self, Meaning};
 use crate::language::{Edition, functions};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Message, Parsing};
+use crate::message::{Habit, Instead, Message, Parsing};
 use crate::suggest::nearest;
 use crate::syntax::{Arithmetic, Equation, Expression, Operand, OperandKind, upper_case};
 
@@ -145,6 +145,9 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
         Some(Meaning::AdIn) => return Habit::AdIn.into(),
         Some(Meaning::KeyIn) => return Habit::KeyIn.into(),
         _ => {}
+    }
+    if let Some(command) = commands::find(&first).map(|command| command.name) {
+        return Instead::CommandFirst { command }.into();
     }
     if foreign::is_unit(&word) {
         return Habit::NoUnit.into();

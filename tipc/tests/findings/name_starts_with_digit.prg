@@ -1,0 +1,5 @@
+3.1
+TITLE
+DEF_VAR 1N
+1N = 3
+END
