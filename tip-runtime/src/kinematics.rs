@@ -24,16 +24,21 @@
 //! ```
 
 mod chain;
+mod closed;
 mod frames;
 mod inverse;
 mod resolved_rate;
+mod roll_pitch_pitch;
 mod search;
 mod statics;
 mod two_joints;
+mod two_links;
+mod yaw_pitch_pitch;
 
 pub use chain::Chain;
 pub use frames::{Frame, frames};
-pub use inverse::inverse;
+pub(crate) use inverse::inverse_next;
+pub use inverse::{inverse, inverse_from};
 pub use resolved_rate::{LegPoint, nearest, resolve, resolve_towards};
 pub(crate) use resolved_rate::{is_straight, resolve_piece};
 pub use search::search;

@@ -163,6 +163,8 @@ pub struct Standards {
 pub enum Inverse {
     /// Closed form of a yaw joint followed by two parallel pitch joints; the knee bends downwards.
     YawPitchPitch,
+    /// Closed form of a joint followed by two parallel ones at right angles to it, such as a roll and two pitches.
+    RollPitchPitch,
     /// All joints turn about z, and only x and y of a position count: damped least squares with
     /// the least-norm inverse of the Jacobian (Whitney, 1969).
     Planar,
@@ -174,6 +176,11 @@ pub enum Inverse {
 pub type Axes = [bool; 3];
 
 impl Inverse {
+    /// Whether a closed form finds the angles of a foot, so that no search is needed.
+    pub const fn is_closed(self) -> bool {
+        matches!(self, Inverse::YawPitchPitch | Inverse::RollPitchPitch)
+    }
+
     /// Which axes of a position, velocity or force count.
     pub const fn axes(self) -> Axes {
         [true, true, !matches!(self, Inverse::Planar)]

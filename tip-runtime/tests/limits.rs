@@ -236,3 +236,73 @@ fn operands_whose_sum_is_not_finite_are_outside_the_domain() {
     rig.idle(10);
     assert!(distance(rig.foot(1), [-391.0, 201.0, -200.0]) < 400.0);
 }
+
+/// How far the commanded foot F1 is from the line between two places: mm.
+fn off_line(rig: &Rig, [from, to]: [[f64; 3]; 2]) -> f64 {
+    let [along, off] = [to, rig.foot(1)].map(|at| [0, 1, 2].map(|i| at[i] - from[i]));
+    let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let share = dot(along, off) / dot(along, along);
+    distance(off, along.map(|part| part * share))
+}
+
+/// Folded over its hip: 16 mm in front of the yaw axis.
+fn folded() -> Rig {
+    let mut rig = Rig::titan();
+    rig.done(Op::PtpAngle, F1, &[0.0, -50.0, 110.0]);
+    rig.idle(200);
+    rig
+}
+
+// clauses: 7.2
+#[test]
+fn a_foot_passes_under_its_hip_along_a_straight_line() {
+    let mut rig = folded();
+    let [x, y, z] = rig.foot(1);
+    assert!(x < -117.0 && z < -250.0, "in front of the axis: {x} {z}");
+    let target = [-101.0 + 15.0, y, z];
+    rig.done(Op::Ptp, F1, &target);
+    let mut yaws = 0.0_f64;
+    for _ in 0..200 {
+        rig.idle(1);
+        assert!(off_line(&rig, [[x, y, z], target]) < 1e-6);
+        yaws = yaws.max(rig.commanded()[0][0].abs());
+    }
+    assert!(distance(rig.foot(1), target) < 1e-6);
+    assert!(
+        yaws < 1e-6,
+        "the leg swings under its hip and does not turn: {yaws}"
+    );
+    // From there it goes on, and back.
+    rig.done(Op::RelPtp, F1, &[5.0, 3.0, 0.0]);
+    rig.idle(200);
+    rig.done(Op::Ptp, F1, &target);
+    rig.idle(200);
+    rig.done(Op::Ptp, F1, &[x, y, z]);
+    rig.idle(200);
+    assert!(distance(rig.foot(1), [x, y, z]) < 1e-6);
+}
+
+// clauses: 2.22 7.2
+#[test]
+fn a_foot_does_not_leap_past_its_hip() {
+    let mut rig = folded();
+    let [x, y, z] = rig.foot(1);
+    // The line passes the yaw axis at 5 mm: the leg would have to turn round by nearly half a turn.
+    let target = [-101.0 + 15.0, y + 10.0, z];
+    rig.done(Op::Ptp, F1, &target);
+    let mut before = rig.commanded()[0];
+    for _ in 0..200 {
+        let ticked = rig.tick();
+        let now = rig.commanded()[0];
+        for (before, now) in before.iter().zip(now) {
+            assert!((now - before).abs() < 40.0, "{before} {now}");
+        }
+        assert!(off_line(&rig, [[x, y, z], target]) < 1e-6);
+        before = now;
+        if let Err(fault) = ticked {
+            assert_eq!(fault, Fault::OutOfReach(F1));
+            return;
+        }
+    }
+    panic!("it leapt to {:?}", rig.foot(1));
+}

@@ -7,7 +7,7 @@ use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
 use crate::kinematics::{self, LegPoint};
-use crate::model::{Family, Inverse, Point};
+use crate::model::{Family, Point};
 
 impl<const J: usize> ControllerView<'_, J> {
     /// PTP and REL_PTP.
@@ -203,7 +203,7 @@ impl<const J: usize> ControllerView<'_, J> {
         let inverse = self.robot.inverse;
         let reached = reach(inverse, leg.model, (point, n), &leg.drive.angles, target).is_ok();
         let elsewhere = || kinematics::search(leg.model, point, target, inverse.axes()).is_some();
-        if reached || (inverse != Inverse::YawPitchPitch && elsewhere()) {
+        if reached || (!inverse.is_closed() && elsewhere()) {
             Ok(())
         } else {
             Err(Fault::OutOfReach(name(point, n)))

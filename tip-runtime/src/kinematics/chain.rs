@@ -44,6 +44,11 @@ impl Growing {
         at
     }
 
+    /// Where it ends: mm.
+    pub(super) fn end(&self) -> Vector3<f64> {
+        self.end
+    }
+
     /// The axes of the last link: its x, y and z.
     pub(super) fn axes(&self) -> [[f64; 3]; 3] {
         (*self.turned.matrix()).into()

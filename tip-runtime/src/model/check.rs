@@ -110,6 +110,7 @@ impl Inverse {
     pub fn fits(self, joints: &[Joint]) -> bool {
         match self {
             Inverse::YawPitchPitch => is_yaw_pitch_pitch(joints),
+            Inverse::RollPitchPitch => is_roll_pitch_pitch(joints),
             Inverse::Planar => joints.iter().all(|joint| is_along(joint.axis, Z)),
             Inverse::LeastSquares => true,
         }
@@ -121,6 +122,9 @@ impl Inverse {
         match self {
             Inverse::YawPitchPitch => {
                 "must be a vertical and two level axes, with links straight outward at 0 and a knee that flexes downwards"
+            }
+            Inverse::RollPitchPitch => {
+                "must be an axis and two parallel ones at right angles to it, with links that these two swing"
             }
             Inverse::Planar => "must have vertical axes only",
             Inverse::LeastSquares => "may be anything",
@@ -294,6 +298,20 @@ fn is_yaw_pitch_pitch(joints: &[Joint]) -> bool {
     let flexed = -dot(across, knee.axis) * (knee.limits.min + knee.limits.max);
     let is_level = is_along(cross(across, Z), outward);
     is_along(yaw.axis, Z) && is_level && goes_on(thigh) && goes_on(knee) && flexed > 0.0
+}
+
+/// Three joints, the last two of which turn their links in a plane through the first one's axis, or beside it.
+fn is_roll_pitch_pitch(joints: &[Joint]) -> bool {
+    let [roll, thigh, knee] = joints else {
+        return false;
+    };
+    let off = dot(roll.axis, thigh.axis);
+    let swings =
+        |joint: &Joint| square(cross(thigh.axis, joint.link)) > SLIGHT * square(joint.link);
+    (-SLIGHT..=SLIGHT).contains(&off)
+        && is_along(thigh.axis, knee.axis)
+        && swings(thigh)
+        && swings(knee)
 }
 
 /// Whether two vectors lie on one line; one without length does not.

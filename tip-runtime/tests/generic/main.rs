@@ -6,6 +6,7 @@ mod inverse;
 mod list;
 mod machine;
 mod program;
+mod reachable;
 mod shapes;
 mod statics;
 mod walking;

@@ -142,7 +142,7 @@ keys! {
     Robot "joint", "a list of [[joint]] tables", Some("none"), "the joints of every leg that has none of its own, from base to foot";
     Robot "leg", "a list of [[leg]] tables", None, "the legs, F1 first: 1 to 9, each with the same number of joints";
     Robot "initial", "[deg, …], a number for each joint", Some("the middle of each joint's limits"), "the initial posture of every leg that has none of its own";
-    Robot "inverse", "\"yaw-pitch-pitch\", \"planar\" or \"least-squares\"", Some("the first of the three that fits the legs"), "how joint angles follow from a foot's position";
+    Robot "inverse", "\"yaw-pitch-pitch\", \"roll-pitch-pitch\", \"planar\" or \"least-squares\"", Some("the first of the four that fits the legs"), "how joint angles follow from a foot's position";
     Robot "body", "a [body] table", Some("none: the robot is bolted down"), "the body of a robot that walks";
     Robot "standards", "a [standards] table", Some("the values below"), "what parameter commands set, at its standard value";
     Robot "forces", "a [forces] table", Some("none: no command of torque, force or compliance"), "that the robot senses and gives torques";

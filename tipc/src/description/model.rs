@@ -136,6 +136,7 @@ pub(super) fn inverse(
     let Some(inverse) = chosen else {
         let all = [
             Inverse::YawPitchPitch,
+            Inverse::RollPitchPitch,
             Inverse::Planar,
             Inverse::LeastSquares,
         ];

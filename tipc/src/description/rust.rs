@@ -32,6 +32,7 @@ impl Description {
         let header = format!(" {}", header_of(&format!("`{source}`"), self.source_hash));
         let inverse = match self.inverse {
             Inverse::YawPitchPitch => quote!(YawPitchPitch),
+            Inverse::RollPitchPitch => quote!(RollPitchPitch),
             Inverse::Planar => quote!(Planar),
             Inverse::LeastSquares => quote!(LeastSquares),
         };

@@ -132,6 +132,7 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
 pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
     let words = [
         ("yaw-pitch-pitch", Inverse::YawPitchPitch),
+        ("roll-pitch-pitch", Inverse::RollPitchPitch),
         ("planar", Inverse::Planar),
         ("least-squares", Inverse::LeastSquares),
     ];

@@ -148,10 +148,14 @@ fn the_inverse_is_the_closed_form_if_that_fits() {
     assert_eq!(inverse(&leg), Inverse::YawPitchPitch);
     // The knee flexes upwards.
     let upwards = leg.replace("[5, 150], outer = [0, 155]", "[-150, -5]");
-    assert_eq!(inverse(&upwards), Inverse::LeastSquares);
+    assert_eq!(inverse(&upwards), Inverse::RollPitchPitch);
     // The shank hangs down at 0.
     let hanging = leg.replace("[200, 0, 0]", "[0, 0, -200]");
-    assert_eq!(inverse(&hanging), Inverse::LeastSquares);
+    assert_eq!(inverse(&hanging), Inverse::RollPitchPitch);
+    // No axis is at right angles to two parallel ones.
+    let twisted = leg.replace("axis = \"y\"", "axis = \"x\"");
+    assert_ne!(leg, twisted);
+    assert_eq!(inverse(&twisted), Inverse::LeastSquares);
     let flat = leg.replace("\"y\"", "\"z\"").replace("\"-y\"", "\"-z\"");
     assert_eq!(inverse(&flat), Inverse::Planar);
     let asked = format!("inverse = \"least-squares\"\n{leg}");

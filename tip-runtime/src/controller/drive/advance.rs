@@ -9,7 +9,7 @@ use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
 use crate::fault::Fault;
 use crate::kinematics::{Chain, LegPoint, ROUNDING};
-use crate::model::{Inverse, Joint, Leg, Point, Range};
+use crate::model::{Inverse, Joint, Leg, Range};
 
 /// What holds for every leg while they move on.
 #[derive(Clone, Copy)]
@@ -193,8 +193,8 @@ impl<const J: usize> LegDrive<J> {
         }
     }
 
-    /// The angles that put a point where its set point is. A closed form knows nothing of where the
-    /// leg comes from: a foot that stays where it is needs no second solution.
+    /// The angles that put a point where its set point is. A closed form solves a foot that stays where it is
+    /// only once.
     fn solve(
         &mut self,
         point: LegPoint,
@@ -203,8 +203,11 @@ impl<const J: usize> LegDrive<J> {
         going: &Going,
     ) -> Result<[f64; J], Fault> {
         let foot = track.position();
-        let is_closed = going.inverse == Inverse::YawPitchPitch && point == LegPoint::Tip;
-        let solved = self.solved.filter(|solved| is_same(solved.foot, foot));
+        let is_closed = going.inverse.is_closed() && point == LegPoint::Tip;
+        let stays = |solved: &Solved<J>| {
+            is_same(&solved.foot, &foot) && is_same(&solved.angles, &self.angles)
+        };
+        let solved = self.solved.filter(stays);
         if let Some(solved) = solved.filter(|_| is_closed) {
             return Ok(solved.angles);
         }
@@ -284,7 +287,7 @@ impl<const J: usize> LegDrive<J> {
     }
 }
 
-/// Whether two places are the same to the bit.
-fn is_same(a: Point, b: Point) -> bool {
+/// Whether numbers are the same to the bit.
+fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.map(f64::to_bits) == b.map(f64::to_bits)
 }

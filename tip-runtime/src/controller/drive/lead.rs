@@ -130,5 +130,5 @@ impl<const J: usize> Lead<J> {
 
 /// Whether enough joints move a point for every direction, and a closed form does not decide.
 fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
-    inverse != Inverse::YawPitchPitch && !has_few_joints::<J>(inverse, point)
+    !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
 }

@@ -15,7 +15,7 @@ pub(in crate::controller) fn name(point: LegPoint, n: u8) -> Target {
     }
 }
 
-/// The joint angles that put a point of leg `n` at `position`, starting from the angles `from`.
+/// The joint angles that put a point of leg `n` at `position`, as near to the angles `from` as they are.
 ///
 /// # Errors
 /// `OutOfReach` if the links do not reach it, `JointLimit` if a joint cannot turn so far.
@@ -26,23 +26,45 @@ pub(in crate::controller) fn reach<const J: usize>(
     from: &[f64; J],
     position: Point,
 ) -> Result<[f64; J], Fault> {
-    let out_of_reach = Fault::OutOfReach(name(point, n));
-    if inverse != Inverse::YawPitchPitch {
-        return kinematics::resolve(leg, from, point, position, inverse.axes()).ok_or(out_of_reach);
+    let angles = match point {
+        LegPoint::Tip => kinematics::inverse_from(inverse, leg, from, position),
+        LegPoint::Joint(_) => kinematics::resolve(leg, from, point, position, inverse.axes()),
+    };
+    let angles = angles.ok_or_else(|| refused(inverse, leg, (point, n), position))?;
+    Ok(within_rounding(inverse, leg, angles))
+}
+
+/// Angles of a closed form, which may be beyond a limit by rounding.
+fn within_rounding<const J: usize>(inverse: Inverse, leg: &Leg<J>, angles: [f64; J]) -> [f64; J] {
+    if inverse.is_closed() {
+        leg.within_limits(&angles)
+    } else {
+        angles
     }
-    if point != LegPoint::Tip {
-        return Err(out_of_reach);
-    }
-    let angles = kinematics::inverse(inverse, leg, position).ok_or(out_of_reach)?;
-    match kinematics::first_beyond_limits(leg, &angles) {
-        None => Ok(leg.within_limits(&angles)),
-        Some(m) => Err(Fault::JointLimit(n, number(m))),
+}
+
+/// Why no angles put a point of leg `n` at `position`.
+fn refused<const J: usize>(
+    inverse: Inverse,
+    leg: &Leg<J>,
+    (point, n): (LegPoint, u8),
+    position: Point,
+) -> Fault {
+    let too_far = || {
+        let angles = kinematics::inverse(inverse, leg, position)?;
+        kinematics::first_beyond_limits(leg, &angles)
+    };
+    let joint = (point == LegPoint::Tip && inverse.is_closed()).then(too_far);
+    match joint.flatten() {
+        Some(m) => Fault::JointLimit(n, number(m)),
+        None => Fault::OutOfReach(name(point, n)),
     }
 }
 
 /// The joint angles that put a point of leg `n` where its set point is. A point with too few joints
 /// before it for every direction goes along the line or surface that it has: as near to a set point on
-/// its path as it comes, and all the way to the target. Joints to spare turn towards `posture`.
+/// its path as it comes, and all the way to the target. Joints to spare turn towards `posture`. A closed form
+/// leaves out no postures between two cycles.
 ///
 /// # Errors
 /// As [`reach`].
@@ -63,6 +85,11 @@ pub(super) fn follow<const J: usize>(
         let axes = inverse.axes();
         let angles = kinematics::resolve_towards(leg, from, point, at, axes, &posture);
         return angles.ok_or(Fault::OutOfReach(name(point, n)));
+    }
+    if point == LegPoint::Tip && inverse.is_closed() {
+        let angles = kinematics::inverse_next(inverse, leg, from, at);
+        let angles = angles.ok_or_else(|| refused(inverse, leg, (point, n), at))?;
+        return Ok(within_rounding(inverse, leg, angles));
     }
     reach(inverse, leg, (point, n), from, at)
 }

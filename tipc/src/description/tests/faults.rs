@@ -239,7 +239,8 @@ fn a_mirror_of_other_letters() {
 
 #[test]
 fn an_inverse_that_does_not_fit() {
-    let help = "(`inverse` is \"yaw-pitch-pitch\", \"planar\" or \"least-squares\")";
+    let help =
+        "(`inverse` is \"yaw-pitch-pitch\", \"roll-pitch-pitch\", \"planar\" or \"least-squares\")";
     only(
         &with("inverse = \"planar\""),
         &format!("4:11: the joints of leg F1 must have vertical axes only {help}"),

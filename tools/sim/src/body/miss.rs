@@ -89,7 +89,7 @@ fn place<const J: usize>(
     (kind, point): (Inverse, LegPoint),
     target: Point,
 ) -> Option<Miss> {
-    if kind == Inverse::YawPitchPitch {
+    if kind.is_closed() {
         let Some(found) = inverse(kind, leg, target) else {
             return ends(leg, (kind, point), target, 0.0);
         };
