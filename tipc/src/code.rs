@@ -199,6 +199,9 @@ codes! {
     /// A value in a MESSAGE as other languages write it.
     ForeignValue "W124" None, "the message shows this as it is",
         "値に置き換わらず、このまま表示されます";
+    /// A wait for what nothing in the program moves or sets.
+    WaitsForNothing "W126" None, "nothing in the program moves or sets this",
+        "プログラムの中に、これを動かしたり立てたりする文がありません";
 }
 
 impl Code {

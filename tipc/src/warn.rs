@@ -9,6 +9,7 @@ mod equations;
 mod message;
 mod routines;
 mod unreachable;
+mod waits;
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -56,6 +57,7 @@ impl Judged<'_> {
         let unreachable = unreachable::Unreachable::of(self, &open);
         conditions::warn(self, &constant, &unreachable, &mut found);
         routines::warn(self, &unreachable, &mut found);
+        waits::warn(self, &unreachable, &mut found);
         unreachable.warn(self, &mut found);
         found
     }

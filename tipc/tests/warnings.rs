@@ -303,3 +303,40 @@ fn a_comment_that_silences_nothing_is_a_warning() {
     // Errors stay, and are enough to read.
     check("FOO // tip: allow(E204, W999)", &["E204 3:1"]);
 }
+
+#[test]
+fn a_wait_for_what_nothing_moves() {
+    check("PTP F1 R 0 R 0 R 10\nWAIT_INPOS F2", &["W126 4:12"]);
+    check("PTP F1 R 0 R 0 R 10\nWAIT_NEAR F2", &["W126 4:11"]);
+    check("PTP_ANGLE J11 30\nWAIT_INPOS J12", &["W126 4:12"]);
+    check("PTP_ANGLE J11 30\nREPEAT\nUNTIL NEAR_F3", &["W126 5:7"]);
+    check("PTP_ANGLE J11 30\nWHILE !INPOS_J21\nWEND", &["W126 4:8"]);
+    // A foot with its joints, all feet, and what moves everything.
+    check(
+        "PTP F1 R 0 R 0 R 10\nWAIT_INPOS J13\nWAIT_INPOS F1\nWAIT_INPOS ALL",
+        &[],
+    );
+    check("PTP_ANGLE J11 30\nWAIT_INPOS F1", &[]);
+    check("INITIAL_POSTURE\nWAIT_INPOS F4", &[]);
+    // Elsewhere in the program is enough: a loop may come by.
+    check(
+        "LOOP:\nIF INPOS_F2 THEN\nPTP F2 R 0 R 0 R 10\nENDIF\nGOTO LOOP:",
+        &[],
+    );
+    // Native code may move anything; nothing moves before it, and ALL is a habit.
+    check("SPECIAL 1\nWAIT_INPOS F2 // tip: allow(W123)", &[]);
+    check("WAIT_INPOS ALL", &[]);
+    // A sketch in which nothing moves; a question, of which the other answer is dealt with, too.
+    check("WAIT_INPOS F2", &[]);
+    check(
+        "PTP_ANGLE J11 30\nIF INPOS_F2 THEN\nMESSAGE still\nENDIF",
+        &[],
+    );
+    check("WAIT_NEAR F2", &["W126 3:11"]);
+}
+
+#[test]
+fn a_flag_that_no_special_sets() {
+    check("REPEAT\nUNTIL SPECIAL_FLAG0", &["W126 4:7"]);
+    check("SPECIAL 1\nREPEAT\nUNTIL SPECIAL_FLAG0", &[]);
+}

@@ -149,6 +149,29 @@ messages! {
         "if native code of yours answers it, silence this with `// tip: allow(W123)`",
         "自分のネイティブコードで応えるなら、`// tip: allow(W123)` でこの警告を消せます";
 
+    // Waits.
+    PassesAtOnce { target: Target }
+        "nothing moves {target}: the wait ends at once",
+        "{target}を動かす文がないので、待たずに先へ進みます";
+    NeverControlled { target: Target }
+        "nothing moves {target}: this stops the program",
+        "{target}を動かす文がないので、ここで緊急停止します";
+    InposOfNothing { target: Target }
+        "nothing moves {target}: always true",
+        "{target}を動かす文がないので、常に真です";
+    NearOfNothing { target: Target }
+        "nothing moves {target}: always false",
+        "{target}を動かす文がないので、常に偽です";
+    WaitForMoved
+        "name what a motion command moves, or ALL",
+        "動作コマンドで動かす対象か、ALLを書いてください";
+    NobodySets
+        "the program calls no SPECIAL: always false",
+        "SPECIALを呼ばないプログラムなので、常に偽です";
+    CallSpecial
+        "native code sets this flag: call it with SPECIAL",
+        "このフラグを立てるのはネイティブコードです。SPECIALで呼んでください";
+
     // Targets.
     TurnsTooFar { joint: Target, by: f64, limit: f64 }
         "{joint} would turn {by} deg beyond its limit of {limit} deg",

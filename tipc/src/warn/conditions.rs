@@ -165,7 +165,7 @@ fn never_ends(statement: &Statement) -> Diagnostic {
 }
 
 /// Where a condition is.
-fn condition(statement: &Statement) -> Span {
+pub(super) fn condition(statement: &Statement) -> Span {
     use crate::syntax::Condition::{Compare, Flag};
     match &statement.kind {
         StatementKind::If { condition, .. }

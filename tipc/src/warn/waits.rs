@@ -1,0 +1,133 @@
+//! Waits for what nothing in the program moves or sets: they end at once, never, or stop the program.
+//!
+//! A wait for ALL stays silent, so does a question that is no loop, and a program with a SPECIAL, whose native code may
+//! move anything.
+
+use super::Judged;
+use super::conditions::condition;
+use super::unreachable::Unreachable;
+use crate::code::Code;
+use crate::diagnostic::Diagnostic;
+use crate::message::Warning;
+use crate::program::{Action, Condition, Flag, Op, Step, Target};
+use crate::source::Span;
+use crate::syntax::{Statement, StatementKind};
+
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Vec<Diagnostic>) {
+    let steps = judged.program.steps();
+    if steps.iter().any(calls_native_code) {
+        return;
+    }
+    let moved: Vec<Target> = steps.iter().filter_map(moves).collect();
+    for (step, content) in (0..).zip(steps) {
+        let statement = judged.statement(step);
+        let Some(statement) = statement.filter(|_| unreachable.is_live(step)) else {
+            continue;
+        };
+        if let Some(reason) = waits_for_nothing(&content.action, &moved) {
+            let help = way_out(&reason);
+            let finding = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
+            found.push(finding.help(help));
+        }
+    }
+}
+
+fn calls_native_code(step: &Step) -> bool {
+    matches!(
+        step.action,
+        Action::Command {
+            op: Op::Special,
+            ..
+        }
+    )
+}
+
+/// What a step brings under control, if it moves anything.
+fn moves(step: &Step) -> Option<Target> {
+    let Action::Command { op, target, .. } = step.action else {
+        return None;
+    };
+    match op {
+        Op::Ptp
+        | Op::RelPtp
+        | Op::PtpAngle
+        | Op::RelPtpAngle
+        | Op::VelControl
+        | Op::OmegaControl
+        | Op::Torque
+        | Op::Force
+        | Op::ComplianceAngle
+        | Op::RelComplianceAngle
+        | Op::CompliancePosition
+        | Op::RelCompliancePosition
+        | Op::NoCompliance => Some(target),
+        Op::InitialPosture | Op::StandUp | Op::SitDown | Op::DetectFloor | Op::DetectObject => {
+            Some(Target::All)
+        }
+        _ => None,
+    }
+}
+
+/// Why a step waits for nothing.
+fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
+    let is_one = |target: Target| !matches!(target, Target::All | Target::None);
+    let rests = |target: Target| !moved.iter().any(|moved| meets(*moved, target));
+    let rests = |target: Target| is_one(target) && rests(target);
+    // What does no harm may be a sketch, as long as nothing moves at all.
+    let differs = |target: Target| rests(target) && !moved.is_empty();
+    match *action {
+        Action::Command {
+            op: Op::WaitInpos,
+            target,
+            ..
+        } if differs(target) => Some(Warning::PassesAtOnce { target }),
+        Action::Command {
+            op: Op::WaitNear,
+            target,
+            ..
+        } if rests(target) => Some(Warning::NeverControlled { target }),
+        Action::While {
+            condition: Condition::Flag { flag, .. },
+            ..
+        }
+        | Action::Until {
+            condition: Condition::Flag { flag, .. },
+            ..
+        } => match flag {
+            Flag::Inpos(target) if differs(target) => Some(Warning::InposOfNothing { target }),
+            Flag::Near(target) if rests(target) => Some(Warning::NearOfNothing { target }),
+            Flag::Special(_) => Some(Warning::NobodySets),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether two targets have a joint in common.
+fn meets(one: Target, other: Target) -> bool {
+    match (one, other) {
+        (Target::All, _) | (_, Target::All) => true,
+        (Target::Foot(leg), Target::Joint(of, _)) | (Target::Joint(of, _), Target::Foot(leg)) => {
+            leg == of
+        }
+        (one, other) => one == other,
+    }
+}
+
+fn way_out(reason: &Warning) -> Warning {
+    match reason {
+        Warning::NobodySets => Warning::CallSpecial,
+        _ => Warning::WaitForMoved,
+    }
+}
+
+/// The target of a command, or the flag.
+fn place(statement: &Statement) -> Span {
+    match &statement.kind {
+        StatementKind::Command { arguments, .. } => {
+            let target = arguments.first();
+            target.map_or(statement.span, |target| target.span)
+        }
+        _ => condition(statement),
+    }
+}
