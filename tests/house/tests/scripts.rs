@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 /// Every script of the shell: what names it in its first line, and what others read.
 fn scripts() -> Vec<PathBuf> {
     let mut found = Vec::new();
-    for folder in [".ci", "benches", "examples", "site", "tests", "tools"] {
+    for folder in [
+        ".ci", "benches", "editors", "examples", "site", "tests", "tools",
+    ] {
         collect(&root().join(folder), &mut found);
     }
     assert!(found.len() > 9, "the scripts are found: {found:?}");
@@ -160,8 +162,13 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 17] = [
+const NEEDS: [(&str, &[&str], &[&str]); 20] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
+    (
+        "editors/vscode/build",
+        &[],
+        &["node is not installed", "npm is not installed"],
+    ),
     (
         "examples/bare-metal/cortex-m.sh",
         &[],
@@ -246,10 +253,36 @@ const NEEDS: [(&str, &[&str], &[&str]); 17] = [
     ("tests/readme/run", &[], &["git is not installed"]),
     ("tests/urdf/run", &[], &["python3 is not installed"]),
     (
+        "tests/vscode/install",
+        &["unused"],
+        &[
+            "python3 is not installed",
+            "g++ is not installed",
+            "make is not installed",
+        ],
+    ),
+    (
+        "tests/vscode/run",
+        &["host"],
+        &[
+            "node is not installed",
+            "npm is not installed",
+            "chromium is not installed",
+        ],
+    ),
+    (
         "tools/view/page/build",
         &[],
         &["node is not installed", "npm is not installed"],
     ),
+];
+
+/// Those that build nothing of Rust.
+#[cfg(target_os = "linux")]
+const WITHOUT_RUST: [&str; 3] = [
+    "editors/vscode/build",
+    "tests/vscode/install",
+    "tools/view/page/build",
 ];
 
 /// On a machine that lacks every tool, and on one that has Cargo alone.
@@ -300,8 +333,7 @@ fn a_script_names_every_tool_that_it_lacks_and_does_nothing() {
                 .expect("bash starts");
             let told = String::from_utf8_lossy(&output.stderr).into_owned();
             assert_eq!(output.status.code(), Some(77), "{name}: {told}");
-            // That one builds nothing of Rust.
-            let needs_cargo = name != "tools/view/page/build";
+            let needs_cargo = !WITHOUT_RUST.contains(&name);
             assert_eq!(
                 told.contains("SKIPPED: cargo is not installed"),
                 needs_cargo && !has_cargo,

@@ -51,6 +51,10 @@ impl Surroundings for Nowhere {
         Some(format!("page:{code}"))
     }
 
+    fn encoding(&mut self, path: &Path) -> Option<String> {
+        path.is_absolute().then(String::new)
+    }
+
     fn forget(&mut self) {}
 }
 

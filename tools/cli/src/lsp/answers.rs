@@ -2,7 +2,7 @@
 
 use super::findings::finding;
 use super::places::Places;
-use super::server::{Asked, Failure, Server};
+use super::server::{Asked, Failure, Server, path};
 use super::shapes;
 use super::surroundings::Surroundings;
 use super::tokens::tokens;
@@ -10,7 +10,7 @@ use gen_lsp_types::{
     DocumentHighlight, DocumentHighlightKind, FoldingRange, FoldingRangeKind, FoldingRangeParams,
     Hover, InlayHint, InlayHintParams, Location, MarkupContent, MarkupKind,
     PrepareRenamePlaceholder, ReferenceParams, RenameParams, SemanticTokens,
-    TextDocumentPositionParams, Uri,
+    TextDocumentIdentifier, TextDocumentPositionParams, Uri,
 };
 use lsp_server::ErrorCode;
 use serde::Serialize;
@@ -66,6 +66,12 @@ impl<S: Surroundings> Server<S> {
                     kinds.map(str::to_owned).collect()
                 });
                 self.part(params, |it, span| it.actions(span, only.as_deref()))
+            }
+            // Not of the protocol: an editor reads and writes files itself, and asks how.
+            "tip/encoding" => {
+                let params: TextDocumentIdentifier = read(params)?;
+                let file = path(&params.uri.0);
+                write(file.and_then(|file| self.around.encoding(&file)))
             }
             _ => {
                 let message = format!("`{method}` is not served");

@@ -1,6 +1,7 @@
 //! The files of this machine around a program.
 
 use super::surroundings::{Chosen, Surroundings};
+use crate::choices::EncodingName;
 use crate::robot::RobotChoice;
 use crate::{explain, project};
 use std::collections::HashMap;
@@ -61,6 +62,11 @@ impl Surroundings for Files {
         let key = (code.to_owned(), lang);
         let page = self.pages.entry(key).or_insert_with(|| written(code, lang));
         page.clone()
+    }
+
+    fn encoding(&mut self, path: &Path) -> Option<String> {
+        let given = project::of(path).ok().flatten()?;
+        given.encoding.map(EncodingName::name)
     }
 
     fn forget(&mut self) {

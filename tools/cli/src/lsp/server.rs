@@ -249,7 +249,7 @@ fn publish(
 }
 
 /// The file of an address, if it is one.
-fn path(uri: &str) -> Option<PathBuf> {
+pub(super) fn path(uri: &str) -> Option<PathBuf> {
     let path = uri.strip_prefix("file://")?;
     let mut bytes = Vec::new();
     let mut rest = path.as_bytes();

@@ -13,6 +13,9 @@ pub(crate) trait Surroundings {
     /// The address of a page about a code.
     fn page(&mut self, code: &str, lang: Lang) -> Option<String>;
 
+    /// How the nearest `tip.toml` says that a file spells text: a name that it has for an encoding.
+    fn encoding(&mut self, path: &Path) -> Option<String>;
+
     /// Files are others now.
     fn forget(&mut self);
 }

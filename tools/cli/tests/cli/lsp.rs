@@ -168,6 +168,29 @@ fn the_robot_is_that_of_the_settings() {
 }
 
 #[test]
+fn the_encoding_is_that_of_the_nearest_tip_toml() {
+    let said = "[[programs]]\nfiles = \"old/*\"\nencoding = \"shift_jis\"\n";
+    let folder = Folder::new("lsp-encoding")
+        .file("tip.toml", said)
+        .file("broken/tip.toml", "encoding = 1\n");
+    let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
+    let mut asked = |path: &str| {
+        let uri = format!("file://{}", folder.path(path).display());
+        editor.ask("tip/encoding", json!({ "uri": uri }))
+    };
+    assert_eq!(asked("old/two%20words.prg"), Ok(json!("shift_jis")));
+    for path in ["new.prg", "old/deep/a.prg", "broken/a.prg"] {
+        assert_eq!(asked(path), Ok(Value::Null), "{path}");
+    }
+    assert_eq!(
+        editor.ask("tip/encoding", json!({ "uri": "untitled:1" })),
+        Ok(Value::Null)
+    );
+    assert!(editor.ask("tip/encoding", json!({})).is_err());
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
 fn an_editor_that_goes_away_ends_the_server() {
     let folder = Folder::new("lsp-gone");
     let mut editor = Editor::start(&folder, ENCODINGS[0], Value::Null);

@@ -65,7 +65,7 @@ pub(crate) fn grammar() -> Grammar {
 /// The version on line 1, and the title on line 2.
 fn header() -> Rule {
     let version = r"\A[ \t\x{3000}]*([0-9][0-9.]*)";
-    Rule::stretch(version, r"^(?!\A)(.*)$", vec![Rule::include("comment")])
+    Rule::stretch(version, "^(.*)$", vec![Rule::include("comment")])
         .begins_with(1, &format!("{NUMBER}.version"))
         .ends_with(1, &format!("{TEXT}.title"))
 }

@@ -28,6 +28,16 @@ fn the_configuration_is_that_of_the_tables() {
     );
 }
 
+#[test]
+fn the_extension_has_the_version_and_the_licence_of_the_crates() {
+    let manifest = fs::read(extension().join("package.json")).expect("the manifest");
+    let manifest: serde_json::Value = serde_json::from_slice(&manifest).expect("JSON");
+    assert_eq!(manifest["version"], env!("CARGO_PKG_VERSION"));
+    let licence = |folder: &Path| fs::read_to_string(folder.join("LICENSE")).expect("a licence");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    assert!(licence(&extension()) == licence(own));
+}
+
 fn extension() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../editors/vscode")
 }

@@ -1,0 +1,41 @@
+// The client of `tipc lsp`.
+import * as vscode from 'vscode';
+import { LanguageClient } from 'vscode-languageclient/node';
+import { tipc } from './tipc.js';
+
+export class Server {
+  constructor(context) {
+    this.watcher = vscode.workspace.createFileSystemWatcher('**/*.toml');
+    context.subscriptions.push(this.watcher);
+  }
+
+  async start() {
+    const command = await tipc();
+    if (command === undefined) return;
+    const options = {
+      documentSelector: ['file', 'untitled'].map((scheme) => ({ scheme, language: 'tip' })),
+      initializationOptions: { robot: vscode.workspace.getConfiguration('tip').get('robot') },
+      synchronize: { configurationSection: 'tip', fileEvents: this.watcher },
+    };
+    this.client = new LanguageClient('tip', 'T.I.P.', { command, args: ['lsp'] }, options);
+    await this.client.start();
+  }
+
+  async stop() {
+    await this.client?.dispose();
+    this.client = undefined;
+  }
+
+  async restart() {
+    await this.stop();
+    await this.start();
+  }
+
+  /** What tip.toml says of a file's encoding. */
+  async encodingOf(uri) {
+    if (!this.client?.isRunning()) return undefined;
+    // An older tipc has no answer.
+    const answer = await this.client.sendRequest('tip/encoding', { uri: uri.toString() }).catch(() => undefined);
+    return answer ?? undefined;
+  }
+}
