@@ -63,6 +63,7 @@ const ROWS: &[Row] = &[
     row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
     row("HOME RESET INIT INITIALIZE INITIALISE G28 GOHOME GO_HOME HOMING", Means::Statement, Habit::Home),
     row("SERVO_ON SERVO_OFF SERVOON SERVOOFF SVON SVOFF MOTOR_ON MOTOR_OFF MOTORS_ON MOTORS_OFF POWER_ON POWER_OFF TORQUE_ON TORQUE_OFF", Means::Statement, Habit::Motors),
+    row("CLS CLEAR CLRSCR CLEAR_SCREEN CLEARSCREEN", Means::Statement, Habit::ClearText),
     row("PASS NOP NOOP", Means::Statement, Habit::Nothing),
     row("UNLESS", Means::Keyword(Keyword::If), Habit::WriteNot),
     row("WHEN WHENEVER ON", Means::Statement, Habit::Ask),
@@ -112,6 +113,12 @@ pub(crate) fn ends(word: &str) -> Option<Keyword> {
         Means::Keyword(Keyword::Subroutine) => Some(Keyword::SubEnd),
         _ => None,
     }
+}
+
+/// Whether a word begins the line of a label.
+pub(crate) fn begins_label(word: &str) -> bool {
+    const WORDS: &str = "LABEL LBL";
+    WORDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word opens the block of a condition in another language.

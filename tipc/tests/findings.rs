@@ -57,6 +57,7 @@ fn one_mistake_is_one_error() {
     let several = [
         "basic_sub.prg",
         "else_colon.prg",
+        "label_and_jump_bare.prg",
         "loop_without_colon.prg",
         "not_declared.prg",
         "subroutine_without_colon.prg",

@@ -15,7 +15,7 @@ use std::collections::{HashMap, HashSet};
 /// Lets findings about one name be one finding, at the first place.
 pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     found.sort_by_key(|finding| finding.span);
-    labels_without_colon(module, found);
+    labels_without_colon(source, module, found);
     labels_after_end(source, module, found);
     parts_of_statements(found);
     arrays_declared(source, found);
@@ -29,7 +29,10 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
-fn labels_without_colon(module: &Module, found: &mut Vec<Diagnostic>) {
+fn labels_without_colon(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+    let is_broken = |it: &&Diagnostic| it.reason == Parsing::LabelColonMissing.into();
+    let broken = found.iter().filter(is_broken);
+    let broken: HashSet<_> = broken.map(|it| upper_case(source.slice(it.span))).collect();
     let mut jumps: HashMap<String, Vec<Span>> = HashMap::new();
     for finding in found.iter().filter(|it| it.code == Code::UnknownLabel) {
         let name = finding.subject.clone().unwrap_or_default();
@@ -43,15 +46,17 @@ fn labels_without_colon(module: &Module, found: &mut Vec<Diagnostic>) {
         let name = finding.subject.as_deref().unwrap_or_default();
         // The first word of that name is the label, so that no jump is listed twice.
         let is_alone = is_alone(module, finding.span);
-        let Some(places) = is_alone.then(|| jumps.remove(name)).flatten() else {
+        let places = is_alone.then(|| jumps.remove(name)).flatten();
+        // A jump without its colon is another mistake.
+        let is_jumped_to = is_alone && broken.contains(name);
+        if places.is_none() && !is_jumped_to {
             continue;
-        };
+        }
         meant.insert(name.to_owned());
         finding.reason = Parsing::LabelColonMissing.into();
         finding.help = Some(Parsing::WriteLabel { name: name.into() }.into());
-        let labels = places
-            .iter()
-            .map(|span| label(*span, Structuring::JumpsHere));
+        let places = places.into_iter().flatten();
+        let labels = places.map(|span| label(span, Structuring::JumpsHere));
         finding.labels.extend(labels);
     }
     found.retain(|finding| {

@@ -79,6 +79,9 @@ messages! {
     Home
         "`INITIAL_POSTURE` goes to the initial posture",
         "初期姿勢に戻るのは `INITIAL_POSTURE` です";
+    ClearText
+        "clear the message with `MESSAGE_CLEAR`",
+        "メッセージを消すのは `MESSAGE_CLEAR` です";
     Motors
         "leave it out: the motors hold the robot from the start",
         "不要です。モータは最初から入っていて、ロボットを保持しています";

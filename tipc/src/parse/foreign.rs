@@ -1,6 +1,6 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::jump::{bare, joined, spread, starred};
+use super::jump::{bare, joined, marked, spread};
 use super::shape::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
@@ -13,6 +13,7 @@ use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Sugge
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Shape, StatementKind, VariableKind, Word, upper_case};
+use smol_str::SmolStr;
 
 /// The command whose name is nearest to a word of letters; names with digits are rather labels.
 fn misspelt(word: &str) -> Option<&'static str> {
@@ -101,7 +102,7 @@ impl Parser<'_> {
             .or_else(|| self.goes_on_declaring(word, tokens))
             .or_else(|| self.foreign_word(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
-            .or_else(|| self.starred_label(tokens))
+            .or_else(|| self.marked_label(tokens))
             .or_else(|| self.after_semicolon(word))
     }
 
@@ -176,15 +177,33 @@ impl Parser<'_> {
         Some(StatementKind::Broken(Shape::Plain))
     }
 
-    /// `*L1` where a label stands.
-    fn starred_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
-        let (place, name) = starred(self.text, tokens)?;
+    /// `*L1`, `LABEL L1` where a label stands.
+    fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let (place, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
         let reason = Naming::NoLabelName {
             word: upper_case(self.source.slice(place)),
         };
+        let node = name.clone();
+        let span = Span::new(place.end - node.len(), place.end);
         let help = Parsing::WriteLabel { name };
         self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
-        Some(StatementKind::Broken(Shape::Plain))
+        // What jumps there is not wrong.
+        Some(StatementKind::Label(Word { node, span }))
+    }
+
+    /// `LABEL L1`: where it stands, and the name.
+    fn label_said(&self, tokens: &[Token]) -> Option<(Span, SmolStr)> {
+        let [word, name] = tokens else {
+            return None;
+        };
+        let said = foreign::begins_label(self.source.slice(word.span));
+        let is_name = name.kind == Kind::Word && said;
+        is_name.then(|| {
+            (
+                word.span.to(name.span),
+                upper_case(self.source.slice(name.span)),
+            )
+        })
     }
 
     /// `; a comment`: nothing but the mark stands before a word that is none of the language.

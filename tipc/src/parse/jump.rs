@@ -1,7 +1,7 @@
 //! Jumps and the labels they name (T.I.P. 3.1 §7-7).
 
 use super::reader::{Parsed, Reader};
-use crate::language::{Keyword, commands};
+use crate::language::{Keyword, commands, names};
 use crate::lex::{Kind, Token};
 use crate::message::{Habit, Message, Naming, Parsing};
 use crate::source::Span;
@@ -43,16 +43,27 @@ pub(super) fn spread(text: &str, first: Span, rest: &[Token]) -> Option<Span> {
     (between.iter().all(is_part) && !colon.spaced).then(|| first.to(last.span))
 }
 
-/// `*L1`, a label of N88-BASIC: where it stands, and its name here.
-pub(super) fn starred(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
-    let (star, name) = match tokens {
-        [star, name] => (star, name),
-        [star, name, colon] if colon.kind == Kind::Colon => (star, name),
-        _ => return None,
+/// The marks of labels in other languages that are part of a word.
+const MARKS: [char; 4] = ['@', '$', '&', '.'];
+
+/// `*L1`, `@L1`, labels of other languages: where one stands, and its name here.
+pub(super) fn marked(text: &str, tokens: &[Token]) -> Option<(Span, SmolStr)> {
+    let tokens = match tokens {
+        [rest @ .., colon] if colon.kind == Kind::Colon => rest,
+        all => all,
     };
-    let is_label = star.kind != Kind::Word && name.kind == Kind::Word && !name.spaced;
-    let word = &text[name.span.start..name.span.end];
-    is_label.then(|| (star.span.to(name.span), upper_case(word)))
+    let word = |token: &Token| &text[token.span.start..token.span.end];
+    match tokens {
+        [name] => {
+            let bare = word(name).strip_prefix(MARKS)?;
+            names::is_variable(bare).then(|| (name.span, upper_case(bare)))
+        }
+        [star, name] => {
+            let is_label = star.kind != Kind::Word && name.kind == Kind::Word && !name.spaced;
+            is_label.then(|| (star.span.to(name.span), upper_case(word(name))))
+        }
+        _ => None,
+    }
 }
 
 impl Reader<'_> {
@@ -85,17 +96,16 @@ impl Reader<'_> {
     }
 
     fn jump_label(&mut self, jump: Keyword) -> Parsed<Word> {
+        // `GOTO *L1`
+        if let Some((place, name)) = marked(self.text(), self.left_tokens()) {
+            let reason = Naming::NoLabelName {
+                word: upper_case(self.slice(place)),
+            };
+            return Err(self.fault_with_help(place, reason, Parsing::WriteLabel { name }));
+        }
         let word = match self.take() {
             Some(token) if token.kind == Kind::Word => self.word(token.span),
             Some(token) => {
-                // `GOTO *L1`
-                let all = [&[token], self.left_tokens()].concat();
-                if let Some((place, name)) = starred(self.text(), &all) {
-                    let reason = Naming::NoLabelName {
-                        word: upper_case(self.slice(place)),
-                    };
-                    return Err(self.fault_with_help(place, reason, Parsing::WriteLabel { name }));
-                }
                 let help = Parsing::WriteJump { jump: jump.into() };
                 return Err(self.fault_with_help(token.span, Parsing::LabelBelongsHere, help));
             }

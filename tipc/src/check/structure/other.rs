@@ -15,8 +15,8 @@ use crate::syntax::{Shape, StatementKind};
 const FAR: usize = 1_000;
 
 impl Matcher<'_> {
-    /// `WHILE … NEXT`: the end of another loop, where the innermost one never gets its own. `other_open` says whether
-    /// a loop that it could close is open around that one.
+    /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether
+    /// a block that it could close is open around that one.
     pub(super) fn closes_other(
         &mut self,
         index: usize,
@@ -28,8 +28,8 @@ impl Matcher<'_> {
             return false;
         };
         let (inner, first, block) = (open.kind, open.first, open.block);
-        let may_be = is_loop(inner)
-            && is_loop(kind)
+        let may_be = inner != BlockKind::Subroutine
+            && kind != BlockKind::Subroutine
             && inner != kind
             && name == kind.closer()
             && !self.is_reported(index)
@@ -134,10 +134,6 @@ impl Matcher<'_> {
         }
         Some(())
     }
-}
-
-fn is_loop(kind: BlockKind) -> bool {
-    matches!(kind, BlockKind::While | BlockKind::Repeat | BlockKind::For)
 }
 
 fn opens(kind: BlockKind) -> Shape {

@@ -63,7 +63,7 @@ const BESIDE: &[(&str, &str)] = &[
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
          KeyIn AdIn Lamp Cases Speed Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
          Assign Initial Nest WriteNot WriteNotEqual Forever LeaveThenOut CloseOneLineIf InOneWord Number Comma Migrate Title
-         TitleHere OtherEncoding Nothing Ask Motors KeyFirst TargetBefore InnerFirst NoParameters UntilCloses WithoutEquals",
+         TitleHere OtherEncoding Nothing Ask Motors ClearText KeyFirst TargetBefore InnerFirst NoParameters UntilCloses WithoutEquals",
     ),
     (
         "Instead",

@@ -1,0 +1,5 @@
+3.1
+TITLE
+MESSAGE on
+CLS
+END
