@@ -18,11 +18,15 @@
 //! assert_eq!(hand.motion(), None, "it is bolted down");
 //! ```
 
+pub mod dynamic;
 pub mod hand;
 mod override_sensors;
 pub mod walker;
 
-pub use crate::scene::{Floor, OBJECTS, Object, Scene, SceneError, Shape};
+pub use crate::scene::{
+    BLOCKS, Block, Floor, OBJECTS, Object, Scene, SceneError, Shape, Simulation,
+};
+pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
 pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel};
 
@@ -72,10 +76,34 @@ pub struct Grasp<const L: usize> {
     pub slider: Point,
 }
 
+/// Normally distributed errors of sensors, the same in every run that begins with the same seed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noise {
+    /// The standard deviation of each joint angle: deg.
+    pub angle: f64,
+    /// That of each sole's reading: V.
+    pub volts: f64,
+    /// Where its random numbers begin.
+    pub seed: u64,
+}
+
 /// Hardware that is simulated, so that the readings of its inputs can be set.
 pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
+
+    /// Pushes the body at its origin with a force in the world (N) for so many control cycles from now on; `false` if
+    /// no force moves it. One push takes the place of the one before.
+    fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
+        let _ = (force, cycles);
+        false
+    }
+
+    /// Lets sensors read with noise from now on; `false` if this plant has none.
+    fn set_noise(&mut self, noise: Noise) -> bool {
+        let _ = noise;
+        false
+    }
 
     /// How the body moves; `None` for a robot that stays where it is.
     fn motion(&self) -> Option<Motion> {

@@ -21,6 +21,9 @@
 
 use core::fmt;
 
+/// How many blocks a scene has room for.
+pub const BLOCKS: usize = 8;
+
 /// How many objects a scene has room for.
 pub const OBJECTS: usize = 4;
 
@@ -82,9 +85,39 @@ impl Floor {
     };
 }
 
+/// A box that stands on the floor and never moves, for robots with mass: a step, or an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// From where to where it goes along x: mm.
+    pub x: [f64; 2],
+    /// The same along y: mm.
+    pub y: [f64; 2],
+    /// Where its upper side is, above the world's origin: mm.
+    pub height: f64,
+}
+
+/// How a walking robot is simulated. A hand has mass either way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Simulation {
+    /// It rests wherever it is: [`SimulatedPlant`](crate::plant::SimulatedPlant).
+    QuasiStatic,
+    /// It has mass: [`DynamicPlant`](crate::plant::DynamicPlant).
+    Dynamic,
+}
+
+impl Simulation {
+    /// All of them, as scenes and `--plant` write them.
+    pub const NAMES: [(&str, Self); 2] = [
+        ("quasi-static", Simulation::QuasiStatic),
+        ("dynamic", Simulation::Dynamic),
+    ];
+}
+
 /// A floor and up to [`OBJECTS`] objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scene {
+    /// How a walking robot is simulated; `None` leaves it open: quasi-static.
+    pub plant: Option<Simulation>,
     /// What a walking robot stands on. Under a hand the slider carries it: its height counts from
     /// the slider's, and it rises along x only.
     pub floor: Floor,
@@ -92,14 +125,18 @@ pub struct Scene {
     pub friction: f64,
     /// The objects.
     pub objects: [Option<Object>; OBJECTS],
+    /// What a robot with mass steps on, or bumps into.
+    pub blocks: [Option<Block>; BLOCKS],
 }
 
 impl Scene {
     /// A level floor (friction 0.5) and nothing on it.
     pub const EMPTY: Self = Scene {
+        plant: None,
         floor: Floor::LEVEL,
         friction: 0.5,
         objects: [None; OBJECTS],
+        blocks: [None; BLOCKS],
     };
 
     /// A cylinder that stands upright under the middle of the palm: 200 mm across, 60 mm high, 0.6 kg,
@@ -127,6 +164,28 @@ impl Scene {
     /// The scene with this name, as `--scene` takes it.
     pub fn by_name(name: &str) -> Option<Self> {
         (name == "cylinder").then_some(Scene::CYLINDER)
+    }
+
+    /// Puts one more block into the scene.
+    ///
+    /// # Errors
+    /// What is wrong with it, or that no room is left.
+    pub fn with_block(mut self, block: Block) -> Result<Self, SceneError> {
+        let Block { x, y, height } = block;
+        if !x
+            .iter()
+            .chain(&y)
+            .chain([&height])
+            .all(|number| number.is_finite())
+        {
+            return Err(SceneError::Place);
+        }
+        if !(x[1] - x[0] >= SMALLEST && y[1] - y[0] >= SMALLEST) {
+            return Err(SceneError::Size);
+        }
+        let place = self.blocks.iter_mut().find(|place| place.is_none());
+        *place.ok_or(SceneError::Blocks)? = Some(block);
+        Ok(self)
     }
 
     /// Puts one more object into the scene.
@@ -178,6 +237,8 @@ impl Default for Scene {
 pub enum SceneError {
     /// There are [`OBJECTS`] already.
     Full,
+    /// There are [`BLOCKS`] already.
+    Blocks,
     /// It is too small, or its size is not a number.
     Size,
     /// It is too light, or its mass is not a number.
@@ -192,6 +253,7 @@ impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SceneError::Full => write!(f, "a scene has room for {OBJECTS} objects"),
+            SceneError::Blocks => write!(f, "a scene has room for {BLOCKS} blocks"),
             SceneError::Size => write!(f, "an object measures at least {SMALLEST} mm"),
             SceneError::Mass => write!(f, "an object's mass is at least {LIGHTEST} kg"),
             SceneError::Friction => f.write_str("friction is 0 or more"),

@@ -20,8 +20,10 @@ fn main() -> io::Result<()> {
 fn once(out: &mut impl Write, name: &str) -> io::Result<()> {
     let cycles = match name {
         "walk" => finish(&mut runs::walk()),
+        "heavy-walk" => finish(&mut runs::heavy_walk()),
         "walk-replayed" => finish(&mut runs::walk_replayed()),
         "six-legs" => finish(&mut runs::six_legs()),
+        "heavy-six-legs" => finish(&mut runs::heavy_six_legs()),
         "six-legs-replayed" => finish(&mut runs::six_legs_replayed()),
         "grasp" => finish(&mut runs::grasp()),
         "grasp-replayed" => finish(&mut runs::grasp_replayed()),
@@ -37,8 +39,10 @@ fn table(out: &mut impl Write) -> io::Result<()> {
          |---|---|---|---|---|---|"
     )?;
     row(out, "TITAN VIII walks", &runs::walk())?;
+    row(out, "with mass", &runs::heavy_walk())?;
     row(out, "without the plant", &runs::walk_replayed())?;
     row(out, "a hexapod walks", &runs::six_legs())?;
+    row(out, "with mass", &runs::heavy_six_legs())?;
     row(out, "without the plant", &runs::six_legs_replayed())?;
     row(out, "Hiroshima Hand grasps", &runs::grasp())?;
     row(out, "without the plant", &runs::grasp_replayed())

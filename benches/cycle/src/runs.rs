@@ -7,7 +7,7 @@ use tip_runtime::console::Console;
 use tip_runtime::hardware::Hardware;
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{hand, titan8};
-use tip_runtime::plant::{SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{DynamicPlant, SimulatedHand, SimulatedPlant};
 use tip_runtime::program::Program;
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
@@ -58,6 +58,11 @@ pub fn walk() -> impl Run + Clone {
     walking(SimulatedPlant::new(&titan8::MODEL))
 }
 
+/// The same with mass.
+pub fn heavy_walk() -> impl Run + Clone {
+    walking(DynamicPlant::new(&titan8::MODEL))
+}
+
 /// The same without the simulated robot: the controller reads what that measured.
 pub fn walk_replayed() -> impl Run + Clone {
     let plant = SimulatedPlant::new(&titan8::MODEL);
@@ -71,6 +76,11 @@ fn walking<H: Hardware<4, 3>>(hardware: H) -> Machine<'static, Walk, H, (), (), 
 /// A hexapod walks (`examples/six-legs`).
 pub fn six_legs() -> impl Run + Clone {
     tripod(SimulatedPlant::new(&HEXAPOD))
+}
+
+/// The same with mass.
+pub fn heavy_six_legs() -> impl Run + Clone {
+    tripod(DynamicPlant::new(&HEXAPOD))
 }
 
 /// The same without the simulated robot.

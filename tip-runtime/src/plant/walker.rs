@@ -23,7 +23,7 @@ mod floor;
 mod ground;
 mod legs;
 mod links;
-mod polygon;
+pub(super) mod polygon;
 mod servo;
 mod stance;
 mod support;

@@ -26,6 +26,8 @@ pub enum Part {
     Floor,
     /// `[[object]]` of a scene.
     Object,
+    /// `[[block]]` of a scene.
+    Block,
     /// Keys above the first table of `tip.toml`.
     Project,
     /// `[[programs]]` of `tip.toml`.
@@ -45,7 +47,7 @@ impl Part {
     ];
 
     /// Every table of a scene, in the order of the documentation.
-    pub const SCENE: &'static [Part] = &[Part::Scene, Part::Floor, Part::Object];
+    pub const SCENE: &'static [Part] = &[Part::Scene, Part::Floor, Part::Object, Part::Block];
 
     /// Every table of `tip.toml`, in the order of the documentation.
     pub const PROJECT: &'static [Part] = &[Part::Project, Part::Programs];
@@ -94,6 +96,7 @@ impl Part {
             Part::Slider => "[slider]",
             Part::Floor => "[floor]",
             Part::Object => "[[object]]",
+            Part::Block => "[[block]]",
             Part::Programs => "[[programs]]",
         }
     }
@@ -189,12 +192,15 @@ keys! {
     Slider "y", "[min, max] in mm", Some("it stays"), "along y";
     Slider "z", "[min, max] in mm", Some("it stays"), "along z";
 
+    Scene "plant", "\"quasi-static\" or \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins";
     Scene "floor", "a [floor] table", Some("level, friction 0.5"), "what carries the objects, or a walking robot";
     Scene "object", "a list of [[object]] tables", Some("none"), "what a hand may grasp: 4 at most";
 
+    Scene "block", "a list of [[block]] tables", Some("none"), "steps and obstacles for a walking robot with mass: 8 at most; with one it has mass, unless `plant` says otherwise";
+
     Floor "height", "a number in mm", Some("0"), "above the slider of a hand";
     Floor "slope", "[x, y], mm for each mm", Some("[0, 0]"), "how it rises; under a hand along x only";
-    Floor "friction", "a number", Some("0.5"), "its coefficient of friction; feet of walking robots do not slip";
+    Floor "friction", "a number", Some("0.5"), "its coefficient of friction; feet of quasi-static robots do not slip";
 
     Object "size", "[width, height] in mm", Some("`radius` must be there"), "that it is a box, or an upright cylinder";
     Object "radius", "a number in mm", Some("`size` must be there"), "that it is a disc: a cylinder that lies along z";
@@ -203,6 +209,10 @@ keys! {
     Object "x", "a number in mm", Some("0"), "where its centre is at first";
     Object "y", "a number in mm", Some("it stands on the floor"), "where its centre is at first";
     Object "angle", "a number in deg", Some("0"), "how far it is turned at first, from x to y";
+
+    Block "x", "[min, max] in mm", None, "from where to where it goes along x, in the world";
+    Block "y", "[min, max] in mm", None, "along y";
+    Block "height", "a number in mm", None, "its upper side, above the world's origin";
 
     Project "robot", "a robot's name, or a description's \"FILE.toml\"", Some("titan8"), "the robot of the programs in this folder and below";
     Project "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"", Some("auto"), "how their files spell text";

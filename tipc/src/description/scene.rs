@@ -5,7 +5,8 @@ use super::open;
 use super::section::{Found, Section, Sign, fault};
 use crate::load::Loaded;
 use crate::message::Describing;
-use tip_runtime::scene::{Object, Scene, SceneError, Shape};
+use tip_runtime::model::Range;
+use tip_runtime::scene::{Block, Object, Scene, SceneError, Shape, Simulation};
 
 /// Reads a scene. `name` is how diagnostics call the file.
 ///
@@ -19,6 +20,9 @@ pub fn parse_scene(name: &str, bytes: &[u8]) -> Result<Scene, Box<Loaded>> {
 
 fn read(top: Section<'_>, found: &mut Found) -> Scene {
     let mut scene = Scene::EMPTY;
+    if top.has("plant") {
+        scene.plant = top.choice("plant", &Simulation::NAMES, found);
+    }
     if let Some(floor) = top.table("floor", Part::Floor, found) {
         let height = floor.number("height", Sign::Any, found);
         let slope = floor.numbers("slope", Sign::Any, found);
@@ -39,7 +43,29 @@ fn read(top: Section<'_>, found: &mut Found) -> Scene {
             Err(error) => found.push(refused(section, error)),
         }
     }
+    let blocks = top.tables("block", Part::Block, found).unwrap_or_default();
+    for section in blocks {
+        let Some(block) = block(section, found) else {
+            continue;
+        };
+        match scene.with_block(block) {
+            Ok(with) => scene = with,
+            Err(error) => found.push(refused(section, error)),
+        }
+    }
     scene
+}
+
+fn block(section: Section<'_>, found: &mut Found) -> Option<Block> {
+    let x = section.range("x", Sign::Any, found);
+    let y = section.range("y", Sign::Any, found);
+    let height = section.number("height", Sign::Any, found);
+    let ends = |range: Range| [range.min, range.max];
+    Some(Block {
+        x: ends(x?),
+        y: ends(y?),
+        height: height?,
+    })
 }
 
 fn object(section: Section<'_>, found: &mut Found) -> Option<Object> {
@@ -86,7 +112,7 @@ fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
 /// What the plant cannot simulate.
 fn refused(section: Section<'_>, error: SceneError) -> crate::diagnostic::Diagnostic {
     let (key, help) = match error {
-        SceneError::Full => ("", Describing::TakeOneAway),
+        SceneError::Full | SceneError::Blocks => ("", Describing::TakeOneAway),
         SceneError::Size if section.has("radius") => ("radius", Describing::RadiusUnit),
         SceneError::Size => ("size", Describing::SizeUnit),
         SceneError::Mass => ("mass", Describing::MassUnit),
@@ -141,6 +167,32 @@ mod tests {
         };
         assert_eq!(scene.objects, [Some(first), Some(second), None, None]);
         assert_eq!(parse_scene("s.toml", b"").expect("empty"), Scene::EMPTY);
+    }
+
+    #[test]
+    fn a_scene_has_steps() {
+        let text = b"[[block]]\nx = [-100, 100]\ny = [300, 900]\nheight = 40\n";
+        let scene = parse_scene("s.toml", text).expect("a good scene");
+        let step = Block {
+            x: [-100.0, 100.0],
+            y: [300.0, 900.0],
+            height: 40.0,
+        };
+        assert_eq!(scene.blocks.iter().flatten().collect::<Vec<_>>(), [&step]);
+        let nine = "[[block]]\nx = [0, 10]\ny = [0, 10]\nheight = 1\n".repeat(9);
+        let wrong = "s.toml:33:1: error: TIP_ERR:Wrong scene (RobotError)";
+        assert_eq!(told(&nine), [wrong]);
+    }
+
+    #[test]
+    fn a_scene_chooses_a_plant() {
+        for (name, plant) in Simulation::NAMES {
+            let text = format!("plant = \"{name}\"\n");
+            let scene = parse_scene("s.toml", text.as_bytes()).expect("a good scene");
+            assert_eq!(scene.plant, Some(plant));
+        }
+        let wrong = "s.toml:1:9: error: TIP_ERR:Wrong scene (RobotError)";
+        assert_eq!(told("plant = \"rigid\"\n"), [wrong]);
     }
 
     #[test]

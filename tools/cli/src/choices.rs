@@ -1,6 +1,7 @@
 //! The words that options choose from.
 
 use clap::ValueEnum;
+use tip_runtime::plant::Simulation;
 use tipc::Robot;
 use tipc::message::Lang;
 use tipc::source::Encoding;
@@ -22,6 +23,28 @@ impl RobotName {
             RobotName::Titan8 => Robot::Titan8,
             RobotName::Hand => Robot::Hand,
             RobotName::Generic => Robot::Generic,
+        }
+    }
+}
+
+/// The plants of walking robots by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum PlantName {
+    QuasiStatic,
+    Dynamic,
+}
+
+impl PlantName {
+    /// As the option and scenes write it.
+    pub(super) fn name(self) -> String {
+        let value = self.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
+    }
+
+    pub(super) fn simulation(self) -> Simulation {
+        match self {
+            PlantName::QuasiStatic => Simulation::QuasiStatic,
+            PlantName::Dynamic => Simulation::Dynamic,
         }
     }
 }

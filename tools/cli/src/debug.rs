@@ -90,7 +90,11 @@ fn load(arguments: &Debug) -> Result<Option<App>, Error> {
             return Ok(None);
         }
     };
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), shown) else {
+    let Some(scene) = scene::load(
+        arguments.inputs.scene.as_ref(),
+        arguments.inputs.plant,
+        shown,
+    ) else {
         return Ok(None);
     };
     let robot = scene::around(robot.simulated()?, &scene)?;

@@ -86,7 +86,11 @@ impl RecordedArguments {
                 return Ok(None);
             }
         };
-        let Some(scene) = scene::load(self.inputs.scene.as_ref(), self.source.shown) else {
+        let Some(scene) = scene::load(
+            self.inputs.scene.as_ref(),
+            self.inputs.plant,
+            self.source.shown,
+        ) else {
             return Ok(None);
         };
         let robot = scene::around(robot.simulated()?, &scene)?;

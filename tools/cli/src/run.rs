@@ -105,7 +105,11 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
             return Ok(Status::Failure);
         }
     };
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), arguments.source.shown) else {
+    let Some(scene) = scene::load(
+        arguments.inputs.scene.as_ref(),
+        arguments.inputs.plant,
+        arguments.source.shown,
+    ) else {
         return Ok(Status::Failure);
     };
     let robot = scene::around(robot.simulated()?, &scene)?;

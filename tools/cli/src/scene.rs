@@ -1,5 +1,6 @@
 //! `--scene`: what surrounds the robot.
 
+use super::choices::PlantName;
 use super::error::Error;
 use super::shown::Shown;
 use super::{input, report};
@@ -56,15 +57,22 @@ impl FromStr for SceneChoice {
     }
 }
 
-/// The scene that was asked for; without one, a level floor. `None`, with its findings reported, if it cannot be used.
-pub(super) fn load(choice: Option<&SceneChoice>, shown: Shown) -> Option<Scene> {
-    match choice {
-        None => Some(Scene::EMPTY),
-        Some(SceneChoice::Named(scene)) => Some(**scene),
+/// The scene that was asked for; without one, a level floor. The plant that was asked for wins over that of the scene.
+/// `None`, with its findings reported, if it cannot be used.
+pub(super) fn load(
+    choice: Option<&SceneChoice>,
+    plant: Option<PlantName>,
+    shown: Shown,
+) -> Option<Scene> {
+    let mut scene = match choice {
+        None => Scene::EMPTY,
+        Some(SceneChoice::Named(scene)) => **scene,
         Some(SceneChoice::File(path)) => input::scene(path)
             .map_err(|loaded| report::findings(&loaded, shown))
-            .ok(),
-    }
+            .ok()?,
+    };
+    scene.plant = plant.map(PlantName::simulation).or(scene.plant);
+    Some(scene)
 }
 
 /// Puts a robot into a scene.

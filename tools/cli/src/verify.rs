@@ -61,7 +61,11 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), arguments.source.shown) else {
+    let Some(scene) = scene::load(
+        arguments.inputs.scene.as_ref(),
+        arguments.inputs.plant,
+        arguments.source.shown,
+    ) else {
         return Ok(Status::Failure);
     };
     let project = Project::find(arguments.manifest_path.as_deref())?;
@@ -93,12 +97,7 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     })?;
     match diverging {
         None => {
-            output::print(certificate(
-                &checked,
-                &project,
-                arguments.inputs.scene.as_ref(),
-                &tally,
-            ))?;
+            output::print(certificate(&checked, &project, &arguments.inputs, &tally))?;
             Ok(Status::Success)
         }
         Some(shortest) => {

@@ -15,7 +15,7 @@ use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
 use tip_runtime::model::{self, Forces, Inverse, Joint, Leg, Model, Point, Slider, Standards};
-use tip_runtime::plant::{self, Scene, SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{self, DynamicPlant, Scene, SimulatedHand, SimulatedPlant, Simulation};
 
 /// A model, and what simulates it, whatever its size.
 pub(crate) trait Body {
@@ -138,12 +138,15 @@ impl<const L: usize, const J: usize> Sized<L, J> {
     }
 
     fn rig(&self, Around { plant, scene }: &Around) -> Rig<L, J> {
-        match (plant, &self.hardware) {
+        match (plant.walking(scene), &self.hardware) {
             (_, Hardware::Own(rig)) => rig.clone(),
-            (Plant::Echo, _) => Rig::echo(Echo::new(self.model)),
-            (Plant::Simulated, Hardware::Hand(make)) => make(self.model, scene),
-            (Plant::Simulated, Hardware::Walker) => {
+            (None, _) => Rig::echo(Echo::new(self.model)),
+            (Some(_), Hardware::Hand(make)) => make(self.model, scene),
+            (Some(Simulation::QuasiStatic), Hardware::Walker) => {
                 Rig::new(SimulatedPlant::new(self.model).with_floor(scene.floor))
+            }
+            (Some(Simulation::Dynamic), Hardware::Walker) => {
+                Rig::new(DynamicPlant::new(self.model).with_scene(scene))
             }
         }
     }

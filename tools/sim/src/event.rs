@@ -17,6 +17,7 @@ pub use options::{Inputs, Keys, SensorAt};
 pub use text::EventError;
 
 use tip_runtime::command::Port;
+use tip_runtime::plant::Noise;
 
 /// Something that happens to a robot or to its program from outside.
 ///
@@ -29,6 +30,8 @@ use tip_runtime::command::Port;
 /// | an input reads this voltage from now on; it is called as in AD_IN, and may read nonsense | `VR1=8`, `J23=-0.5`, `ANTENNA=NaN` |
 /// | the host assigns a variable of the program, which its steps read from now on | `set STRIDE=80`, `set P.X=-1.5` |
 /// | every foot or finger begins to feel something, or ceases to | `touch on`, `touch off` |
+/// | a force along x, y and z of the world pushes the body for some cycles: N | `push 50 0 -20 for 10` |
+/// | joint angles (deg) and soles (V) are measured with normally distributed errors from now on | `noise 0.1 0.02 seed 7` |
 /// | the robot cannot be read in this cycle | `read fails` |
 /// | the robot cannot be written to any more | `write fails` |
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +48,10 @@ pub enum Event {
     /// Every foot or finger begins to feel something, or ceases to. Simulated joints feel what is there; of these robots
     /// only the soles' sensors change.
     Touch(bool),
+    /// A force in the world pushes the body at its origin for so many cycles: N. It takes the place of the push before.
+    Push([f64; 3], u32),
+    /// Sensors have errors from now on.
+    Noise(Noise),
     /// The robot cannot be read in this cycle.
     ReadFails,
     /// The robot cannot be written to any more.

@@ -36,8 +36,9 @@ mod tests;
 
 use crate::event::Inputs;
 use crate::interp::Interpreter;
+use crate::refused::Refused;
 use crate::robot::Robot;
-use crate::run::{Refused, Run};
+use crate::run::Run;
 use side::Side;
 use std::sync::Arc;
 use tip_runtime::machine::Mismatch;

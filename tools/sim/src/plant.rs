@@ -1,12 +1,32 @@
 //! The choice of a plant.
 
+use tip_runtime::plant::{Scene, Simulation};
+
 /// How the robot's joints and surroundings are simulated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Plant {
-    /// As the runtime simulates them: servos, gravity, contact.
+    /// As the scene says; without a word of it a walking robot rests on its feet and has no inertia.
     #[default]
     Simulated,
+    /// Everything has mass, whatever the scene says.
+    Dynamic,
     /// Joints that are at once where they are commanded to be: cheap, for comparing engines.
     Echo,
+}
+
+impl Plant {
+    /// How a walking robot is simulated in a scene; `None` if only its joints are.
+    pub(crate) fn walking(self, scene: &Scene) -> Option<Simulation> {
+        // Nothing but mass meets a block.
+        let open = match scene.blocks.iter().flatten().next() {
+            Some(_) => Simulation::Dynamic,
+            None => Simulation::QuasiStatic,
+        };
+        match self {
+            Plant::Simulated => Some(scene.plant.unwrap_or(open)),
+            Plant::Dynamic => Some(Simulation::Dynamic),
+            Plant::Echo => None,
+        }
+    }
 }

@@ -6,7 +6,7 @@ use std::fmt;
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use tip_runtime::plant::{Fall, Grasp, Limbs, Motion, Plant};
+use tip_runtime::plant::{Fall, Grasp, Limbs, Motion, Noise, Plant};
 
 /// A plant that may fail.
 #[derive(Clone)]
@@ -137,6 +137,20 @@ impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
         match &mut self.simulated {
             Simulated::Echo(echo) => echo.set_sensor(port, volts),
             Simulated::Plant(plant) => plant.set_sensor(port, volts),
+        }
+    }
+
+    fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
+        match &mut self.simulated {
+            Simulated::Echo(_) => false,
+            Simulated::Plant(plant) => plant.push(force, cycles),
+        }
+    }
+
+    fn set_noise(&mut self, noise: Noise) -> bool {
+        match &mut self.simulated {
+            Simulated::Echo(_) => false,
+            Simulated::Plant(plant) => plant.set_noise(noise),
         }
     }
 

@@ -3,19 +3,20 @@
 use crate::cycle::{Collector, Cycle};
 use crate::desk::{Desk, Listener};
 use crate::engine::Engine;
-use crate::event::{Event, EventError, Events, Timed};
+use crate::event::{Event, Events, Timed};
 use crate::motion::Fall;
+use crate::refused::Refused;
 use crate::robot::Robot;
 use crate::shell::Shell;
 use crate::sink::both;
 #[cfg(feature = "std")]
 use crate::trace::Trace;
 use std::fmt;
-use tip_runtime::command::{Flag, Port};
+use tip_runtime::command::Flag;
 use tip_runtime::console::Console;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Mismatch, Status};
-use tip_runtime::program::{Program, VariableError};
+use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink, state_hash};
 
 /// The byte of the ESC key: a halt request.
@@ -60,38 +61,6 @@ pub trait Observer {
 }
 
 impl Observer for () {}
-
-/// Why something cannot happen to a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refused {
-    /// The program is for another robot.
-    Mismatch(Mismatch),
-    /// The robot has no such input.
-    NoInput(Port),
-    /// The program has no such variable, or it cannot have the value.
-    Variable(String, VariableError),
-    /// The text is not an event.
-    Text(EventError),
-}
-
-impl fmt::Display for Refused {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Refused::Mismatch(mismatch) => mismatch.fmt(f),
-            Refused::NoInput(port) => write!(f, "the robot has no input {port}"),
-            Refused::Variable(name, error) => write!(f, "{name}: {error}"),
-            Refused::Text(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Refused {}
-
-impl From<Mismatch> for Refused {
-    fn from(mismatch: Mismatch) -> Self {
-        Refused::Mismatch(mismatch)
-    }
-}
 
 /// A program on a simulated robot, cycle by cycle.
 ///
@@ -163,6 +132,9 @@ impl Run {
             && !self.shell.has_input(port)
         {
             return Err(Refused::NoInput(port));
+        }
+        if !self.shell.can(&event.event) {
+            return Err(Refused::Massless(event.event.to_string()));
         }
         if let Event::Set(name, value) = &event.event {
             let mut engine = self.shell.seen().engine.clone();
@@ -294,6 +266,9 @@ impl Run {
                 // It was tried when it was added.
                 Event::Set(name, value) => drop(self.shell.engine_mut().set(name, *value)),
                 Event::Touch(on) => self.shell.touch(*on),
+                // Both were tried when they were added.
+                Event::Push(force, cycles) => drop(self.shell.push(*force, *cycles)),
+                Event::Noise(noise) => drop(self.shell.set_noise(*noise)),
                 Event::ReadFails => self.shell.failures_mut().read = true,
                 Event::WriteFails => self.shell.failures_mut().write = true,
             }

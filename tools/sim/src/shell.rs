@@ -3,6 +3,7 @@
 use crate::desk::Desk;
 use crate::echo::Echo;
 use crate::engine::Engine;
+use crate::event::Event;
 use crate::motion::{Grasp, Limbs};
 use crate::native::Native;
 use crate::rig::{Failures, Rig};
@@ -11,7 +12,7 @@ use tip_runtime::command::{Flag, MAX, Port};
 use tip_runtime::controller::Aim;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
-use tip_runtime::plant::{self, Motion, Plant as _};
+use tip_runtime::plant::{self, Motion, Noise, Plant as _};
 use tip_runtime::record::Sink;
 
 /// What a sole's sensor reads on the ground: V.
@@ -32,6 +33,8 @@ pub(crate) trait Shell {
     fn aims(&self) -> Vec<Aim>;
     fn grasp(&self) -> Option<Grasp>;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
+    fn push(&mut self, force: [f64; 3], cycles: u32) -> bool;
+    fn set_noise(&mut self, noise: Noise) -> bool;
     fn pause(&mut self, on: bool);
     fn flag(&self, flag: Flag) -> bool;
 }
@@ -64,6 +67,15 @@ impl dyn Shell {
         }
         if let Some(echo) = self.touched() {
             echo.touch(on);
+        }
+    }
+
+    /// Whether this can happen to the robot, tried on a copy.
+    pub(crate) fn can(&self, event: &Event) -> bool {
+        match *event {
+            Event::Push(force, _) => self.boxed().push(force, 0),
+            Event::Noise(noise) => self.boxed().set_noise(noise),
+            _ => true,
         }
     }
 
@@ -141,6 +153,14 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         self.hardware_mut().set_sensor(port, volts)
+    }
+
+    fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
+        self.hardware_mut().push(force, cycles)
+    }
+
+    fn set_noise(&mut self, noise: Noise) -> bool {
+        self.hardware_mut().set_noise(noise)
     }
 
     fn flag(&self, flag: Flag) -> bool {

@@ -2,7 +2,8 @@
 #![cfg(feature = "std")]
 
 use std::error::Error;
-use tip_runtime::plant::{Object, Scene, Shape};
+use tip_runtime::plant::{DynamicPlant, Object, Scene, Shape, Simulation};
+use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Limit, Plant, Robot, Run, load};
 
@@ -43,6 +44,58 @@ fn a_walk_travels_from_where_it_began_to_where_it_is() -> Outcome {
     close(travel.z, 0.0, 2.0);
     assert_eq!((motion.falls, run.first_fall()), (0, None));
     assert!(motion.least_margin > 0.0 && motion.least_margin <= motion.margin);
+    Ok(())
+}
+
+#[test]
+fn a_walk_with_mass_goes_as_far_and_does_not_fall() -> Outcome {
+    let walk = include_str!("../../../examples/walk/motions/walk.prg");
+    let mut run = on(Robot::named("titan8")?.with_plant(Plant::Dynamic), walk)?;
+    assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::Exit));
+    let motion = run.motion().expect("it walks");
+    // Six strides of 200 mm.
+    close(motion.travel.y, 1200.0, 15.0);
+    close(motion.travel.x, 0.0, 10.0);
+    close(motion.travel.turn, 0.0, 1.0);
+    assert_eq!((motion.falls, run.first_fall()), (0, None));
+    assert!(motion.slip < 5.0, "{motion:?}");
+    Ok(())
+}
+
+#[test]
+fn a_scene_chooses_the_plant_unless_the_robot_does() -> Outcome {
+    let mut scene = Scene::EMPTY;
+    scene.plant = Some(Simulation::Dynamic);
+    let by_scene = Robot::named("titan8")?.with_scene(&scene)?;
+    scene.plant = Some(Simulation::QuasiStatic);
+    let by_name = Robot::named("titan8")?.with_plant(Plant::Dynamic);
+    let by_name = by_name.with_scene(&scene)?;
+    let motion = |robot| {
+        let mut run = on(robot, &format!("3.1\nt\n{STAND}END\n"))?;
+        run.to_end(Limit::NONE);
+        let has_mass = run.plant::<DynamicPlant<4, 3>>().is_some();
+        Ok::<_, Box<dyn Error>>((run.motion(), has_mass))
+    };
+    let (one, other) = (motion(by_scene)?, motion(by_name)?);
+    assert!(one.1 && other.1);
+    assert_eq!(one, other, "equal bits");
+    let (_, has_mass) = motion(Robot::named("titan8")?.with_scene(&scene)?)?;
+    assert!(!has_mass);
+    Ok(())
+}
+
+#[test]
+fn events_of_mass_are_refused_where_there_is_none() -> Outcome {
+    for event in ["3:push 1 2 3 for 4", "3:noise 0.1 0 seed 1"] {
+        let refused = titan8("")?.events(event).expect_err("it has no mass");
+        let told = refused.to_string();
+        assert!(
+            told.ends_with("is for walking robots with mass: --plant dynamic"),
+            "{told}"
+        );
+        let robot = Robot::named("titan8")?.with_plant(Plant::Dynamic);
+        on(robot, "3.1\nt\nEND\n")?.events(event)?;
+    }
     Ok(())
 }
 

@@ -21,7 +21,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    pub(super) fn new(position: Point, rotation: &Rotation3<f64>) -> Self {
+    pub(in crate::plant) fn new(position: Point, rotation: &Rotation3<f64>) -> Self {
         let (right, forward, up) = (
             rotation * Vector::x(),
             rotation * Vector::y(),

@@ -2,7 +2,10 @@
 
 /// The distance of `inner` to the nearest edge of the hull, negative outside. Points on one line
 /// have a hull without inside.
-pub(super) fn margin(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+pub(in crate::plant) fn margin(
+    hull: impl Iterator<Item = [f64; 2]> + Clone,
+    inner: [f64; 2],
+) -> f64 {
     let inside = height_over_edges(hull.clone(), inner);
     if inside.is_finite() && inside > 0.0 {
         inside

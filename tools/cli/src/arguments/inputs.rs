@@ -1,5 +1,6 @@
 //! The options of a run, which `tipc run` and `tipc verify` share.
 
+use super::super::choices::PlantName;
 use super::super::scene::SceneChoice;
 use super::super::usage::count;
 use clap::Args;
@@ -24,13 +25,17 @@ pub(crate) struct InputArguments {
     #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
     sensors: Vec<SensorAt>,
 
-    /// Events before the step of a cycle, such as '10:key F, 300:VR1=8, 900:halt'
+    /// Events before the step of a cycle, such as '10:key F, 300:VR1=8, 500:push 80 0 0 for 5, 900:halt'
     #[arg(long, value_name = "CYCLE:EVENT,...")]
     events: Option<Events>,
 
     /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(crate) scene: Option<SceneChoice>,
+
+    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass
+    #[arg(long, value_name = "PLANT")]
+    pub(crate) plant: Option<PlantName>,
 }
 
 impl InputArguments {

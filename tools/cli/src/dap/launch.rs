@@ -2,7 +2,7 @@
 
 use super::message::Launch;
 use super::session::{Debuggee, Host};
-use crate::choices::EncodingName;
+use crate::choices::{EncodingName, PlantName};
 use crate::input;
 use crate::project::{self, Given};
 use crate::robot::RobotChoice;
@@ -68,7 +68,7 @@ fn robot(
     let robot = choice.load().map_err(|loaded| findings(&loaded, lang))?;
     let robot = robot.simulated().map_err(|error| error.to_string())?;
     let asked = launch.scene.as_deref().map(str::parse).transpose()?;
-    let scene = match asked.or_else(|| given?.scene.clone()) {
+    let mut scene = match asked.or_else(|| given?.scene.clone()) {
         None => Scene::EMPTY,
         Some(SceneChoice::Named(scene)) => *scene,
         Some(SceneChoice::File(path)) => {
@@ -76,6 +76,9 @@ fn robot(
             scene.map_err(|loaded| findings(&loaded, lang))?
         }
     };
+    if let Some(name) = &launch.plant {
+        scene.plant = Some(PlantName::from_str(name, true)?.simulation());
+    }
     scene::around(robot, &scene).map_err(|error| error.to_string())
 }
 

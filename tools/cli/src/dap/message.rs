@@ -99,6 +99,8 @@ pub(crate) struct Launch {
     #[serde(default)]
     pub(crate) scene: Option<String>,
     #[serde(default)]
+    pub(crate) plant: Option<String>,
+    #[serde(default)]
     pub(crate) encoding: Option<String>,
     #[serde(default)]
     pub(crate) events: Option<String>,

@@ -1,7 +1,8 @@
 //! The certificate: what was compared, with what, and what no run reached.
 
+use super::super::arguments::InputArguments;
 use super::super::checked::Checked;
-use super::super::scene::SceneChoice;
+use super::super::choices::PlantName;
 use std::fmt::Write as _;
 use tip_runtime::printable::Printable;
 use tip_sim::search::Tally;
@@ -13,16 +14,20 @@ use tipc::program::Step;
 pub(super) fn certificate(
     checked: &Checked,
     project: &Project,
-    scene: Option<&SceneChoice>,
+    inputs: &InputArguments,
     tally: &Tally,
 ) -> String {
     let name = Printable::line(checked.source.name());
     let hash = checked.program.source_hash();
     let robot = checked.program.signature();
     let (robot, legs, joints) = (robot.robot, robot.legs, robot.joints);
-    let scene = scene.map_or("level floor".to_owned(), |scene| {
+    let scene = inputs.scene.as_ref();
+    let mut scene = scene.map_or("level floor".to_owned(), |scene| {
         format!("scene {}", Printable::line(scene))
     });
+    if let Some(plant) = inputs.plant.map(PlantName::name) {
+        scene = format!("{scene}, {plant} plant");
+    }
     let (rustc, cargo) = (
         project.version_of("RUSTC", "rustc"),
         project.version_of("CARGO", "cargo"),

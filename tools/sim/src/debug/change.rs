@@ -3,7 +3,7 @@
 use super::stop::{Reason, Stop};
 use super::{Debugger, Refused};
 use crate::event::{Event, Events, Timed};
-use crate::run;
+use crate::refused;
 
 /// What may be given up for a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl Debugger {
     ///
     /// # Errors
     /// The robot or the program lacks what they change.
-    pub fn with_events(mut self, events: &Events) -> Result<Self, run::Refused> {
+    pub fn with_events(mut self, events: &Events) -> Result<Self, refused::Refused> {
         self.run = self.run.with_events(events)?;
         self.run.happen();
         Ok(self)

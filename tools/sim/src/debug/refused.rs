@@ -1,7 +1,7 @@
 //! Why a debugger does not do what it is asked.
 
 use super::hits::NotHits;
-use crate::run;
+use crate::refused;
 use std::fmt;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::VariableError;
@@ -29,7 +29,7 @@ pub enum Refused {
     /// The program is over.
     Ended,
     /// It cannot happen to this robot or program.
-    Event(run::Refused),
+    Event(refused::Refused),
 }
 
 impl Refused {

@@ -4,6 +4,7 @@ use super::{Event, Events, Timed};
 use std::fmt;
 use std::str::FromStr;
 use tip_runtime::command::Port;
+use tip_runtime::plant::Noise;
 
 /// A text that is not an event, or not a list of them; it says what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,6 +27,10 @@ impl fmt::Display for Event {
             Event::Set(name, value) => write!(f, "set {name}={value}"),
             Event::Touch(true) => f.write_str("touch on"),
             Event::Touch(false) => f.write_str("touch off"),
+            Event::Push([x, y, z], cycles) => write!(f, "push {x} {y} {z} for {cycles}"),
+            Event::Noise(Noise { angle, volts, seed }) => {
+                write!(f, "noise {angle} {volts} seed {seed}")
+            }
             Event::ReadFails => f.write_str("read fails"),
             Event::WriteFails => f.write_str("write fails"),
         }
@@ -53,6 +58,12 @@ impl FromStr for Event {
         if let Some(key) = text.strip_prefix("key ") {
             return key_byte(key.trim()).map(Event::Key).ok_or_else(wrong);
         }
+        if let Some(push) = text.strip_prefix("push ") {
+            return pushed(push).ok_or_else(wrong);
+        }
+        if let Some(noise) = text.strip_prefix("noise ") {
+            return noisy(noise).ok_or_else(wrong);
+        }
         let (name, value) = text.split_once('=').ok_or_else(wrong)?;
         if let Some(name) = name.strip_prefix("set ") {
             let value = value.trim().parse().map_err(|_| wrong())?;
@@ -62,6 +73,30 @@ impl FromStr for Event {
         let volts = value.trim().parse().map_err(|_| wrong())?;
         Ok(Event::Sensor(port, volts))
     }
+}
+
+/// `X Y Z for C`: N, and cycles.
+fn pushed(text: &str) -> Option<Event> {
+    let (force, cycles) = text.split_once(" for ")?;
+    let force = numbers(force)?;
+    Some(Event::Push(force, cycles.trim().parse().ok()?))
+}
+
+/// `A V seed N`: deg, V, and a whole number.
+fn noisy(text: &str) -> Option<Event> {
+    let (noise, seed) = text.split_once(" seed ")?;
+    let [angle, volts] = numbers(noise)?;
+    let seed = seed.trim().parse().ok()?;
+    let noise = Noise { angle, volts, seed };
+    (angle >= 0.0 && volts >= 0.0).then_some(Event::Noise(noise))
+}
+
+/// So many finite numbers, with blanks between them.
+fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let numbers: Option<Vec<f64>> = (text.split_whitespace())
+        .map(|word| word.parse().ok().filter(|number: &f64| number.is_finite()))
+        .collect();
+    numbers?.try_into().ok()
 }
 
 impl Event {
@@ -167,6 +202,12 @@ mod tests {
             Event::Set("P.X".to_owned(), -1.5),
             Event::Touch(true),
             Event::Touch(false),
+            Event::Push([50.0, 0.0, -20.5], 10),
+            Event::Noise(Noise {
+                angle: 0.1,
+                volts: 0.0,
+                seed: 7,
+            }),
             Event::ReadFails,
             Event::WriteFails,
         ];
@@ -197,6 +238,14 @@ mod tests {
             ("3:key ab", "'key ab' is not an event"),
             ("3:VR9=1", "'VR9=1' is not an event"),
             ("3:VR1=x", "'VR1=x' is not an event"),
+            ("3:push 1 2 for 3", "'push 1 2 for 3' is not an event"),
+            (
+                "3:push 1 2 inf for 3",
+                "'push 1 2 inf for 3' is not an event",
+            ),
+            ("3:push 1 2 3", "'push 1 2 3' is not an event"),
+            ("3:noise -1 0 seed 1", "'noise -1 0 seed 1' is not an event"),
+            ("3:noise 1 0", "'noise 1 0' is not an event"),
             ("3:halt,", "'' is not CYCLE:EVENT"),
         ] {
             let error = wrong.parse::<Events>().expect_err(wrong).to_string();

@@ -131,7 +131,8 @@ mod program;
 {module}
 use std::io;
 use tip_runtime::plant::Shape::{{Box, Disc}};
-use tip_runtime::plant::{{Floor, Object, Scene}};
+use tip_runtime::plant::Simulation::{{Dynamic, QuasiStatic}};
+use tip_runtime::plant::{{Block, Floor, Object, Scene}};
 use tip_sim::Robot;
 use tip_sim::lockstep::{{Lockstep, serve}};
 use tip_sim::tipc::source::Encoding;

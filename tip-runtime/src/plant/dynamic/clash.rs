@@ -1,0 +1,181 @@
+//! Legs that meet: links are rods of some thickness, and push each other apart.
+
+use super::Vector;
+use super::contact::Law;
+use super::frame::Frame;
+use super::leg::LegBody;
+
+/// How thick a link is, of its length: its radius.
+const RADIUS: f64 = 0.05;
+/// Of leg on leg.
+const FRICTION: f64 = 0.5;
+
+/// How much of their thickness links have, so that none touch as they are: 1 if they are far enough apart.
+pub(super) fn clearance<const J: usize>(legs: &[LegBody<J>], frame: &Frame) -> f64 {
+    let mut clearance = 1.0_f64;
+    for (number, leg) in legs.iter().enumerate() {
+        for other in legs.iter().take(number) {
+            for (j, i) in pairs::<J>() {
+                if let Some((one, two)) = leg.link(j, frame).zip(other.link(i, frame)) {
+                    let [at, from] = nearest(one, two);
+                    clearance = clearance.min((at - from).norm() / thickness(one, two));
+                }
+            }
+        }
+    }
+    if clearance.is_nan() { 0.0 } else { clearance }
+}
+
+/// Pushes legs apart that meet.
+pub(super) fn clash<const J: usize>(
+    legs: &mut [LegBody<J>],
+    frame: &Frame,
+    law: &Law,
+    clearance: f64,
+) {
+    for number in 1..legs.len() {
+        let Some((before, rest)) = legs.split_at_mut_checked(number) else {
+            return;
+        };
+        let Some(leg) = rest.first_mut() else {
+            return;
+        };
+        for other in before {
+            if are_near(leg, other, frame) {
+                for (j, i) in pairs::<J>() {
+                    meet((&mut *leg, j), (&mut *other, i), frame, law, clearance);
+                }
+            }
+        }
+    }
+}
+
+/// All links of two legs but the first of both, which sit side by side on the body.
+fn pairs<const J: usize>() -> impl Iterator<Item = (usize, usize)> {
+    (0..J)
+        .flat_map(|j| (0..J).map(move |i| (j, i)))
+        .filter(|pair| *pair != (0, 0))
+}
+
+/// Two links, if they meet.
+fn meet<const J: usize>(
+    (leg, j): (&mut LegBody<J>, usize),
+    (other, i): (&mut LegBody<J>, usize),
+    frame: &Frame,
+    law: &Law,
+    clearance: f64,
+) {
+    let Some((one, two)) = leg.link(j, frame).zip(other.link(i, frame)) else {
+        return;
+    };
+    let [at, from] = nearest(one, two);
+    let gap = (at - from).norm();
+    let depth = thickness(one, two) * clearance - gap;
+    if depth > 0.0 && gap > 0.0 {
+        let normal = (at - from) / gap;
+        let velocity = leg.velocity(j, at, frame) - other.velocity(i, from, frame);
+        let away = velocity.dot(&normal);
+        let push = (law.stiffness * depth - law.damping * away).max(0.0);
+        let rub = (velocity - normal * away) * law.damping;
+        let most = FRICTION * push / rub.norm().max(FRICTION * push);
+        let force = if push > 0.0 {
+            normal * push - rub * most
+        } else {
+            Vector::zeros()
+        };
+        leg.push(j, at, force);
+        other.push(i, from, -force);
+    }
+}
+
+/// Whether the boxes around two legs meet.
+fn are_near<const J: usize>(leg: &LegBody<J>, other: &LegBody<J>, frame: &Frame) -> bool {
+    let ([low, high], [least, most]) = (around(leg, frame), around(other, frame));
+    (0..3).all(|axis| {
+        let at = |point: &Vector| point.get(axis).copied().unwrap_or(0.0);
+        at(&low) <= at(&most) && at(&least) <= at(&high)
+    })
+}
+
+/// The box around a leg: m.
+fn around<const J: usize>(leg: &LegBody<J>, frame: &Frame) -> [Vector; 2] {
+    let ends = (0..J).filter_map(|j| leg.link(j, frame));
+    let mut least = Vector::repeat(f64::INFINITY);
+    let mut most = -least;
+    for [start, end] in ends {
+        let radius = Vector::repeat(RADIUS * (end - start).norm());
+        least = least.inf(&(start - radius)).inf(&(end - radius));
+        most = most.sup(&(start + radius)).sup(&(end + radius));
+    }
+    [least, most]
+}
+
+/// From the middle of one link to that of the other, where they touch: m.
+fn thickness([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
+    RADIUS * ((b - a).norm() + (d - c).norm())
+}
+
+/// Where two stretches are nearest to each other (Ericson, *Real-Time Collision Detection*, 2005, §5.1.9).
+fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
+    let (along, beside, apart) = (b - a, d - c, a - c);
+    let (square, other) = (along.norm_squared(), beside.norm_squared());
+    let (to, of) = (along.dot(&apart), beside.dot(&apart));
+    let both = along.dot(&beside);
+    let area = square * other - both * both;
+    let share = if area > 1e-12 * square * other {
+        part(both * of - to * other, area)
+    } else {
+        0.0
+    };
+    let second = part(both * share + of, other);
+    let share = part(both * second - to, square);
+    [a + along * share, c + beside * second]
+}
+
+/// A fraction from 0 to 1.
+fn part(of: f64, whole: f64) -> f64 {
+    if whole > 0.0 {
+        (of / whole).max(0.0).min(1.0)
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The least distance of points of two stretches, tried out.
+    fn tried([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
+        let points = |from: Vector, to: Vector| {
+            (0..=200).map(move |n| from + (to - from) * (f64::from(n) / 200.0))
+        };
+        let others = || points(c, d);
+        let distances = points(a, b).flat_map(|one| others().map(move |two| (one - two).norm()));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn nothing_is_nearer_than_the_nearest() {
+        let mut state = 1_u64;
+        let mut number = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
+        };
+        let mut point = || Vector::new(number(), number(), number());
+        for _ in 0..50 {
+            let (one, two) = ([point(), point()], [point(), point()]);
+            let [at, from] = nearest(one, two);
+            let (found, tried) = ((at - from).norm(), tried(one, two));
+            assert!(
+                found <= tried + 1e-12 && found > tried - 0.02,
+                "{found}, {tried}"
+            );
+        }
+        let origin = Vector::zeros();
+        let [at, from] = nearest([origin, origin], [Vector::x(), Vector::x()]);
+        assert_eq!((at, from), (origin, Vector::x()), "points");
+    }
+}

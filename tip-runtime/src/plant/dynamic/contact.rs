@@ -1,0 +1,147 @@
+//! What things that touch do to each other: a spring and a damper along the normal, and across it a bristle that
+//! bends until friction lets go (Cundall and Strack, *Géotechnique* 29, 1979).
+
+use super::Vector;
+
+/// Of each kg of the robot: N/m. TITAN VIII has 200 N/mm.
+const STIFFNESS: f64 = 1e4;
+/// Of each kg of the robot: N·s/m.
+const DAMPING: f64 = 10.0;
+/// How much of what would make a step unstable stiffness and damping may be.
+const SHARE: f64 = 0.25;
+
+/// How stiff every contact is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Law {
+    /// N/m.
+    pub(super) stiffness: f64,
+    /// N·s/m.
+    pub(super) damping: f64,
+}
+
+impl Law {
+    /// For a robot of a mass (kg) whose lightest foot pushes back as `foot` (kg), in steps of `dt` s at most.
+    pub(super) fn of(mass: f64, foot: f64, dt: f64) -> Self {
+        Law {
+            stiffness: (mass * STIFFNESS).min(SHARE * foot / (dt * dt)),
+            damping: (mass * DAMPING).min(SHARE * foot / dt),
+        }
+    }
+}
+
+/// A point inside of something.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Touch {
+    /// How deep: m.
+    pub(super) depth: f64,
+    /// Out of it: a unit vector.
+    pub(super) normal: Vector,
+    /// The coefficient of Coulomb friction.
+    pub(super) friction: f64,
+}
+
+/// How far the bristle of a contact is bent, in the world: m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grip(Vector);
+
+impl Grip {
+    /// Of what touches nothing.
+    pub(super) const FREE: Self = Grip(Vector::new(0.0, 0.0, 0.0));
+
+    /// The force (N) on a point that moves at `velocity` (m/s) for `dt` s; without a touch none.
+    pub(super) fn force(
+        &mut self,
+        touch: Option<Touch>,
+        velocity: Vector,
+        law: &Law,
+        dt: f64,
+    ) -> Vector {
+        let Some(Touch {
+            depth,
+            normal,
+            friction,
+        }) = touch
+        else {
+            *self = Grip::FREE;
+            return Vector::zeros();
+        };
+        let away = velocity.dot(&normal);
+        let push = (law.stiffness * depth - law.damping * away).max(0.0);
+        let across = velocity - normal * away;
+        let most = friction * push;
+        let bent = self.0 + across * dt;
+        let bent = bent - normal * bent.dot(&normal);
+        self.0 = within(bent, most / law.stiffness);
+        normal * push - within(self.0 * law.stiffness + across * law.damping, most)
+    }
+}
+
+/// The vector, or the part of it that is `longest`.
+fn within(vector: Vector, longest: f64) -> Vector {
+    let length = vector.norm();
+    if length > longest {
+        vector * (longest / length)
+    } else {
+        vector
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LAW: Law = Law {
+        stiffness: 1e5,
+        damping: 100.0,
+    };
+
+    /// Inside a floor with friction 0.5.
+    fn on_floor(depth: f64) -> Option<Touch> {
+        let normal = Vector::new(0.0, 0.6, 0.8);
+        Some(Touch {
+            depth,
+            normal,
+            friction: 0.5,
+        })
+    }
+
+    #[test]
+    fn no_force_leaves_the_friction_cone_and_none_pulls() {
+        let mut grip = Grip::FREE;
+        for step in 0..10_000 {
+            let time = f64::from(step) * 5e-4;
+            let velocity = Vector::new(
+                libm::sin(9.0 * time),
+                libm::cos(7.0 * time),
+                libm::sin(5.0 * time),
+            );
+            let depth = 1e-3 * libm::sin(3.0 * time);
+            let touch = on_floor(depth).filter(|touch| touch.depth > 0.0);
+            let force = grip.force(touch, velocity, &LAW, 5e-4);
+            let normal = Vector::new(0.0, 0.6, 0.8);
+            let push = force.dot(&normal);
+            let across = (force - normal * push).norm();
+            assert!(push >= 0.0 && across <= 0.5 * push + 1e-9, "{force}");
+        }
+    }
+
+    #[test]
+    fn a_bristle_holds_until_friction_lets_go() {
+        // 1 mm deep: 100 N, of which friction holds 50 N: 0.5 mm of the bristle.
+        let slow = Vector::new(0.01, 0.0, 0.0);
+        let mut grip = Grip::FREE;
+        let forces: [f64; 2] = [100, 1000].map(|steps| {
+            let mut last = 0.0;
+            for _ in 0..steps {
+                last = grip.force(on_floor(1e-3), slow, &LAW, 5e-4).x;
+            }
+            last
+        });
+        // 100 steps bend it by 0.5 mm; the damper's newton is beyond the cone.
+        assert!((forces[0] + 50.0).abs() < 1e-6, "{forces:?}");
+        assert!((forces[1] + 50.0).abs() < 1e-6, "{forces:?}");
+        assert!((grip.0.norm() - 0.5e-3).abs() < 1e-12);
+        grip.force(None, slow, &LAW, 5e-4);
+        assert_eq!(grip, Grip::FREE);
+    }
+}

@@ -1,0 +1,328 @@
+//! A leg: links that weigh, joints that motors turn, and what touches the ground.
+//!
+//! A leg meets the other ones at the body only. So the equations of motion have the form of an arrow: six rows of the
+//! body, and for each leg a block of its joints, which it shares with the body alone. Each leg is eliminated by itself
+//! (Schur's complement), and nothing larger than 6 × 6 is ever solved for the robot as a whole.
+
+use super::Vector;
+use super::contact::Grip;
+use super::foothold::Foothold;
+use super::frame::Frame;
+use super::links::{Walk, length};
+use super::servo::{Control, Drives, Effort, Servo};
+use super::spatial::Spatial;
+use super::world::{Share, World};
+use crate::hardware::JointCommand;
+use crate::model::Leg;
+use nalgebra::{Cholesky, Const, SMatrix, SVector};
+
+/// How a joint moves what it carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Column {
+    /// The joint's axis, in the world.
+    axis: Vector,
+    /// Where the joint is, from the body's origin: m.
+    place: Vector,
+    /// Of all that it carries in that motion.
+    momentum: Spatial,
+}
+
+impl Column {
+    /// At 1 rad/s.
+    fn motion(&self) -> Spatial {
+        Spatial::turning(self.axis, self.place)
+    }
+}
+
+/// One leg in motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LegBody<const J: usize> {
+    pub(super) model: Leg<J>,
+    pub(super) servos: [Servo; J],
+    columns: [Column; J],
+    /// What keeps the joints turning at their rates, against gravity and contacts: N·m.
+    bias: [f64; J],
+    /// Of the end of each link; the last one is the foot's.
+    grips: [Grip; J],
+    pub(super) foot: Foothold,
+    /// Whose motors give all that they can: bit j of joint j.
+    spent: u16,
+    /// Which joints are commanded torques.
+    by_torque: u16,
+}
+
+impl<const J: usize> LegBody<J> {
+    /// At rest in its initial posture.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn new(model: &Leg<J>) -> Self {
+        LegBody {
+            model: *model,
+            servos: model.initial.map(Servo::at),
+            columns: [Column {
+                axis: Vector::zeros(),
+                place: Vector::zeros(),
+                momentum: Spatial::ZERO,
+            }; J],
+            bias: [0.0; J],
+            grips: [Grip::FREE; J],
+            foot: Foothold::NONE,
+            spent: 0,
+            by_torque: 0,
+        }
+    }
+
+    pub(super) fn obey(&mut self, commands: &[JointCommand; J], unit: f64) {
+        for (j, (servo, command)) in self.servos.iter_mut().zip(commands).enumerate() {
+            match servo.obey(*command, unit) {
+                Some(Control::Torque) => self.by_torque |= bit(j),
+                Some(Control::Angle) => self.by_torque &= !bit(j),
+                None => {}
+            }
+        }
+    }
+
+    /// Holds every joint.
+    pub(super) fn hold(&mut self) {
+        self.by_torque = 0;
+        self.servos.iter_mut().for_each(Servo::hold);
+    }
+
+    /// What joint `j` is commanded by.
+    fn control(&self, j: usize) -> Control {
+        match self.by_torque & bit(j) {
+            0 => Control::Angle,
+            _ => Control::Torque,
+        }
+    }
+
+    /// Finds out where the links are, what touches, what everything weighs, and what forces act.
+    pub(super) fn place(&mut self, world: &World<'_>) -> Share {
+        let mut links = [Share::NONE; J];
+        let mut walk = Walk::from(world.frame, &self.model);
+        let places = links.iter_mut().zip(&mut self.columns);
+        let joints = self.model.joints.iter().zip(&self.servos);
+        for (((link, column), (joint, servo)), (j, grip)) in
+            places.zip(joints).zip((1..).zip(&mut self.grips))
+        {
+            (column.axis, column.place) = walk.turn(joint, servo);
+            *link = walk.link(joint);
+            let (end, velocity) = walk.end(joint);
+            let place = world.frame.position + end;
+            let touch = world.terrain.and_then(|terrain| terrain.touch(place));
+            let force = grip.force(touch, velocity, world.law, world.stride.dt);
+            link.force = link.force - Spatial::pushing(force, end);
+            let blocks = world.terrain.filter(|terrain| terrain.has_blocks());
+            for (between, velocity) in walk.between(joint) {
+                let touch =
+                    blocks.and_then(|terrain| terrain.block(world.frame.position + between));
+                let mut bare = Grip::FREE;
+                let force = bare.force(touch, velocity, world.law, world.stride.dt);
+                link.force = link.force - Spatial::pushing(force, between);
+            }
+            if j == J {
+                let load = touch.map_or(0.0, |touch| force.dot(&touch.normal));
+                self.foot.at(place, load);
+            }
+        }
+        let mut carried = Share::NONE;
+        let places = self.columns.iter_mut().zip(&mut self.bias);
+        for ((column, bias), link) in places.zip(links).rev() {
+            carried.add(link);
+            column.momentum = carried.inertia.momentum(&column.motion());
+            *bias = column.motion().dot(&carried.force);
+        }
+        carried
+    }
+
+    /// Lets every motor aim; `left` steps of the cycle are left.
+    pub(super) fn aim(&mut self, world: &World<'_>, left: f64) {
+        self.spent = 0;
+        let controls: [Control; J] = core::array::from_fn(|j| self.control(j));
+        let joints = self.servos.iter_mut().zip(&self.model.joints);
+        for ((servo, joint), control) in joints.zip(controls) {
+            servo.aim(control, joint, world.drives, world.stride, left);
+        }
+    }
+
+    /// What joint `j` is turned by: its motor, and all.
+    fn efforts(&self, j: usize, world: &World<'_>) -> (Effort, Effort) {
+        let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
+            return Default::default();
+        };
+        let (drives, dt) = (world.drives, world.stride.dt);
+        let own = servo.motor(self.control(j), joint, drives, dt, self.is_spent(j));
+        let passive = servo.passive(joint, drives, dt);
+        let all = Effort {
+            torque: own.torque + passive.torque,
+            inertia: own.inertia + passive.inertia,
+        };
+        (own, all)
+    }
+
+    fn is_spent(&self, j: usize) -> bool {
+        self.spent & bit(j) != 0
+    }
+
+    /// The joints' block of the equations of motion, factorised, and what is to turn them: N·m.
+    fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, SVector<f64, J>) {
+        let mut matrix = SMatrix::<f64, J, J>::zeros();
+        let mut torques = SVector::<f64, J>::zeros();
+        for (j, (column, torque)) in self.columns.iter().zip(torques.iter_mut()).enumerate() {
+            let (_, all) = self.efforts(j, world);
+            let bias = self.bias.get(j).copied().unwrap_or(0.0);
+            *torque = all.torque - bias;
+            for (i, other) in self.columns.iter().enumerate().take(j + 1) {
+                if let Some(entry) = matrix.get_mut((j, i)) {
+                    let own = if i == j { all.inertia } else { 0.0 };
+                    *entry = other.motion().dot(&column.momentum) + own;
+                }
+            }
+        }
+        (matrix.cholesky(), torques)
+    }
+
+    /// The joints' momentum by that of the body.
+    fn coupling(&self) -> SMatrix<f64, J, 6> {
+        let mut coupling = SMatrix::<f64, J, 6>::zeros();
+        for (mut row, column) in coupling.row_iter_mut().zip(&self.columns) {
+            for (entry, value) in row.iter_mut().zip(&column.momentum.entries()) {
+                *entry = *value;
+            }
+        }
+        coupling
+    }
+
+    /// Takes the joints out of the body's equations of motion.
+    pub(super) fn eliminate(
+        &self,
+        world: &World<'_>,
+        matrix: &mut SMatrix<f64, 6, 6>,
+        forces: &mut SVector<f64, 6>,
+    ) {
+        let (Some(factor), torques) = self.block(world) else {
+            return;
+        };
+        let coupling = self.coupling();
+        *matrix -= coupling.tr_mul(&factor.solve(&coupling));
+        *forces -= coupling.tr_mul(&factor.solve(&torques));
+    }
+
+    /// What the joints accelerate by (rad/s²) while the body does so.
+    fn accelerations(&self, world: &World<'_>, body: &SVector<f64, 6>) -> SVector<f64, J> {
+        let (factor, torques) = self.block(world);
+        let torques = torques - self.coupling() * body;
+        factor.map_or_else(SVector::zeros, |factor| factor.solve(&torques))
+    }
+
+    /// Finds the motors that would have to give more than they can; whether any is new.
+    pub(super) fn overload(&mut self, world: &World<'_>, body: &SVector<f64, 6>) -> bool {
+        let accelerations = self.accelerations(world, body);
+        let before = self.spent;
+        for (j, acceleration) in accelerations.iter().enumerate() {
+            let (own, _) = self.efforts(j, world);
+            let joint = self.servos.get_mut(j).zip(self.model.joints.get(j));
+            if let Some((servo, joint)) = joint
+                && servo.overload(joint, own, *acceleration)
+            {
+                self.spent |= bit(j);
+            }
+        }
+        self.spent != before
+    }
+
+    /// Moves on while the body accelerates so.
+    pub(super) fn advance(&mut self, world: &World<'_>, body: &SVector<f64, 6>) {
+        let accelerations = self.accelerations(world, body);
+        for (j, acceleration) in accelerations.iter().enumerate() {
+            let (own, _) = self.efforts(j, world);
+            let joint = self.servos.get_mut(j).zip(self.model.joints.get(j));
+            if let Some((servo, joint)) = joint {
+                servo.advance(joint, own, *acceleration, world.stride.dt);
+            }
+        }
+    }
+
+    /// Both ends of the link after joint `j`, from the body's origin: m.
+    pub(super) fn link(&self, j: usize, frame: &Frame) -> Option<[Vector; 2]> {
+        let start = self.columns.get(j)?.place;
+        let next = self.columns.get(j + 1).map(|next| next.place);
+        Some([start, next.unwrap_or(self.foot.place - frame.position)])
+    }
+
+    /// How fast a point of the link after joint `j` moves: m/s.
+    pub(super) fn velocity(&self, j: usize, at: Vector, frame: &Frame) -> Vector {
+        let own = frame.velocity + frame.rate.cross(&at);
+        let joints = self.columns.iter().zip(&self.servos).take(j + 1);
+        joints.fold(own, |velocity, (column, servo)| {
+            velocity + column.axis.cross(&(at - column.place)) * servo.rate
+        })
+    }
+
+    /// A force acts at a point of the link after joint `j`; what that does to the body is another's.
+    pub(super) fn push(&mut self, j: usize, at: Vector, force: Vector) {
+        let joints = self.bias.iter_mut().zip(&self.columns);
+        for (bias, column) in joints.take(j + 1) {
+            *bias -= column.axis.dot(&(at - column.place).cross(&force));
+        }
+    }
+
+    /// Twice the kinetic energy of its rotors, and of its links by what the body's motion adds to that of the joints: J.
+    pub(super) fn vigour(&self, body: &Spatial, drives: &Drives) -> f64 {
+        let mut vigour = 0.0;
+        for (j, (column, servo)) in self.columns.iter().zip(&self.servos).enumerate() {
+            let rotor = (self.model.joints.get(j)).map_or(0.0, |joint| drives.rotor * joint.torque);
+            vigour += (rotor * servo.rate + 2.0 * column.momentum.dot(body)) * servo.rate;
+            for (i, (other, turned)) in self
+                .columns
+                .iter()
+                .zip(&self.servos)
+                .enumerate()
+                .take(j + 1)
+            {
+                let both = if i == j { 1.0 } else { 2.0 };
+                vigour += both * other.motion().dot(&column.momentum) * turned.rate * servo.rate;
+            }
+        }
+        vigour
+    }
+
+    /// The momentum that the joints' rates give the robot.
+    pub(super) fn momentum(&self) -> Spatial {
+        let mut momentum = Spatial::ZERO;
+        for (column, servo) in self.columns.iter().zip(&self.servos) {
+            momentum += Spatial {
+                angular: column.momentum.angular * servo.rate,
+                linear: column.momentum.linear * servo.rate,
+            };
+        }
+        momentum
+    }
+
+    /// What its foot pushes back as at least: kg.
+    pub(super) fn foot_mass(&self, drives: &Drives) -> f64 {
+        self.model.joints.last().map_or(0.0, |joint| {
+            let square = length(joint).norm_squared();
+            if square > 0.0 {
+                joint.mass / 4.0 + drives.rotor * joint.torque / square
+            } else {
+                joint.mass
+            }
+        })
+    }
+
+    /// kg.
+    pub(super) fn mass(&self) -> f64 {
+        self.model.joints.iter().map(|joint| joint.mass).sum()
+    }
+}
+
+/// The bit of joint `j`; none for more joints than robots have.
+fn bit(j: usize) -> u16 {
+    u32::try_from(j)
+        .ok()
+        .and_then(|j| 1_u16.checked_shl(j))
+        .unwrap_or(0)
+}
+
+type Factor<const J: usize> = Cholesky<f64, Const<J>>;

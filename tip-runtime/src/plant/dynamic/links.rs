@@ -1,0 +1,99 @@
+//! Where the links are, how they move, and what they weigh.
+
+use super::Vector;
+use super::frame::Frame;
+use super::servo::Servo;
+use super::spatial::{Inertia, Spatial, spread};
+use super::world::{GRAVITY, Share};
+use crate::model::{Joint, Leg};
+use nalgebra::{Rotation3, Unit};
+
+/// A link from its joint to the next one, at angle 0: m.
+pub(super) fn length(joint: &Joint) -> Vector {
+    Vector::from(joint.link) / 1000.0
+}
+
+/// Goes along a leg from its base to its foot. Places are from the body's origin.
+pub(super) struct Walk {
+    /// The joint, or the end of the link: m.
+    at: Vector,
+    /// m/s.
+    velocity: Vector,
+    /// If no rate changed: m/s².
+    acceleration: Vector,
+    rotation: Rotation3<f64>,
+    /// rad/s.
+    rate: Vector,
+    /// If no rate changed: rad/s².
+    turning: Vector,
+    /// What everything falls by: m/s².
+    gravity: Vector,
+}
+
+impl Walk {
+    pub(super) fn from<const J: usize>(frame: &Frame, leg: &Leg<J>) -> Self {
+        let mut walk = Walk {
+            at: Vector::zeros(),
+            velocity: frame.velocity,
+            acceleration: Vector::zeros(),
+            rotation: frame.rotation,
+            rate: frame.rate,
+            turning: Vector::zeros(),
+            gravity: Vector::new(0.0, 0.0, -GRAVITY),
+        };
+        walk.step(frame.rotation * (Vector::from(leg.base) / 1000.0));
+        walk
+    }
+
+    /// Goes to another point of the same rigid body.
+    fn step(&mut self, by: Vector) {
+        self.acceleration = self.acceleration_at(by);
+        self.velocity += self.rate.cross(&by);
+        self.at += by;
+    }
+
+    fn acceleration_at(&self, by: Vector) -> Vector {
+        self.acceleration + self.turning.cross(&by) + self.rate.cross(&self.rate.cross(&by))
+    }
+
+    /// Turns with the joint: its axis, and where it is.
+    pub(super) fn turn(&mut self, joint: &Joint, servo: &Servo) -> (Vector, Vector) {
+        let own = Unit::new_unchecked(Vector::from(joint.axis));
+        let axis = self.rotation * own.into_inner();
+        self.turning += self.rate.cross(&axis) * servo.rate;
+        self.rate += axis * servo.rate;
+        self.rotation *= Rotation3::from_axis_angle(&own, servo.angle);
+        (axis, self.at)
+    }
+
+    /// The link after the joint, a uniform rod.
+    pub(super) fn link(&self, joint: &Joint) -> Share {
+        let link = self.rotation * length(joint);
+        let centre = self.at + link / 2.0;
+        let own = spread(link) * (joint.mass / 12.0);
+        let force = (self.acceleration_at(link / 2.0) - self.gravity) * joint.mass;
+        let moment = own * self.turning + self.rate.cross(&(own * self.rate));
+        Share {
+            inertia: Inertia::new(joint.mass, centre, own),
+            force: Spatial {
+                angular: moment + centre.cross(&force),
+                linear: force,
+            },
+        }
+    }
+
+    /// Three points of the link whose end has been reached: where they are, and how fast they move.
+    pub(super) fn between(&self, joint: &Joint) -> [(Vector, Vector); 3] {
+        let link = self.rotation * length(joint);
+        [0.25, 0.5, 0.75].map(|share| {
+            let back = link * -share;
+            (self.at + back, self.velocity + self.rate.cross(&back))
+        })
+    }
+
+    /// Goes to the link's end: where it is, and how fast it moves.
+    pub(super) fn end(&mut self, joint: &Joint) -> (Vector, Vector) {
+        self.step(self.rotation * length(joint));
+        (self.at, self.velocity)
+    }
+}

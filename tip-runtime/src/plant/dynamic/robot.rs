@@ -1,0 +1,276 @@
+//! The robot as a whole: its equations of motion, step by step.
+
+use super::clash::{clash, clearance};
+use super::contact::Law;
+use super::leg::LegBody;
+use super::servo::{Drives, Stride};
+use super::spatial::{Inertia, Spatial};
+use super::terrain::Terrain;
+use super::trunk::Trunk;
+use super::watch::Watch;
+use super::world::{GRAVITY, Share, World};
+use crate::analog;
+use crate::command::Port;
+use crate::hardware::{JointCommand, SensorsMut};
+use crate::kinematics::frames;
+use crate::model::Leg;
+use nalgebra::{SMatrix, SVector};
+
+/// The longest step: s.
+const LONGEST: f64 = 5e-4;
+/// How many steps a cycle has at most.
+const MOST: f64 = 4000.0;
+/// How often a step is calculated anew, since another motor gives all that it can.
+const ANEW: u32 = 4;
+/// Contacts that are no more than this above the lowest one carry the robot at first: m.
+const LEVEL: f64 = 1e-3;
+
+/// Body and legs: an array of them, or a slice, over which all logic is.
+#[derive(Clone, Debug)]
+pub(super) struct Robot<S: ?Sized> {
+    pub(super) trunk: Trunk,
+    pub(super) terrain: Terrain,
+    pub(super) law: Law,
+    pub(super) drives: Drives,
+    /// How many of the robot's torque unit one N·m is.
+    pub(super) unit: f64,
+    /// The sampling time: ms.
+    pub(super) period: f64,
+    /// How much of their thickness the legs have.
+    pub(super) clearance: f64,
+    /// All that weighs, as it was at the last step.
+    pub(super) whole: Inertia,
+    pub(super) watch: Watch,
+    pub(super) legs: S,
+}
+
+impl<const J: usize> Robot<[LegBody<J>]> {
+    /// Puts every leg in its initial posture.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn put(&mut self, models: &[Leg<J>]) {
+        for (leg, model) in self.legs.iter_mut().zip(models) {
+            *leg = LegBody::new(model);
+        }
+    }
+
+    /// Sets the robot down at the world's origin, as deep in the floor as its lowest contacts carry it.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn stand(&mut self) {
+        let mass = self.trunk.mass() + self.legs.iter().map(LegBody::mass).sum::<f64>();
+        let feet = self.legs.iter().map(|leg| leg.foot_mass(&self.drives));
+        self.law = Law::of(mass, feet.fold(f64::INFINITY, f64::min), LONGEST);
+        let normal = self.terrain.normal;
+        self.trunk = Trunk::new(self.trunk.model);
+        self.trunk.frame.rotation = self.terrain.tilt();
+        self.trunk.frame.position = self.terrain.origin();
+        if self.trunk.model.is_some() {
+            let heights = self.legs.iter().flat_map(ends);
+            let heights = heights.chain(self.trunk.corners().map(|corner| corner.z));
+            let lowest = heights.clone().fold(f64::INFINITY, f64::min);
+            let carriers = heights.filter(|height| *height <= lowest + LEVEL).count();
+            let weight = mass * GRAVITY * normal.z;
+            let depth = weight / (self.law.stiffness * carriers.max(1) as f64);
+            self.trunk.frame.position -= normal * (lowest + depth);
+        }
+        let rise = self.rise();
+        self.trunk.frame.position.z += rise;
+        self.refresh();
+        self.clearance = clearance(&self.legs, &self.trunk.frame);
+        self.watch = Watch::new(&self.trunk.frame, &self.terrain);
+        self.look(0.0);
+        self.watch.begin();
+    }
+
+    /// By how much the robot is in what stands on the floor: m.
+    fn rise(&mut self) -> f64 {
+        self.refresh();
+        let frame = &self.trunk.frame;
+        let corners = self.trunk.corners().map(|corner| frame.point(corner));
+        let links = self
+            .legs
+            .iter()
+            .flat_map(|leg| (0..J).filter_map(|j| leg.link(j, frame)));
+        let ends = links.map(|[_, end]| frame.position + end);
+        let terrain = &self.terrain;
+        let rises = corners
+            .into_iter()
+            .chain(ends)
+            .map(|point| terrain.rise(point));
+        rises.fold(0.0, f64::max)
+    }
+
+    /// Takes commands.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn obey(&mut self, commands: &[[JointCommand; J]]) {
+        for (leg, commands) in self.legs.iter_mut().zip(commands) {
+            leg.obey(commands, self.unit);
+        }
+    }
+
+    /// Holds every joint.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn hold(&mut self) {
+        for leg in &mut self.legs {
+            leg.hold();
+        }
+    }
+
+    /// Moves for a control cycle.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn cycle(&mut self) {
+        let time = self.period / 1000.0;
+        let steps = libm::ceil(time / LONGEST).clamp(1.0, MOST) as u32;
+        let stride = Stride::of(time / f64::from(steps), &self.drives.servos);
+        for left in (1..=steps).rev() {
+            self.step(&stride, f64::from(left));
+        }
+        self.trunk.push.tire();
+        self.look(self.period);
+        self.watch.cycle += 1;
+    }
+
+    /// Moves for one of the steps that are `left` of a cycle (semi-implicit Euler method).
+    fn step(&mut self, stride: &Stride, left: f64) {
+        let frame = self.trunk.frame;
+        let clearance = self.clearance;
+        let Robot {
+            trunk,
+            terrain,
+            law,
+            drives,
+            whole,
+            watch,
+            legs,
+            ..
+        } = self;
+        let world = World {
+            frame: &frame,
+            drives,
+            law,
+            terrain: trunk.model.is_some().then_some(&*terrain),
+            stride,
+        };
+        let mut share = trunk.place(&world);
+        for leg in legs.iter_mut() {
+            share.add(leg.place(&world));
+            leg.aim(&world, left);
+            watch.slipped(leg.foot.slip);
+        }
+        clash(legs, &frame, law, clearance);
+        *whole = share.inertia;
+        let is_loose = trunk.model.is_some();
+        let mut body = SVector::zeros();
+        for _ in 0..=ANEW {
+            if is_loose {
+                body = acceleration(&share, legs, &world);
+            }
+            let overloads = |yields, leg: &mut LegBody<J>| leg.overload(&world, &body) | yields;
+            if !legs.iter_mut().fold(false, overloads) {
+                break;
+            }
+        }
+        for leg in legs.iter_mut() {
+            leg.advance(&world, &body);
+        }
+        trunk.advance(&body, stride.dt);
+    }
+
+    /// Finds out where everything is and what touches, without moving it.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn refresh(&mut self) {
+        let frame = self.trunk.frame;
+        let stride = Stride::of(0.0, &self.drives.servos);
+        let world = World {
+            frame: &frame,
+            drives: &self.drives,
+            law: &self.law,
+            terrain: self.trunk.model.is_some().then_some(&self.terrain),
+            stride: &stride,
+        };
+        let mut share = self.trunk.place(&world);
+        for leg in &mut self.legs {
+            share.add(leg.place(&world));
+        }
+        self.whole = share.inertia;
+    }
+
+    /// Looks at how it stands.
+    fn look(&mut self, period: f64) {
+        let feet = self.legs.iter().map(|leg| &leg.foot);
+        self.watch.look(
+            period,
+            &self.trunk,
+            &self.terrain,
+            self.whole.centre(),
+            feet,
+        );
+    }
+
+    /// What the sensors read.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>) {
+        let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
+        for ((angles, torques), leg) in joints.zip(&self.legs) {
+            *angles = leg.servos.map(|servo| servo.angle.to_degrees());
+            *torques = leg.servos.map(|servo| servo.torque * self.unit);
+        }
+        for (number, leg) in (1..).zip(&self.legs) {
+            let volts = analog::volts_of_load(leg.foot.load);
+            sensors.inputs.set(Port::Paw(number), volts);
+        }
+    }
+
+    /// Twice the kinetic energy: J.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn vigour(&self) -> f64 {
+        let twist = self.trunk.frame.twist();
+        let legs = self.legs.iter().map(|leg| leg.vigour(&twist, &self.drives));
+        twist.dot(&self.whole.momentum(&twist)) + legs.sum::<f64>()
+    }
+
+    /// The momentum about the body's origin.
+    // Out of line, or it would be copied for each number of legs.
+    #[inline(never)]
+    pub(super) fn momentum(&self) -> Spatial {
+        let own = self.whole.momentum(&self.trunk.frame.twist());
+        let legs = self.legs.iter().map(LegBody::momentum);
+        legs.fold(own, |sum, leg| sum + leg)
+    }
+}
+
+/// What the body accelerates by, once its legs have been taken out of its equations: angular first.
+fn acceleration<const J: usize>(
+    share: &Share,
+    legs: &[LegBody<J>],
+    world: &World<'_>,
+) -> SVector<f64, 6> {
+    let mut matrix: SMatrix<f64, 6, 6> = share.inertia.matrix();
+    let mut forces = -share.force.entries();
+    for leg in legs {
+        leg.eliminate(world, &mut matrix, &mut forces);
+    }
+    matrix
+        .cholesky()
+        .map_or_else(SVector::zeros, |factor| factor.solve(&forces))
+}
+
+/// How high the ends of a leg's links are in the robot's frame: m.
+fn ends<const J: usize>(leg: &LegBody<J>) -> impl Iterator<Item = f64> + Clone + '_ {
+    let mut heights = [0.0; J];
+    let angles = leg.servos.map(|servo| servo.angle.to_degrees());
+    let joints = &leg.model.joints;
+    let frames = frames(leg.model.base, joints, &angles).zip(joints);
+    for (height, (frame, joint)) in heights.iter_mut().zip(frames) {
+        let [_, _, z] = frame.point(joint.link);
+        *height = z / 1000.0;
+    }
+    heights.into_iter()
+}

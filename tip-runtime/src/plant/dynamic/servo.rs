@@ -1,0 +1,236 @@
+//! A joint's motor, and the position loop that drives it: proportional and differential, with the forces that they will
+//! have at the end of the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*, 2011).
+
+use crate::hardware::JointCommand;
+use crate::model::Joint;
+use crate::plant::ServoDynamics;
+
+/// How far beyond its outer limit a joint meets its mechanical stop: deg.
+const STOP: f64 = 2.0;
+/// How much stiffer than a position loop a mechanical stop is.
+const HARDER: f64 = 10.0;
+
+/// What the motors of all joints are like. What grows with a motor is given for each N·m of the most that it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drives {
+    /// How a joint's set point follows its command.
+    pub servos: ServoDynamics,
+    /// How hard a joint is drawn to its set point: N·m/rad for each N·m.
+    pub stiffness: f64,
+    /// How hard its rate is drawn to that of its set point: N·m·s/rad for each N·m.
+    pub damping: f64,
+    /// The inertia of motor and gear, as the joint feels it: kg·m² for each N·m.
+    pub rotor: f64,
+    /// Viscous friction of the joint: N·m·s/rad for each N·m.
+    pub friction: f64,
+}
+
+impl Default for Drives {
+    /// Of a motor of 40 N·m: 8000 N·m/rad, 120 N·m·s/rad, 0.03 kg·m² and 0.1 N·m·s/rad.
+    fn default() -> Self {
+        Drives {
+            servos: ServoDynamics::default(),
+            stiffness: 200.0,
+            damping: 3.0,
+            rotor: 7.5e-4,
+            friction: 2.5e-3,
+        }
+    }
+}
+
+/// What a joint is commanded by. Its leg knows, in a bit: as a part of each joint it would take eight bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Control {
+    Angle,
+    Torque,
+}
+
+/// A piece of time, and what set points may do in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stride {
+    /// s.
+    pub(super) dt: f64,
+    /// What fraction of the distance to the command a set point moves.
+    share: f64,
+    /// The fastest: rad/s.
+    speed: f64,
+}
+
+impl Stride {
+    /// Of `dt` s.
+    pub(super) fn of(dt: f64, servos: &ServoDynamics) -> Self {
+        Stride {
+            dt,
+            share: 1.0 - libm::exp(-1000.0 * dt / servos.lag),
+            speed: servos.speed.to_radians(),
+        }
+    }
+}
+
+/// What a joint is turned by: a torque now (N·m), and the inertia (kg·m²) that stands for how it changes in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Effort {
+    pub(super) torque: f64,
+    pub(super) inertia: f64,
+}
+
+/// One joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Servo {
+    /// rad.
+    pub(super) angle: f64,
+    /// rad/s.
+    pub(super) rate: f64,
+    /// What is commanded: rad, or N·m.
+    order: f64,
+    /// Between the command before and this one: rad.
+    target: f64,
+    /// After lag and limit of speed: rad.
+    setpoint: f64,
+    /// What the motor gives: N·m.
+    pub(super) torque: f64,
+}
+
+impl Servo {
+    /// At rest at an angle: deg.
+    pub(super) const fn at(angle: f64) -> Self {
+        let angle = angle.to_radians();
+        Servo {
+            angle,
+            rate: 0.0,
+            order: angle,
+            target: angle,
+            setpoint: angle,
+            torque: 0.0,
+        }
+    }
+
+    /// Takes a command; `unit` is how many of the robot's torque unit one N·m is. A command that is not a number
+    /// changes nothing.
+    pub(super) fn obey(&mut self, command: JointCommand, unit: f64) -> Option<Control> {
+        let (control, order) = match command {
+            JointCommand::Angle { angle, .. } => (Control::Angle, angle.to_radians()),
+            JointCommand::Torque(torque) => (Control::Torque, torque / unit),
+        };
+        order.is_finite().then(|| {
+            self.order = order;
+            control
+        })
+    }
+
+    /// Holds the joint where it is to be now, from now on by angle.
+    pub(super) const fn hold(&mut self) {
+        self.target = self.setpoint;
+        self.order = self.setpoint;
+    }
+
+    /// Moves the set point on by one of `left` steps of a cycle, and lets the motor draw the joint there, or give the
+    /// torque that it is commanded.
+    pub(super) fn aim(
+        &mut self,
+        control: Control,
+        joint: &Joint,
+        drives: &Drives,
+        stride: &Stride,
+        left: f64,
+    ) {
+        let Stride { dt, share, speed } = *stride;
+        let torque = self.order;
+        self.torque = match control {
+            Control::Angle => {
+                self.target += (self.order - self.target) / left;
+                let gap = (self.target - self.setpoint) * share;
+                let turn = within(gap, speed * dt);
+                self.setpoint += turn;
+                let behind = self.setpoint - self.angle - dt * self.rate;
+                let slower = turn / dt - self.rate;
+                (drives.stiffness * behind + drives.damping * slower) * joint.torque
+            }
+            Control::Torque => {
+                self.target = self.angle;
+                self.setpoint = self.angle;
+                let brake = speed.copysign(torque) - self.rate;
+                let torque = match self.is_too_fast(torque, speed) {
+                    true => brake * drives.damping * joint.torque,
+                    false => torque,
+                };
+                within(torque, joint.torque)
+            }
+        };
+    }
+
+    /// Whether a joint turns the way of a torque faster than its motor.
+    fn is_too_fast(&self, torque: f64, speed: f64) -> bool {
+        self.rate * torque.signum() > speed
+    }
+
+    /// What the motor turns the joint by, after [`aim`](Self::aim); with no more than it can give if it is `spent`.
+    pub(super) fn motor(
+        &self,
+        control: Control,
+        joint: &Joint,
+        drives: &Drives,
+        dt: f64,
+        spent: bool,
+    ) -> Effort {
+        let inertia = match control {
+            Control::Angle if !spent => {
+                dt * (drives.damping + dt * drives.stiffness) * joint.torque
+            }
+            _ => 0.0,
+        };
+        Effort {
+            torque: if spent {
+                within(self.torque, joint.torque)
+            } else {
+                self.torque
+            },
+            inertia,
+        }
+    }
+
+    /// What rotor, friction and mechanical stops add.
+    pub(super) fn passive(&self, joint: &Joint, drives: &Drives, dt: f64) -> Effort {
+        let friction = drives.friction * joint.torque;
+        let mut effort = Effort {
+            torque: -friction * self.rate,
+            inertia: drives.rotor * joint.torque + dt * friction,
+        };
+        let least = (joint.outer.min - STOP).to_radians();
+        let most = (joint.outer.max + STOP).to_radians();
+        let beyond = self.angle - self.angle.max(least).min(most);
+        if beyond != 0.0 {
+            let stiffness = HARDER * drives.stiffness * joint.torque;
+            let damping = drives.damping * joint.torque;
+            effort.torque -= stiffness * (beyond + dt * self.rate) + damping * self.rate;
+            effort.inertia += dt * (damping + dt * stiffness);
+        }
+        effort
+    }
+
+    /// Whether a joint that accelerates so (rad/s²) asks more of its motor than it can give, which then gives that.
+    pub(super) fn overload(&mut self, joint: &Joint, own: Effort, acceleration: f64) -> bool {
+        let torque = own.torque - own.inertia * acceleration;
+        let is_too_much = libm::fabs(torque) > joint.torque;
+        if is_too_much {
+            self.torque = torque;
+        }
+        is_too_much
+    }
+
+    /// Moves for `dt` s.
+    pub(super) fn advance(&mut self, joint: &Joint, own: Effort, acceleration: f64, dt: f64) {
+        self.torque = within(own.torque - own.inertia * acceleration, joint.torque);
+        self.rate += acceleration * dt;
+        self.angle += self.rate * dt;
+    }
+}
+
+/// The value, or `most` of its sign.
+fn within(value: f64, most: f64) -> f64 {
+    if libm::fabs(value) > most {
+        most.copysign(value)
+    } else {
+        value
+    }
+}

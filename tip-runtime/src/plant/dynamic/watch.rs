@@ -1,0 +1,158 @@
+//! Watches how far the robot comes, how it stands, and whether it falls.
+
+use super::Vector;
+use super::foothold::Foothold;
+use super::frame::Frame;
+use super::terrain::Terrain;
+use super::trunk::Trunk;
+use crate::plant::walker::polygon;
+use crate::plant::{Fall, Travel};
+use core::f64::consts::{PI, TAU};
+
+/// A body that leans farther lies: cosine of 60 deg.
+const LEANING: f64 = 0.5;
+/// A robot that has stood on its feet alone for so long has got up: ms.
+const UP: f64 = 200.0;
+
+/// What has been seen so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watch {
+    /// Where the body began: m.
+    start: Vector,
+    /// To the left, about the floor's normal: rad.
+    heading: f64,
+    /// Since the beginning; whole turns count: rad.
+    turned: f64,
+    /// The farthest that a foot has slipped on one stance: m.
+    pub(super) slip: f64,
+    /// How far inside the polygon of what carries the robot its centre of mass is: mm.
+    pub(super) margin: f64,
+    /// The least of it so far: mm.
+    pub(super) least: f64,
+    pub(super) falls: u32,
+    pub(super) first: Option<Fall>,
+    /// Whether the robot has not got up since its last fall.
+    falling: bool,
+    /// Whether it has not got up since its body last lay.
+    lay: bool,
+    /// For how long it has stood on its feet alone: ms.
+    stood: f64,
+    /// Writings so far.
+    pub(super) cycle: u64,
+}
+
+impl Watch {
+    pub(super) fn new(frame: &Frame, terrain: &Terrain) -> Self {
+        Watch {
+            start: frame.position,
+            heading: heading(frame, terrain),
+            turned: 0.0,
+            slip: 0.0,
+            margin: 0.0,
+            least: f64::INFINITY,
+            falls: 0,
+            first: None,
+            falling: false,
+            lay: true,
+            stood: 0.0,
+            cycle: 0,
+        }
+    }
+
+    /// What has been seen counts from here.
+    pub(super) const fn begin(&mut self) {
+        self.least = self.margin;
+    }
+
+    /// A foot has slipped so far: m.
+    pub(super) fn slipped(&mut self, slip: f64) {
+        self.slip = self.slip.max(slip);
+    }
+
+    /// Looks at the end of a cycle of `period` ms; `centre` is that of mass, from the body's origin.
+    pub(super) fn look<'a>(
+        &mut self,
+        period: f64,
+        trunk: &Trunk,
+        terrain: &Terrain,
+        centre: Vector,
+        feet: impl Iterator<Item = &'a Foothold> + Clone,
+    ) {
+        self.turn(&trunk.frame, terrain);
+        let over = flat(trunk.frame.position + centre);
+        let standing = feet.filter(|foot| foot.load > 0.0);
+        let standing = standing.map(|foot| flat(foot.place));
+        let corners = trunk.corners().into_iter().zip(trunk.loads);
+        let corners = corners.filter(|(_, load)| *load > 0.0);
+        let corners = corners.map(|(corner, _)| flat(trunk.frame.point(corner)));
+        let lies = corners.clone().next().is_some();
+        let on_feet = polygon::margin(standing.clone(), over);
+        let stands = standing.clone().next().is_some() && !lies;
+        let carriers = standing.chain(corners);
+        if stands || lies {
+            self.margin = polygon::margin(carriers, over);
+            self.least = self.least.min(self.margin);
+        }
+        let upright = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal) > LEANING;
+        let tips = !upright || (lies && !self.lay && on_feet < 0.0);
+        self.stood = if stands && upright {
+            self.stood + period
+        } else {
+            0.0
+        };
+        let is_up = self.stood >= UP;
+        self.lay = lies || (self.lay && !is_up);
+        self.count(tips, is_up);
+    }
+
+    /// A fall lasts until the robot has got up.
+    fn count(&mut self, tips: bool, is_up: bool) {
+        if !tips {
+            self.falling &= !is_up;
+        } else if !self.falling {
+            self.falling = true;
+            self.falls += 1;
+            self.first.get_or_insert(Fall {
+                cycle: self.cycle,
+                margin: self.margin,
+            });
+        }
+    }
+
+    /// The heading is kept within half a turn.
+    fn turn(&mut self, frame: &Frame, terrain: &Terrain) {
+        let heading = heading(frame, terrain);
+        let turn = heading - self.heading;
+        let turn = if turn > PI {
+            turn - TAU
+        } else if turn < -PI {
+            turn + TAU
+        } else {
+            turn
+        };
+        self.turned += turn;
+        self.heading = heading;
+    }
+
+    /// How far the body has come.
+    pub(super) fn travel(&self, frame: &Frame) -> Travel {
+        let come = (frame.position - self.start) * 1000.0;
+        Travel {
+            x: come.x,
+            y: come.y,
+            z: come.z,
+            turn: self.turned.to_degrees(),
+        }
+    }
+}
+
+/// Where the robot's y axis points along the floor, from where it pointed at first: rad.
+fn heading(frame: &Frame, terrain: &Terrain) -> f64 {
+    let forward = terrain.tilt().inverse() * (frame.rotation * Vector::y());
+    libm::atan2(-forward.x, forward.y)
+}
+
+/// Seen from above: mm.
+fn flat(point: Vector) -> [f64; 2] {
+    [point.x * 1000.0, point.y * 1000.0]
+}

@@ -1,0 +1,202 @@
+//! On the ground: rest, friction, falls.
+
+use crate::rig::{GRAVITY, falls, go, hold, loads, titan};
+use tip_runtime::kinematics::inverse;
+use tip_runtime::model::titan8;
+use tip_runtime::plant::{Block, DynamicPlant, Floor, Plant, Scene};
+
+const WEIGHT: f64 = 20.0 * GRAVITY;
+
+/// Angles with which the feet are so far below the body: mm.
+fn standing(height: f64) -> [[f64; 3]; 4] {
+    let mut legs = titan8::MODEL.legs.iter();
+    [[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[side, end]| {
+        let leg = legs.next().expect("four legs");
+        let foot = [391.0 * side, 201.0 * end, -height];
+        inverse(titan8::MODEL.inverse, leg, foot).expect("it reaches")
+    })
+}
+
+fn initial() -> [[f64; 3]; 4] {
+    titan8::MODEL.legs.map(|leg| leg.initial)
+}
+
+#[test]
+fn at_rest_the_loads_are_the_weight_and_nothing_creeps() {
+    let mut plant = titan();
+    assert!((loads(&plant) - WEIGHT).abs() < 1e-6, "as it is set down");
+    go(&mut plant, standing(250.0));
+    hold(&mut plant, standing(250.0), 50);
+    assert_eq!(plant.belly_load(), 0.0);
+    let before = plant.body();
+    for _ in 0..250 {
+        hold(&mut plant, standing(250.0), 1);
+        assert!(
+            (loads(&plant) / WEIGHT - 1.0).abs() < 1e-3,
+            "{} N",
+            loads(&plant)
+        );
+    }
+    let after = plant.body();
+    for (before, after) in before.position.into_iter().zip(after.position) {
+        assert!((after - before).abs() < 0.01, "{before} mm, {after} mm");
+    }
+    assert!((after.yaw - before.yaw).abs() < 0.01 && after.pitch.abs() < 0.1);
+    assert_eq!(falls(&plant), 0);
+    let height = after.position[2];
+    assert!(
+        (240.0..250.0).contains(&height),
+        "servos give way a little: {height} mm"
+    );
+}
+
+/// On its belly on a slope with friction 0.5.
+fn on_slope(slope: f64) -> DynamicPlant<4, 3> {
+    let mut scene = Scene::EMPTY;
+    scene.floor = Floor {
+        height: 100.0,
+        slope: [0.0, slope],
+    };
+    titan().with_scene(&scene)
+}
+
+#[test]
+fn a_slope_below_the_friction_angle_holds() {
+    for slope in [0.2, 0.45, -0.45] {
+        let mut plant = on_slope(slope);
+        hold(&mut plant, initial(), 50);
+        let travel = plant.travel();
+        let moved = [travel.x, travel.y, travel.z];
+        assert!(
+            moved.iter().all(|way| way.abs() < 1.5),
+            "{slope}: {moved:?}"
+        );
+    }
+}
+
+#[test]
+fn a_slope_above_the_friction_angle_lets_it_slide() {
+    let slope: f64 = 0.6;
+    let mut plant = on_slope(slope);
+    // Until its bristles are bent it is free.
+    hold(&mut plant, initial(), 10);
+    let before = plant.twist().velocity;
+    hold(&mut plant, initial(), 40);
+    let after = plant.twist().velocity;
+    let [x, y, z] = [0, 1, 2].map(|axis| (after[axis] - before[axis]) / 0.8);
+    let cosine = 1.0 / (1.0 + slope * slope).sqrt();
+    let down = 1000.0 * GRAVITY * cosine * (slope - 0.5);
+    assert!(
+        (y.hypot(z) / down - 1.0).abs() < 0.01,
+        "{y}, {z}: {down} mm/s²"
+    );
+    assert!(y < 0.0 && x.abs() < 0.01 * down, "{x}, {y}, {z}");
+    assert!((after[2] / after[1] - slope).abs() < 0.01, "{after:?}");
+}
+
+#[test]
+fn a_body_that_loses_its_legs_on_one_side_falls_there() {
+    let mut plant = titan();
+    go(&mut plant, standing(250.0));
+    assert_eq!(falls(&plant), 0);
+    // Both legs on the left are drawn up.
+    let mut lifted = standing(250.0);
+    let up = standing(120.0);
+    (lifted[0], lifted[2]) = (up[0], up[2]);
+    hold(&mut plant, lifted, 100);
+    let motion = plant.motion().expect("it walks");
+    assert_eq!(motion.falls, 1);
+    assert!(motion.pose.roll < -5.0, "{:?}", motion.pose);
+    assert!(plant.first_fall().is_some_and(|fall| fall.cycle > 100));
+    assert!(plant.belly_load() > 0.2 * WEIGHT);
+}
+
+#[test]
+fn legs_that_meet_do_not_pass_through_each_other() {
+    // Both legs on the left turn towards each other: straight through, their shanks would pass by 100 mm.
+    let mut plant = titan().lifted(3000.0);
+    let mut turned = initial();
+    (turned[0][0], turned[2][0]) = (-60.0, 60.0);
+    hold(&mut plant, turned, 30);
+    let [front, _, rear, _] = plant.feet().map(|foot| foot.position);
+    let apart = front[1] - rear[1];
+    assert!(
+        (15.0..25.0).contains(&apart),
+        "shanks are 20 mm thick: {apart} mm"
+    );
+    assert!(
+        plant.angles()[0][0] > -55.0 && plant.angles()[2][0] < 55.0,
+        "{:?}",
+        plant.angles()
+    );
+}
+
+#[test]
+fn a_robot_stands_on_a_block_and_is_stopped_by_one() {
+    let block = |x, y, height| Block { x, y, height };
+    let under = block([-500.0, 500.0], [-500.0, 500.0], 40.0);
+    let scene = Scene::EMPTY.with_block(under).expect("a block");
+    let mut plant = titan().with_scene(&scene);
+    hold(&mut plant, initial(), 50);
+    let height = plant.body().position[2];
+    assert!((height - 240.0).abs() < 1.0, "{height} mm");
+    assert!((loads(&plant) / WEIGHT - 1.0).abs() < 1e-3);
+
+    // A wall 50 mm in front of the body, against which it is pushed with 300 N.
+    let wall = block([-150.0, 150.0], [280.0, 400.0], 500.0);
+    let scene = Scene::EMPTY.with_block(wall).expect("a block");
+    let mut plant = titan().with_scene(&scene);
+    assert!(plant.push([0.0, 300.0, 0.0], 200));
+    hold(&mut plant, initial(), 200);
+    let place = plant.body().position[1];
+    assert!((place - 50.0).abs() < 5.0, "{place} mm");
+}
+
+#[test]
+fn a_thigh_rests_on_what_is_between_its_ends() {
+    // A post under the middle of the front left thigh, 20 mm below it; the straight leg is lowered by 20 deg.
+    let post = Block {
+        x: [-320.0, -220.0],
+        y: [150.0, 250.0],
+        height: 180.0,
+    };
+    let scene = Scene::EMPTY.with_block(post).expect("a block");
+    let mut low = initial();
+    low[0] = [0.0, -20.0, 5.0];
+    let [free, held] = [Scene::EMPTY, scene].map(|scene| {
+        let mut plant = titan().with_scene(&scene);
+        hold(&mut plant, low, 75);
+        plant.body().roll
+    });
+    assert!(
+        free.abs() < 0.1 && held > 0.5,
+        "it is propped up: {free} deg, {held} deg"
+    );
+}
+
+#[test]
+fn equal_runs_have_equal_bits() {
+    let run = || {
+        let mut plant = titan();
+        go(&mut plant, standing(230.0));
+        let mut copy = plant.clone();
+        hold(&mut plant, initial(), 30);
+        hold(&mut copy, initial(), 30);
+        let bits = |angles: [[f64; 3]; 4]| angles.map(|leg| leg.map(f64::to_bits));
+        assert_eq!(bits(plant.angles()), bits(copy.angles()), "a copy");
+        let [x, y, z] = plant.body().position.map(f64::to_bits);
+        (bits(plant.angles()), x, y, z)
+    };
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn nonsense_moves_nothing_and_breaks_nothing() {
+    let mut plant = titan();
+    let before = plant.body();
+    hold(&mut plant, [[f64::NAN; 3]; 4], 50);
+    assert!((plant.body().position[2] - before.position[2]).abs() < 1.0);
+    hold(&mut plant, [[f64::MAX; 3]; 4], 50);
+    hold(&mut plant, [[-1e300; 3]; 4], 50);
+    assert!(plant.body().position.iter().all(|place| place.is_finite()));
+}
