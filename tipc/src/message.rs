@@ -31,6 +31,8 @@ mod importing;
 mod instead;
 pub mod list;
 #[cfg(feature = "tools")]
+mod making;
+#[cfg(feature = "tools")]
 mod migrating;
 mod naming;
 mod parsing;
@@ -68,6 +70,8 @@ pub use habit::Habit;
 #[cfg(all(feature = "robot-files", feature = "tools"))]
 pub use importing::Importing;
 pub use instead::Instead;
+#[cfg(feature = "tools")]
+pub use making::Making;
 #[cfg(feature = "tools")]
 pub use migrating::Migrating;
 pub use naming::Naming;
@@ -117,6 +121,8 @@ tables! {
     Running,
     #[cfg(feature = "tools")]
     Using,
+    #[cfg(feature = "tools")]
+    Making,
     #[cfg(feature = "tools")]
     Stopping,
     #[cfg(feature = "tools")]

@@ -31,6 +31,12 @@ messages! {
     NotAVersion { text: String }
         "`{text}` is not a version of the language, as 3.1 is",
         "`{text}` は3.1のような言語のバージョンではありません";
+    NotACrateName { name: String, near: String }
+        "`{name}` cannot be the name of a crate: begin with a small letter, go on with small letters and digits, and put a single `-` or `_` between them, as in `{near}`",
+        "`{name}` はクレート名にできません。`{near}` のように、英小文字で始め、英小文字と数字を使い、その間を `-` か `_` 1つでつないでください";
+    CrateNameTaken { name: String, near: String }
+        "`{name}` means something else to Rust or cargo, and cannot be the name of a crate: `{near}` can",
+        "`{name}` はRustやcargoで別の意味をもつため、クレート名にできません。`{near}` なら使えます";
     // What the library of the command line says in English itself.
     NoOption { option: String }
         "there is no option `{option}`",

@@ -21,6 +21,7 @@ mod interrupt;
 mod log;
 mod lsp;
 mod migrate;
+mod new;
 mod output;
 mod place;
 mod plot;
@@ -53,6 +54,7 @@ use tipc::Loaded;
     version,
     arg_required_else_help = true,
     after_help = "A first session:
+  tipc new demo                       make a crate whose robot moves at once
   tipc check walk.prg                 report all its errors at once
   tipc check --fix walk.prg           put right what is certain
   tipc run walk.prg                   run it on the simulated TITAN VIII
@@ -81,6 +83,8 @@ struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 enum Verb {
+    /// Make a crate whose robot moves at once, with a test and an editor's configuration
+    New(new::New),
     /// Report everything that is wrong with programs
     Check(check::Check),
     /// Run a program on the simulated robot
@@ -130,6 +134,7 @@ impl Verb {
             Verb::Cycles(arguments) => arguments.source.shown,
             Verb::Verify(arguments) => arguments.source.shown,
             Verb::Migrate(arguments) => arguments.shown,
+            Verb::New(arguments) => arguments.shown,
             Verb::Robot(describe::RobotVerb::Check(arguments)) => arguments.shown,
             _ => return None,
         };
@@ -217,6 +222,7 @@ fn main() -> ExitCode {
         verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
             "tipc check writes SARIF, no other command does".to_owned(),
         )),
+        Verb::New(arguments) => new::new(arguments),
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Fmt(arguments) => fmt::fmt(arguments),

@@ -151,6 +151,42 @@ fn what_the_guides_show_is_what_happens() {
         let compared = follow(&mut terminal, guide);
         assert!(compared > 10, "{guide}: {compared} commands");
     }
+    // The guides make a crate for titan8; what others do differently is compiled here.
+    for (robot, ends) in [
+        ("hand", "the cylinder is 39 mm above the floor"),
+        ("hexapod", "1320 mm forward, 0 falls"),
+        (
+            "tip/tipc/tests/robots/hexapod.toml",
+            "0 mm forward, 0 falls",
+        ),
+    ] {
+        made_for(&mut terminal, robot, ends);
+    }
+}
+
+/// A crate that `tipc new` makes moves its robot, and passes its test, without a warning.
+fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
+    terminal.here = terminal.start.clone();
+    let name = if robot.ends_with(".toml") {
+        "ours"
+    } else {
+        robot
+    };
+    let made = terminal.run(&format!("tipc new {name} --robot {robot} --workspace tip"));
+    assert!(made.ends_with("  cargo run\n"), "{made}");
+    terminal.run(&format!("cd {name}"));
+    let run = terminal.run("cargo run --quiet");
+    let last = run.lines().last().unwrap_or_default();
+    assert!(
+        last.starts_with(ends) && !run.contains("warning"),
+        "{robot}: {run}"
+    );
+    let tested = terminal.run("cargo test --quiet");
+    let passed = "test result: ok. 1 passed; 0 failed";
+    assert!(
+        tested.contains(passed) && !tested.contains("warning"),
+        "{robot}: {tested}"
+    );
 }
 
 /// Does what a guide says; returns how many commands it has run.

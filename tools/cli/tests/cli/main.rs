@@ -17,6 +17,7 @@ mod logs;
 mod lsp;
 mod migrate;
 mod motion;
+mod new;
 #[cfg(unix)]
 mod printable;
 mod project;

@@ -38,7 +38,7 @@ fn other_words_lead_to_commands() {
         check(&folder, &[word, "walk.prg"], &expected);
     }
     let outcome = folder.tipc(&["dance"]).expect(2);
-    let start = "error: `dance` is not a command of tipc; the commands are check, run, ";
+    let start = "error: `dance` is not a command of tipc; the commands are new, check, run, ";
     assert!(outcome.err.starts_with(start), "{outcome:#?}");
 }
 

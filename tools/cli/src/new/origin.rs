@@ -1,0 +1,134 @@
+//! Where the crate takes this project from: a checkout on this machine, or the registry.
+
+use super::name::Place;
+use std::fs;
+use std::path::{Component, Path, PathBuf, absolute};
+use tipc::message::Making;
+
+/// The version of this command; that of the crates must be the same.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Where this command was built from: a folder of the checkout, if it is still there.
+const BUILT_FROM: &str = env!("CARGO_MANIFEST_DIR");
+
+/// What a checkout has in these folders.
+const MACROS: &str = "tip-macros";
+const RUNTIME: &str = "tip-runtime";
+const SIM: &str = "tools/sim";
+
+/// Where the dependencies come from.
+#[derive(Debug)]
+pub(super) enum Origin {
+    /// A checkout, and how the crate's manifest names it.
+    Checkout { folder: PathBuf, named: PathBuf },
+    /// The registry.
+    Published,
+}
+
+impl Origin {
+    /// The checkout that is asked for; else the one that this command was built from; else the registry.
+    ///
+    /// # Errors
+    /// What is asked for is not a checkout of this version.
+    pub(super) fn find(asked: Option<&Path>, place: &Place) -> Result<Self, Making> {
+        if let Some(folder) = asked {
+            let refused = || Making::NotACheckout {
+                folder: folder.display().to_string().into(),
+                version: VERSION.to_owned(),
+            };
+            let named = seen_from(place.folder(), folder);
+            let checkout = Self::checkout(folder, named);
+            return checkout.ok_or_else(refused);
+        }
+        let built_from = Path::new(BUILT_FROM).ancestors().nth(2);
+        let found = built_from.and_then(|folder| Self::checkout(folder, folder.to_owned()));
+        Ok(found.unwrap_or(Origin::Published))
+    }
+
+    fn checkout(folder: &Path, named: PathBuf) -> Option<Self> {
+        let manifest = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
+        let version = format!("version = \"{VERSION}\"");
+        let has = |name: &&str| folder.join(name).join("Cargo.toml").is_file();
+        let is_ours =
+            manifest.lines().any(|line| line == version) && [MACROS, RUNTIME, SIM].iter().all(has);
+        is_ours.then(|| Origin::Checkout {
+            folder: folder.to_owned(),
+            named,
+        })
+    }
+
+    /// The macros, as a dependency without braces.
+    pub(super) fn macros(&self) -> String {
+        self.dependency(MACROS)
+    }
+
+    /// The runtime: the same.
+    pub(super) fn runtime(&self) -> String {
+        self.dependency(RUNTIME)
+    }
+
+    /// The simulator: the same.
+    pub(super) fn sim(&self) -> String {
+        self.dependency(SIM)
+    }
+
+    fn dependency(&self, folder: &str) -> String {
+        match self {
+            Origin::Checkout { named, .. } => {
+                let path = named.join(folder).to_string_lossy().into_owned();
+                // A string of JSON is one of TOML too.
+                format!("path = {}", serde_json::Value::from(path))
+            }
+            Origin::Published => format!("version = \"={VERSION}\""),
+        }
+    }
+
+    /// The versions of everything else that the checkout is tested with.
+    pub(super) fn lock(&self) -> Option<Vec<u8>> {
+        match self {
+            Origin::Checkout { folder, .. } => fs::read(folder.join("Cargo.lock")).ok(),
+            Origin::Published => None,
+        }
+    }
+}
+
+/// A path from here, as it is written in a new folder.
+fn seen_from(place: &Path, path: &Path) -> PathBuf {
+    let is_below = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+    if path.is_absolute() || !place.components().all(is_below) {
+        return absolute(path).unwrap_or_else(|_| path.to_owned());
+    }
+    let is_real = |part: &Component<'_>| *part != Component::CurDir;
+    let up = place
+        .components()
+        .filter(is_real)
+        .map(|_| Component::ParentDir);
+    up.chain(path.components().filter(is_real)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_checkout_keeps_its_place_beside_the_crate() {
+        for (place, path, seen) in [
+            ("demo", "tip", "../tip"),
+            ("demo", "../tip", "../../tip"),
+            ("robots/demo", "./tip", "../../tip"),
+            ("./demo", ".", ".."),
+            ("demo", "/src/tip", "/src/tip"),
+        ] {
+            let seen_from = seen_from(Path::new(place), Path::new(path));
+            assert_eq!(seen_from, Path::new(seen), "{place}: {path}");
+        }
+        let far = seen_from(Path::new("/demo"), Path::new("tip"));
+        assert!(far.is_absolute(), "{far:?}");
+    }
+
+    #[test]
+    fn published_crates_are_those_of_this_version() {
+        let expected = format!("version = \"={VERSION}\"");
+        assert_eq!(Origin::Published.sim(), expected);
+    }
+}

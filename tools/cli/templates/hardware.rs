@@ -1,0 +1,64 @@
+//! Our robot's drives: the one place that knows how its joints are reached.
+//!
+//! These are at once where they are commanded to be. Put your bus into the three functions of `Hardware`; all else stays.
+
+<<own>>use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand, Outputs, Sensors};
+<<model>>
+/// Legs or fingers of the robot.
+pub const LEGS: usize = <<legs>>;
+/// Joints of each.
+pub const JOINTS: usize = <<joints>>;
+
+/// The drives, one for each joint.
+#[derive(Clone, Debug)]
+pub struct Drives {
+    /// deg.
+    angles: [[f64; JOINTS]; LEGS],
+    /// In the robot's torque unit; only a robot that senses torques is commanded any.
+    torques: [[f64; JOINTS]; LEGS],
+}
+
+impl Drives {
+    /// Drives in the initial posture, without load.
+    pub fn new() -> Self {
+        Drives {
+            angles: <<MODEL>>.legs.map(|leg| leg.initial),
+            torques: [[0.0; JOINTS]; LEGS],
+        }
+    }
+}
+
+impl Default for Drives {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Hardware<LEGS, JOINTS> for Drives {
+    /// Measures. A drive that does not answer is an error, `Err(HardwareFault("bus: no answer"))`, which stops the robot: what
+    /// is not written here looks like a joint that stands still.
+    fn read(&mut self, into: &mut Sensors<LEGS, JOINTS>) -> Result<(), HardwareFault> {
+        into.angles = self.angles; // sign and offset of a motor belong here and into `write`
+        into.torques = self.torques;
+        Ok(())
+    }
+
+    /// Sends one command to each joint, once in each cycle of `outputs.period` ms.
+    fn write(&mut self, outputs: &Outputs<LEGS, JOINTS>) -> Result<(), HardwareFault> {
+        for (leg, commands) in outputs.joints.iter().enumerate() {
+            for (joint, command) in commands.iter().enumerate() {
+                match *command {
+                    JointCommand::Angle { angle, .. } => self.angles[leg][joint] = angle,
+                    JointCommand::Torque(torque) => self.torques[leg][joint] = torque,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Stops every joint. It is called in place of `write`, in each cycle of an emergency.
+    fn stop(&mut self, why: &Fault) {
+        let _ = why;
+    }
+}

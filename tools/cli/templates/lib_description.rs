@@ -1,0 +1,3 @@
+
+// The robot as data, from its description.
+tip_macros::include_robot!(pub "robot.toml" as ROBOT);

@@ -1,0 +1,52 @@
+3.1
+Finds the floor, grasps a cylinder, lifts it and holds it
+
+DEF_POS TIP
+DEF_VAR FLOORY, GRIP, LIFT
+LIFT = 42  // mm
+
+// The floor goes down, so that there is room. First joints close until fingertips feel it.
+PTP FLOOR 0 -155 0
+PTP_ANGLE F1 -50 0 20
+PTP_ANGLE F2 -50 0 20
+PTP_ANGLE F3 -50 0 20
+WAIT_INPOS ALL
+DETECT_FLOOR ALL 1
+TEACH_POSITION F1 TIP
+FLOORY = TIP.Y
+MESSAGE the floor is at %FLOORY.1% mm
+
+// Up, and to the cylinder, above its middle: so it hangs and does not topple.
+GRIP = FLOORY + 40
+PTP F1 -85 GRIP 0
+PTP F2 85 GRIP 0
+PTP F3 85 GRIP 0
+WAIT_INPOS ALL
+PTP F1 -56 GRIP 0
+PTP F2 56 GRIP 0
+PTP F3 56 GRIP 0
+WAIT_INPOS ALL
+
+// First joints grasp by torque (mN·m). F1 is opposed by two: it pushes twice as hard.
+TORQUE J11 200
+TORQUE J21 100
+TORQUE J31 100
+SLEEP 700
+MESSAGE grasped
+
+// Springs take over: their set points go 8 mm inwards, then up.
+SET_POSITION_STIFFNESS F1 0.4 0.4 0.4
+SET_POSITION_STIFFNESS F2 0.2 0.2 0.2
+SET_POSITION_STIFFNESS F3 0.2 0.2 0.2
+REL_COMPLIANCE_POSITION F1 8 0 0
+REL_COMPLIANCE_POSITION F2 -8 0 0
+REL_COMPLIANCE_POSITION F3 -8 0 0
+SLEEP 700
+SET_V_MAX_SLOW ALL
+REL_COMPLIANCE_POSITION F1 0 LIFT 0
+REL_COMPLIANCE_POSITION F2 0 LIFT 0
+REL_COMPLIANCE_POSITION F3 0 LIFT 0
+SLEEP 1800
+MESSAGE lifted
+SLEEP 1000
+END

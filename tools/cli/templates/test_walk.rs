@@ -1,0 +1,16 @@
+//! What the motion must not lose when it is tuned.
+
+use <<crate>>::<<items>>;
+
+use tip_sim::{Limit, Robot, Run};
+
+#[test]
+fn it_walks_and_does_not_fall() {
+    let robot = <<simulated>>;
+    let mut run = Run::new(<<Program>>::new(), robot).unwrap();
+    run.to_end(Limit::cycles(20_000));
+    assert_eq!(run.emergency(), None);
+    let motion = run.motion().unwrap();
+    assert!(motion.travel.y > 500.0, "{motion:?}");
+    assert_eq!(motion.falls, 0);
+}

@@ -1,0 +1,269 @@
+//! `tipc new`: crates that are whole or not there. That they build, walk and pass their tests is tried in `guides`.
+
+use crate::support::Folder;
+use std::fs;
+use std::path::Path;
+
+/// Where the crates of this project are.
+const TIP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// The files below a folder, sorted.
+fn tree(folder: &Folder, name: &str) -> Vec<String> {
+    fn collect(root: &Path, here: &Path, found: &mut Vec<String>) {
+        for entry in fs::read_dir(here).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                collect(root, &path, found);
+            } else {
+                let name = path.strip_prefix(root).expect("it is below");
+                found.push(name.to_str().expect("UTF-8").to_owned());
+            }
+        }
+    }
+    let (root, mut found) = (folder.path(name), Vec::new());
+    collect(&root, &root, &mut found);
+    found.sort();
+    found
+}
+
+const PLAIN: [&str; 13] = [
+    ".editorconfig",
+    ".gitignore",
+    ".helix/languages.toml",
+    ".vscode/launch.json",
+    ".vscode/settings.json",
+    "Cargo.lock",
+    "Cargo.toml",
+    "README.md",
+    "motions/walk.prg",
+    "src/lib.rs",
+    "src/main.rs",
+    "tests/walk.rs",
+    "tip.toml",
+];
+
+#[test]
+fn a_crate_has_all_that_it_says() {
+    let folder = Folder::new("new-tree");
+    let outcome = folder.tipc(&["new", "first-walk"]).expect(0);
+    assert_eq!(tree(&folder, "first-walk"), PLAIN);
+    let listed: String = PLAIN.map(|name| format!("  {name}\n")).concat();
+    let said = format!(
+        "made first-walk, a crate for titan8:\n{listed}next:\n  cd first-walk\n  cargo run\n"
+    );
+    assert_eq!(outcome.out, said);
+    assert_eq!(outcome.err, "");
+    assert_eq!(folder.names(), ["first-walk"], "nothing else is left");
+    let main = folder.read("first-walk/src/main.rs");
+    assert!(main.contains("use first_walk::Walk;"), "{main}");
+    for name in PLAIN {
+        let text = folder.read(&format!("first-walk/{name}"));
+        assert!(!text.contains("<<"), "{name}:\n{text}");
+    }
+}
+
+#[test]
+fn drives_of_our_own_are_a_file_to_fill_in() {
+    let folder = Folder::new("new-hardware");
+    folder.tipc(&["new", "demo", "--hardware"]).expect(0);
+    let mut expected = PLAIN.to_vec();
+    expected.extend(["src/bin/drive.rs", "src/hardware.rs", "tests/hardware.rs"]);
+    expected.sort_unstable();
+    assert_eq!(tree(&folder, "demo"), expected);
+    let manifest = folder.read("demo/Cargo.toml");
+    assert!(manifest.contains("default-run = \"demo\""), "{manifest}");
+}
+
+/// Every robot's program is without findings, runs to its end by what `tip.toml` says alone, and is laid out in the one style.
+#[test]
+fn the_programs_of_every_robot_are_sound() {
+    let folder = Folder::new("new-robots").file("ours.toml", OURS);
+    for (robot, motion, said) in [
+        ("titan8", "walk", "travel  639.9 mm forward"),
+        ("generic", "walk", "travel  639.9 mm forward"),
+        ("hand", "grasp", "lifted"),
+        ("hexapod", "walk", "travel  1320.0 mm forward"),
+        ("ours.toml", "bend", "F2"),
+    ] {
+        let name = format!("a-{}", robot.trim_end_matches(".toml"));
+        folder.tipc(&["new", &name, "--robot", robot]).expect(0);
+        let program = format!("{name}/motions/{motion}.prg");
+        let check = ["check", "--deny", "warnings", &program];
+        folder.tipc(&check).expect(0);
+        let outcome = folder.tipc(&["run", &program]).expect(0);
+        let all = format!("{}{}", outcome.out, outcome.err);
+        assert!(all.contains(said), "{robot}: {all}");
+        assert!(!all.contains("falls   1"), "{robot}: {all}");
+        let fmt = ["fmt", "--check", &program];
+        folder.tipc(&fmt).expect(0);
+    }
+}
+
+/// A robot of two legs that is bolted down; one of its joints has little room.
+const OURS: &str = "name = \"ours\"
+joint = [
+    { axis = \"z\", link = [50, 0, 0], limits = [-60, 60] },
+    { axis = \"-y\", link = [120, 0, 0], limits = [-60, 75] },
+    { axis = \"y\", link = [140, 0, 0], limits = [88, 150] },
+]
+leg = [{ base = [-120, 0, 0], mirror = \"x\" }, { base = [120, 0, 0] }]
+initial = [0, 0, 90]
+";
+
+#[test]
+fn the_hexapod_is_that_of_the_example() {
+    let folder = Folder::new("new-hexapod");
+    folder.tipc(&["new", "six", "--robot", "hexapod"]).expect(0);
+    let example = |name: &str| {
+        let path = Path::new(TIP).join("examples/six-legs").join(name);
+        fs::read_to_string(path).expect("the example")
+    };
+    assert_eq!(folder.read("six/robot.toml"), example("hexapod.toml"));
+    let program = folder.read("six/motions/walk.prg");
+    assert_eq!(program, example("motions/tripod.prg"));
+}
+
+#[test]
+fn names_that_cargo_or_rust_refuse_are_refused_with_a_better_one() {
+    let folder = Folder::new("new-names");
+    for (name, said) in [
+        ("2fast", "as in `my-2fast`"),
+        ("Demo", "as in `demo`"),
+        ("first walk", "as in `first-walk`"),
+        ("歩く", "as in `demo`"),
+        (
+            "match",
+            "means something else to Rust or cargo, and cannot be the name of a crate: `my-match` can",
+        ),
+        ("test", "`my-test` can"),
+        ("tip-runtime", "`my-tip-runtime` can"),
+    ] {
+        let outcome = folder.tipc(&["new", name]).expect(2);
+        assert!(outcome.err.contains(said), "{name}: {outcome:#?}");
+        assert!(outcome.err.contains("`tipc help new`"), "{outcome:#?}");
+    }
+    let outcome = folder.tipc(&["new", "2fast", "--lang", "ja"]).expect(2);
+    assert!(
+        outcome.err.contains("`2fast` はクレート名にできません"),
+        "{outcome:#?}"
+    );
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn what_is_there_is_left_alone() {
+    let folder = Folder::new("new-taken")
+        .file("full/mine.txt", "mine")
+        .file("plain", "a file");
+    for name in ["full", "plain"] {
+        let outcome = folder.tipc(&["new", name]).expect(1);
+        let said = format!("error: `{name}` is there already: choose another name");
+        assert!(outcome.err.starts_with(&said), "{outcome:#?}");
+    }
+    assert_eq!(tree(&folder, "full"), ["mine.txt"]);
+    assert_eq!(folder.read("plain"), "a file");
+    assert_eq!(folder.names(), ["full", "plain"]);
+    let outcome = folder.tipc(&["new", "full", "--lang", "ja"]).expect(1);
+    assert!(
+        outcome.err.contains("`full` はすでにあります"),
+        "{outcome:#?}"
+    );
+    // An empty folder is as good as none.
+    fs::create_dir(folder.path("empty")).expect("a folder");
+    folder.tipc(&["new", "empty"]).expect(0);
+    assert_eq!(tree(&folder, "empty"), PLAIN);
+}
+
+#[test]
+fn a_crate_that_cannot_be_made_leaves_nothing() {
+    let folder = Folder::new("new-nowhere").file("broken.toml", "name = \"broken\"\nlegs = 4\n");
+    let outcome = folder.tipc(&["new", "far/away/demo"]).expect(1);
+    let said = "error: there is no folder `far/away`: `mkdir -p far/away` makes it";
+    assert!(outcome.err.starts_with(said), "{outcome:#?}");
+    let outcome = folder
+        .tipc(&["new", "demo", "--robot", "gone.toml"])
+        .expect(1);
+    assert!(outcome.err.contains("gone.toml"), "{outcome:#?}");
+    let outcome = folder
+        .tipc(&["new", "demo", "--robot", "broken.toml"])
+        .expect(1);
+    assert!(outcome.err.contains("`legs`"), "{outcome:#?}");
+    let outcome = folder.tipc(&["new", "demo", "--robot", "titan9"]).expect(2);
+    assert!(
+        outcome.err.contains("did you mean `titan8`?"),
+        "{outcome:#?}"
+    );
+    let outcome = folder.tipc(&["new", "demo", "--workspace", "."]).expect(1);
+    assert!(
+        outcome
+            .err
+            .contains("`.` is not a checkout of this project"),
+        "{outcome:#?}"
+    );
+    assert_eq!(folder.names(), ["broken.toml"]);
+}
+
+/// The kernel's own folder takes none, whoever asks.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_folder_that_nobody_may_write_is_named_with_a_way_out() {
+    let folder = Folder::new("new-read-only");
+    let outcome = folder.tipc(&["new", "/proc/demo"]).expect(1);
+    assert!(
+        outcome
+            .err
+            .starts_with("error: `/proc/demo` cannot be made: "),
+        "{outcome:#?}"
+    );
+    assert!(
+        outcome.err.contains("as `tipc new ~/demo` does"),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_checkout_that_is_named_stays_where_it_is_beside_the_crate() {
+    let folder = Folder::new("new-checkout")
+        .file(
+            "tip/Cargo.toml",
+            format!(
+                "[workspace.package]\nversion = \"{}\"\n",
+                env!("CARGO_PKG_VERSION")
+            ),
+        )
+        .file("tip/tip-macros/Cargo.toml", "")
+        .file("tip/tip-runtime/Cargo.toml", "")
+        .file("tip/tools/sim/Cargo.toml", "")
+        .file("tip/Cargo.lock", "# versions\n");
+    folder
+        .tipc(&["new", "demo", "--workspace", "tip"])
+        .expect(0);
+    let manifest = folder.read("demo/Cargo.toml");
+    for line in [
+        "tip-macros = { path = \"../tip/tip-macros\" }",
+        "tip-runtime = { path = \"../tip/tip-runtime\", features = [\"terminal\"] }",
+        "tip-sim = { path = \"../tip/tools/sim\" }",
+    ] {
+        assert!(
+            manifest.lines().any(|found| found == line),
+            "{line}: {manifest}"
+        );
+    }
+    assert_eq!(folder.read("demo/Cargo.lock"), "# versions\n");
+    let old = folder.file("tip/Cargo.toml", "version = \"0.0.1\"\n");
+    let outcome = old.tipc(&["new", "other", "--workspace", "tip"]).expect(1);
+    assert!(
+        outcome
+            .err
+            .contains("is not a checkout of this project in version"),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_crate_inside_a_workspace_is_one_of_its_own() {
+    let folder = Folder::new("new-inside").file("around/Cargo.toml", "[workspace]\nmembers = []\n");
+    folder.tipc(&["new", "around/demo"]).expect(0);
+    let manifest = folder.read("around/demo/Cargo.toml");
+    assert!(manifest.ends_with("\n[workspace]\n"), "{manifest}");
+}
