@@ -199,15 +199,18 @@ codes! {
     /// A value in a MESSAGE as other languages write it.
     ForeignValue "W124" None, "the message shows this as it is",
         "値に置き換わらず、このまま表示されます";
+    /// A program that `tip.toml` gives another robot than its crate.
+    OtherRobot "W125" None, "its crate compiles this program for another robot",
+        "このプログラムは、クレートでは別のロボット用にコンパイルされます";
     /// A wait for what nothing in the program moves or sets.
     WaitsForNothing "W126" None, "nothing in the program moves or sets this",
         "プログラムの中に、これを動かしたり立てたりする文がありません";
 }
 
 impl Code {
-    /// Whether it is found after a program is loaded, by whoever knows the robot's geometry.
+    /// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
     pub(crate) const fn is_found_later(self) -> bool {
-        matches!(self, Code::OutOfReach | Code::Unanswered)
+        matches!(self, Code::OutOfReach | Code::Unanswered | Code::OtherRobot)
     }
 
     /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.

@@ -1,5 +1,6 @@
 //! What is said of a program that loads.
 
+use super::Text;
 use super::list::{List, Quoted};
 use super::phrase::{Assign, Lack, Stretch, Type};
 use smol_str::SmolStr;
@@ -171,6 +172,14 @@ messages! {
     CallSpecial
         "native code sets this flag: call it with SPECIAL",
         "このフラグを立てるのはネイティブコードです。SPECIALで呼んでください";
+
+    // The crate around a program.
+    CompiledForAnother { project: Text, given: String, source: Text, other: String }
+        "{project} says {given}, {source} compiles it for {other}",
+        "{project}では{given}、{source}では{other}になっています";
+    SayOneRobot { project: Text }
+        "let both say the same: the macro or build script, and {project}",
+        "マクロまたはビルドスクリプトと{project}を一致させてください";
 
     // Targets.
     TurnsTooFar { joint: Target, by: f64, limit: f64 }

@@ -5,7 +5,7 @@ use super::choices::Format;
 use super::deny::Deny;
 use super::error::Error;
 use super::watch::Watch;
-use super::{Status, fix, input, interrupt, project, report};
+use super::{Status, embedded, fix, input, interrupt, project, report};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
@@ -119,9 +119,11 @@ fn once(arguments: &Check) -> Result<Status, Error> {
     let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
         let mut source = arguments.source.clone();
-        let robot = source.complete(file).and_then(|_| source.robot().load());
-        let robot = match robot {
-            Ok(robot) => robot,
+        let is_asked = source.robot.is_some();
+        let given = source.complete(file);
+        let chosen = given.and_then(|given| Ok((given, source.robot().load()?)));
+        let (given, robot) = match chosen {
+            Ok(chosen) => chosen,
             Err(loaded) => {
                 report::check(&loaded, shown)?;
                 total.add(&loaded);
@@ -137,6 +139,9 @@ fn once(arguments: &Check) -> Result<Status, Error> {
                 let mut loaded = input::load(file, &options);
                 reach::warn(&mut loaded, &robot);
                 special::warn(&mut loaded, &robot);
+                if let Some(given) = given.filter(|_| !is_asked) {
+                    embedded::warn(&mut loaded, file, &given);
+                }
                 let loaded = fix::offered(loaded, &options, shown);
                 report::check(&loaded, shown)?;
                 loaded

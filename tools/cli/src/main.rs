@@ -10,6 +10,7 @@ mod dap;
 mod debug;
 mod deny;
 mod describe;
+mod embedded;
 mod emit;
 mod error;
 mod escape;

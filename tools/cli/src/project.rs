@@ -65,7 +65,7 @@ fn nearest(path: &Path) -> Option<(PathBuf, PathBuf)> {
 }
 
 /// A path as people write it: from the folder that they are in.
-fn shown(path: &Path) -> PathBuf {
+pub(super) fn shown(path: &Path) -> PathBuf {
     let here = env::current_dir().ok();
     let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_owned));
     inside.unwrap_or_else(|| path.to_owned())
@@ -103,6 +103,11 @@ impl SourceArguments {
 }
 
 impl Given {
+    /// The file that gives it.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
     fn is_something(&self) -> bool {
         self.robot.is_some() || self.encoding.is_some() || self.scene.is_some()
     }

@@ -1,6 +1,7 @@
 //! `tip.toml` beside programs: the nearest one counts, options win, and a broken one is an error at its place.
 
 use crate::support::Folder;
+use serde_json::{Value, json};
 
 /// A program that only a hand understands.
 const HAND: &str = "DEF_VAR T\nTEACH_TORQUE J11 T\nSLEEP T\nEND";
@@ -118,4 +119,141 @@ fn a_broken_one_is_an_error_at_its_place() {
     let help = "`robot` is a robot's name, or a description's";
     let outcome = folder.tipc(&["run", "grasp.prg"]).expect(1);
     assert!(outcome.err.contains(help), "{outcome:#?}");
+}
+
+/// A crate around `motions/grasp.prg` for a hand: what is said about it, with the texts of its sources.
+fn around(name: &str, sources: &[(&str, &str)]) -> String {
+    let mut folder = Folder::new(name)
+        .file("Cargo.toml", "[package]\nname = \"around\"\n")
+        .file("tip.toml", "robot = \"hand\"\n")
+        .file(
+            "target/debug/build/out.rs",
+            "include_tip!(\"motions/grasp.prg\");",
+        )
+        .program("motions/grasp.prg", HAND);
+    for (file, text) in sources {
+        folder = folder.file(file, text);
+    }
+    let check = ["check", "--message-format", "json", "motions/grasp.prg"];
+    let asked = folder.tipc(&[
+        "check",
+        "--deny",
+        "W125",
+        "--robot",
+        "hand",
+        "motions/grasp.prg",
+    ]);
+    asked.expect(0);
+    folder.tipc(&check).expect(0).out
+}
+
+#[test]
+fn a_crate_that_compiles_for_another_robot_is_warned_of_with_both_places() {
+    let said_of = |said: &str, place: &str, robot: &str| {
+        let finding: Value = serde_json::from_str(said).expect("one finding");
+        assert_eq!(
+            (&finding["code"], &finding["line"]),
+            (&json!("W125"), &json!(1))
+        );
+        let reason = format!("tip.toml says hand, {place} compiles it for {robot}");
+        assert_eq!(finding["reason"], json!(reason));
+    };
+    let said = around(
+        "embedded-macro",
+        &[(
+            "src/lib.rs",
+            "//! Motions.\n\ntip_macros::include_tip!(pub \"motions/grasp.prg\");\n",
+        )],
+    );
+    said_of(&said, "src/lib.rs:3", "titan8");
+    // Beside the source, as the macro finds it, and below folders.
+    let said = around(
+        "embedded-deep",
+        &[(
+            "src/a/b.rs",
+            "include_tip!(\"../../motions/grasp.prg\", robot = \"generic\");",
+        )],
+    );
+    said_of(&said, "src/a/b.rs:1", "generic");
+    let said = around(
+        "embedded-script",
+        &[(
+            "build.rs",
+            "fn main() {\n    tipc::compile(\"motions/grasp.prg\").unwrap();\n}",
+        )],
+    );
+    said_of(&said, "build.rs:2", "titan8");
+    let said = around(
+        "embedded-described",
+        &[
+            (
+                "robot.toml",
+                include_str!("../../../../tipc/tests/robots/hexapod.toml"),
+            ),
+            (
+                "src/lib.rs",
+                "include_tip!(\"motions/grasp.prg\", robot = \"robot.toml\");",
+            ),
+        ],
+    );
+    said_of(&said, "src/lib.rs:1", "robot.toml");
+}
+
+#[test]
+fn a_crate_that_agrees_or_cannot_be_read_is_not_warned_of() {
+    let other = "include_tip!(\"motions/grasp.prg\");";
+    let cases: [(&str, &[(&str, &str)]); 9] = [
+        (
+            "embedded-same",
+            &[(
+                "src/lib.rs",
+                "include_tip!(\"motions/grasp.prg\", robot = hand);",
+            )],
+        ),
+        // One of two is enough.
+        (
+            "embedded-both",
+            &[
+                ("src/a.rs", other),
+                (
+                    "src/b.rs",
+                    "include_tip!(\"motions/grasp.prg\", robot = hand);",
+                ),
+            ],
+        ),
+        (
+            "embedded-comment",
+            &[(
+                "src/lib.rs",
+                "// include_tip!(\"motions/grasp.prg\");\n/// include_tip!(\"motions/grasp.prg\");\nfn f() {}",
+            )],
+        ),
+        (
+            "embedded-text",
+            &[(
+                "src/lib.rs",
+                "const TEXT: &str = \"include_tip!(\\\"motions/grasp.prg\\\")\";",
+            )],
+        ),
+        (
+            "embedded-broken",
+            &[("src/lib.rs", "include_tip!(\"motions/grasp.prg\"")],
+        ),
+        (
+            "embedded-unclear",
+            &[(
+                "build.rs",
+                "fn main() { settings().compile(&[\"motions/grasp.prg\"]).unwrap() }",
+            )],
+        ),
+        (
+            "embedded-gone",
+            &[("src/lib.rs", "include_tip!(\"motions/other.prg\");")],
+        ),
+        ("embedded-elsewhere", &[("tests/a.rs", other)]),
+        ("embedded-none", &[]),
+    ];
+    for (name, sources) in cases {
+        assert_eq!(around(name, sources), "", "{name}");
+    }
 }
