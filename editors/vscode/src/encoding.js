@@ -65,11 +65,23 @@ const isShiftJis = (document) => document.encoding === SHIFT_JIS;
 /** The document, in its own encoding. */
 async function reopened(document, bytes, said) {
   const settings = vscode.workspace.getConfiguration('tip', document.uri);
-  if (!settings.get('detectEncoding') || document.isDirty) return document;
-  const encoding = encodingOf(bytes, await said(document.uri));
+  if (!settings.get('detectEncoding')) return document;
+  // What UTF-8 cannot show is not left so until the server answers.
+  const found = encodingOf(bytes);
+  const encoding = found === SHIFT_JIS ? found : encodingOf(bytes, await said(document.uri));
   const has = document.encoding === 'utf8bom' ? 'utf8' : document.encoding;
   if (encoding === undefined || encoding === has) return document;
+  if (document.isDirty) {
+    warnOfChanges(document, encoding);
+    return document;
+  }
   return vscode.workspace.openTextDocument(document.uri, { encoding });
+}
+
+function warnOfChanges(document, encoding) {
+  const name = vscode.workspace.asRelativePath(document.uri);
+  const text = vscode.l10n.t('{0} was changed before it could be opened in its encoding, {1}. Undo the changes, close it, and open it again.', name, encoding);
+  vscode.window.showWarningMessage(text);
 }
 
 async function warnOfBytes(document, bytes) {
