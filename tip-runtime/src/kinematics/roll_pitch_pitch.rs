@@ -31,7 +31,9 @@ pub(super) fn solutions(base: Point, joints: [&Joint; 3], foot: Point, roll_now:
 
     let offset = frame.across.dot(&(hip + upper + lower));
     let square = aside.norm_squared() - offset * offset;
-    if !(square >= -INSIDE * size * size) {
+    // What is not a number is not outside either.
+    let is_outside = square >= -INSIDE * size * size;
+    if !is_outside {
         return [None; 4];
     }
     let height = libm::sqrt(square.max(0.0));
