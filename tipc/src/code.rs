@@ -205,12 +205,18 @@ codes! {
     /// A wait for what nothing in the program moves or sets.
     WaitsForNothing "W126" None, "nothing in the program moves or sets this",
         "プログラムの中に、これを動かしたり立てたりする文がありません";
+    /// A constant target that the robot reaches, but not on the straight path from where the foot is.
+    PathLeavesReach "W127" None, "the straight path to this target leaves the reach and stops the program when it runs",
+        "この目標までの直線経路が可動範囲を外れ、実行すると緊急停止します";
 }
 
 impl Code {
     /// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
     pub(crate) const fn is_found_later(self) -> bool {
-        matches!(self, Code::OutOfReach | Code::Unanswered | Code::OtherRobot)
+        matches!(
+            self,
+            Code::OutOfReach | Code::PathLeavesReach | Code::Unanswered | Code::OtherRobot
+        )
     }
 
     /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.

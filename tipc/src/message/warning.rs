@@ -191,6 +191,12 @@ messages! {
     ComesNoNearer { target: Target, by: f64 }
         "{target} ends about {by} mm before it",
         "{target}は約{by} mm届きません";
+    LeavesReach { target: Target, x: f64, y: f64, z: f64 }
+        "the straight path of {target} leaves its reach near {x} {y} {z}",
+        "{target}の直線経路が{x} {y} {z}付近で可動範囲を外れます";
+    GoAround
+        "go around in two moves: put a PTP and a WAIT_INPOS before it",
+        "手前にPTPとWAIT_INPOSを入れ、2回に分けて回り込んでください";
     ChooseNearer
         "choose a place nearer to the base of the leg; positions are mm in the robot's frame",
         "脚の付け根に近い位置にしてください。位置はロボット座標系で、単位はmmです";

@@ -1,8 +1,8 @@
 //! Constant targets that a robot cannot reach, found before it moves.
 //!
 //! The program must give every number of the target as a constant, and none of them relative. A program that says EMG_OFF
-//! is left alone: there a joint stops at its limit, and the program goes on. Whether a foot comes straight from where it is
-//! to a target within reach is not looked at.
+//! is left alone: there a joint stops at its limit, and the program goes on. Whether a foot comes straight to a target within
+//! reach is looked at where it is known to start: on the first pass, up to the first question.
 //!
 //! ```
 //! use tip_sim::{Robot, reach};
@@ -15,14 +15,18 @@
 //! assert_eq!(loaded.diagnostics[0].code, Code::OutOfReach);
 //! ```
 
+mod start;
+
 use crate::Robot;
 use crate::body::Miss;
-use tip_runtime::command::Op;
+use start::Starts;
+use tip_runtime::command::{Op, Target};
+use tip_runtime::model::Point;
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Warning;
-use tipc::program::{Action, Mark, Operand, Program, Step};
+use tipc::program::{Action, Argument, Mark, Operand, Program, Step};
 use tipc::source::Span;
 use tipc::syntax::{OperandKind, Statement, StatementKind};
 
@@ -35,9 +39,12 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
     else {
         return;
     };
-    let steps = loaded.module.steps().zip(program.steps());
-    let found = steps.filter_map(|(statement, step)| warning(statement, step, robot));
-    let found = found.collect();
+    let mut starts = Starts::of(robot);
+    let mut found = Vec::new();
+    for (statement, step) in loaded.module.steps().zip(program.steps()) {
+        let start = starts.before(step);
+        found.extend(warning(statement, step, robot, start));
+    }
     loaded.add(found);
 }
 
@@ -47,7 +54,22 @@ fn stops_at_limits(program: &Program) -> bool {
     !program.steps().iter().any(clips)
 }
 
-fn warning(statement: &Statement, step: &Step, robot: &Robot) -> Option<Diagnostic> {
+/// The numbers of a command's target, if all are constants and absolute.
+fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
+    let constant = |argument: &Argument| match (argument.operand, argument.mark) {
+        (Operand::Constant(number), Mark::None) => Some(number),
+        _ => None,
+    };
+    arguments.iter().map(constant).collect()
+}
+
+/// What is wrong with a target, or with the straight path that leads there from `start`.
+fn warning(
+    statement: &Statement,
+    step: &Step,
+    robot: &Robot,
+    start: Option<Point>,
+) -> Option<Diagnostic> {
     let Action::Command {
         op: op @ (Op::Ptp | Op::PtpAngle),
         target,
@@ -57,12 +79,11 @@ fn warning(statement: &Statement, step: &Step, robot: &Robot) -> Option<Diagnost
     else {
         return None;
     };
-    let constant = |argument: &tipc::program::Argument| match (argument.operand, argument.mark) {
-        (Operand::Constant(number), Mark::None) => Some(number),
-        _ => None,
+    let values = constants(arguments)?;
+    let Some(miss) = robot.miss(*op, *target, &values) else {
+        let end: Point = values.try_into().ok().filter(|_| *op == Op::Ptp)?;
+        return on_the_path(statement, robot, *target, start?, end);
     };
-    let values: Vec<f64> = arguments.iter().map(constant).collect::<Option<_>>()?;
-    let miss = robot.miss(*op, *target, &values)?;
     let place = place(statement, miss);
     let (reason, help) = match miss {
         Miss::Turns {
@@ -91,6 +112,39 @@ fn warning(statement: &Statement, step: &Step, robot: &Robot) -> Option<Diagnost
         }
     };
     Some(Diagnostic::new(Code::OutOfReach, place, reason).help(help))
+}
+
+/// In how many pieces a straight path is looked at.
+const PIECES: u32 = 100;
+
+/// The first place of a straight path that is clearly out of reach.
+fn on_the_path(
+    statement: &Statement,
+    robot: &Robot,
+    target: Target,
+    start: Point,
+    end: Point,
+) -> Option<Diagnostic> {
+    let parts = (1..PIECES).map(|piece| f64::from(piece) / f64::from(PIECES));
+    let mut places = parts.map(|part| [0, 1, 2].map(|k| start[k] + (end[k] - start[k]) * part));
+    let bad = places.find(|place| {
+        let miss = robot.miss(Op::Ptp, target, place);
+        miss.is_some_and(is_clear)
+    })?;
+    let [x, y, z] = bad.map(tenths);
+    let place = place(statement, Miss::Ends { by: 0.0 });
+    let reason = Warning::LeavesReach { target, x, y, z };
+    let finding = Diagnostic::new(Code::PathLeavesReach, place, reason);
+    Some(finding.help(Warning::GoAround))
+}
+
+/// Whether a target is missed by more than the inexact start of a path explains.
+fn is_clear(miss: Miss) -> bool {
+    match miss {
+        Miss::Turns { by, .. } => by.abs() > 2.0,
+        Miss::Ends { by } => by > 5.0,
+        Miss::Slides { .. } => true,
+    }
 }
 
 /// The number of the joint that misses its limit, if there is one for each joint; else all numbers.

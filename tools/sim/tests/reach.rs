@@ -1,6 +1,9 @@
 //! Which constant targets are reported as out of reach, against the robots' geometry.
 
-use tip_sim::{Robot, reach};
+use tip_runtime::command::Target;
+use tip_runtime::fault::Fault;
+use tip_runtime::record::Ending;
+use tip_sim::{Interpreter, Limit, Robot, Run, reach};
 use tipc::message::Message;
 
 /// What is said of the first finding about some statements: code, reason and help.
@@ -95,4 +98,81 @@ fn the_hand_has_no_z_but_a_slider() {
 
 fn said_far() -> Vec<String> {
     said("hand", "PTP F1 5000 0 0")
+}
+
+/// A position as a program writes it.
+fn written([x, y, z]: [f64; 3]) -> String {
+    format!("{x:.1} {y:.1} {z:.1}")
+}
+
+/// Pairs of places that a foot of TITAN VIII reaches, on both sides of its hip.
+fn pairs() -> impl Iterator<Item = (String, String)> {
+    let robot = Robot::named("titan8").expect("a robot");
+    let leg = robot.anatomy().legs.remove(0);
+    let ranges: Vec<_> = leg.joints.iter().map(|joint| joint.limits).collect();
+    let mut state = 0x2545_F491_4F6C_DD1D_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut place = move || {
+        let angles = ranges
+            .iter()
+            .map(|it| it.min + (it.max - it.min) * (0.02 + 0.96 * random()));
+        written(leg.foot(&angles.collect::<Vec<f64>>()))
+    };
+    std::iter::repeat_with(move || (place(), place())).take(150)
+}
+
+// clauses: 2.22
+#[test]
+fn a_path_that_is_said_to_leave_the_reach_stops_the_program() {
+    let mut warned = 0;
+    for (first, second) in pairs() {
+        let text = format!("PTP F1 {first}\nWAIT_INPOS F1\nPTP F1 {second}\nWAIT_INPOS F1");
+        if said("titan8", &text).is_empty() {
+            continue;
+        }
+        warned += 1;
+        let robot = Robot::named("titan8").expect("a robot");
+        let text = format!("3.1\npath\n{text}\nEND\n");
+        let loaded = tipc::load("path.prg", text.as_bytes(), &robot.options());
+        let program = loaded.program.expect("it loads");
+        let mut run = Run::new(Interpreter::new(program), robot).expect("it fits");
+        run.to_end(Limit::cycles(5000));
+        let stopped = run.ending();
+        let is_so = |it: &Ending| matches!(it, Ending::Emergency(it) if it.fault == Fault::OutOfReach(Target::Foot(1)));
+        assert!(
+            stopped.as_ref().is_some_and(is_so),
+            "{first} to {second}: {stopped:?}"
+        );
+    }
+    assert!(warned >= 10, "{warned}");
+}
+
+// From above the hip to below it the knee would have to fold beyond its limit.
+// clauses: 2.22
+#[test]
+fn a_path_is_looked_at_where_its_start_is_known() {
+    let path = "PTP F1 -408 93 235\nWAIT_INPOS F1\nPTP F1 -199 183 -137";
+    let [one] = &said("titan8", path)[..] else {
+        panic!("{path}")
+    };
+    let begins = "W127 -199 183 -137: the straight path of F1 leaves its reach near ";
+    assert!(one.starts_with(begins), "{one}");
+    for unknown in [
+        // Under way, after a question, after another motion, or as far as a joint goes.
+        "PTP F1 -408 93 235\nPTP F1 -199 183 -137",
+        "PTP F1 -408 93 235\nWAIT_INPOS F1\nIF KB_HIT THEN\nPTP F1 -300 250 -200\nWAIT_INPOS F1\nENDIF\nPTP F1 -199 183 -137",
+        "PTP F1 -408 93 235\nWAIT_INPOS F1\nREL_PTP F1 0 0 -10\nWAIT_INPOS F1\nPTP F1 -199 183 -137",
+        "EMG_OFF\nPTP F1 -408 93 235\nWAIT_INPOS F1\nPTP F1 -199 183 -137",
+    ] {
+        check("titan8", unknown, &[]);
+    }
+    // Waiting for all, and what moves nothing.
+    let same =
+        "PTP F1 -408 93 235\nLAMP_ON 1\nWAIT_INPOS ALL\nSLEEP 100\nL1:\nPTP F1 -199 183 -137";
+    assert_eq!(said("titan8", same).len(), 1);
 }

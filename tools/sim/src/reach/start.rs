@@ -1,0 +1,95 @@
+//! Where each foot is known to start, on the first pass through a program.
+
+use super::constants;
+use crate::Robot;
+use tip_runtime::command::{Op, Target};
+use tip_runtime::model::Point;
+use tipc::program::{Action, Step};
+
+/// What is known of a foot.
+#[derive(Clone, Copy, Default)]
+struct Foot {
+    /// Where it rests.
+    rests: Option<Point>,
+    /// Where it goes.
+    goes: Option<Point>,
+}
+
+/// What is known of all feet before a step.
+pub(super) struct Starts {
+    /// None after the first question, or a command that may move anything.
+    feet: Option<Vec<Foot>>,
+}
+
+impl Starts {
+    /// A robot in its initial posture. Of legs without a closed form nothing is known: they choose postures on their way.
+    pub(super) fn of(robot: &Robot) -> Self {
+        let anatomy = robot.anatomy();
+        if !anatomy.inverse.is_closed() {
+            return Starts { feet: None };
+        }
+        let rests = |at: Point| Foot {
+            rests: Some(at),
+            goes: None,
+        };
+        let feet = anatomy.feet.into_iter().map(rests);
+        Starts {
+            feet: Some(feet.collect()),
+        }
+    }
+
+    /// Where the foot that a step moves starts, if that is known; what the step does is known afterwards.
+    pub(super) fn before(&mut self, step: &Step) -> Option<Point> {
+        let feet = self.feet.as_mut()?;
+        let Action::Command {
+            op,
+            target,
+            arguments,
+            ..
+        } = &step.action
+        else {
+            let goes_on = matches!(
+                step.action,
+                Action::Nothing
+                    | Action::SetScalar { .. }
+                    | Action::SetStruct { .. }
+                    | Action::Message { .. }
+            );
+            self.feet = self.feet.take().filter(|_| goes_on);
+            return None;
+        };
+        match (op, target) {
+            (Op::Ptp, Target::Foot(leg)) => {
+                let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
+                let start = foot.rests.take();
+                foot.goes = constants(arguments).and_then(|to| to.try_into().ok());
+                start
+            }
+            (Op::WaitInpos, Target::Foot(leg)) => {
+                let foot = feet.get_mut(usize::from(*leg).checked_sub(1)?)?;
+                foot.arrive();
+                None
+            }
+            (Op::WaitInpos, Target::All) => {
+                feet.iter_mut().for_each(Foot::arrive);
+                None
+            }
+            (
+                Op::Sleep | Op::WaitNear | Op::LampOn | Op::LampOff | Op::LogStart | Op::LogStop,
+                _,
+            ) => None,
+            (Op::SetVMax | Op::SetAMax | Op::SetVMaxRate | Op::SetAMaxRate, _) => None,
+            _ => {
+                self.feet = None;
+                None
+            }
+        }
+    }
+}
+
+impl Foot {
+    /// It has come to where it was going.
+    fn arrive(&mut self) {
+        self.rests = self.rests.or(self.goes.take());
+    }
+}
