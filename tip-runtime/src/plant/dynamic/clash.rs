@@ -134,8 +134,8 @@ fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
 
 /// A fraction from 0 to 1.
 fn part(of: f64, whole: f64) -> f64 {
-    if whole > 0.0 {
-        (of / whole).max(0.0).min(1.0)
+    if whole > 0.0 && of > 0.0 {
+        (of / whole).min(1.0)
     } else {
         0.0
     }
