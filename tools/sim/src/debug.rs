@@ -42,12 +42,14 @@ mod goal;
 mod history;
 mod hits;
 mod learn;
+mod log;
 mod marks;
 mod progress;
 mod refused;
 mod seen;
 mod stop;
 mod watch;
+mod words;
 
 #[cfg(test)]
 mod tests;
@@ -97,6 +99,8 @@ pub struct Debugger {
     said: Vec<(u64, String)>,
     /// How many of them someone has taken.
     taken: usize,
+    /// What log points have said and no one has taken.
+    logged: Vec<(u64, String)>,
     errand: Option<Errand>,
     stop: Stop,
     next_id: u32,
@@ -127,6 +131,7 @@ impl Debugger {
             changes: Vec::new(),
             said: Vec::new(),
             taken: 0,
+            logged: Vec::new(),
             errand: None,
             stop: Stop {
                 reason: Reason::Start,

@@ -1,5 +1,7 @@
 //! A debugger goes through a run in both directions, and finds at each cycle what a run without it has there.
 
+#[path = "debug/logs.rs"]
+mod logs;
 #[path = "debug/places.rs"]
 mod places;
 #[path = "debug/walks.rs"]

@@ -158,13 +158,14 @@ fn place(
 ) -> Result<Placed, Refused> {
     let line = wanted.line.saturating_sub(base).saturating_add(1);
     let line = u32::try_from(line.max(1)).unwrap_or(u32::MAX);
-    match wanted.column {
-        Some(column) => {
-            let units = column.saturating_sub(first_column);
-            let column = shown::character(&debuggee.source, line, units);
-            debuggee.debugger.break_at(line, column, when)
-        }
-        None => debuggee.debugger.break_at_line(line, when),
+    let column = wanted.column.map_or(1, |column| {
+        let units = column.saturating_sub(first_column);
+        shown::character(&debuggee.source, line, units)
+    });
+    let debugger = &mut debuggee.debugger;
+    match text(&wanted.log_message) {
+        Some(message) => debugger.log_at(line, column, when, message),
+        None => debugger.break_at(line, column, when),
     }
 }
 

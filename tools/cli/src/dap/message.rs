@@ -71,6 +71,7 @@ pub(crate) struct Capabilities {
     pub(crate) supports_function_breakpoints: bool,
     pub(crate) supports_conditional_breakpoints: bool,
     pub(crate) supports_hit_conditional_breakpoints: bool,
+    pub(crate) supports_log_points: bool,
     pub(crate) supports_evaluate_for_hovers: bool,
     pub(crate) supports_step_back: bool,
     pub(crate) supports_set_variable: bool,
@@ -134,6 +135,7 @@ pub(crate) struct SourceBreakpoint {
     pub(crate) column: Option<i64>,
     pub(crate) condition: Option<String>,
     pub(crate) hit_condition: Option<String>,
+    pub(crate) log_message: Option<String>,
 }
 
 #[derive(Debug, Deserialize)]

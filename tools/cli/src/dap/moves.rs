@@ -97,14 +97,22 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// Passes on what the program said for the first time.
+    /// Passes on what the program said for the first time, and what log points said.
     pub(super) fn say(&mut self) {
         let Some(debuggee) = &mut self.debuggee else {
             return;
         };
-        for (_, text) in debuggee.debugger.news() {
+        // What is said at a position comes before the cycle that begins there.
+        let debugger = &mut debuggee.debugger;
+        let logged = debugger.logged().into_iter();
+        let logged = logged.map(|(at, text)| (at, "console", text));
+        let said = debugger.news().into_iter();
+        let said = said.map(|(at, text)| (at, "stdout", text));
+        let mut all: Vec<_> = logged.chain(said).collect();
+        all.sort_by_key(|(at, ..)| *at);
+        for (_, category, text) in all {
             if !text.is_empty() {
-                let body = json!({ "category": "stdout", "output": format!("{text}\n") });
+                let body = json!({ "category": category, "output": format!("{text}\n") });
                 self.event("output", Some(body));
             }
         }

@@ -281,6 +281,7 @@ fn capabilities() -> Capabilities {
         supports_function_breakpoints: true,
         supports_conditional_breakpoints: true,
         supports_hit_conditional_breakpoints: true,
+        supports_log_points: true,
         supports_evaluate_for_hovers: true,
         supports_step_back: true,
         supports_set_variable: true,

@@ -51,6 +51,7 @@ impl Client {
         let mut client = Client::new();
         let capabilities = client.ask("initialize", json!({ "adapterID": "tip" }));
         assert_eq!(capabilities["supportsStepBack"], true);
+        assert_eq!(capabilities["supportsLogPoints"], true);
         let mut launch = json!({ "program": program, "stopOnEntry": true });
         for (name, value) in more.as_object().into_iter().flatten() {
             launch[name] = value.clone();
@@ -225,6 +226,40 @@ fn a_session_goes_forwards_and_back() {
     );
     // What the program says comes once.
     assert_eq!(client.event("output")["output"], "あ 1\n");
+    client.ask("disconnect", Value::Null);
+}
+
+#[test]
+fn log_points_say_something_between_the_messages_of_the_program() {
+    let (_folder, path) = folder("dap-log");
+    let mut client = Client::launched(&path, json!({ "stopOnEntry": false }));
+    let logs = json!([
+        { "line": 7, "column": 9, "logMessage": "N is {N}" },
+        { "line": 8, "condition": "N == 2", "logMessage": "{N > 1} {" },
+        { "line": 8, "logMessage": "{HEIGHT}" },
+    ]);
+    let source = json!({ "path": path });
+    let placed = client.ask(
+        "setBreakpoints",
+        json!({ "source": source, "breakpoints": logs }),
+    );
+    let verified = |place: usize| placed["breakpoints"][place]["verified"].clone();
+    assert_eq!([verified(0), verified(1), verified(2)], [true, true, false]);
+    assert_eq!(client.begin()["reason"], "pause");
+    for (category, output) in [
+        ("console", "N is 1\n"),
+        ("stdout", "あ 1\n"),
+        ("console", "N is 2\n"),
+        ("stdout", "あ 2\n"),
+        ("console", "true {\n"),
+        ("console", "N is 3\n"),
+    ] {
+        let event = client.event("output");
+        assert_eq!(
+            (&event["category"], &event["output"]),
+            (&json!(category), &json!(output))
+        );
+    }
     client.ask("disconnect", Value::Null);
 }
 

@@ -3,6 +3,7 @@
 use super::{Debugger, Refused};
 use crate::interp::Interpreter;
 use crate::run::Run;
+use std::fmt;
 use tip_runtime::fault::Fault;
 use tipc::ask::Asker;
 use tipc::program::{Condition, Operand, ScalarExpression};
@@ -24,6 +25,39 @@ pub enum Value {
     Number(f64),
     /// Of a condition.
     Truth(bool),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Number(number) => number.fmt(f),
+            Value::Truth(truth) => truth.fmt(f),
+        }
+    }
+}
+
+/// A number or a condition that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Question {
+    Number(ScalarExpression),
+    Truth(Condition),
+}
+
+impl Question {
+    pub(super) fn new(text: &str, asker: &Asker) -> Result<Self, Refused> {
+        match (asker.number(text), asker.condition(text)) {
+            (Ok(value), _) => Ok(Question::Number(value)),
+            (Err(_), Ok(condition)) => Ok(Question::Truth(condition)),
+            (Err(error), Err(_)) => Err(error.into()),
+        }
+    }
+
+    pub(super) fn answer(self, now: &Now<'_>) -> Result<Value, Fault> {
+        Ok(match self {
+            Question::Number(value) => Value::Number(now.number(value)?),
+            Question::Truth(condition) => Value::Truth(now.holds(condition)?),
+        })
+    }
 }
 
 impl Asked {
@@ -122,14 +156,8 @@ impl Debugger {
     /// # Errors
     /// It is neither, or it cannot be calculated.
     pub fn evaluate(&self, text: &str) -> Result<Value, Refused> {
-        let now = self.here();
-        match self.asker.number(text) {
-            Ok(value) => Ok(Value::Number(now.number(value)?)),
-            Err(error) => match self.asker.condition(text) {
-                Ok(condition) => Ok(Value::Truth(now.holds(condition)?)),
-                Err(_) => Err(error.into()),
-            },
-        }
+        let question = Question::new(text, &self.asker)?;
+        Ok(question.answer(&self.here())?)
     }
 
     /// The value of a variable or of a member such as `P.X`; none while unassigned.

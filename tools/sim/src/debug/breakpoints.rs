@@ -3,6 +3,7 @@
 use super::ask::{Asked, Now};
 use super::history::History;
 use super::hits::Hits;
+use super::words::Words;
 use super::{Debugger, Refused};
 use tipc::program::Program;
 
@@ -32,6 +33,8 @@ struct Breakpoint {
     steps: Vec<u32>,
     asked: Option<Asked>,
     hits: Option<Hits>,
+    /// What it says in place of stopping the run.
+    says: Option<Words>,
     /// Where it was passed, in order; kept where hits count, and for positions before `known`.
     passes: Vec<u64>,
     known: u64,
@@ -46,6 +49,14 @@ impl Breakpoint {
 
     fn holds(&self, now: &Now<'_>) -> bool {
         self.asked.as_ref().is_none_or(|asked| asked.holds(now))
+    }
+
+    /// Whether a pass that has just been counted is one that it is for.
+    fn is_due(&self, now: &Now<'_>) -> bool {
+        match self.hits {
+            Some(hits) => self.counts(hits, now.at),
+            None => self.holds(now),
+        }
     }
 
     fn passed(&mut self, at: u64, is_pass: bool) {
@@ -103,18 +114,28 @@ impl Breakpoints {
 
     /// The first one that stops a run at a position where a step begins.
     pub(super) fn stops(&self, step: u32, now: &Now<'_>) -> Option<u32> {
-        let mut here = self.at(step);
-        let stops = here.find(|one| match one.hits {
-            Some(hits) => one.counts(hits, now.at),
-            None => one.holds(now),
-        });
-        stops.map(|one| one.id)
+        let mut here = self.at(step).filter(|one| one.says.is_none());
+        here.find(|one| one.is_due(now)).map(|one| one.id)
+    }
+
+    /// What is said there.
+    pub(super) fn said(&self, step: u32, now: &Now<'_>) -> Vec<String> {
+        let here = self.at(step).filter(|one| one.is_due(now));
+        let words = here.filter_map(|one| one.says.as_ref());
+        words.map(|words| words.at(now)).collect()
+    }
+
+    /// Lets one say something in place of stopping.
+    pub(super) fn say(&mut self, id: u32, words: Words) {
+        if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
+            one.says = Some(words);
+        }
     }
 
     /// The same, as far as it is known without the run.
     pub(super) fn known(&self, step: u32, at: u64) -> Known {
         let mut known = Known::No;
-        for one in self.at(step) {
+        for one in self.at(step).filter(|one| one.says.is_none()) {
             match (one.hits, &one.asked) {
                 (Some(hits), _) if one.counts(hits, at) => return Known::Stops(one.id),
                 (None, None) => return Known::Stops(one.id),
@@ -218,6 +239,7 @@ impl Debugger {
             steps,
             asked,
             hits,
+            says: None,
             passes: Vec::new(),
             known: 0,
         });

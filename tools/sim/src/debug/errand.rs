@@ -52,6 +52,9 @@ impl Debugger {
             .breakpoints
             .count_known(&self.history, self.now + u64::from(!is_back));
         let unknown = unknown.filter(|_| !matches!(goal, Goal::At(_)));
+        if !is_back && self.now == 0 {
+            self.log_here();
+        }
         let phase = match unknown.and_then(|from| Learn::new(from, self)) {
             Some(learn) => Phase::Learning(learn),
             None => Phase::after_learning(is_back, self.now),

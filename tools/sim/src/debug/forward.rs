@@ -9,7 +9,7 @@ use tip_runtime::machine::Status;
 use tip_runtime::record::Sink;
 
 /// How many messages are kept.
-const MESSAGES: usize = 10_000;
+pub(super) const MESSAGES: usize = 10_000;
 
 impl Debugger {
     /// Runs on until something stops it, or no cycles are left.
@@ -17,6 +17,7 @@ impl Debugger {
         while *left > 0 {
             *left -= 1;
             self.advance();
+            self.log_here();
             if let Some(reason) = self.reason_here(goal, origin) {
                 let at = self.now;
                 return Some(Stop { reason, at });
