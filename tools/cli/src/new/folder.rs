@@ -56,7 +56,7 @@ impl Beside {
         }
         // An empty folder in its place is given up only now.
         match fs::remove_dir(folder) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => fs::rename(&self.0, folder),
         }
     }
