@@ -28,7 +28,7 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel};
+pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel, Unmodelled};
 
 use crate::command::Port;
 use crate::hardware::Hardware;
@@ -50,6 +50,8 @@ pub struct Motion {
     pub least_margin: f64,
     /// The farthest that any foot has slipped on one stance so far: mm.
     pub slip: f64,
+    /// What the simulation leaves out, counted; none if it leaves nothing out.
+    pub unmodelled: Option<Unmodelled>,
 }
 
 /// The legs or fingers of a simulated robot as they are, whatever its sensors say.

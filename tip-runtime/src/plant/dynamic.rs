@@ -325,6 +325,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
             margin: watch.margin,
             least_margin: watch.least,
             slip: watch.slip * 1000.0,
+            unmodelled: None,
         })
     }
 

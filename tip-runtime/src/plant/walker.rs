@@ -1,9 +1,10 @@
 //! A walking robot on a floor, quasi-static and deterministic.
 //!
 //! Joints are position servos with a lag, a speed and a torque limit. The body rests on whatever
-//! carries it, feet or belly, under gravity; it moves as its stance feet sweep. Nothing swings,
-//! bounces or flies: inertia is left out on purpose, so that a run says what the motion program
-//! does and not how a particular robot vibrates.
+//! carries it, feet or belly, under gravity; it moves as its stance feet sweep. Nothing swings or
+//! bounces: inertia is left out on purpose, so that a run says what the motion program does and not
+//! how a particular robot vibrates. What falls does so no faster than gravity lets it. Where inertia,
+//! friction or contact would have mattered, that is counted: [`Unmodelled`].
 //!
 //! ```
 //! use tip_runtime::model::titan8;
@@ -18,21 +19,26 @@
 
 mod body;
 mod contacts;
+mod crossing;
 mod fall;
 mod floor;
 mod ground;
 mod legs;
 mod links;
+mod path;
 pub(super) mod polygon;
 mod servo;
+mod sink;
 mod stance;
 mod support;
 mod travel;
+mod unmodelled;
 
 pub use body::Pose;
 pub use fall::Fall;
 pub use servo::ServoDynamics;
 pub use travel::Travel;
+pub use unmodelled::Unmodelled;
 
 use super::override_sensors::{LegInputs, Overrides};
 use super::{Limbs, Motion, Plant};
@@ -82,6 +88,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         let mut plant = SimulatedPlant {
             legs: Legs {
                 dynamics: ServoDynamics::default(),
+                crosses: false,
                 each: [LegPlant::new(Leg::BLANK); L],
             },
             ground: Ground::new(model.body),
@@ -99,6 +106,15 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     pub fn with_floor(mut self, floor: Floor) -> Self {
         self.ground.replace(floor);
         self.settle();
+        self
+    }
+
+    /// How rough the floor is: its coefficient of Coulomb friction, 0.5 by default. Feet stay where they are
+    /// nonetheless; cycles in which friction would not have held them are [counted](Self::unmodelled).
+    #[must_use]
+    pub fn with_friction(mut self, friction: f64) -> Self {
+        self.ground.doubts.friction = friction;
+        self.ground.begin();
         self
     }
 
@@ -173,6 +189,11 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.least
     }
 
+    /// What the robot's mass would have changed.
+    pub fn unmodelled(&self) -> Unmodelled {
+        self.ground.doubts.counted
+    }
+
     /// How far the body has come from where it began.
     pub fn travel(&self) -> Travel {
         self.ground
@@ -205,7 +226,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     fn settle(&mut self) {
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
-        legs.settle(&mut self.ground);
+        legs.settle(&mut self.ground, 0.0);
         self.ground.begin();
     }
 }
@@ -250,6 +271,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             margin: self.margin(),
             least_margin: self.least_margin(),
             slip: self.worst_slip(),
+            unmodelled: Some(self.unmodelled()),
         })
     }
 

@@ -1,6 +1,6 @@
 //! What a simulated robot did in a cycle, as the trace shows it.
 
-use crate::plant::Motion;
+use crate::plant::{Motion, Unmodelled};
 use core::fmt::{self, Write};
 
 /// What a simulated robot did in a cycle. Joints come leg by leg.
@@ -17,7 +17,8 @@ pub struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma.
+    /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`, `slides`,
+    /// `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
         if let Some(Motion { pose, .. }) = &self.motion {
             let [x, y, z] = pose.position;
@@ -38,13 +39,30 @@ impl Moved<'_> {
             out.write_str(r#","loads":"#)?;
             numbers(out, self.loads)?;
         }
-        match &self.motion {
-            Some(Motion { margin, falls, .. }) => {
-                write!(out, r#","margin":{margin:?},"falls":{falls}"#)
-            }
+        if let Some(Motion { margin, falls, .. }) = &self.motion {
+            write!(out, r#","margin":{margin:?},"falls":{falls}"#)?;
+        }
+        match self.motion.and_then(|motion| motion.unmodelled) {
+            Some(unmodelled) => counts(out, &unmodelled),
             None => Ok(()),
         }
     }
+}
+
+/// What was left out so far.
+fn counts(out: &mut impl Write, unmodelled: &Unmodelled) -> fmt::Result {
+    write!(out, r#","zmp":{:?}"#, unmodelled.zmp_margin)?;
+    let counts = [
+        ("tips", unmodelled.tips),
+        ("slides", unmodelled.slides),
+        ("crossings", unmodelled.crossings),
+        ("hurries", unmodelled.hurries),
+        ("strays", unmodelled.strays),
+    ];
+    for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+        write!(out, r#","{key}":{count}"#)?;
+    }
+    Ok(())
 }
 
 /// An array in the shortest form that reads back to the same bits.

@@ -7,3 +7,4 @@ mod pose;
 mod rig;
 mod sensors;
 mod servos;
+mod unmodelled;

@@ -50,12 +50,15 @@ fn legs_too_weak_for_the_body_give_way_until_it_lies() {
     for _ in 0..200 {
         rig.tell(&stance(-250.0));
     }
-    assert!(
-        rig.plant.body().position[2] < 215.0,
-        "{:?}",
-        rig.plant.body()
-    );
-    assert!(rig.plant.belly_load() > 0.0);
+    // The legs push it up again and again by as much as they turn in a cycle: a few mm.
+    let mut lay = 0;
+    for _ in 0..20 {
+        rig.tell(&stance(-250.0));
+        let pose = rig.plant.body();
+        assert!(pose.position[2] < 215.0, "{pose:?}");
+        lay += u32::from(rig.plant.belly_load() > 0.0);
+    }
+    assert!(lay >= 4, "{lay}");
 }
 
 // clauses: 7.15

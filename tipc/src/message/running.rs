@@ -34,6 +34,24 @@ messages! {
     AtLeast { value: String }
         "{value} mm at least",
         "最小{value} mm";
+    ZmpOutside { cycles: Cycles, by: String }
+        "the zero moment point outside the feet in {cycles}, by {by} mm at most",
+        "{cycles}でZMPが支持多角形の外、最大{by} mm";
+    NoGrip { cycles: Cycles }
+        "the feet would slip in {cycles}",
+        "{cycles}で足が滑るはず";
+    Crosses { cycles: Cycles }
+        "a joint in the floor or a leg in another one in {cycles}",
+        "{cycles}で関節が床の中、または脚どうしが重なり";
+    Hurries { cycles: Cycles }
+        "commanded to turn faster than its servo can in {cycles}",
+        "{cycles}でサーボの最高速度を超える指令";
+    Strays { cycles: Cycles, by: String }
+        "a foot beside its path in {cycles}, by {by} mm at most",
+        "{cycles}で足先が経路の外、最大{by} mm";
+    MassMatters
+        "dynamics matter here: --plant dynamic",
+        "ここでは動力学が効きます: --plant dynamic";
     Lift { object: u32, now: String, most: String }
         "object {object}: {now} mm, {most} mm at most",
         "物体{object}: {now} mm、最大{most} mm";
@@ -94,6 +112,12 @@ messages! {
     Falls "falls", "転倒";
     Slip "slip", "滑り";
     Margin "margin", "余裕";
+    Zmp "zmp", "動余裕";
+    Grip "grip", "摩擦";
+    Contact "contact", "干渉";
+    Joint "joint", "関節";
+    Path "path", "経路";
+    Note "note", "注意";
     Lift "lift", "持上";
     Force "force", "力";
     Pace "pace", "周期";

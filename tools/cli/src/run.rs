@@ -75,7 +75,8 @@ pub(super) struct Run {
     #[arg(long, requires = "trace")]
     pub(super) trace_state: bool,
 
-    /// End each record of the trace with what the simulated robot did: pose, angles, loads, margin, falls
+    /// End each record of the trace with what the simulated robot did: pose, angles, loads, margin, falls, and what a robot without
+    /// mass leaves out
     #[arg(long, requires = "trace")]
     pub(super) trace_motion: bool,
 

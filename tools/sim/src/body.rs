@@ -143,7 +143,8 @@ impl<const L: usize, const J: usize> Sized<L, J> {
             (None, _) => Rig::echo(Echo::new(self.model)),
             (Some(_), Hardware::Hand(make)) => make(self.model, scene),
             (Some(Simulation::QuasiStatic), Hardware::Walker) => {
-                Rig::new(SimulatedPlant::new(self.model).with_floor(scene.floor))
+                let plant = SimulatedPlant::new(self.model).with_floor(scene.floor);
+                Rig::new(plant.with_friction(scene.friction))
             }
             (Some(Simulation::Dynamic), Hardware::Walker) => {
                 Rig::new(DynamicPlant::new(self.model).with_scene(scene))

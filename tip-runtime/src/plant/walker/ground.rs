@@ -3,13 +3,15 @@
 use super::Vector;
 use super::body::Body;
 use super::contacts::Contacts;
-use super::fall::FallWatch;
+use super::fall::{FallWatch, Polygon};
 use super::links::Mass;
+use super::sink::Sinking;
 use super::stance::Stance;
 use super::support::{self, Load, Support};
 use super::travel::Start;
+use super::unmodelled::{Doubts, Oddities};
 use crate::model;
-use crate::scene::Floor;
+use crate::scene::{Floor, Scene};
 
 /// What carries the legs, whatever their number.
 pub(super) trait Carrier {
@@ -23,8 +25,16 @@ pub(super) trait Carrier {
     fn body_mass(&self) -> f64;
     /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
     fn feet(&mut self) -> &mut [Vector];
-    /// Lets the body come to rest on its contacts, and takes stance feet along.
-    fn settle(&mut self, mass: Mass);
+    /// Lets the body come to rest on its contacts within `dt` s, and takes stance feet along.
+    fn settle(&mut self, mass: Mass, dt: f64);
+    /// Whether the body is on its way down, without hold.
+    fn sinks(&self) -> bool;
+    /// Judges what the robot did in the last `dt` s.
+    fn judge(&mut self, dt: f64);
+    /// How high a point of the robot's frame is above the floor: mm. Of a robot that is bolted down everything is.
+    fn height(&self, point: Vector) -> f64;
+    /// A cycle is over, in which the legs did this.
+    fn close(&mut self, oddities: &Oddities);
 }
 
 /// The body of a robot of `L` legs, and the floor under it.
@@ -45,6 +55,8 @@ pub(super) struct Ground<const L: usize> {
     pub(super) loads: Contacts<f64, L>,
     pub(super) stance: Stance<L>,
     pub(super) falls: FallWatch,
+    pub(super) doubts: Doubts,
+    sinking: Sinking,
     /// Writings so far.
     pub(super) cycle: u64,
 }
@@ -68,6 +80,8 @@ impl<const L: usize> Ground<L> {
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
             falls: FallWatch::new(),
+            doubts: Doubts::new(Scene::EMPTY.friction),
+            sinking: Sinking::NONE,
             cycle: 0,
         }
     }
@@ -78,6 +92,7 @@ impl<const L: usize> Ground<L> {
         self.gravity = floor.gravity();
         self.body = Body::standing(self.model.as_ref());
         self.stance = Stance::new();
+        self.sinking = Sinking::NONE;
     }
 
     /// Whether there is a body that moves.
@@ -89,6 +104,14 @@ impl<const L: usize> Ground<L> {
     pub(super) fn begin(&mut self) {
         self.start = Start::at(&self.floor, &self.body);
         self.falls.least = self.falls.margin;
+        self.doubts.begin();
+        self.judge(0.0);
+    }
+
+    /// The points that can touch the floor, if there is a body.
+    fn points(&self) -> Option<Contacts<Vector, L>> {
+        let body = self.model.as_ref()?;
+        Some(Contacts::of(body, self.feet))
     }
 }
 
@@ -113,24 +136,26 @@ impl<const L: usize> Carrier for Ground<L> {
         &mut self.feet
     }
 
-    fn settle(&mut self, mass: Mass) {
+    fn settle(&mut self, mass: Mass, dt: f64) {
         self.mass = mass;
-        let Some(body) = &self.model else {
+        let Some(points) = self.points() else {
             self.at_rest = true;
             self.down = self.body.rotation().inverse() * self.gravity;
             return;
         };
-        let points = Contacts::of(body, self.feet);
         let load = Load {
             centre: mass.centre,
             weight: mass.weight,
             gravity: self.gravity,
         };
+        let rest = support::rest(&points, &load, &self.body);
         let Support {
             normal,
             height,
             found,
-        } = support::rest(&points, &load, &self.body);
+        } = self
+            .sinking
+            .towards(rest, &points, mass.weight, &self.body, dt);
         self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
@@ -138,7 +163,41 @@ impl<const L: usize> Carrier for Ground<L> {
         let rotation = self.stance.follow(&points, &self.loads, &mut self.body);
         self.start.turned(heading, self.body.heading);
         self.down = rotation.inverse() * self.gravity;
+        let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         self.falls
-            .watch(&points, &self.loads, mass.centre, self.down, self.cycle);
+            .watch(&polygon, mass.centre, self.down, self.cycle);
+    }
+
+    fn judge(&mut self, dt: f64) {
+        let Some(points) = self.points() else {
+            return;
+        };
+        let rotation = self.body.rotation();
+        self.doubts.moved(self.body.point(self.mass.centre), dt);
+        let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
+        let is_carried = self.loads.iter().any(|load| *load > 0.0);
+        self.doubts.judge(
+            &polygon,
+            self.mass.centre,
+            (self.gravity, is_carried),
+            |pull| rotation.inverse() * pull,
+            self.falls.margin,
+        );
+    }
+
+    fn sinks(&self) -> bool {
+        self.sinking.is_free
+    }
+
+    fn height(&self, point: Vector) -> f64 {
+        if self.is_loose() {
+            self.body.normal.dot(&point) + self.body.height
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    fn close(&mut self, oddities: &Oddities) {
+        self.doubts.close(oddities);
     }
 }

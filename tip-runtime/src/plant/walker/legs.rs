@@ -2,14 +2,20 @@
 //! turn.
 
 use super::Vector;
+use super::crossing::{sinks, touch};
 use super::ground::Carrier;
 use super::links::{GRAVITY, LegLinks, Mass};
+use super::path::Path;
 use super::servo::{JointLoad, Servo, ServoDynamics, Stride};
 use super::support;
+use super::unmodelled::Oddities;
 use crate::analog;
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
+
+/// A joint is commanded to turn faster than its servo can beyond so many times its speed: rounding aside.
+const FASTER: f64 = 1.0 + 1e-9;
 
 /// The longest time that is simulated in one piece: ms.
 const LONGEST_STEP: f64 = 20.0;
@@ -20,12 +26,17 @@ pub(super) struct LegPlant<const J: usize> {
     model: Leg<J>,
     pub(super) servos: [Servo; J],
     pub(super) links: LegLinks<J>,
+    /// From base to foot along the links: mm.
+    length: f64,
+    path: Path<J>,
 }
 
 /// All legs: an array of them, or a slice, over which all logic is.
 #[derive(Clone, Debug)]
 pub(super) struct Legs<S: ?Sized> {
     pub(super) dynamics: ServoDynamics,
+    /// Whether a leg is where another one is, or the floor.
+    pub(super) crosses: bool,
     pub(super) each: S,
 }
 
@@ -38,15 +49,33 @@ impl<const J: usize> LegPlant<J> {
             model: *model,
             servos: model.initial.map(Servo::at),
             links: LegLinks::NOWHERE,
+            length: (model.joints.iter())
+                .map(|joint| Vector::from(joint.link).norm())
+                .sum(),
+            path: Path::NONE,
         }
     }
 
-    /// Moves every joint under the load of its foot (N) and gravity; whether any turned.
+    /// What is odd about a cycle with these commands: it crosses nothing yet.
+    fn oddities(&mut self, commands: &[JointCommand; J], speed: f64) -> Oddities {
+        let is_faster = |command: &JointCommand| match command {
+            JointCommand::Angle { rate, .. } => libm::fabs(*rate) > speed * FASTER,
+            JointCommand::Torque(_) => false,
+        };
+        Oddities {
+            crosses: false,
+            hurries: commands.iter().any(is_faster),
+            stray: self.path.stray(&self.model, commands, self.links.foot),
+        }
+    }
+
+    /// Moves every joint under the load of its foot (N) and gravity; whether any turned. Joints that gave way under a body
+    /// that `sinks` do not push their foot back before it has come down.
     fn drive(
         &mut self,
         commands: &[JointCommand; J],
         load: f64,
-        gravity: Vector,
+        (gravity, sinks): (Vector, bool),
         stride: Stride,
     ) -> bool {
         let push = -gravity * load;
@@ -57,10 +86,14 @@ impl<const J: usize> LegPlant<J> {
         } else {
             [0.0; J]
         };
+        let is_free = load <= 0.0;
         let mut turned = false;
         let loads = torques.into_iter().zip(stiffness);
         let joints = self.servos.iter_mut().zip(&self.model.joints);
         for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads) {
+            if servo.gave_way && sinks && is_free {
+                continue;
+            }
             let before = servo.angle;
             let load = JointLoad { torque, stiffness };
             servo.advance(joint, *command, load, stride);
@@ -90,18 +123,60 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground: &mut dyn Carrier,
     ) {
         let steps = libm::ceil(period / LONGEST_STEP).clamp(1.0, 1000.0);
+        let dt = period / steps / 1000.0;
+        let mut moved = false;
         for _ in 0..steps as u32 {
-            let turned = self.drive(commands, period / steps / 1000.0, ground);
+            let turned = self.drive(commands, dt, ground);
             // What lies still on unmoved legs stays as it is, to the bit.
             if turned || !ground.is_at_rest() {
-                self.settle(ground);
+                self.settle(ground, dt);
+                moved = true;
             }
+            ground.judge(dt);
         }
+        let oddities = self.oddities(commands, moved, ground);
+        ground.close(&oddities);
+    }
+
+    /// Whether a joint is below the floor, or a leg goes through another one.
+    fn cross(&self, ground: &dyn Carrier) -> bool {
+        let mut after = &self.each;
+        while let Some((leg, others)) = after.split_first() {
+            let touches = |other: &LegPlant<J>| {
+                let length = (leg.length + other.length) / 2.0;
+                touch(&leg.links, &other.links, length)
+            };
+            if sinks(&leg.links, ground) || others.iter().any(touches) {
+                return true;
+            }
+            after = others;
+        }
+        false
+    }
+
+    /// What the legs did that none with mass would.
+    fn oddities(
+        &mut self,
+        commands: &[[JointCommand; J]],
+        moved: bool,
+        ground: &dyn Carrier,
+    ) -> Oddities {
+        if moved {
+            self.crosses = self.cross(ground);
+        }
+        let speed = self.dynamics.speed;
+        let legs = self.each.iter_mut().zip(commands);
+        let legs = legs.map(|(leg, commands)| leg.oddities(commands, speed));
+        let none = Oddities {
+            crosses: self.crosses,
+            ..Oddities::default()
+        };
+        legs.fold(none, Oddities::and)
     }
 
     /// Moves every joint for `dt` s under the load that it had; whether any turned.
     fn drive(&mut self, commands: &[[JointCommand; J]], dt: f64, ground: &mut dyn Carrier) -> bool {
-        let gravity = ground.down();
+        let gravity = (ground.down(), ground.sinks());
         let stride = self.dynamics.within(dt);
         let legs = self.each.iter_mut().zip(ground.loads()).zip(commands);
         legs.fold(false, |turned, ((leg, load), commands)| {
@@ -109,10 +184,10 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         })
     }
 
-    /// Places every leg whose joints have turned, and lets the body come to rest on them.
+    /// Places every leg whose joints have turned, and lets the body come to rest on them within `dt` s.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn settle(&mut self, ground: &mut dyn Carrier) {
+    pub(super) fn settle(&mut self, ground: &mut dyn Carrier, dt: f64) {
         for leg in &mut self.each {
             leg.links
                 .place(&leg.model, leg.servos.map(|servo| servo.angle));
@@ -121,7 +196,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         for (foot, leg) in ground.feet().iter_mut().zip(&self.each) {
             *foot = leg.links.foot;
         }
-        ground.settle(mass);
+        ground.settle(mass, dt);
     }
 
     /// What the sensors read.

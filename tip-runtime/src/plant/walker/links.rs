@@ -73,6 +73,35 @@ impl<const J: usize> LegLinks<J> {
         self.foot = at;
     }
 
+    /// Where the joints are, from base to foot.
+    pub(super) fn places(&self) -> impl Iterator<Item = Vector> + Clone + '_ {
+        self.joints.iter().copied()
+    }
+
+    /// Both ends of each link.
+    pub(super) fn lines(&self) -> impl Iterator<Item = [Vector; 2]> + Clone + '_ {
+        let ends = self.places().skip(1).chain([self.foot]);
+        self.places().zip(ends).map(|(from, to)| [from, to])
+    }
+
+    /// Whether there is more than `gap` mm between the boxes around two legs.
+    pub(super) fn is_beyond(&self, other: &Self, gap: f64) -> bool {
+        let [least, most] = self.extent();
+        let [other_least, other_most] = other.extent();
+        let apart = (other_least - most).sup(&(least - other_most));
+        apart.max() > gap
+    }
+
+    /// The least and the most of x, y and z of the joints and the foot, but for the base.
+    fn extent(&self) -> [Vector; 2] {
+        let (mut least, mut most) = (self.foot, self.foot);
+        for place in self.places().skip(1) {
+            least = least.inf(&place);
+            most = most.sup(&place);
+        }
+        [least, most]
+    }
+
     /// How stiffly each joint feels a foot whose contact gives way by `stiffness` (N/mm) along
     /// `normal`: N·m/rad. All joints turn at once, so that a joint is lent what it shares with the
     /// others: row sums, which are no less than the stiffness of any motion of the leg.

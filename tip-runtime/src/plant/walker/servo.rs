@@ -60,12 +60,18 @@ pub(super) struct Servo {
     pub(super) angle: f64,
     /// What the motor gives: N·m.
     pub(super) torque: f64,
+    /// Whether the load won when it last moved.
+    pub(super) gave_way: bool,
 }
 
 impl Servo {
     /// At rest at an angle.
     pub(super) const fn at(angle: f64) -> Self {
-        Servo { angle, torque: 0.0 }
+        Servo {
+            angle,
+            torque: 0.0,
+            gave_way: false,
+        }
     }
 
     /// Moves under a load.
@@ -80,8 +86,10 @@ impl Servo {
         Stride { share, farthest }: Stride,
     ) {
         let strongest = joint.torque;
+        self.gave_way =
+            matches!(command, JointCommand::Angle { .. }) && libm::fabs(load) > strongest;
         let turn = match command {
-            JointCommand::Angle { .. } if libm::fabs(load) > strongest => {
+            JointCommand::Angle { .. } if self.gave_way => {
                 // The load wins: the joint gives way.
                 self.torque = within(-load, -strongest, strongest);
                 farthest * (load + self.torque) / strongest

@@ -4,12 +4,13 @@ use super::super::place::place;
 use super::waiting::until;
 use std::fmt::Write as _;
 use tip_runtime::machine::Emergency;
-use tip_runtime::plant::Motion;
+use tip_runtime::plant::{Motion, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Fall, Grasp, Interpreter, Run};
 use tipc::language::Keyword;
+use tipc::message::count::Cycles;
 use tipc::message::running::{Along, Aside, Figure, How, Upright, Weight};
 use tipc::message::{Lang, Running};
 use tipc::source::Source;
@@ -123,6 +124,47 @@ impl Lines {
         self.add(Figure::Slip, &Running::AtMost { value });
         let value = tenths(motion.least_margin);
         self.add(Figure::Margin, &Running::AtLeast { value });
+        if let Some(unmodelled) = motion.unmodelled.filter(|it| !it.is_empty()) {
+            self.unmodelled(&unmodelled);
+        }
+    }
+
+    /// A line for each thing that the simulation leaves out and that would have mattered.
+    fn unmodelled(&mut self, unmodelled: &Unmodelled) {
+        let counts = [
+            unmodelled.tips,
+            unmodelled.slides,
+            unmodelled.crossings,
+            unmodelled.hurries,
+            unmodelled.strays,
+        ];
+        let [tips, slides, crosses, hurries, strays] =
+            counts.map(|count| Cycles::from(count as usize));
+        let lines = [
+            (
+                Figure::Zmp,
+                Running::ZmpOutside {
+                    cycles: tips,
+                    by: tenths(-unmodelled.least_zmp_margin),
+                },
+            ),
+            (Figure::Grip, Running::NoGrip { cycles: slides }),
+            (Figure::Contact, Running::Crosses { cycles: crosses }),
+            (Figure::Joint, Running::Hurries { cycles: hurries }),
+            (
+                Figure::Path,
+                Running::Strays {
+                    cycles: strays,
+                    by: tenths(unmodelled.farthest_stray),
+                },
+            ),
+        ];
+        for ((figure, said), count) in lines.into_iter().zip(counts) {
+            if count > 0 {
+                self.add(figure, &said);
+            }
+        }
+        self.add(Figure::Note, &Running::MassMatters);
     }
 
     fn grasp(&mut self, grasp: &Grasp) {

@@ -140,6 +140,51 @@ fn the_summary_of_a_robot_that_lies_still_is_this() {
     assert!(margin > 0.0);
 }
 
+/// On a slope that is steeper than its friction, feet that stay where they are cannot be believed.
+#[test]
+fn the_summary_says_where_mass_would_have_mattered() {
+    let slope = |rise: f64| format!("[floor]\nslope = [0, {rise}]\nfriction = 0.5\n");
+    let folder = Folder::new("speaks-slope")
+        .program("p.prg", "END")
+        .file("steep.toml", &slope(0.51))
+        .file("gentle.toml", &slope(0.49));
+    let gentle = folder
+        .tipc(&["run", "p.prg", "--scene", "gentle.toml"])
+        .expect(0);
+    assert!(
+        gentle
+            .err
+            .lines()
+            .last()
+            .is_some_and(|line| line.starts_with("  margin"))
+    );
+    let steep = ["run", "p.prg", "--scene", "steep.toml"];
+    let ends = [
+        (
+            "en",
+            "  grip    the feet would slip in 1 cycle\n  note    dynamics matter here: --plant dynamic\n",
+        ),
+        (
+            "ja",
+            "  摩擦    1周期で足が滑るはず\n  注意    ここでは動力学が効きます: --plant dynamic\n",
+        ),
+    ];
+    for (lang, end) in ends {
+        let outcome = folder
+            .tipc(&[&steep[..], &["--lang", lang]].concat())
+            .expect(0);
+        assert!(outcome.err.ends_with(end), "{outcome:#?}");
+    }
+    let traced = folder
+        .tipc(&[&steep[..], &["--trace", "-", "--trace-motion"]].concat())
+        .expect(0);
+    let record = traced.lines()[0].to_owned();
+    let (_, last) = record
+        .split_once(r#","falls":0,"zmp":"#)
+        .expect("after all else");
+    assert!(last.ends_with(r#","slides":1}"#), "{last}");
+}
+
 #[test]
 fn the_body_rises_by_as_much_as_the_feet_go_down() {
     let folder =
