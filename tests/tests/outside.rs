@@ -109,6 +109,7 @@ mod without_std {
         let mut with = String::new();
         assert!(robots::run(&mut robots::walker().unwrap(), &mut with));
         assert!(robots::run(&mut robots::hand().unwrap(), &mut with));
+        assert!(robots::run(&mut robots::heavy_walker().unwrap(), &mut with));
         for (without, with) in without.lines().zip(with.lines()) {
             assert_eq!(without, with);
         }

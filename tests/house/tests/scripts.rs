@@ -162,7 +162,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 20] = [
+const NEEDS: [(&str, &[&str], &[&str]); 21] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "editors/vscode/build",
@@ -245,6 +245,7 @@ const NEEDS: [(&str, &[&str], &[&str]); 20] = [
         &[],
         &["python3 is not installed", "rerun is not installed"],
     ),
+    ("tests/mujoco/run", &[], &["python3 is not installed"]),
     (
         "tests/mutants/run",
         &["lower"],

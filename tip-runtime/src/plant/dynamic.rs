@@ -19,6 +19,7 @@
 
 mod clash;
 mod contact;
+mod factor;
 mod foothold;
 mod frame;
 mod leg;

@@ -9,7 +9,7 @@ use core::fmt::Write;
 use tip_runtime::hardware::Hardware;
 use tip_runtime::machine::{Machine, Mismatch, Status};
 use tip_runtime::model::{hand, titan8};
-use tip_runtime::plant::{Object, Scene, Shape, SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{DynamicPlant, Object, Scene, Shape, SimulatedHand, SimulatedPlant};
 use tip_runtime::program::Program;
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::HandSpecials;
@@ -21,6 +21,9 @@ tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
 /// TITAN VIII, its controller and its program.
 pub type Walker = Machine<'static, Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
+/// The same with mass.
+pub type HeavyWalker = Machine<'static, Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
+
 /// The Hiroshima Hand, its controller and its program.
 pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 
@@ -30,6 +33,15 @@ pub type Hand = Machine<'static, Grasp, SimulatedHand<3, 3>, (), HandSpecials, 3
 /// Never: the program was compiled for this robot.
 pub fn walker() -> Result<Walker, Mismatch> {
     let plant = SimulatedPlant::new(&titan8::MODEL);
+    Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
+}
+
+/// TITAN VIII with mass before its first control cycle.
+///
+/// # Errors
+/// Never: the program was compiled for this robot.
+pub fn heavy_walker() -> Result<HeavyWalker, Mismatch> {
+    let plant = DynamicPlant::new(&titan8::MODEL);
     Machine::new(Walk::new(), &titan8::MODEL, plant, (), ())
 }
 

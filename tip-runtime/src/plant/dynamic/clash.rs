@@ -4,6 +4,7 @@ use super::Vector;
 use super::contact::Law;
 use super::frame::Frame;
 use super::leg::LegBody;
+use crate::command::MAX;
 
 /// How thick a link is, of its length: its radius.
 const RADIUS: f64 = 0.05;
@@ -33,15 +34,19 @@ pub(super) fn clash<const J: usize>(
     law: &Law,
     clearance: f64,
 ) {
-    for number in 1..legs.len() {
+    let mut boxes = [[Vector::zeros(); 2]; MAX];
+    for (own, leg) in boxes.iter_mut().zip(legs.iter()) {
+        *own = around(leg, frame);
+    }
+    for (number, own) in (0..).zip(&boxes).take(legs.len()).skip(1) {
         let Some((before, rest)) = legs.split_at_mut_checked(number) else {
             return;
         };
         let Some(leg) = rest.first_mut() else {
             return;
         };
-        for other in before {
-            if are_near(leg, other, frame) {
+        for (other, theirs) in before.iter_mut().zip(&boxes) {
+            if are_near(own, theirs) {
                 for (j, i) in pairs::<J>() {
                     meet((&mut *leg, j), (&mut *other, i), frame, law, clearance);
                 }
@@ -89,11 +94,10 @@ fn meet<const J: usize>(
 }
 
 /// Whether the boxes around two legs meet.
-fn are_near<const J: usize>(leg: &LegBody<J>, other: &LegBody<J>, frame: &Frame) -> bool {
-    let ([low, high], [least, most]) = (around(leg, frame), around(other, frame));
+fn are_near([low, high]: &[Vector; 2], [least, most]: &[Vector; 2]) -> bool {
     (0..3).all(|axis| {
         let at = |point: &Vector| point.get(axis).copied().unwrap_or(0.0);
-        at(&low) <= at(&most) && at(&least) <= at(&high)
+        at(low) <= at(most) && at(least) <= at(high)
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::Vector;
 use super::spatial::Spatial;
-use nalgebra::{Matrix3, Rotation3, SVector};
+use nalgebra::{Matrix3, Rotation3};
 
 /// Where the body is in the world, and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Moves for `dt` s while it accelerates: angular first.
-    pub(super) fn advance(&mut self, acceleration: &SVector<f64, 6>, dt: f64) {
+    pub(super) fn advance(&mut self, acceleration: [f64; 6], dt: f64) {
         let Spatial { angular, linear } = Spatial::of(acceleration);
         self.rate += angular * dt;
         self.velocity += linear * dt;
@@ -43,6 +43,6 @@ impl Frame {
 /// The rotation nearest to one that rounding has bent (one step of Newton's method for the polar decomposition).
 fn orthogonal(bent: Rotation3<f64>) -> Rotation3<f64> {
     let matrix = bent.matrix();
-    let square = matrix.tr_mul(matrix);
+    let square = matrix.transpose() * matrix;
     Rotation3::from_matrix_unchecked(matrix * (Matrix3::identity() * 3.0 - square) / 2.0)
 }

@@ -6,6 +6,7 @@
 
 use super::Vector;
 use super::contact::Grip;
+use super::factor::{Factor, dot};
 use super::foothold::Foothold;
 use super::frame::Frame;
 use super::links::{Walk, length};
@@ -14,7 +15,6 @@ use super::spatial::Spatial;
 use super::world::{Share, World};
 use crate::hardware::JointCommand;
 use crate::model::Leg;
-use nalgebra::{Cholesky, Const, SMatrix, SVector};
 
 /// How a joint moves what it carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,11 +126,14 @@ impl<const J: usize> LegBody<J> {
             }
         }
         let mut carried = Share::NONE;
-        let places = self.columns.iter_mut().zip(&mut self.bias);
-        for ((column, bias), link) in places.zip(links).rev() {
-            carried.add(link);
-            column.momentum = carried.inertia.momentum(&column.motion());
-            *bias = column.motion().dot(&carried.force);
+        // By number: a reversed zip has a path that panics.
+        for j in (0..J).rev() {
+            let places = self.columns.get_mut(j).zip(self.bias.get_mut(j));
+            if let Some(((column, bias), link)) = places.zip(links.get(j)) {
+                carried.add(*link);
+                column.momentum = carried.inertia.momentum(&column.motion());
+                *bias = column.motion().dot(&carried.force);
+            }
         }
         carried
     }
@@ -165,59 +168,77 @@ impl<const J: usize> LegBody<J> {
     }
 
     /// The joints' block of the equations of motion, factorised, and what is to turn them: N·m.
-    fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, SVector<f64, J>) {
-        let mut matrix = SMatrix::<f64, J, J>::zeros();
-        let mut torques = SVector::<f64, J>::zeros();
-        for (j, (column, torque)) in self.columns.iter().zip(torques.iter_mut()).enumerate() {
+    fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, [f64; J]) {
+        let mut matrix = [[0.0; J]; J];
+        let mut torques = [0.0; J];
+        let motions = self.columns.each_ref().map(Column::motion);
+        let rows = matrix.iter_mut().zip(&mut torques);
+        let joints = self.columns.iter().zip(&self.bias);
+        for (j, ((row, torque), (column, bias))) in rows.zip(joints).enumerate() {
             let (_, all) = self.efforts(j, world);
-            let bias = self.bias.get(j).copied().unwrap_or(0.0);
             *torque = all.torque - bias;
-            for (i, other) in self.columns.iter().enumerate().take(j + 1) {
-                if let Some(entry) = matrix.get_mut((j, i)) {
-                    let own = if i == j { all.inertia } else { 0.0 };
-                    *entry = other.motion().dot(&column.momentum) + own;
-                }
+            for (i, (entry, motion)) in row.iter_mut().zip(&motions).enumerate().take(j + 1) {
+                let own = if i == j { all.inertia } else { 0.0 };
+                *entry = motion.dot(&column.momentum) + own;
             }
         }
-        (matrix.cholesky(), torques)
+        (Factor::of(matrix), torques)
     }
 
-    /// The joints' momentum by that of the body.
-    fn coupling(&self) -> SMatrix<f64, J, 6> {
-        let mut coupling = SMatrix::<f64, J, 6>::zeros();
-        for (mut row, column) in coupling.row_iter_mut().zip(&self.columns) {
-            for (entry, value) in row.iter_mut().zip(&column.momentum.entries()) {
-                *entry = *value;
+    /// The joints' momentum by each motion of the body.
+    fn coupling(&self) -> [[f64; J]; 6] {
+        let mut coupling = [[0.0; J]; 6];
+        for (j, column) in self.columns.iter().enumerate() {
+            for (row, value) in coupling.iter_mut().zip(column.momentum.entries()) {
+                if let Some(entry) = row.get_mut(j) {
+                    *entry = value;
+                }
             }
         }
         coupling
     }
 
-    /// Takes the joints out of the body's equations of motion.
+    /// Takes the joints out of the body's equations of motion, of which the lower triangle counts.
     pub(super) fn eliminate(
         &self,
         world: &World<'_>,
-        matrix: &mut SMatrix<f64, 6, 6>,
-        forces: &mut SVector<f64, 6>,
+        matrix: &mut [[f64; 6]; 6],
+        forces: &mut [f64; 6],
     ) {
         let (Some(factor), torques) = self.block(world) else {
             return;
         };
-        let coupling = self.coupling();
-        *matrix -= coupling.tr_mul(&factor.solve(&coupling));
-        *forces -= coupling.tr_mul(&factor.solve(&torques));
+        let halves = self.coupling().map(|motion| factor.halve(motion));
+        let torques = factor.halve(torques);
+        let rows = matrix.iter_mut().zip(forces).zip(&halves).enumerate();
+        for (i, ((row, force), half)) in rows {
+            *force -= dot(half, &torques, J);
+            for (entry, other) in row.iter_mut().zip(&halves).take(i + 1) {
+                *entry -= dot(half, other, J);
+            }
+        }
     }
 
     /// What the joints accelerate by (rad/s²) while the body does so.
-    fn accelerations(&self, world: &World<'_>, body: &SVector<f64, 6>) -> SVector<f64, J> {
-        let (factor, torques) = self.block(world);
-        let torques = torques - self.coupling() * body;
-        factor.map_or_else(SVector::zeros, |factor| factor.solve(&torques))
+    fn accelerations(&self, world: &World<'_>, body: &[f64; 6]) -> [f64; J] {
+        let (factor, mut torques) = self.block(world);
+        for (motion, acceleration) in self.coupling().iter().zip(body) {
+            for (torque, momentum) in torques.iter_mut().zip(motion) {
+                *torque -= momentum * acceleration;
+            }
+        }
+        factor.map_or([0.0; J], |factor| factor.solve(torques))
     }
 
-    /// Finds the motors that would have to give more than they can; whether any is new.
-    pub(super) fn overload(&mut self, world: &World<'_>, body: &SVector<f64, 6>) -> bool {
-        let accelerations = self.accelerations(world, body);
+    /// Finds out what the joints accelerate by, and which motors would have to give more than they can for that; whether
+    /// any of them is new.
+    pub(super) fn overload(
+        &mut self,
+        world: &World<'_>,
+        body: &[f64; 6],
+        accelerations: &mut [f64; J],
+    ) -> bool {
+        *accelerations = self.accelerations(world, body);
         let before = self.spent;
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (own, _) = self.efforts(j, world);
@@ -231,9 +252,8 @@ impl<const J: usize> LegBody<J> {
         self.spent != before
     }
 
-    /// Moves on while the body accelerates so.
-    pub(super) fn advance(&mut self, world: &World<'_>, body: &SVector<f64, 6>) {
-        let accelerations = self.accelerations(world, body);
+    /// Moves on while its joints accelerate so.
+    pub(super) fn advance(&mut self, world: &World<'_>, accelerations: &[f64; J]) {
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (own, _) = self.efforts(j, world);
             let joint = self.servos.get_mut(j).zip(self.model.joints.get(j));
@@ -324,5 +344,3 @@ fn bit(j: usize) -> u16 {
         .and_then(|j| 1_u16.checked_shl(j))
         .unwrap_or(0)
 }
-
-type Factor<const J: usize> = Cholesky<f64, Const<J>>;

@@ -2,6 +2,7 @@
 
 use super::clash::{clash, clearance};
 use super::contact::Law;
+use super::factor::Factor;
 use super::leg::LegBody;
 use super::servo::{Drives, Stride};
 use super::spatial::{Inertia, Spatial};
@@ -10,11 +11,10 @@ use super::trunk::Trunk;
 use super::watch::Watch;
 use super::world::{GRAVITY, Share, World};
 use crate::analog;
-use crate::command::Port;
+use crate::command::{MAX, Port};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::kinematics::frames;
 use crate::model::Leg;
-use nalgebra::{SMatrix, SVector};
 
 /// The longest step: s.
 const LONGEST: f64 = 5e-4;
@@ -164,20 +164,24 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         clash(legs, &frame, law, clearance);
         *whole = share.inertia;
         let is_loose = trunk.model.is_some();
-        let mut body = SVector::zeros();
+        let mut body = [0.0; 6];
+        let mut turns = [[0.0; J]; MAX];
         for _ in 0..=ANEW {
             if is_loose {
                 body = acceleration(&share, legs, &world);
             }
-            let overloads = |yields, leg: &mut LegBody<J>| leg.overload(&world, &body) | yields;
-            if !legs.iter_mut().fold(false, overloads) {
+            let mut yields = false;
+            for (leg, turns) in legs.iter_mut().zip(&mut turns) {
+                yields |= leg.overload(&world, &body, turns);
+            }
+            if !yields {
                 break;
             }
         }
-        for leg in legs.iter_mut() {
-            leg.advance(&world, &body);
+        for (leg, turns) in legs.iter_mut().zip(&turns) {
+            leg.advance(&world, turns);
         }
-        trunk.advance(&body, stride.dt);
+        trunk.advance(body, stride.dt);
     }
 
     /// Finds out where everything is and what touches, without moving it.
@@ -247,19 +251,13 @@ impl<const J: usize> Robot<[LegBody<J>]> {
 }
 
 /// What the body accelerates by, once its legs have been taken out of its equations: angular first.
-fn acceleration<const J: usize>(
-    share: &Share,
-    legs: &[LegBody<J>],
-    world: &World<'_>,
-) -> SVector<f64, 6> {
-    let mut matrix: SMatrix<f64, 6, 6> = share.inertia.matrix();
-    let mut forces = -share.force.entries();
+fn acceleration<const J: usize>(share: &Share, legs: &[LegBody<J>], world: &World<'_>) -> [f64; 6] {
+    let mut matrix = share.inertia.matrix();
+    let mut forces = share.force.entries().map(|force| -force);
     for leg in legs {
         leg.eliminate(world, &mut matrix, &mut forces);
     }
-    matrix
-        .cholesky()
-        .map_or_else(SVector::zeros, |factor| factor.solve(&forces))
+    Factor::of(matrix).map_or([0.0; 6], |factor| factor.solve(forces))
 }
 
 /// How high the ends of a leg's links are in the robot's frame: m.

@@ -3,7 +3,7 @@
 
 use super::Vector;
 use core::ops::{Add, AddAssign, Sub};
-use nalgebra::{Matrix3, SMatrix, SVector};
+use nalgebra::Matrix3;
 
 /// Six numbers: of a motion turn (rad/s) and velocity at the origin (m/s), of a force moment about the origin (N·m) and
 /// force (N), of a momentum likewise.
@@ -41,13 +41,12 @@ impl Spatial {
         self.angular.dot(&other.angular) + self.linear.dot(&other.linear)
     }
 
-    pub(super) fn entries(&self) -> SVector<f64, 6> {
+    pub(super) fn entries(&self) -> [f64; 6] {
         let (a, l) = (&self.angular, &self.linear);
-        SVector::from([a.x, a.y, a.z, l.x, l.y, l.z])
+        [a.x, a.y, a.z, l.x, l.y, l.z]
     }
 
-    pub(super) fn of(entries: &SVector<f64, 6>) -> Self {
-        let [[ax, ay, az, lx, ly, lz]] = entries.data.0;
+    pub(super) fn of([ax, ay, az, lx, ly, lz]: [f64; 6]) -> Self {
         Spatial {
             angular: Vector::new(ax, ay, az),
             linear: Vector::new(lx, ly, lz),
@@ -120,20 +119,18 @@ impl Inertia {
     }
 
     /// The same for any motion: angular rows and columns first.
-    pub(super) fn matrix(&self) -> SMatrix<f64, 6, 6> {
-        let mut matrix = SMatrix::<f64, 6, 6>::zeros();
-        for (place, mut column) in matrix.column_iter_mut().enumerate() {
-            let mut unit = SVector::<f64, 6>::zeros();
-            unit.iter_mut()
-                .skip(place)
-                .take(1)
-                .for_each(|one| *one = 1.0);
-            let momentum = self.momentum(&Spatial::of(&unit)).entries();
-            for (entry, value) in column.iter_mut().zip(&momentum) {
-                *entry = *value;
-            }
-        }
-        matrix
+    pub(super) fn matrix(&self) -> [[f64; 6]; 6] {
+        let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
+        let none = Vector::zeros();
+        [
+            (x, none),
+            (y, none),
+            (z, none),
+            (none, x),
+            (none, y),
+            (none, z),
+        ]
+        .map(|(angular, linear)| self.momentum(&Spatial { angular, linear }).entries())
     }
 
     /// kg.

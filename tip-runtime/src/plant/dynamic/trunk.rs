@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::spatial::{Inertia, Spatial};
 use super::world::{GRAVITY, Share, World};
 use crate::model::{Body, Range};
-use nalgebra::{Matrix3, Rotation3, SVector};
+use nalgebra::{Matrix3, Rotation3};
 
 /// The body.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +114,7 @@ impl Trunk {
     }
 
     /// Moves on for `dt` s, unless it is bolted down.
-    pub(super) fn advance(&mut self, acceleration: &SVector<f64, 6>, dt: f64) {
+    pub(super) fn advance(&mut self, acceleration: [f64; 6], dt: f64) {
         if self.model.is_some() {
             self.frame.advance(acceleration, dt);
         }
