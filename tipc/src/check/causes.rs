@@ -151,27 +151,37 @@ fn arrays_declared(source: &Source, found: &mut Vec<Diagnostic>) {
     found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
 }
 
-/// UNTIL with its REPEAT after it.
+/// UNTIL with its REPEAT after it, if nothing else is wrong with the structure.
 fn reversed_loops(found: &mut Vec<Diagnostic>) {
-    let is_until = |it: &Diagnostic| matches!(&it.reason, Message::Structuring(Structuring::NothingOpen { opener, .. }) if *opener == Keyword::Repeat);
-    let is_repeat = |it: &Diagnostic| matches!(&it.reason, Message::Structuring(Structuring::NotClosed { opener }) if *opener == Keyword::Repeat);
-    while let Some(until) = found.iter().position(is_until)
-        && let Some(repeat) = found[until..].iter().position(is_repeat)
-    {
-        let repeat = found.remove(until + repeat);
-        let until = &mut found[until];
-        until.labels.push(label(
-            repeat.span,
-            Structuring::StandsHere {
-                word: Keyword::Repeat,
-            },
-        ));
-        until.help = Some(Habit::UntilCloses.into());
+    let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
+    let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
+    let [until, repeat] = both.as_slice() else {
+        return;
+    };
+    let (until, place) = match (&until.reason, &repeat.reason) {
+        (
+            Message::Structuring(Structuring::NothingOpen {
+                opener: Keyword::Repeat,
+                ..
+            }),
+            Message::Structuring(Structuring::NotClosed {
+                opener: Keyword::Repeat,
+            }),
+        ) => (until.span, repeat.span),
+        _ => return,
+    };
+    found.retain(|it| it.code != Code::Structure || it.span != place);
+    let word = Keyword::Repeat;
+    for finding in found.iter_mut().filter(|it| it.span == until) {
+        finding
+            .labels
+            .push(label(place, Structuring::StandsHere { word }));
+        finding.help = Some(Habit::UntilCloses.into());
     }
 }
 
-/// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are one mistake.
-fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
+/// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order.
+fn crossed_loops(source: &Source, found: &mut [Diagnostic]) {
     let names = |it: &Diagnostic| match &it.reason {
         Message::Structuring(Structuring::NextNames { name }) => {
             let own = it.labels.first()?.span;
@@ -179,19 +189,18 @@ fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
         }
         _ => None,
     };
-    let mut at = 0;
-    while at < found.len() {
-        if let Some((outer, inner)) = names(&found[at])
-            && let Some(second) = found[at + 1..]
-                .iter()
-                .position(|it| names(it) == Some((inner.clone(), outer.clone())))
-        {
-            let second = found.remove(at + 1 + second);
-            let first = &mut found[at];
-            first.labels.push(label(second.span, second.reason));
-            first.help = Some(Habit::InnerFirst { inner, outer }.into());
+    let all: Vec<_> = found.iter().map(names).collect();
+    for (at, named) in all.iter().enumerate() {
+        let Some((outer, inner)) = named else {
+            continue;
+        };
+        let other = Some((inner.clone(), outer.clone()));
+        if let Some(second) = all[at + 1..].iter().position(|it| *it == other) {
+            let (inner, outer) = (inner.clone(), outer.clone());
+            let help = Message::from(Habit::InnerFirst { inner, outer });
+            found[at].help = Some(help.clone());
+            found[at + 1 + second].help = Some(help);
         }
-        at += 1;
     }
 }
 
@@ -227,6 +236,16 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
         let same = match &finding.help {
             Some(Message::Habit(Habit::NoArray { name } | Habit::NoParameters { name })) => {
                 Some(name.to_string())
+            }
+            // `*L1` and `GOTO *L1`
+            Some(Message::Parsing(Parsing::WriteLabel { name }))
+                if matches!(
+                    finding.reason,
+                    Message::Commanding(Commanding::NoCommand { .. })
+                        | Message::Naming(Naming::NoLabelName { .. })
+                ) =>
+            {
+                Some(format!("{name}:"))
             }
             // `1N`, which is no number either.
             _ if matches!(

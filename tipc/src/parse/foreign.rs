@@ -180,13 +180,12 @@ impl Parser<'_> {
     /// `*L1`, `LABEL L1` where a label stands.
     fn marked_label(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (place, name) = marked(self.text, tokens).or_else(|| self.label_said(tokens))?;
-        let reason = Naming::NoLabelName {
-            word: upper_case(self.source.slice(place)),
-        };
         let node = name.clone();
         let span = Span::new(place.end - node.len(), place.end);
-        let help = Parsing::WriteLabel { name };
-        self.report(Diagnostic::new(Code::Argument, place, reason).help(help));
+        let first = tokens.first()?.span;
+        let word = upper_case(self.source.slice(first));
+        let reason = Commanding::NoCommand { word: word.clone() };
+        self.report_unknown(first, &word, reason, Parsing::WriteLabel { name });
         // What jumps there is not wrong.
         Some(StatementKind::Label(Word { node, span }))
     }

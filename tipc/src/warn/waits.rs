@@ -71,16 +71,16 @@ fn moves(step: &Step) -> Option<Target> {
 /// Why a step waits for nothing.
 fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
-    let rests = |target: Target| !moved.iter().any(|moved| meets(*moved, target));
-    let rests = |target: Target| is_one(target) && rests(target);
-    // What does no harm may be a sketch, as long as nothing moves at all.
-    let differs = |target: Target| rests(target) && !moved.is_empty();
+    // A program in which nothing moves at all is a sketch.
+    let others_move =
+        |target: Target| !moved.is_empty() && !moved.iter().any(|moved| meets(*moved, target));
+    let rests = |target: Target| is_one(target) && others_move(target);
     match *action {
         Action::Command {
             op: Op::WaitInpos,
             target,
             ..
-        } if differs(target) => Some(Warning::PassesAtOnce { target }),
+        } if rests(target) => Some(Warning::PassesAtOnce { target }),
         Action::Command {
             op: Op::WaitNear,
             target,
@@ -94,7 +94,7 @@ fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
             condition: Condition::Flag { flag, .. },
             ..
         } => match flag {
-            Flag::Inpos(target) if differs(target) => Some(Warning::InposOfNothing { target }),
+            Flag::Inpos(target) if rests(target) => Some(Warning::InposOfNothing { target }),
             Flag::Near(target) if rests(target) => Some(Warning::NearOfNothing { target }),
             Flag::Special(_) => Some(Warning::NobodySets),
             _ => None,
