@@ -89,6 +89,7 @@ const OTHERS: &[&str] = &[
     "Checking",
     "Running",
     "Debugging",
+    "Making",
     "Using",
 ];
 
