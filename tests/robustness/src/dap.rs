@@ -59,8 +59,9 @@ impl Host for OneProgram {
         let robot = robot.with_plant(Plant::Echo);
         let events = launch.events.as_deref().unwrap_or_default();
         let events: Events = events.parse().map_err(|error| format!("{error}"))?;
-        if launch.scene.is_some() || launch.encoding.is_some() {
-            return Err("there is one scene and one encoding".to_owned());
+        let others = [&launch.scene, &launch.plant, &launch.encoding];
+        if others.iter().any(|given| given.is_some()) {
+            return Err("there is one scene, one plant and one encoding".to_owned());
         }
         let mut loaded = tipc::load("debugged.prg", PROGRAM.as_bytes(), &robot.options());
         let program = loaded.program.take().ok_or("it is wrong")?;

@@ -1,4 +1,5 @@
 //! The walker with mass: closed forms, conservation laws, and what is found by other means.
+#![cfg(feature = "control")]
 
 mod flight;
 mod force;

@@ -146,8 +146,8 @@ fn the_summary_says_where_mass_would_have_mattered() {
     let slope = |rise: f64| format!("[floor]\nslope = [0, {rise}]\nfriction = 0.5\n");
     let folder = Folder::new("speaks-slope")
         .program("p.prg", "END")
-        .file("steep.toml", &slope(0.51))
-        .file("gentle.toml", &slope(0.49));
+        .file("steep.toml", slope(0.51))
+        .file("gentle.toml", slope(0.49));
     let gentle = folder
         .tipc(&["run", "p.prg", "--scene", "gentle.toml"])
         .expect(0);
