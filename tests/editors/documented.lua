@@ -1,4 +1,4 @@
--- What docs/editors.md has for init.lua, followed to the letter: DOCUMENTED holds it, FILE is a program, and LOG is told what comes of it.
+-- What docs/editors.md has for init.lua, followed to the letter: DOCUMENTED holds it, FILE is a program, and LOG receives what comes of it.
 if not vim.lsp.start then
   -- What version 0.8 brought, as far as an older one can do without.
   vim.lsp.start = function(config)

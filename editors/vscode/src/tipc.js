@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 import { find } from './command.js';
 
-/** The path of the command; nothing if there is none, after the user was told. */
+/** The path of the command; nothing if there is none, after a message to the user. */
 export async function tipc() {
   const setting = vscode.workspace.getConfiguration('tip').get('path', '');
   const { path, reason } = await find(setting, vscode.workspace.workspaceFolders?.[0]?.uri.fsPath);

@@ -20,7 +20,7 @@ DOWN.X = 0 ; DOWN.Y = 0
 AHEAD.X = 0 ; AHEAD.Z = 0
 BACK.X = 0 ; BACK.Z = 0
 
-// From here on every foot moves by so much from where it was told to be.
+// From here on every foot moves by so much from where it was commanded to be.
 INITIAL_POSTURE
 WAIT_INPOS ALL
 
