@@ -247,7 +247,7 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
             {
                 Some(format!("{name}:"))
             }
-            // `1N`, which is no number either.
+            // `1N`, which is not a number either.
             _ if matches!(
                 finding.reason,
                 Message::Naming(Naming::NoVariableName { .. })

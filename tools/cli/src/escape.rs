@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use tip_runtime::printable::acts;
 
-/// The text of a JSON value. Characters that could act on a terminal are written as escapes; they stand in strings only.
+/// The text of a JSON value, with escapes for characters that could act on a terminal. They occur in strings only.
 pub(super) fn json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for char in text.chars() {

@@ -6,8 +6,8 @@ use super::words::Words;
 use super::{Debugger, Refused};
 
 impl Debugger {
-    /// Places a breakpoint that does not stop a run, but says this whenever the run comes there forwards. Expressions and
-    /// conditions of the program stand in braces, as does the name of a POS or JOINT.
+    /// Places a breakpoint that does not stop a run, but prints a text each time the run passes it going forward. In the text,
+    /// braces hold an expression or condition of the program, or the name of a POS or JOINT; its value is printed in their place.
     ///
     /// # Errors
     /// As [`break_at`](Self::break_at); or a text in braces is neither.
