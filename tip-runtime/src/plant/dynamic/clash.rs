@@ -94,6 +94,7 @@ fn meet<const J: usize>(
 }
 
 /// Whether the boxes around two legs meet.
+#[inline]
 fn are_near([low, high]: &[Vector; 2], [least, most]: &[Vector; 2]) -> bool {
     (0..3).all(|axis| {
         let at = |point: &Vector| point.get(axis).copied().unwrap_or(0.0);
@@ -115,11 +116,13 @@ fn around<const J: usize>(leg: &LegBody<J>, frame: &Frame) -> [Vector; 2] {
 }
 
 /// From the middle of one link to that of the other, where they touch: m.
+#[inline]
 fn thickness([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
     RADIUS * ((b - a).norm() + (d - c).norm())
 }
 
 /// Where two stretches are nearest to each other (Ericson, *Real-Time Collision Detection*, 2005, §5.1.9).
+#[inline]
 fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
     let (along, beside, apart) = (b - a, d - c, a - c);
     let (square, other) = (along.norm_squared(), beside.norm_squared());
@@ -137,6 +140,7 @@ fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
 }
 
 /// A fraction from 0 to 1.
+#[inline]
 fn part(of: f64, whole: f64) -> f64 {
     if whole > 0.0 && of > 0.0 {
         (of / whole).min(1.0)

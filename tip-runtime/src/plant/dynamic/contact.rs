@@ -49,6 +49,7 @@ impl Grip {
     pub(super) const FREE: Self = Grip(Vector::new(0.0, 0.0, 0.0));
 
     /// The force (N) on a point that moves at `velocity` (m/s) for `dt` s; without a touch none.
+    #[inline]
     pub(super) fn force(
         &mut self,
         touch: Option<Touch>,
@@ -77,6 +78,7 @@ impl Grip {
 }
 
 /// The vector, or the part of it that is `longest`.
+#[inline]
 fn within(vector: Vector, longest: f64) -> Vector {
     let length = vector.norm();
     if length > longest {

@@ -25,6 +25,7 @@ impl Foothold {
     };
 
     /// The foot is there, and carries so much.
+    #[inline]
     pub(super) fn at(&mut self, place: Vector, load: f64) {
         self.place = place;
         self.load = load;

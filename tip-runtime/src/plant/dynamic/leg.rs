@@ -14,7 +14,7 @@ use super::servo::{Control, Drives, Effort, Servo};
 use super::spatial::Spatial;
 use super::world::{Share, World};
 use crate::hardware::JointCommand;
-use crate::model::Leg;
+use crate::model::{Joint, Leg};
 
 /// How a joint moves what it carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,7 @@ struct Column {
 
 impl Column {
     /// At 1 rad/s.
+    #[inline]
     fn motion(&self) -> Spatial {
         Spatial::turning(self.axis, self.place)
     }
@@ -100,6 +101,7 @@ impl<const J: usize> LegBody<J> {
     pub(super) fn place(&mut self, world: &World<'_>) -> Share {
         let mut links = [Share::NONE; J];
         let mut walk = Walk::from(world.frame, &self.model);
+        let blocks = world.terrain.filter(|terrain| terrain.has_blocks());
         let places = links.iter_mut().zip(&mut self.columns);
         let joints = self.model.joints.iter().zip(&self.servos);
         for (((link, column), (joint, servo)), (j, grip)) in
@@ -112,13 +114,13 @@ impl<const J: usize> LegBody<J> {
             let touch = world.terrain.and_then(|terrain| terrain.touch(place));
             let force = grip.force(touch, velocity, world.law, world.stride.dt);
             link.force = link.force - Spatial::pushing(force, end);
-            let blocks = world.terrain.filter(|terrain| terrain.has_blocks());
-            for (between, velocity) in walk.between(joint) {
-                let touch =
-                    blocks.and_then(|terrain| terrain.block(world.frame.position + between));
-                let mut bare = Grip::FREE;
-                let force = bare.force(touch, velocity, world.law, world.stride.dt);
-                link.force = link.force - Spatial::pushing(force, between);
+            if let Some(terrain) = blocks {
+                for (between, velocity) in walk.between(joint) {
+                    let touch = terrain.block(world.frame.position + between);
+                    let mut bare = Grip::FREE;
+                    let force = bare.force(touch, velocity, world.law, world.stride.dt);
+                    link.force = link.force - Spatial::pushing(force, between);
+                }
             }
             if j == J {
                 let load = touch.map_or(0.0, |touch| force.dot(&touch.normal));
@@ -148,19 +150,11 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// What joint `j` is turned by: its motor, and all.
-    fn efforts(&self, j: usize, world: &World<'_>) -> (Effort, Effort) {
-        let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
-            return Default::default();
-        };
+    /// What the motor of joint `j` turns it by.
+    #[inline]
+    fn motor(&self, j: usize, servo: &Servo, joint: &Joint, world: &World<'_>) -> Effort {
         let (drives, dt) = (world.drives, world.stride.dt);
-        let own = servo.motor(self.control(j), joint, drives, dt, self.is_spent(j));
-        let passive = servo.passive(joint, drives, dt);
-        let all = Effort {
-            torque: own.torque + passive.torque,
-            inertia: own.inertia + passive.inertia,
-        };
-        (own, all)
+        servo.motor(self.control(j), joint, drives, dt, self.is_spent(j))
     }
 
     fn is_spent(&self, j: usize) -> bool {
@@ -174,12 +168,18 @@ impl<const J: usize> LegBody<J> {
         let motions = self.columns.each_ref().map(Column::motion);
         let rows = matrix.iter_mut().zip(&mut torques);
         let joints = self.columns.iter().zip(&self.bias);
-        for (j, ((row, torque), (column, bias))) in rows.zip(joints).enumerate() {
-            let (_, all) = self.efforts(j, world);
-            *torque = all.torque - bias;
-            for (i, (entry, motion)) in row.iter_mut().zip(&motions).enumerate().take(j + 1) {
-                let own = if i == j { all.inertia } else { 0.0 };
-                *entry = motion.dot(&column.momentum) + own;
+        let drives = self.servos.iter().zip(&self.model.joints);
+        for (j, ((row, torque), ((column, bias), (servo, joint)))) in
+            rows.zip(joints.zip(drives)).enumerate()
+        {
+            let own = self.motor(j, servo, joint, world);
+            let passive = servo.passive(joint, world.drives, world.stride.dt);
+            *torque = own.torque + passive.torque - bias;
+            for (entry, motion) in row.iter_mut().zip(&motions).take(j + 1) {
+                *entry = motion.dot(&column.momentum);
+            }
+            if let Some(entry) = row.get_mut(j) {
+                *entry += own.inertia + passive.inertia;
             }
         }
         (Factor::of(matrix), torques)
@@ -222,8 +222,8 @@ impl<const J: usize> LegBody<J> {
     /// What the joints accelerate by (rad/s²) while the body does so.
     fn accelerations(&self, world: &World<'_>, body: &[f64; 6]) -> [f64; J] {
         let (factor, mut torques) = self.block(world);
-        for (motion, acceleration) in self.coupling().iter().zip(body) {
-            for (torque, momentum) in torques.iter_mut().zip(motion) {
+        for (torque, column) in torques.iter_mut().zip(&self.columns) {
+            for (momentum, acceleration) in column.momentum.entries().iter().zip(body) {
                 *torque -= momentum * acceleration;
             }
         }
@@ -241,9 +241,11 @@ impl<const J: usize> LegBody<J> {
         *accelerations = self.accelerations(world, body);
         let before = self.spent;
         for (j, acceleration) in accelerations.iter().enumerate() {
-            let (own, _) = self.efforts(j, world);
-            let joint = self.servos.get_mut(j).zip(self.model.joints.get(j));
-            if let Some((servo, joint)) = joint
+            let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
+                break;
+            };
+            let own = self.motor(j, servo, joint, world);
+            if let Some(servo) = self.servos.get_mut(j)
                 && servo.overload(joint, own, *acceleration)
             {
                 self.spent |= bit(j);
@@ -255,9 +257,11 @@ impl<const J: usize> LegBody<J> {
     /// Moves on while its joints accelerate so.
     pub(super) fn advance(&mut self, world: &World<'_>, accelerations: &[f64; J]) {
         for (j, acceleration) in accelerations.iter().enumerate() {
-            let (own, _) = self.efforts(j, world);
-            let joint = self.servos.get_mut(j).zip(self.model.joints.get(j));
-            if let Some((servo, joint)) = joint {
+            let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
+                break;
+            };
+            let own = self.motor(j, servo, joint, world);
+            if let Some(servo) = self.servos.get_mut(j) {
                 servo.advance(joint, own, *acceleration, world.stride.dt);
             }
         }
@@ -338,6 +342,7 @@ impl<const J: usize> LegBody<J> {
 }
 
 /// The bit of joint `j`; none for more joints than robots have.
+#[inline]
 fn bit(j: usize) -> u16 {
     u32::try_from(j)
         .ok()

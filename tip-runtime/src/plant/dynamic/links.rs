@@ -9,6 +9,7 @@ use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
 
 /// A link from its joint to the next one, at angle 0: m.
+#[inline]
 pub(super) fn length(joint: &Joint) -> Vector {
     Vector::from(joint.link) / 1000.0
 }
@@ -46,17 +47,20 @@ impl Walk {
     }
 
     /// Goes to another point of the same rigid body.
+    #[inline]
     fn step(&mut self, by: Vector) {
         self.acceleration = self.acceleration_at(by);
         self.velocity += self.rate.cross(&by);
         self.at += by;
     }
 
+    #[inline]
     fn acceleration_at(&self, by: Vector) -> Vector {
         self.acceleration + self.turning.cross(&by) + self.rate.cross(&self.rate.cross(&by))
     }
 
     /// Turns with the joint: its axis, and where it is.
+    #[inline]
     pub(super) fn turn(&mut self, joint: &Joint, servo: &Servo) -> (Vector, Vector) {
         let own = Unit::new_unchecked(Vector::from(joint.axis));
         let axis = self.rotation * own.into_inner();
@@ -67,6 +71,7 @@ impl Walk {
     }
 
     /// The link after the joint, a uniform rod.
+    #[inline]
     pub(super) fn link(&self, joint: &Joint) -> Share {
         let link = self.rotation * length(joint);
         let centre = self.at + link / 2.0;
@@ -83,6 +88,7 @@ impl Walk {
     }
 
     /// Three points of the link whose end has been reached: where they are, and how fast they move.
+    #[inline]
     pub(super) fn between(&self, joint: &Joint) -> [(Vector, Vector); 3] {
         let link = self.rotation * length(joint);
         [0.25, 0.5, 0.75].map(|share| {
@@ -92,6 +98,7 @@ impl Walk {
     }
 
     /// Goes to the link's end: where it is, and how fast it moves.
+    #[inline]
     pub(super) fn end(&mut self, joint: &Joint) -> (Vector, Vector) {
         self.step(self.rotation * length(joint));
         (self.at, self.velocity)

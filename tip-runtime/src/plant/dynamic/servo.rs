@@ -126,6 +126,7 @@ impl Servo {
 
     /// Moves the set point on by one of `left` steps of a cycle, and lets the motor draw the joint there, or give the
     /// torque that it is commanded.
+    #[inline]
     pub(super) fn aim(
         &mut self,
         control: Control,
@@ -160,11 +161,13 @@ impl Servo {
     }
 
     /// Whether a joint turns the way of a torque faster than its motor.
+    #[inline]
     fn is_too_fast(&self, torque: f64, speed: f64) -> bool {
         self.rate * torque.signum() > speed
     }
 
     /// What the motor turns the joint by, after [`aim`](Self::aim); with no more than it can give if it is `spent`.
+    #[inline]
     pub(super) fn motor(
         &self,
         control: Control,
@@ -190,6 +193,7 @@ impl Servo {
     }
 
     /// What rotor, friction and mechanical stops add.
+    #[inline]
     pub(super) fn passive(&self, joint: &Joint, drives: &Drives, dt: f64) -> Effort {
         let friction = drives.friction * joint.torque;
         let mut effort = Effort {
@@ -209,6 +213,7 @@ impl Servo {
     }
 
     /// Whether a joint that accelerates so (rad/s²) asks more of its motor than it can give, which then gives that.
+    #[inline]
     pub(super) fn overload(&mut self, joint: &Joint, own: Effort, acceleration: f64) -> bool {
         let torque = own.torque - own.inertia * acceleration;
         let is_too_much = libm::fabs(torque) > joint.torque;
@@ -219,6 +224,7 @@ impl Servo {
     }
 
     /// Moves for `dt` s.
+    #[inline]
     pub(super) fn advance(&mut self, joint: &Joint, own: Effort, acceleration: f64, dt: f64) {
         self.torque = within(own.torque - own.inertia * acceleration, joint.torque);
         self.rate += acceleration * dt;
@@ -227,6 +233,7 @@ impl Servo {
 }
 
 /// The value, or `most` of its sign.
+#[inline]
 fn within(value: f64, most: f64) -> f64 {
     if libm::fabs(value) > most {
         most.copysign(value)

@@ -20,6 +20,7 @@ impl Spatial {
     };
 
     /// The turn at 1 rad/s about an axis through `place`.
+    #[inline]
     pub(super) fn turning(axis: Vector, place: Vector) -> Self {
         Spatial {
             angular: axis,
@@ -28,6 +29,7 @@ impl Spatial {
     }
 
     /// A force that acts at `place`.
+    #[inline]
     pub(super) fn pushing(force: Vector, place: Vector) -> Self {
         Spatial {
             angular: place.cross(&force),
@@ -41,11 +43,13 @@ impl Spatial {
         self.angular.dot(&other.angular) + self.linear.dot(&other.linear)
     }
 
+    #[inline]
     pub(super) fn entries(&self) -> [f64; 6] {
         let (a, l) = (&self.angular, &self.linear);
         [a.x, a.y, a.z, l.x, l.y, l.z]
     }
 
+    #[inline]
     pub(super) fn of([ax, ay, az, lx, ly, lz]: [f64; 6]) -> Self {
         Spatial {
             angular: Vector::new(ax, ay, az),
@@ -57,6 +61,7 @@ impl Spatial {
 impl Add for Spatial {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Spatial {
             angular: self.angular + other.angular,
@@ -66,6 +71,7 @@ impl Add for Spatial {
 }
 
 impl AddAssign for Spatial {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -74,6 +80,7 @@ impl AddAssign for Spatial {
 impl Sub for Spatial {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Spatial {
             angular: self.angular - other.angular,
@@ -101,6 +108,7 @@ impl Inertia {
     };
 
     /// Of a mass (kg) with a centre (m) and an inertia of its own about it (kg·m²).
+    #[inline]
     pub(super) fn new(mass: f64, centre: Vector, own: Matrix3<f64>) -> Self {
         Inertia {
             mass,
@@ -119,18 +127,21 @@ impl Inertia {
     }
 
     /// The same for any motion: angular rows and columns first.
+    #[inline]
     pub(super) fn matrix(&self) -> [[f64; 6]; 6] {
-        let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
-        let none = Vector::zeros();
+        let Inertia {
+            mass,
+            moment: m,
+            turning: t,
+        } = self;
         [
-            (x, none),
-            (y, none),
-            (z, none),
-            (none, x),
-            (none, y),
-            (none, z),
+            [t.m11, t.m21, t.m31, 0.0, -m.z, m.y],
+            [t.m12, t.m22, t.m32, m.z, 0.0, -m.x],
+            [t.m13, t.m23, t.m33, -m.y, m.x, 0.0],
+            [0.0, m.z, -m.y, *mass, 0.0, 0.0],
+            [-m.z, 0.0, m.x, 0.0, *mass, 0.0],
+            [m.y, -m.x, 0.0, 0.0, 0.0, *mass],
         ]
-        .map(|(angular, linear)| self.momentum(&Spatial { angular, linear }).entries())
     }
 
     /// kg.
@@ -139,6 +150,7 @@ impl Inertia {
     }
 
     /// The centre of mass: m.
+    #[inline]
     pub(super) fn centre(&self) -> Vector {
         if self.mass > 0.0 {
             self.moment / self.mass
@@ -149,6 +161,7 @@ impl Inertia {
 }
 
 impl AddAssign for Inertia {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         self.mass += other.mass;
         self.moment += other.moment;

@@ -39,11 +39,13 @@ impl Terrain {
     }
 
     /// Where a point of the world is inside of something.
+    #[inline]
     pub(super) fn touch(&self, point: Vector) -> Option<Touch> {
         self.block(point).or_else(|| self.floor(point))
     }
 
     /// Whether anything stands on the floor.
+    #[inline]
     pub(super) fn has_blocks(&self) -> bool {
         self.blocks.iter().any(Option::is_some)
     }
@@ -88,6 +90,7 @@ impl Terrain {
     }
 
     /// Where it is in the floor.
+    #[inline]
     fn floor(&self, point: Vector) -> Option<Touch> {
         let above = self.normal.dot(&point) - self.height * self.normal.z;
         (above < 0.0).then_some(Touch {

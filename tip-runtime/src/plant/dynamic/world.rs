@@ -33,6 +33,7 @@ impl Share {
         force: Spatial::ZERO,
     };
 
+    #[inline]
     pub(super) fn add(&mut self, other: Share) {
         self.inertia += other.inertia;
         self.force += other.force;
