@@ -17,6 +17,7 @@ mod escape;
 mod explain;
 mod fix;
 mod fmt;
+mod help;
 mod input;
 mod interrupt;
 mod log;
@@ -42,7 +43,7 @@ mod view;
 mod watch;
 
 use choices::Format;
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 use error::Error;
 use shown::Shown;
 use std::process::ExitCode;
@@ -204,7 +205,9 @@ enum Status {
 
 /// Does what the command line says.
 fn main() -> ExitCode {
-    let mut arguments = match Arguments::try_parse() {
+    let matches = help::command(usage::lang()).try_get_matches();
+    let arguments = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
+    let mut arguments = match arguments {
         Ok(arguments) => arguments,
         Err(error) => {
             usage::report(&error);

@@ -170,7 +170,7 @@ fn command() -> Option<String> {
 }
 
 /// The language that the command line asks for, which could not be read as a whole; else that of the locale.
-fn lang() -> Lang {
+pub(super) fn lang() -> Lang {
     let words: Vec<String> = env::args_os()
         .map(|word| word.to_string_lossy().into_owned())
         .collect();

@@ -116,3 +116,26 @@ fn the_locale_chooses_the_language_of_wrong_usage() {
     let err = String::from_utf8(output.expect("tipc runs").stderr).expect("UTF-8");
     assert!(err.contains("のことですか?"), "{err}");
 }
+
+#[test]
+fn help_is_in_the_language_that_is_asked_for() {
+    let folder = Folder::new("usage-help");
+    let help = folder.tipc(&["check", "--help", "--lang", "ja"]).expect(0);
+    for line in [
+        "使い方: tipc check [OPTIONS] <FILE>...",
+        "          プログラム。'-' は標準入力",
+        "          [既定値: 3.1]",
+        "          - short: 1 件 1 行",
+        "  tipc check --watch walk.prg                 変わるたびに検査し直す (Ctrl-C まで)",
+    ] {
+        assert!(help.out.lines().any(|it| it == line), "{line}: {help:#?}");
+    }
+    let output = folder
+        .command(&["help", "run"])
+        .env("LANG", "ja_JP.UTF-8")
+        .output();
+    let help = String::from_utf8(output.expect("tipc runs").stdout).expect("UTF-8");
+    assert!(help.starts_with("シミュレーションのロボット"), "{help}");
+    let help = folder.tipc(&["run", "-h", "--lang", "en"]).expect(0);
+    assert!(help.out.contains("Usage: tipc run"), "{help:#?}");
+}

@@ -1,0 +1,101 @@
+//! The help of the command line in Japanese. The English one is what the commands say of themselves.
+
+mod endings;
+mod lines;
+
+use super::Arguments;
+use clap::builder::{PossibleValue, StyledStr};
+use clap::{Arg, Command, CommandFactory};
+use endings::ENDINGS;
+use lines::LINES;
+use std::fmt::Write as _;
+use tipc::message::Lang;
+
+/// As clap has it, but for the words that it says in English only.
+const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{after-help}";
+
+/// The command line with its help in a language.
+pub(super) fn command(lang: Lang) -> Command {
+    let mut tipc = Arguments::command();
+    if lang == Lang::Japanese {
+        // Adds what every command has: options and a command for help.
+        tipc.build();
+        tipc = translated(tipc, "");
+    }
+    tipc
+}
+
+/// A command and those below it; `above` is what is typed before its name, joined by `_`.
+fn translated(command: Command, above: &str) -> Command {
+    let name = command.get_name().to_owned();
+    let about = command.get_about().map(line).unwrap_or_default();
+    let path = match above {
+        "" | "tipc" => name,
+        above => format!("{above}_{name}"),
+    };
+    let ending = ENDINGS.iter().find(|(command, _)| *command == path);
+    let below: Vec<String> = command.get_subcommands().map(name_of).collect();
+    let command = command
+        .help_template(TEMPLATE)
+        .subcommand_help_heading("コマンド")
+        .about(about)
+        .after_help(ending.map_or("", |(_, text)| text.trim_end()))
+        .mut_args(option);
+    below.iter().fold(command, |command, name| {
+        command.mut_subcommand(name, |command| translated(command, &path))
+    })
+}
+
+fn name_of(command: &Command) -> String {
+    command.get_name().to_owned()
+}
+
+/// An option or argument, with what its values and its default are.
+fn option(arg: Arg) -> Arg {
+    let text = arg.get_help().map(line).unwrap_or_default();
+    let (mut short, mut long) = (text.clone(), text);
+    if arg.get_action().takes_values() {
+        let values = arg.get_possible_values();
+        let names: Vec<&str> = values.iter().map(PossibleValue::get_name).collect();
+        let names = names.join(", ");
+        let defaults = arg.get_default_values().iter();
+        let default: Vec<_> = defaults.map(|value| value.to_string_lossy()).collect();
+        let default = default.join(", ");
+        if values.iter().any(|value| value.get_help().is_some()) {
+            let _ = write!(long, "\n\n値:");
+            for value in &values {
+                let help = value.get_help().map(line).unwrap_or_default();
+                let _ = write!(long, "\n- {}: {help}", value.get_name());
+            }
+        } else if !names.is_empty() {
+            let _ = write!(long, "\n\n[値: {names}]");
+        }
+        if !names.is_empty() {
+            let _ = write!(short, " [値: {names}]");
+        }
+        if !default.is_empty() {
+            let _ = write!(short, " [既定値: {default}]");
+            let _ = write!(long, "\n\n[既定値: {default}]");
+        }
+    }
+    let (heading, arg) = match arg.get_index() {
+        // Else they stand in the order of their names.
+        Some(place) => ("引数", arg.display_order(place)),
+        None => ("オプション", arg),
+    };
+    arg.help(short)
+        .long_help(long)
+        .help_heading(heading)
+        .hide_default_value(true)
+        .hide_possible_values(true)
+}
+
+/// A sentence in Japanese; as it is where it has no row.
+fn line(english: &StyledStr) -> String {
+    let english = english.to_string();
+    let row = LINES.iter().find(|(row, _)| *row == english);
+    row.map_or(english, |(_, japanese)| (*japanese).to_owned())
+}
+
+#[cfg(test)]
+mod tests;
