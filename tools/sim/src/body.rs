@@ -11,6 +11,7 @@ use crate::native::Native;
 use crate::plant::Plant;
 use crate::rig::Rig;
 use crate::shell::Shell;
+use miss::Reach;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::kinematics::{Frame, frames};
 use tip_runtime::machine::{Machine, Mismatch};
@@ -174,7 +175,7 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
     }
 
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        Miss::of(self.model, op, target, values)
+        Reach::from(self.model).miss(op, target, values)
     }
 
     fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch> {

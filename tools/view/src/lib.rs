@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+mod bundle;
 #[cfg(feature = "logs")]
 mod csv;
 pub mod live;

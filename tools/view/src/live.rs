@@ -38,6 +38,6 @@ pub const MOST_BYTES: usize = 2 << 20;
 
 /// The page that shows a session at the other end of a WebSocket: `/live` of the server that it comes from, with the same
 /// query.
-pub fn page() -> &'static str {
-    include_str!("../page/dist/live.html")
+pub fn page() -> String {
+    crate::bundle::live()
 }

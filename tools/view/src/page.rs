@@ -1,11 +1,9 @@
 //! The page that replays a recording.
 
+use crate::bundle;
 use crate::recording::Recording;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-
-/// The page without a recording. Between two of its marks stands what the mark names.
-const PAGE: &str = include_str!("../page/dist/page.html");
 
 impl Recording {
     /// One HTML file that replays this recording: it asks for nothing from anywhere.
@@ -18,7 +16,8 @@ impl Recording {
             title => title,
         };
         let mut page = String::new();
-        let mut rest = PAGE;
+        let whole = bundle::replay();
+        let mut rest = whole.as_str();
         for (mark, content) in [
             ("TIP-TITLE", escaped(title)),
             ("TIP-RECORDING", STANDARD.encode(self.packed())),

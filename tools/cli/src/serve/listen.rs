@@ -63,7 +63,7 @@ fn answer(mut stream: TcpStream, guard: &Guard, news: &SyncSender<News>) -> io::
         return refuse(&mut stream, stranger);
     }
     match (&*head.method, &*head.path) {
-        ("GET", "/") => reply::page(&mut stream, tip_view::live::page()),
+        ("GET", "/") => reply::page(&mut stream, &tip_view::live::page()),
         ("GET", "/live") => {
             let host = host.unwrap_or_default();
             match guard.admits_origin(head.field("origin"), &host) {

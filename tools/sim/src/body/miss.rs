@@ -27,30 +27,45 @@ const LEFT_OVER: f64 = 1.0;
 /// Angles that differ by less come from rounding: deg.
 const ROUNDING: f64 = 1e-6;
 
-impl Miss {
+/// What commands move, of a model with any number of legs.
+pub(super) struct Reach<'a, const J: usize> {
+    legs: &'a [Leg<J>],
+    family: Family,
+    inverse: Inverse,
+    slider: Option<&'a Slider>,
+}
+
+impl<'a, const L: usize, const J: usize> From<&'a Model<L, J>> for Reach<'a, J> {
+    fn from(model: &'a Model<L, J>) -> Self {
+        Reach {
+            legs: &model.legs,
+            family: model.family,
+            inverse: model.inverse,
+            slider: model.slider.as_ref(),
+        }
+    }
+}
+
+impl<const J: usize> Reach<'_, J> {
     /// What PTP or PTP_ANGLE misses, if it does.
-    pub(super) fn of<const L: usize, const J: usize>(
-        model: &Model<L, J>,
-        op: Op,
-        target: Target,
-        values: &[f64],
-    ) -> Option<Miss> {
-        let leg = |n: u8| model.legs.get(usize::from(n).checked_sub(1)?);
+    #[inline(never)] // Else it is compiled for each number of legs.
+    pub(super) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
+        let leg = |n: u8| self.legs.get(usize::from(n).checked_sub(1)?);
         match (op, target) {
             (Op::PtpAngle, Target::Foot(n)) => angles(leg(n)?, n, 0, values),
             (Op::PtpAngle, Target::Joint(n, m)) => {
                 angles(leg(n)?, n, usize::from(m).checked_sub(1)?, values)
             }
-            (Op::Ptp, Target::Floor) => slider(model.slider.as_ref()?, values.try_into().ok()?),
+            (Op::Ptp, Target::Floor) => slider(self.slider?, values.try_into().ok()?),
             (Op::Ptp, Target::Foot(n)) => place(
                 leg(n)?,
                 n,
-                (model.inverse, LegPoint::Tip),
+                (self.inverse, LegPoint::Tip),
                 values.try_into().ok()?,
             ),
-            (Op::Ptp, Target::Joint(n, m)) if model.family == Family::Hand => {
+            (Op::Ptp, Target::Joint(n, m)) if self.family == Family::Hand => {
                 let point = LegPoint::Joint(usize::from(m).checked_sub(1)?);
-                place(leg(n)?, n, (model.inverse, point), values.try_into().ok()?)
+                place(leg(n)?, n, (self.inverse, point), values.try_into().ok()?)
             }
             _ => None,
         }
