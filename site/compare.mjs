@@ -3,22 +3,20 @@
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
-import { asker } from './wasm.mjs';
+import { playground } from './wasm.mjs';
 
 const [wasm, tipc] = process.argv.slice(2);
 const root = `${import.meta.dirname}/..`;
 const read = (path) => readFileSync(`${root}/${path}`, 'utf8');
 const { robots, examples, lessons } = JSON.parse(read('site/contents.json'));
-const { instance } = await WebAssembly.instantiate(readFileSync(wasm));
-const ask = asker(instance.exports);
+const { trace } = await playground(readFileSync(wasm));
 const hash = (text) => createHash('sha256').update(text).digest('hex').slice(0, 16);
 const filled = (text) => text && { name: text.name, ...(text.name.includes('/') ? { text: read(text.name) } : {}) };
 
 let different = 0;
 for (const { program, robot: name, events = '' } of [...examples, ...lessons]) {
   const { robot, scene } = robots[name];
-  const question = { task: 'trace', program: { name: program, text: read(program) }, robot: filled(robot), scene: filled(scene), events };
-  const here = ask(question).trace ?? 'no trace';
+  const here = trace({ program: { name: program, text: read(program) }, robot: filled(robot), scene: filled(scene), events });
   const options = ['--robot', robot.name, ...(scene ? ['--scene', scene.name] : []), ...(events ? ['--events', events] : [])];
   const native = execFileSync(tipc, ['run', program, '--quiet', '--trace', '-', '--trace-state', ...options], { cwd: root, maxBuffer: 1e9, encoding: 'utf8' });
   const equal = hash(here) === hash(native);

@@ -1,15 +1,33 @@
-// The playground's WebAssembly, of which JavaScript knows three functions (wasm/src/exports.rs).
+// The playground's WebAssembly (wasm/src/exports.rs).
 
-/** Asks a question of wasm/src/ask.rs, and gives its answer. */
-export function asker({ room, ask, done, memory }) {
-  return (question) => {
-    const bytes = new TextEncoder().encode(JSON.stringify(question));
-    const place = room(bytes.length);
-    new Uint8Array(memory.buffer).set(bytes, place);
-    const answer = ask(place, bytes.length);
-    const length = new DataView(memory.buffer).getUint32(answer, true);
-    const text = new TextDecoder().decode(new Uint8Array(memory.buffer, answer + 4, length));
-    done(answer, length);
-    return JSON.parse(text);
+/** Of a module's bytes, its functions as JavaScript has them: texts are strings, objects go in as JSON. */
+export async function playground(bytes) {
+  const page = { now: () => performance.now() };
+  const { instance } = await WebAssembly.instantiate(bytes, { page });
+  const { memory, begin, room, done, open, advance, request, update, traced } = instance.exports;
+  const place = (object) => {
+    const bytes = new TextEncoder().encode(JSON.stringify(object));
+    const at = room(bytes.length);
+    new Uint8Array(memory.buffer).set(bytes, at);
+    return [at, bytes.length];
+  };
+  const text = (at) => {
+    const length = new DataView(memory.buffer).getUint32(at, true);
+    const text = new TextDecoder().decode(new Uint8Array(memory.buffer, at + 4, length));
+    done(at, length);
+    return text;
+  };
+  const own = begin();
+  return {
+    /** Begins a session; the error, or ''. */
+    open: (wanted) => text(open(own, ...place(wanted))),
+    /** So many ms have passed. */
+    advance: (elapsed) => advance(own, elapsed),
+    /** The answer to a request, or ''. */
+    request: (asked) => text(request(own, ...place(asked))),
+    /** What the page does not know yet, or ''. */
+    update: () => text(update(own)),
+    /** The trace of a run, or why there is none. */
+    trace: (wanted) => text(traced(...place(wanted))),
   };
 }

@@ -4,10 +4,10 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tip_playground::{Ask, Task, Text, Workbench, answer};
+use tip_playground::{Text, Wanted};
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Interpreter, Run};
+use tip_sim::{Interpreter, Limit, Run};
 
 type Texts<T> = (T, T);
 type Range = (f64, f64);
@@ -95,10 +95,9 @@ fn filled(text: &Text) -> Text {
     }
 }
 
-fn ask(contents: &Contents, robot: &str, program: &str, events: &str) -> Ask {
+fn wanted(contents: &Contents, robot: &str, program: &str, events: &str) -> Wanted {
     let setting = &contents.robots[robot];
-    Ask {
-        task: Task::Run,
+    Wanted {
         program: Text {
             name: "program.prg".to_owned(),
             text: Some(program.to_owned()),
@@ -107,7 +106,6 @@ fn ask(contents: &Contents, robot: &str, program: &str, events: &str) -> Ask {
         scene: setting.scene.as_ref().map(filled),
         events: events.to_owned(),
         cycles: None,
-        lang: String::new(),
     }
 }
 
@@ -116,8 +114,9 @@ fn is_within(value: f64, range: Option<Range>) -> bool {
 }
 
 #[track_caller]
-fn holds(lesson: &str, ask: &Ask, shows: &Shows) {
-    let bench = Workbench::of(ask).unwrap_or_else(|_| panic!("{lesson}: it has its robot"));
+fn holds(lesson: &str, wanted: &Wanted, shows: &Shows) {
+    let bench = wanted.bench();
+    let bench = bench.unwrap_or_else(|error| panic!("{lesson}: {error}"));
     let diagnostics = bench.loaded.diagnostics.iter();
     let found: Vec<&str> = diagnostics.map(|diagnostic| diagnostic.id()).collect();
     assert_eq!(found, shows.errors, "{lesson}");
@@ -185,7 +184,7 @@ fn each_lesson_does_what_it_says_and_what_it_asks_for_does_too() {
     assert_eq!(contents.lessons.len(), 10);
     for lesson in &contents.lessons {
         let text = file(&lesson.program);
-        let first = ask(&contents, &lesson.robot, &text, &lesson.events);
+        let first = wanted(&contents, &lesson.robot, &text, &lesson.events);
         holds(&lesson.program, &first, &lesson.shows);
 
         let changed = lesson.change.iter().fold(text.clone(), |text, (from, to)| {
@@ -198,7 +197,7 @@ fn each_lesson_does_what_it_says_and_what_it_asks_for_does_too() {
             "{}",
             lesson.program
         );
-        let second = ask(&contents, &lesson.robot, &changed, events);
+        let second = wanted(&contents, &lesson.robot, &changed, events);
         holds(&lesson.program, &second, &lesson.changed);
     }
 }
@@ -245,15 +244,22 @@ fn each_example_runs_without_a_finding() {
         ..
     } in &contents.examples
     {
-        let ask = ask(&contents, robot, &file(program), events);
-        let question = serde_json::to_string(&ask).expect("a question");
-        let answer: serde_json::Value = serde_json::from_str(&answer(&question)).expect("JSON");
-        assert_eq!(answer["findings"], serde_json::json!([]), "{program}");
+        let wanted = wanted(&contents, robot, &file(program), events);
+        let bench = wanted
+            .bench()
+            .unwrap_or_else(|error| panic!("{program}: {error}"));
+        let found: Vec<_> = bench.loaded.diagnostics.iter().map(|it| it.id()).collect();
+        assert_eq!(found, [""; 0], "{program}");
+        let run = Run::new(
+            Interpreter::new(bench.loaded.program.expect("a program")),
+            bench.robot,
+        );
+        let run = run.expect("for this robot").with_events(&bench.events);
+        let mut run = run.expect("events that happen");
+        let ending = run.to_end(Limit::cycles(100_000));
         assert!(
-            answer["recording"]
-                .as_str()
-                .is_some_and(|packed| packed.len() > 1000),
-            "{program}"
+            matches!(ending, Ending::Program(_)),
+            "{program}: {ending:?}"
         );
     }
 }

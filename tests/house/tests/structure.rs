@@ -47,8 +47,9 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("tip-macros", &["tip-runtime", "tipc"]),
     // Its front page compares compiled code.
     ("tip-sim", &["tip-runtime", "tipc", "tip-macros"]),
-    ("tip-view", &["tip-runtime", "tipc", "tip-sim"]),
     ("tip-ide", &["tip-runtime", "tipc"]),
+    // The editor of a live page asks what every editor asks.
+    ("tip-view", &["tip-runtime", "tipc", "tip-sim", "tip-ide"]),
     (
         "tipc-cli",
         &["tip-runtime", "tipc", "tip-sim", "tip-ide", "tip-view"],

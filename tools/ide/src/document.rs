@@ -23,9 +23,14 @@ impl Document {
             encoding: Encoding::Utf8,
             ..*options
         };
+        Document::of(load(name, text.as_bytes(), &options), &options)
+    }
+
+    /// A program that has been read by these options.
+    pub fn of(loaded: Loaded, options: &Options) -> Self {
         Document {
-            loaded: load(name, text.as_bytes(), &options),
-            options,
+            loaded,
+            options: *options,
             parts: OnceCell::new(),
         }
     }

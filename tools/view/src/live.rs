@@ -24,6 +24,7 @@
 mod draft;
 mod finding;
 mod host;
+mod known;
 mod request;
 mod runner;
 mod session;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Cursor;
 use std::path::Path;
-use tip_runtime::plant::Scene;
+use tip_runtime::plant::{Block, Scene};
 use tip_sim::{Events, Robot, tipc, urdf};
 use tip_view::{Extent, Pace, Recording, robot_frame};
 
@@ -363,4 +363,35 @@ fn the_same_run_gives_the_same_bytes() {
     let (robot, text) = (titan(), example("walk/motions/walk.prg"));
     let file = || bytes(&record(&text, &robot, 200), &robot);
     assert!(file() == file());
+}
+
+#[test]
+fn blocks_of_a_scene_are_cubes_of_every_update() {
+    // 200 mm wide and 600 mm long, ahead of the robot; the floor under it rises by 1 mm in 100 from 3 mm at y = 300.
+    let block = Block {
+        x: [-100.0, 100.0],
+        y: [300.0, 900.0],
+        height: 43.0,
+    };
+    let mut scene = Scene::EMPTY.with_block(block).expect("there is room");
+    scene.floor.slope = [0.0, 0.01];
+    let robot = titan().with_scene(&scene).expect("it walks there");
+    let recording = record("3.1\nwaits\nSLEEP 100\nEND\n", &robot, 10);
+    let channels = read(&bytes(&recording, &robot));
+    let updates = &channels["/scene"].messages;
+    assert!(updates.len() > 1);
+    for (_, update) in updates {
+        let entities = fields(update)
+            .into_iter()
+            .filter(|(number, _)| *number == 2);
+        let named = entities.map(|(_, entity)| entity);
+        let mut blocks = named.filter(|entity| field(entity, 3) == b"blocks");
+        let blocks = blocks.next().expect("they are there");
+        assert_eq!(field(&blocks, 2), b"world");
+        // Forward, left and up, in metres.
+        let (cube, at) = (field(&blocks, 8), [0.6, 0.0, 0.023]);
+        let axes = |vector: &[u8]| doubles(vector).try_into().expect("three axes");
+        assert!(near(axes(&field(&field(&cube, 1), 1)), at));
+        assert!(near(axes(&field(&cube, 2)), [0.6, 0.2, 0.04]));
+    }
 }

@@ -16,10 +16,6 @@ impl ServedFile {
 }
 
 impl Host for ServedFile {
-    fn has_file(&self) -> bool {
-        true
-    }
-
     fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
         output::replace(&self.0, bytes).map_err(|error| error.to_string())
     }

@@ -8,7 +8,7 @@ const VOLTS = 10;
 /** Keys that write nothing, by what the robot's keyboard sends. */
 const CODES = { Enter: 'key 0x0D', Escape: 'halt', Backspace: 'key 0x08' };
 
-export function controls(requests, inputs) {
+export function controls(requests, recording) {
   const happen = (event) => requests.send({ do: 'event', event });
   element('stop').addEventListener('click', () => happen(CODES.Enter));
   element('halt').addEventListener('click', () => happen(CODES.Escape));
@@ -29,12 +29,18 @@ export function controls(requests, inputs) {
     keys.value = '';
   });
   whenSpoken(() => (keys.placeholder = word('typeHere')));
-  const knobs = inputs.map((name) => knob(name, happen));
-  const isKnob = ({ name }) => name.startsWith('VR');
-  element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
-  element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
-  element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
-  return { show: (recording, cycle) => knobs.forEach((knob) => knob.show(recording, cycle)) };
+  let knobs = [];
+  /** Those of a robot, once it runs. */
+  const begin = () => {
+    knobs = recording.inputs.map((name) => knob(name, happen));
+    const isKnob = ({ name }) => name.startsWith('VR');
+    element('knobs').replaceChildren(...knobs.filter(isKnob).map(({ box }) => box));
+    element('other-inputs').replaceChildren(...knobs.filter((knob) => !isKnob(knob)).map(({ box }) => box));
+    element('other-inputs-box').hidden = !element('other-inputs').childElementCount;
+  };
+  begin();
+  whenSpoken(() => knobs.forEach((knob) => knob.say()));
+  return { begin, show: () => knobs.forEach((knob) => knob.show(recording)) };
 }
 
 /** A slider of an input; it shows what others do as well. */
@@ -52,10 +58,12 @@ function knob(name, happen) {
       happen(`${name}=${slider.value}`);
     });
   });
-  whenSpoken(() => label(slider, 'input', name));
+  const say = () => label(slider, 'input', name);
+  say();
   let last;
   return {
     name,
+    say,
     box: make('label', { className: 'knob' }, make('span', { textContent: name }), slider, reading),
     show({ events }) {
       if (events.length === last) return;

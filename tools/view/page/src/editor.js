@@ -3,8 +3,9 @@
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { ChangeSet, EditorState, StateEffect, StateField, Transaction } from '@codemirror/state';
-import { Decoration, EditorView, MatchDecorator, ViewPlugin, drawSelection, hoverTooltip, keymap, lineNumbers } from '@codemirror/view';
+import { Decoration, EditorView, MatchDecorator, ViewPlugin, drawSelection, keymap, lineNumbers } from '@codemirror/view';
 import { element, make } from './dom.js';
+import { knowledge, placeOf } from './knowledge.js';
 import { shown } from './source.js';
 import { spoken, whenSpoken, word } from './words.js';
 
@@ -54,6 +55,15 @@ const look = EditorView.theme({
   '.lit': { backgroundColor: 'var(--lit)', boxShadow: 'inset 3px 0 var(--accent)' },
   '.comment': { color: 'var(--good)' },
   '.cm-tooltip': { backgroundColor: 'var(--card)', color: 'var(--text)', border: '1px solid var(--line)', borderRadius: '6px', maxWidth: '420px', padding: '2px 6px' },
+  '.known': { fontFamily: 'system-ui, "Hiragino Sans", "Noto Sans JP", "Noto Sans CJK JP", sans-serif', padding: '2px 2px' },
+  '.known p, .known ul, .known pre': { margin: '3px 0' },
+  '.known ul': { paddingLeft: '16px', color: 'var(--muted)' },
+  '.known pre, .value': { fontFamily: 'ui-monospace, "Cascadia Mono", Menlo, Consolas, monospace', whiteSpace: 'pre-wrap' },
+  '.cm-tooltip-autocomplete': { padding: '0' },
+  '.cm-tooltip-autocomplete > ul': { fontFamily: 'ui-monospace, "Cascadia Mono", Menlo, Consolas, monospace' },
+  '.cm-tooltip-autocomplete > ul > li[aria-selected]': { backgroundColor: 'var(--accent)', color: 'var(--card)' },
+  '.cm-completionDetail': { fontStyle: 'normal', color: 'var(--muted)' },
+  'li[aria-selected] .cm-completionDetail': { color: 'inherit' },
   '.cm-diagnostic': { borderLeft: 'none', padding: '3px 4px', whiteSpace: 'normal' },
   '.cm-lintRange-error': { backgroundImage: 'none', textDecoration: 'underline wavy var(--bad)', textUnderlineOffset: '3px' },
   '.cm-lintRange-warning': { backgroundImage: 'none', textDecoration: 'underline wavy var(--warn)', textUnderlineOffset: '3px' },
@@ -78,14 +88,14 @@ export class Editor {
 
   fresh(text) {
     const keys = [
-      { key: 'Mod-s', run: () => Boolean(this.ask({ do: 'save' })) },
+      { key: 'Mod-s', run: () => Boolean(element('save')?.click() ?? true) },
       { key: 'Mod-Enter', run: () => Boolean(this.ask({ do: 'restart' })) },
     ];
     return EditorState.create({
       doc: text,
       extensions: [
         lineNumbers(), lintGutter(), history(), drawSelection(), comments, lit, look,
-        hoverTooltip((view, place) => this.valueAt(place)),
+        knowledge((question) => this.inquire(question), (place) => this.valueAt(place)),
         keymap.of([...keys, ...defaultKeymap, ...historyKeymap, ...lintKeymap]),
         EditorView.contentAttributes.of({ tabindex: '0' }),
         EditorView.updateListener.of((update) => this.updated(update)),
@@ -103,6 +113,12 @@ export class Editor {
     return this.requests.send(request);
   }
 
+  /** The answer to a question about the text as it stands; nothing if the session does not have it yet. */
+  async inquire(question) {
+    this.sendText();
+    return this.text === (this.waits ? this.sent : this.known) ? this.requests.ask(question) : undefined;
+  }
+
   updated({ docChanged, changes, transactions }) {
     if (!docChanged) return;
     this.since = this.since?.compose(changes);
@@ -115,7 +131,7 @@ export class Editor {
     clearTimeout(this.due);
     const { text } = this;
     if (this.waits || text === this.known || !this.version) return;
-    this.waits = true;
+    [this.waits, this.sent] = [true, text];
     this.requests.send({ do: 'edit', text, base: this.version, by: this.own });
   }
 
@@ -131,15 +147,16 @@ export class Editor {
     this.replace(text);
   }
 
-  /** Puts a text in the place of the one here, keeping what both begin and end with. */
+  /** Puts a text in the place of the one here, keeping what both begin and end with; a session's first text is another program. */
   replace(text) {
+    if (this.version === 1) this.view.setState(this.fresh(text));
     const { text: old } = this;
     let [from, end] = [0, 0];
     const most = Math.min(old.length, text.length);
     while (from < most && old[from] === text[from]) from++;
     while (end < most - from && old[old.length - 1 - end] === text[text.length - 1 - end]) end++;
     const changes = { from, to: old.length - end, insert: text.slice(from, text.length - end) };
-    this.view.dispatch({ changes, annotations: [Transaction.remote.of(true), Transaction.addToHistory.of(this.version > 1)] });
+    this.view.dispatch({ changes, annotations: Transaction.remote.of(true) });
     this.align();
   }
 
@@ -202,10 +219,7 @@ export class Editor {
 
   showFindings() {
     const { doc } = this.view.state;
-    const at = ([line, column]) => {
-      const known = doc.line(Math.min(line, doc.lines));
-      return line > doc.lines ? doc.length : Math.min(known.from + column - 1, known.to);
-    };
+    const at = (place) => placeOf(doc, place);
     const found = this.findings.map(({ level, code, from, to, text, help }) => ({
       from: at(from),
       to: Math.max(at(to), at(from)),
@@ -236,10 +250,9 @@ export class Editor {
       const scalar = this.names?.get(name.toUpperCase());
       if (place < from || place > to || scalar === undefined) continue;
       const value = this.player.recording.valueAt(scalar, this.player.cycle);
-      const textContent = `${name.toUpperCase()} = ${value === undefined ? word('unassigned') : shown(value)}`;
-      return { pos: from, end: to, above: true, create: () => ({ dom: make('div', { textContent }) }) };
+      return { from, to, text: `${name.toUpperCase()} = ${value === undefined ? word('unassigned') : shown(value)}` };
     }
-    return null;
+    return undefined;
   }
 }
 

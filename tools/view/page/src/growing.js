@@ -15,6 +15,8 @@ export class GrowingRecording extends Recording {
     this.first = 0;
     // From which frame on those that were known have changed.
     this.changed = 0;
+    // Whether the last frame is there for the moment only.
+    this.provisional = false;
   }
 
   /** Another run in the place of this one. */

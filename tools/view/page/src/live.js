@@ -5,7 +5,7 @@ import { element } from './dom.js';
 import { Editor } from './editor.js';
 import { FollowingPlayer } from './following.js';
 import { GrowingRecording } from './growing.js';
-import { dialogs, keys, languages, observeSize, openStage, showChoices, showTab, tabs, themes } from './page.js';
+import { choices, dialogs, keys, languages, notice, observeSize, openStage, showTab, tabs, themes } from './page.js';
 import { LIVE_WORDS } from './live-words.js';
 import { Plots } from './plots.js';
 import { Requests } from './session.js';
@@ -17,8 +17,6 @@ import { teach, whenSpoken, word } from './words.js';
 const SELDOM = 250;
 /** How much of the run the plots show while they follow: ms. */
 const WINDOW = 30_000;
-/** How long a refusal is shown: ms. */
-const NOTICE = 6000;
 
 /** Shows the run of a session: see session.js. */
 export function openLive(session) {
@@ -27,7 +25,7 @@ export function openLive(session) {
   let [page, recording, begun] = [];
   const requests = new Requests(session, (answer) => {
     if (answer.error === 'stale') page?.editor.refused();
-    notice(answer);
+    notice(word(`refused-${answer.error}`, answer.detail ?? ''));
   });
   const takes = {
     // With its first cycle there is something to show.
@@ -53,18 +51,13 @@ export function openLive(session) {
   return requests;
 }
 
-/** Says for a while why something was not done. */
-function notice({ error, detail }) {
-  const box = element('notice');
-  box.textContent = word(`refused-${error}`, detail ?? '');
-  box.hidden = false;
-  clearTimeout(notice.due);
-  notice.due = setTimeout(() => (box.hidden = true), NOTICE);
-}
-
 /** Everything that shows a run, once there is something to show; returns what it does with updates. */
 function build(requests, recording) {
   let status = { playing: false, speed: 1 };
+  const kind = () => JSON.stringify([recording.robot, recording.scene]);
+  let around = kind();
+  // The page of a program that is nowhere else saves nothing.
+  const hasFile = Boolean(element('save'));
   let [dirty, seldom] = [false, 0];
   const player = new FollowingPlayer(recording, requests);
   const editor = new Editor(requests, player);
@@ -76,7 +69,7 @@ function build(requests, recording) {
     showTab('plots-tab');
     plots.showVariable(scalar);
   });
-  const knobs = controls(requests, recording.inputs);
+  const knobs = controls(requests, recording);
 
   const showNames = () => {
     const { title, name } = recording.script;
@@ -89,8 +82,10 @@ function build(requests, recording) {
     const goes = late ? 'runsLate' : 'runs';
     element('outcome').textContent = over ? endOf(recording) : word(playing ? goes : 'rests');
     element('outcome').classList.toggle('bad', Boolean(over) && recording.outcome.how === 'emergency');
-    element('file-state').textContent = word(overtaken ? 'overtaken' : changed ? 'unsaved' : 'saved');
-    element('file-state').classList.toggle('bad', Boolean(overtaken));
+    if (hasFile) {
+      element('file-state').textContent = word(overtaken ? 'overtaken' : changed ? 'unsaved' : 'saved');
+      element('file-state').classList.toggle('bad', Boolean(overtaken));
+    }
     element('play').disabled = Boolean(over);
     element('past').hidden = player.following;
     element('past-text').textContent = word('looksBack', player.cycle);
@@ -114,7 +109,7 @@ function build(requests, recording) {
   player.onMove(() => {
     stage?.show(player.time);
     editor.light(recording.lineAt(player.cycle));
-    knobs.show(recording);
+    knobs.show();
     if (!player.following) showStatus();
   });
   player.onState(showStatus);
@@ -125,10 +120,12 @@ function build(requests, recording) {
     seldom = 0;
     showSeldom();
   });
-  if (stage) showChoices(stage, player);
+  const offer = stage ? choices(stage, player) : () => {};
   element('restart').addEventListener('click', () => editor.ask({ do: 'restart' }));
-  element('save').addEventListener('click', () => editor.ask({ do: 'save' }));
-  element('reload').addEventListener('click', () => requests.send({ do: 'reload' }));
+  if (hasFile) {
+    element('save').addEventListener('click', () => editor.ask({ do: 'save' }));
+    element('reload').addEventListener('click', () => requests.send({ do: 'reload' }));
+  }
   element('newest').addEventListener('click', () => player.newest());
   element('go-on').addEventListener('click', () => player.goOnFromHere());
   themes(() => {
@@ -151,6 +148,12 @@ function build(requests, recording) {
   return {
     editor,
     begun() {
+      if (kind() !== around) {
+        around = kind();
+        stage?.begin();
+        offer();
+        knobs.begin();
+      }
       shown.begin();
       plots.begin();
       editor.running(recording.script);

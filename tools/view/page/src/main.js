@@ -2,7 +2,7 @@
 
 import { element } from './dom.js';
 import { exporting } from './export.js';
-import { dialogs, keys, languages, observeSize, openStage, showChoices, showTab, tabs, themes } from './page.js';
+import { choices, dialogs, keys, languages, observeSize, openStage, showTab, tabs, themes } from './page.js';
 import { Player } from './player.js';
 import { Plots } from './plots.js';
 import { Recording } from './recording.js';
@@ -35,7 +35,7 @@ async function open() {
   if (stage) {
     player.onMove(() => stage.show(player.time));
     exporting(player, stage);
-    showChoices(stage, player);
+    choices(stage, player);
   }
   player.onMove(() => rememberPlace(player));
   player.onState(() => rememberPlace(player));

@@ -35,7 +35,8 @@ export function openStage(recording) {
   }
 }
 
-export function showChoices(stage, player) {
+/** What the stage shows can be chosen; returns a function that offers what its robot has. */
+export function choices(stage, player) {
   for (const name of Object.keys(stage.shows)) {
     const button = element(`show-${name}`);
     button.addEventListener('click', () => {
@@ -44,11 +45,27 @@ export function showChoices(stage, player) {
       stage.show(player.time);
     });
   }
-  const { planar, body } = stage.robot;
-  element('show-follow').hidden = planar || !body;
-  element('show-support').hidden = !body;
-  element('show-forces').hidden = !stage.recording.has('load.0');
   element('reset').addEventListener('click', () => stage.resetView());
+  const offer = () => {
+    const { planar, body } = stage.robot;
+    element('show-follow').hidden = planar || !body;
+    element('show-support').hidden = !body;
+    element('show-forces').hidden = !stage.recording.has('load.0');
+  };
+  offer();
+  return offer;
+}
+
+/** How long a notice is shown: ms. */
+const NOTICE = 6000;
+
+/** Says something for a while. */
+export function notice(text) {
+  const box = element('notice');
+  box.textContent = text;
+  box.hidden = false;
+  clearTimeout(notice.due);
+  notice.due = setTimeout(() => (box.hidden = true), NOTICE);
 }
 
 export function themes(recolour) {

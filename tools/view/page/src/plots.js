@@ -20,14 +20,7 @@ export class Plots {
     this.charts = [];
     this.gait = element('gait');
     this.gait.addEventListener('click', (event) => this.goTo(event.offsetX));
-    whenSpoken(() => {
-      const title = this.recording.robot.body ? 'gait' : 'touch';
-      element('gait-title').textContent = word(title);
-      this.gait.setAttribute('aria-label', word(title));
-      this.groups = signalGroups(this.recording);
-      this.listSignals();
-      this.build();
-    });
+    whenSpoken(() => this.say());
     player.onMove(() => this.movePlayheads());
     new ResizeObserver(() => this.resize()).observe(this.box);
   }
@@ -83,9 +76,17 @@ export class Plots {
     this.movePlayheads();
   }
 
-  /** Another program: its variables are other ones. */
+  /** Another program, perhaps on another robot: its signals are other ones. */
   begin() {
     this.chosen = firstChoice(this.recording);
+    this.zoomed = false;
+    this.say();
+  }
+
+  say() {
+    const title = this.recording.robot.body ? 'gait' : 'touch';
+    element('gait-title').textContent = word(title);
+    this.gait.setAttribute('aria-label', word(title));
     this.groups = signalGroups(this.recording);
     this.listSignals();
     this.build();

@@ -18,6 +18,10 @@
 //   {do: 'restart'}                       runs the text of the editor from the beginning
 //   {do: 'edit', text, base, by}          another text in the place of version `base`, by a viewer of that name
 //   {do: 'save'}   {do: 'reload'}         writes the text to its file, or takes that of the file
+//   {do: 'hover', at}                     what is known of the word at a place (line and UTF-16 column, from 1); the answer has
+//                                         `hover`: {from, to, text}, Markdown in English and Japanese, or null
+//   {do: 'complete', at}                  what can be written there; the answer has `offers`: [{label, detail, description,
+//                                         from, to, text, fills}], whose text is a snippet of LSP if it `fills` places
 //
 // Updates, by their `type`:
 //
@@ -36,14 +40,23 @@
 //   answer     {id, ok, error, detail}: to a request of this viewer alone. `error` is malformed, unknown, long, impossible,
 //              over, many, stale, errors, unspelled, unsaved, unread, or flood; `detail` says more
 
-/** Sends a request, and calls `refused(answer)` if it is not fulfilled. */
+/** Sends requests, and calls `refused(answer)` for each that is not fulfilled. */
 export class Requests {
   constructor(session, refused) {
     this.session = session;
     this.refused = refused;
     this.last = 0;
+    this.asked = new Map();
     session.listen((update) => {
-      if (update.type === 'answer' && !update.ok) this.refused(update);
+      if (update.type !== 'answer') return;
+      const take = this.asked.get(update.id) ?? ((answer) => answer.ok || this.refused(answer));
+      this.asked.delete(update.id);
+      take(update);
+    });
+    // What was asked of a session that is lost is not answered any more.
+    session.watch?.(() => {
+      this.asked.forEach((take) => take({ ok: false }));
+      this.asked.clear();
     });
   }
 
@@ -51,5 +64,13 @@ export class Requests {
     this.last = (this.last + 1) % 2 ** 31;
     this.session.send({ id: this.last, ...request });
     return this.last;
+  }
+
+  /** The answer to a question, whether it is fulfilled or not. */
+  ask(question) {
+    return new Promise((take) => {
+      this.asked.set(this.last + 1, take);
+      this.send(question);
+    });
   }
 }

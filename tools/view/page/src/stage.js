@@ -1,15 +1,15 @@
 // The robot on its floor, in three dimensions. Lengths in mm.
 
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
-  Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera,
-  PlaneGeometry, RepeatWrapping, RingGeometry, Scene, ShadowMaterial, SphereGeometry, Vector3,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group, HemisphereLight, Line,
+  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PerspectiveCamera, RingGeometry, Scene, SphereGeometry, Vector3,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { colour, legColour } from './dom.js';
 import { belly, centreOfMass, feet, hull } from './kinematics.js';
 import { RobotSolid, reach, towards } from './robot.js';
 import { Screen } from './screen.js';
+import { Surroundings } from './surroundings.js';
 
 /** How long foot trails are: ms. */
 const TRAIL = 4000;
@@ -17,8 +17,6 @@ const TRAIL = 4000;
 const PLACES = 240;
 /** How long a slip stays marked: ms. */
 const MARKED = 1500;
-/** A tile of the floor: mm. */
-const TILE = 500;
 /** A belly so far above the floor carries as well: mm. */
 const TOUCHES = 0.5;
 const GRAVITY = 9.80665;
@@ -27,32 +25,52 @@ export class Stage {
   constructor(canvas, recording) {
     this.canvas = canvas;
     this.recording = recording;
-    this.robot = recording.robot;
     this.shows = { follow: true, trails: true, forces: true, support: true };
-    this.size = this.robot.body ? reach(this.robot) + Math.max(...[this.robot.body.x, this.robot.body.y].flat().map(Math.abs)) : reach(this.robot) * 1.6;
     this.screen = new Screen(canvas, () => this.render());
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(32, 1, this.size / 50, this.size * 60);
+    this.camera = new PerspectiveCamera(32);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.maxPolarAngle = this.robot.planar ? Math.PI : Math.PI * 0.495;
-    this.controls.minDistance = this.size * 0.4;
-    this.controls.maxDistance = this.size * 20;
     this.controls.addEventListener('change', () => this.screen.draw());
+    this.followed = new Vector3();
+    this.begin();
+  }
+
+  /** The robot of the recording and its surroundings, in the place of those before. */
+  begin() {
+    this.clear();
+    const { robot } = this.recording;
+    this.robot = robot;
+    this.size = robot.body ? reach(robot) + Math.max(...[robot.body.x, robot.body.y].flat().map(Math.abs)) : reach(robot) * 1.6;
+    Object.assign(this.camera, { near: this.size / 50, far: this.size * 60 });
+    const { controls } = this;
+    controls.maxPolarAngle = robot.planar ? Math.PI : Math.PI * 0.495;
+    [controls.minDistance, controls.maxDistance] = [this.size * 0.4, this.size * 20];
     // The page's up is y; a walker's is z.
     this.world = new Group();
-    if (!this.robot.planar) this.world.rotation.x = -Math.PI / 2;
+    if (!robot.planar) this.world.rotation.x = -Math.PI / 2;
     this.scene.add(this.world);
     this.light();
-    this.solid = new RobotSolid(this.robot);
+    this.solid = new RobotSolid(robot);
     // The processor has shadows to draw on the floor, and no time for those on the robot.
     if (this.screen.isSoftware) this.solid.traverse((part) => (part.receiveShadow = false));
-    this.world.add(this.solid);
-    this.makeFloor();
-    this.makeThings();
+    this.surroundings = new Surroundings(this.recording, this.size);
+    this.world.add(this.solid, this.surroundings);
     this.makeMarks();
-    this.followed = new Vector3();
     this.recolour();
+    this.resize();
     this.resetView();
+  }
+
+  /** Forgets all that belongs to a robot. */
+  clear() {
+    this.sun?.dispose();
+    this.scene.traverse(({ geometry, material }) => {
+      geometry?.dispose();
+      material?.map?.dispose();
+      material?.dispose();
+    });
+    this.scene.clear();
+    [this.known, this.place] = [];
   }
 
   light() {
@@ -65,58 +83,6 @@ export class Stage {
     this.sun.shadow.bias = -0.0008;
     this.sun.shadow.normalBias = this.size / 300;
     this.scene.add(this.sun, this.sun.target);
-  }
-
-  makeFloor() {
-    const { height, slope } = this.recording.scene;
-    this.floor = new Group();
-    const span = this.size * 30;
-    const thick = 10;
-    const shadow = new Mesh(new PlaneGeometry(span, span), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
-    shadow.receiveShadow = true;
-    this.floor.add(shadow);
-    if (this.robot.planar) {
-      // The slider carries a table.
-      this.table = new Mesh(new BoxGeometry(this.size * 1.5, thick, this.size * 0.7), new MeshLambertMaterial());
-      this.table.receiveShadow = true;
-      this.table.position.y = -thick / 2;
-      this.table.rotation.z = Math.atan(slope[0]);
-      this.floor.remove(shadow);
-      this.floor.add(this.table);
-      this.tableHeight = height;
-      this.floor.position.y = (this.robot.slider?.[1] ?? 0) + height;
-    } else {
-      // Lines as a picture on a plane, which stay smooth at every distance.
-      this.tile = document.createElement('canvas');
-      this.tile.width = this.tile.height = 512;
-      const map = new CanvasTexture(this.tile);
-      map.wrapS = map.wrapT = RepeatWrapping;
-      map.minFilter = LinearMipmapNearestFilter;
-      const tiles = 2 * Math.ceil(span / TILE / 2);
-      map.repeat.set(tiles, tiles);
-      this.grid = new Mesh(new PlaneGeometry(tiles * TILE, tiles * TILE), new MeshBasicMaterial({ map, depthWrite: false }));
-      this.grid.renderOrder = -1;
-      this.floor.add(this.grid);
-      const normal = new Vector3(-slope[0], -slope[1], 1).normalize();
-      this.floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), normal);
-      this.floor.position.z = height - 0.6;
-    }
-    this.world.add(this.floor);
-  }
-
-  makeThings() {
-    this.things = this.recording.scene.objects.map((outline) => {
-      const depth = this.size * 0.42;
-      const round = 'disc' in outline;
-      const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 32).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
-      const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
-      // Forces inside it show through.
-      mesh.renderOrder = 1;
-      mesh.castShadow = true;
-      mesh.receiveShadow = true;
-      this.world.add(mesh);
-      return mesh;
-    });
   }
 
   /** What marks are of: one program of the graphics draws them all. */
@@ -171,30 +137,12 @@ export class Stage {
     this.scene.background = background;
     this.tints = { good: new Color(colour('good')), bad: new Color(colour('bad')) };
     this.scene.fog = new Fog(background, this.size * 5, this.size * 14);
-    if (this.grid) this.drawTile();
-    this.table?.material.color.set(colour('table'));
-    this.things.forEach((thing) => thing.material.color.set(colour('thing')));
+    this.surroundings.recolour();
     this.trails.forEach((trail, leg) => trail.material.color.set(legColour(leg)));
     this.rings.forEach((ring) => ring.material.color.set(colour('bad')));
     this.arrows.forEach((arrow) => arrow.material.color.set(colour('force')));
     this.solid.recolour();
     this.screen.draw();
-  }
-
-  /** One tile of the floor: a line each 100 mm, a stronger one around. */
-  drawTile() {
-    const [pen, { width }] = [this.tile.getContext('2d'), this.tile];
-    pen.fillStyle = colour('stage');
-    pen.fillRect(0, 0, width, width);
-    for (let line = 0; line <= 5; line++) {
-      const strong = line % 5 === 0;
-      pen.fillStyle = colour(strong ? 'grid-strong' : 'grid');
-      const half = strong ? 1.6 : 1.1;
-      const at = (line * width) / 5;
-      pen.fillRect(at - half, 0, 2 * half, width);
-      pen.fillRect(0, at - half, width, 2 * half);
-    }
-    this.grid.material.map.needsUpdate = true;
   }
 
   resetView() {
@@ -235,7 +183,7 @@ export class Stage {
     this.place = recording.between(time);
     this.posture = recording.posture(this.place);
     this.solid.pose(this.posture);
-    this.moveThings();
+    this.surroundings.move(this.place, this.posture.pose);
     this.ends = feet(this.robot, this.posture);
     this.showTrails();
     this.showSupport();
@@ -251,20 +199,6 @@ export class Stage {
     this.followed.copy(focus);
     this.controls.target.add(moved);
     this.camera.position.add(moved);
-  }
-
-  moveThings() {
-    const value = (name) => this.recording.value(name, this.place);
-    const y = value('slider.1');
-    if (y !== undefined) this.floor.position.set(value('slider.0'), y + this.tableHeight, 0);
-    this.things.forEach((thing, n) => {
-      thing.visible = this.recording.has(`thing.${n}.0`);
-      if (!thing.visible) return;
-      thing.position.set(value(`thing.${n}.0`), value(`thing.${n}.1`), 0);
-      thing.rotation.z = (value(`thing.${n}.2`) * Math.PI) / 180;
-    });
-    const [x, y0] = this.posture.pose ?? [0, 0];
-    this.grid?.position.set(Math.round(x / TILE) * TILE, Math.round(y0 / TILE) * TILE, 0);
   }
 
   /** Where the feet were in a frame; looked up once. */
@@ -295,21 +229,16 @@ export class Stage {
     });
   }
 
-  /** The height of the floor under a place. */
-  ground(x, y) {
-    const { height, slope } = this.recording.scene;
-    return height + slope[0] * x + slope[1] * y;
-  }
-
   showSupport() {
     const visible = this.shows.support && Boolean(this.robot.body);
     [this.polygon, this.edge, this.plumb, this.centre, this.spot].forEach((mark) => (mark.visible = visible));
     if (!visible) return;
+    const ground = (x, y) => this.surroundings.ground(x, y);
     const touches = this.recording.touchesAt(this.recording.cycleAt(this.time));
-    const lies = belly(this.robot, this.posture).filter(({ x, y, z }) => z - this.ground(x, y) < TOUCHES);
+    const lies = belly(this.robot, this.posture).filter(({ x, y, z }) => z - ground(x, y) < TOUCHES);
     const carrying = [...this.ends.filter((_, leg) => touches[leg]), ...lies];
     const corners = hull(carrying.map(({ x, y }) => [x, y]));
-    const raised = ([x, y]) => [x, y, this.ground(x, y) + 1.2];
+    const raised = ([x, y]) => [x, y, ground(x, y) + 1.2];
     const [fill, edge] = [this.polygon.geometry, this.edge.geometry];
     let n = 0;
     for (let corner = 1; corner + 1 < corners.length; corner++) {
@@ -320,7 +249,7 @@ export class Stage {
     edge.setDrawRange(0, corners.length > 1 ? corners.length + 1 : 0);
     fill.attributes.position.needsUpdate = edge.attributes.position.needsUpdate = true;
     const centre = centreOfMass(this.robot, this.posture);
-    const under = this.ground(centre.x, centre.y) + 1.6;
+    const under = ground(centre.x, centre.y) + 1.6;
     this.centre.position.copy(centre);
     this.spot.position.set(centre.x, centre.y, under);
     const plumb = this.plumb.geometry.attributes.position;
@@ -356,7 +285,7 @@ export class Stage {
       const slip = recording.slips.find((slip) => slip.leg === leg && Math.abs(recording.endOf(slip.cycle) - this.time) < MARKED);
       ring.visible = Boolean(slip);
       const { x, y } = this.ends[leg];
-      ring.position.set(x, y, this.ground(x, y) + 1.8);
+      ring.position.set(x, y, this.surroundings.ground(x, y) + 1.8);
     });
   }
 

@@ -13,16 +13,17 @@ const legName = (recording, leg) => `F${leg + 1}`;
 
 export function state(player, plot) {
   const { recording } = player;
-  let [devices, lamps, cells] = [[], [], []];
-  const modes = recording.robot.legs.map((_, leg) => {
-    const [name, text, dot] = [make('dt'), make('dd', { textContent: '–' }), make('i', { className: 'dot' })];
-    dot.style.background = `var(--leg-${(leg % 9) + 1})`;
-    name.append(dot, legName(recording, leg));
-    element('modes').append(name, text);
-    return text;
-  });
-  /** The rows that a program has, once it runs. */
+  let [devices, lamps, cells, modes] = [[], [], [], []];
+  /** The rows that a robot and its program have, once it runs. */
   const begin = () => {
+    element('modes').replaceChildren();
+    modes = recording.robot.legs.map((_, leg) => {
+      const [name, text, dot] = [make('dt'), make('dd', { textContent: '–' }), make('i', { className: 'dot' })];
+      dot.style.background = `var(--leg-${(leg % 9) + 1})`;
+      name.append(dot, legName(recording, leg));
+      element('modes').append(name, text);
+      return text;
+    });
     cells = recording.script.scalars.map((name, scalar) => {
       const value = make('td');
       const button = make('button', { type: 'button', textContent: name });

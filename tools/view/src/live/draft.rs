@@ -1,6 +1,7 @@
 //! The program as it stands in the editor.
 
 use super::finding::{Finding, findings};
+use tip_ide::Document;
 use tip_sim::{Robot, reach, special};
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
@@ -19,7 +20,7 @@ pub(super) struct Draft {
     /// Which viewer changed it last.
     pub(super) author: String,
     /// What came of the text; none until it is checked.
-    loaded: Option<Loaded>,
+    document: Option<Document>,
     findings: Vec<Finding>,
     /// The version that is checked.
     pub(super) checked: u64,
@@ -38,7 +39,7 @@ impl Draft {
             file,
             version: 1,
             author: String::new(),
-            loaded: None,
+            document: None,
             findings: Vec::new(),
             checked: 0,
             is_overtaken: false,
@@ -57,7 +58,7 @@ impl Draft {
         self.text = plain(text);
         self.author = author;
         self.version += 1;
-        self.loaded = None;
+        self.document = None;
     }
 
     /// Takes the text of the file.
@@ -71,7 +72,7 @@ impl Draft {
 
     /// Checks the text if it has changed; whether it had.
     pub(super) fn check(&mut self, robot: &Robot) -> bool {
-        if self.loaded.is_some() {
+        if self.document.is_some() {
             return false;
         }
         let options = Options {
@@ -87,13 +88,18 @@ impl Draft {
         reach::warn(&mut loaded, robot);
         special::warn(&mut loaded, robot);
         self.findings = findings(&loaded);
-        self.loaded = Some(loaded);
+        self.document = Some(Document::of(loaded, &self.options));
         self.checked = self.version;
     }
 
     /// What came of the text, if it is checked.
     pub(super) fn loaded(&self) -> Option<&Loaded> {
-        self.loaded.as_ref()
+        self.document().map(Document::loaded)
+    }
+
+    /// The text as editors ask about it, if it is checked.
+    pub(super) fn document(&self) -> Option<&Document> {
+        self.document.as_ref()
     }
 
     /// Whether the text is checked and loads.

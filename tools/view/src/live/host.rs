@@ -2,9 +2,6 @@
 
 /// The file of the program, which only the one who holds the session can reach.
 pub trait Host {
-    /// Whether there is a file at all.
-    fn has_file(&self) -> bool;
-
     /// Gives the file these bytes, all of them or none.
     ///
     /// # Errors
@@ -23,10 +20,6 @@ pub trait Host {
 pub struct NoFile;
 
 impl Host for NoFile {
-    fn has_file(&self) -> bool {
-        false
-    }
-
     fn write(&mut self, _: &[u8]) -> Result<(), String> {
         Err("there is no file".to_owned())
     }

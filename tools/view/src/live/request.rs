@@ -1,5 +1,6 @@
 //! What viewers ask for.
 
+use super::known::{Known, Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -27,6 +28,10 @@ pub(super) enum Request {
     Save {},
     /// Takes the text of the file.
     Reload {},
+    /// What is known of the word at a place.
+    Hover { at: Place },
+    /// What can be written at a place.
+    Complete { at: Place },
 }
 
 /// Why a request is not fulfilled: a word that the page translates, and perhaps what it is about.
@@ -56,16 +61,24 @@ pub(super) struct Answer {
     id: Option<u32>,
     ok: bool,
     #[serde(flatten)]
+    known: Option<Known>,
+    #[serde(flatten)]
     refusal: Option<Refusal>,
 }
 
 impl Answer {
-    pub(super) fn new(id: Option<u32>, result: Result<(), Refusal>) -> Self {
+    pub(super) fn new(id: Option<u32>, result: Result<Option<Known>, Refusal>) -> Self {
+        let ok = result.is_ok();
+        let (known, refusal) = match result {
+            Ok(known) => (known, None),
+            Err(refusal) => (None, Some(refusal)),
+        };
         Answer {
             r#type: "answer",
             id,
-            ok: result.is_ok(),
-            refusal: result.err(),
+            ok,
+            known,
+            refusal,
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::draft::Draft;
 use super::host::Host;
+use super::known::Known;
 use super::request::{Answer, Refusal, Request, read, refuse, refuse_since};
 use super::runner::Runner;
-use super::{MOST_BYTES, update};
+use super::{MOST_BYTES, known, update};
+use tip_ide::Document;
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
@@ -150,8 +152,18 @@ impl Session {
         serde_json::to_string(&answer).unwrap_or_default()
     }
 
-    fn fulfil(&mut self, request: Request, host: &mut dyn Host) -> Result<(), Refusal> {
-        match request {
+    /// The text as it stands, for an editor's questions.
+    fn document(&mut self) -> Option<&Document> {
+        self.draft.check(&self.robot);
+        self.draft.document()
+    }
+
+    fn fulfil(&mut self, request: Request, host: &mut dyn Host) -> Result<Option<Known>, Refusal> {
+        let done = match request {
+            Request::Hover { at } => return Ok(self.document().map(|it| known::hover(it, at))),
+            Request::Complete { at } => {
+                return Ok(self.document().map(|it| known::offers(it, at)));
+            }
             Request::Play {} if self.runner.is_over() => refuse("over"),
             Request::Play {} => {
                 self.play();
@@ -184,7 +196,8 @@ impl Session {
                 }
                 Err(reason) => refuse_since("unread", reason),
             },
-        }
+        };
+        done.map(|()| None)
     }
 
     fn pause(&mut self) {
@@ -221,12 +234,13 @@ impl Session {
         Ok(())
     }
 
-    /// Runs the text from the beginning; a run that plays goes on playing.
+    /// Runs the text from the beginning; it plays, unless the run before it rests.
     fn restart(&mut self) -> Result<(), Refusal> {
         self.draft.check(&self.robot);
         let Some(loaded) = self.draft.loaded().filter(|_| self.draft.is_program()) else {
             return refuse("errors");
         };
+        let rests = !self.is_playing && !self.runner.is_over();
         match Runner::begin(loaded, &self.robot, &self.events) {
             Ok(runner) => self.runner = runner,
             Err(reason) => return refuse_since("impossible", reason),
@@ -234,7 +248,7 @@ impl Session {
         self.runs += 1;
         self.running = self.draft.version;
         self.owed = 0.0;
-        self.is_playing &= !self.runner.is_over();
+        self.is_playing = !rests && !self.runner.is_over();
         Ok(())
     }
 

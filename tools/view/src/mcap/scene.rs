@@ -8,7 +8,7 @@ use crate::skeleton::{Skeleton, robot_frame};
 use nalgebra::{Unit, UnitQuaternion, Vector3};
 use std::collections::VecDeque;
 use tip_runtime::model::Point;
-use tip_runtime::plant::{Object, Scene, Shape};
+use tip_runtime::plant::{Block, Floor, Object, Scene, Shape};
 use tip_sim::urdf::frame::{self, BASE, WORLD, direction, metres};
 
 /// How long an arrow is for each newton: m.
@@ -24,6 +24,7 @@ const PLACES: usize = 51;
 
 const ARROW: [f64; 4] = [0.9, 0.2, 0.2, 1.0];
 const OBJECT: [f64; 4] = [0.3, 0.55, 0.8, 0.9];
+const BLOCK: [f64; 4] = [0.6, 0.63, 0.67, 1.0];
 /// One colour for each leg; the fifth has that of the first.
 const TRAILS: [[f64; 4]; 4] = [
     [0.9, 0.6, 0.0, 1.0],
@@ -36,6 +37,8 @@ const TRAILS: [[f64; 4]; 4] = [
 pub(super) struct Stage<'a> {
     robot: &'a Skeleton,
     objects: Vec<Object>,
+    /// What stands on the floor, as cubes; it never moves.
+    blocks: Vec<Message>,
     trails: Vec<VecDeque<Point>>,
     /// When the trails go on: ns.
     due: u64,
@@ -46,6 +49,7 @@ impl<'a> Stage<'a> {
         Stage {
             robot,
             objects: scene.objects.into_iter().flatten().collect(),
+            blocks: blocks(scene),
             trails: vec![VecDeque::new(); robot.legs.len()],
             due: 0,
         }
@@ -57,6 +61,10 @@ impl<'a> Stage<'a> {
         let mut entities = vec![self.forces(time, frame, &feet)];
         if !frame.objects.is_empty() {
             entities.push(self.things(time, frame));
+        }
+        if !self.blocks.is_empty() {
+            // Who looks at a log from its middle on sees them as well.
+            entities.push(self.entity(time, "blocks").messages(8, self.blocks.clone()));
         }
         if time >= self.due {
             self.due = time + STEP;
@@ -171,6 +179,31 @@ impl<'a> Stage<'a> {
         let id = format!("trail/{}", frame::foot(number));
         Some(self.entity(time, &id).messages(11, [line]))
     }
+}
+
+/// The blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under each.
+fn blocks(scene: &Scene) -> Vec<Message> {
+    let blocks = scene.blocks.iter().flatten();
+    let cubes = blocks.map(|block| {
+        let Block { x, y, height } = *block;
+        let foot = foot(&scene.floor, block).min(height);
+        let middle =
+            [[x[0], x[1]], [y[0], y[1]], [foot, height]].map(|[from, to]| (from + to) / 2.0);
+        let size = metres([x[1] - x[0], y[1] - y[0], height - foot]).map(f64::abs);
+        Message::new()
+            .message(1, &pose(metres(middle), STRAIGHT))
+            .message(2, &vector(size))
+            .message(3, &colour(BLOCK))
+    });
+    cubes.collect()
+}
+
+/// The lowest height of the floor under a block.
+fn foot(floor: &Floor, block: &Block) -> f64 {
+    let Floor { height, slope } = *floor;
+    let corners = block.x.into_iter().flat_map(|x| block.y.map(|y| [x, y]));
+    let heights = corners.map(|[x, y]| height + slope[0] * x + slope[1] * y);
+    heights.fold(f64::INFINITY, f64::min)
 }
 
 /// `ArrowPrimitive`: it points along x of its pose.

@@ -61,6 +61,15 @@ pub(crate) struct Scene {
     height: f64,
     slope: [f64; 2],
     objects: Vec<Outline>,
+    blocks: Vec<Block>,
+}
+
+/// A box that stands on the floor: from where to where along x and y, and its upper side, in the world: mm.
+#[derive(Serialize)]
+struct Block {
+    x: [f64; 2],
+    y: [f64; 2],
+    height: f64,
 }
 
 /// A disc has a radius, a box a width and a height: mm.
@@ -151,10 +160,12 @@ pub(crate) fn values(asked: &Asked) -> String {
 impl Scene {
     pub(crate) fn of(scene: &plant::Scene) -> Self {
         let objects = scene.objects.iter().flatten();
+        let blocks = scene.blocks.iter().flatten();
         Scene {
             height: scene.floor.height,
             slope: scene.floor.slope,
             objects: objects.map(Outline::of).collect(),
+            blocks: blocks.map(Block::of).collect(),
         }
     }
 }
@@ -201,6 +212,13 @@ impl<'a> Leg<'a> {
             joints: joints.collect(),
             initial: &limb.initial,
         }
+    }
+}
+
+impl Block {
+    fn of(block: &plant::Block) -> Self {
+        let plant::Block { x, y, height } = *block;
+        Block { x, y, height }
     }
 }
 

@@ -19,10 +19,6 @@ pub(crate) struct Memory {
 }
 
 impl Host for Memory {
-    fn has_file(&self) -> bool {
-        true
-    }
-
     fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
         match self.refuses {
             true => Err("the disk is full".to_owned()),

@@ -1,6 +1,6 @@
 //! The text of the editor, its file, and what is no request.
 
-use crate::bench::{COUNTS, Memory, answer, does, refuses, session_of};
+use crate::bench::{COUNTS, Memory, answer, ask, does, refuses, session_of};
 use crate::page::Page;
 use serde_json::json;
 use tip_sim::Robot;
@@ -66,6 +66,66 @@ fn an_error_is_found_where_it_is_and_goes_when_it_is_put_right() {
     does(&mut session, json!({"do": "restart"}));
     page.look(&session);
     assert_eq!((page.runs, &page.status["running"]), (2, &json!(3)));
+}
+
+#[test]
+fn an_editor_is_told_what_words_are_and_what_can_be_written() {
+    // The robot emoji is two units of UTF-16; the text is the one that stands there, checked or not.
+    let text = "3.1\ntitle \u{1F916}\nDEF_VAR HEIGHT\nHEIGHT = 60 // \u{1F916}\nSTAND_UP HEIGHT\nPTP F1 0 0 HEI\nEND\n";
+    let mut session = session_of(COUNTS);
+    does(
+        &mut session,
+        json!({"do": "edit", "text": text, "base": 1, "by": "me"}),
+    );
+    let hover = ask(&mut session, json!({"do": "hover", "id": 3, "at": [5, 3]}));
+    assert_eq!((&hover["id"], &hover["ok"]), (&json!(3), &json!(true)));
+    let known = &hover["hover"];
+    assert_eq!(
+        (&known["from"], &known["to"]),
+        (&json!([5, 1]), &json!([5, 9]))
+    );
+    let said = |language: usize| known["text"][language].as_str().expect("a text");
+    assert!(said(0).contains("STAND_UP"), "{known}");
+    assert!(!said(1).is_ascii(), "{known}");
+    let nothing = ask(&mut session, json!({"do": "hover", "at": [2, 2]}));
+    assert_eq!(nothing["hover"], json!(null));
+    let offered = ask(&mut session, json!({"do": "complete", "at": [6, 15]}));
+    let offers = offered["offers"].as_array().expect("a list");
+    let height = offers.iter().find(|offer| offer["label"] == "HEIGHT");
+    let height = height.expect("it is declared");
+    assert_eq!(
+        (
+            &height["from"],
+            &height["to"],
+            &height["text"],
+            &height["fills"]
+        ),
+        (
+            &json!([6, 12]),
+            &json!([6, 15]),
+            &json!("HEIGHT"),
+            &json!(false)
+        )
+    );
+    // What has places to fill is a snippet.
+    let offered = ask(&mut session, json!({"do": "complete", "at": [5, 1]}));
+    let offers = offered["offers"].as_array().expect("a list");
+    let stand = offers.iter().find(|offer| offer["label"] == "STAND_UP");
+    let stand = stand.expect("a command");
+    assert_eq!(stand["fills"], true);
+    assert!(
+        stand["text"]
+            .as_str()
+            .is_some_and(|text| text.starts_with("STAND_UP ${1:")),
+        "{stand}"
+    );
+    // Places that are not there do no harm.
+    for at in [[0, 0], [1, 99], [u32::MAX, u32::MAX]] {
+        for what in ["hover", "complete"] {
+            let answer = ask(&mut session, json!({"do": what, "at": at}));
+            assert_eq!(answer["ok"], true, "{what} {at:?}");
+        }
+    }
 }
 
 #[test]

@@ -3,8 +3,9 @@
 use crate::bench::{COUNTS, does, session_of};
 use crate::page::Page;
 use serde_json::json;
+use tip_runtime::plant::{Block, Scene};
 use tip_sim::Robot;
-use tip_view::live::{Session, Setup};
+use tip_view::live::{Session, Setup, Viewer};
 
 #[test]
 fn a_run_rests_until_it_is_to_play_and_keeps_time() {
@@ -20,6 +21,45 @@ fn a_run_rests_until_it_is_to_play_and_keeps_time() {
     does(&mut session, json!({"do": "pause"}));
     session.advance(1000.0, || true);
     assert_eq!(session.cycles(), 176);
+}
+
+#[test]
+fn a_page_is_told_of_the_blocks_that_stand_on_the_floor() {
+    let block = Block {
+        x: [-100.0, 100.0],
+        y: [300.0, 900.0],
+        height: 40.0,
+    };
+    let scene = Scene::EMPTY.with_block(block).expect("there is room");
+    let robot = Robot::named("titan8").expect("it has a name");
+    let robot = robot.with_scene(&scene).expect("it walks there");
+    let setup = Setup::new("counts.prg", COUNTS.as_bytes(), robot);
+    let session = Session::new(setup).expect("a program");
+    let first = session.update(&mut Viewer::default()).expect("a run");
+    let run: serde_json::Value = serde_json::from_str(&first).expect("JSON");
+    let expected = json!([{"x": [-100.0, 100.0], "y": [300.0, 900.0], "height": 40.0}]);
+    assert_eq!(run["scene"]["blocks"], expected);
+}
+
+#[test]
+fn a_run_from_the_start_plays_unless_the_one_before_rests() {
+    let mut session = session_of("3.1\nshort\nSLEEP 100\nEND\n");
+    let mut page = Page::default();
+    let playing = |session: &mut Session, page: &mut Page| {
+        does(session, json!({"do": "restart"}));
+        page.look(session);
+        page.status["playing"].clone()
+    };
+    assert_eq!(playing(&mut session, &mut page), false, "it rested");
+    does(&mut session, json!({"do": "play"}));
+    assert_eq!(playing(&mut session, &mut page), true);
+    session.advance(1000.0, || true);
+    page.look(&session);
+    assert_eq!(
+        (&page.status["over"], &page.status["playing"]),
+        (&json!(true), &json!(false))
+    );
+    assert_eq!(playing(&mut session, &mut page), true, "it was over");
 }
 
 #[test]

@@ -1,0 +1,231 @@
+// What a browser makes of the playground, as one file and from a server: PLAYGROUND is the folder that site/build has filled.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { after, before, describe, test } from 'node:test';
+import axe from 'axe-core';
+import { launch, visit } from './browsers.mjs';
+
+const folder = process.env.PLAYGROUND;
+const one = `file://${folder}/playground.html`;
+const TYPES = { html: 'text/html', wasm: 'application/wasm' };
+/** Counts its cycles; says which key was pressed, what VR1 is, and that it is to halt. */
+const COUNTS = readFileSync(`${import.meta.dirname}/counts.prg`, 'utf8');
+/** Graphics by software take their time. */
+const SMALL = { width: 1000, height: 620 };
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+const open = (address = one, options = {}) => visit(browser, address, { viewport: SMALL, locale: 'en', ...options });
+const cycle = (page) => page.$eval('#now-cycle', (element) => Number(element.textContent.split(' ')[0]));
+const says = (page, selector, text) =>
+  page.waitForFunction(([selector, text]) => document.querySelector(selector).textContent.includes(text), [selector, text]);
+const value = async (page, name) => {
+  await page.click('#state-tab');
+  return page.locator(`#variables tr:has(button:text-is("${name}")) td`).textContent();
+};
+/** Writes a program into the editor, and waits until the address has it. */
+async function write(page, text) {
+  const before = new URL(page.url()).hash;
+  await page.click('#source-tab');
+  await page.locator('#editor .cm-content').click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(text);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction((before) => location.hash !== before, before);
+}
+/** Runs a program of one's own. */
+async function run(page, text) {
+  await write(page, text);
+  await page.click('#restart');
+}
+
+describe('one file', () => {
+  test('asks for nothing, complains of nothing, and is accessible in both schemes and languages', async () => {
+    for (const colorScheme of ['light', 'dark']) {
+      for (const locale of ['en', 'ja']) {
+        const { page, asked, complaints, close } = await open(one, { colorScheme, locale, bypassCSP: true });
+        assert.deepEqual(asked, [one]);
+        assert.match(await page.textContent('#file'), /01-hello/);
+        await page.evaluate(axe.source);
+        for (const tab of ['source-tab', 'state-tab', 'log-tab']) {
+          await page.click(`#${tab}`);
+          const { violations } = await page.evaluate(() => globalThis.axe.run());
+          const found = violations.map(({ id, nodes }) => `${colorScheme} ${locale} ${tab} ${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
+          assert.deepEqual(found, []);
+        }
+        assert.deepEqual(complaints, []);
+        await close();
+      }
+    }
+  });
+
+  test('takes a key and a slider, and halts', async () => {
+    const { page, complaints, close } = await open();
+    await run(page, COUNTS);
+    await says(page, '#outcome', 'running');
+    await page.focus('#keys');
+    await page.keyboard.type('F');
+    await says(page, '#message', 'key');
+    assert.equal(await value(page, 'K'), '70');
+    await page.locator('input[data-input=VR1]').fill('7.5');
+    await page.waitForTimeout(300);
+    assert.equal(await value(page, 'V'), '7.500');
+    await page.click('#halt');
+    await says(page, '#message', 'halted');
+    await says(page, '#outcome', 'EXIT');
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test('rests, and steps forward and back', async () => {
+    const { page, close } = await open();
+    await run(page, COUNTS);
+    await says(page, '#outcome', 'running');
+    await page.click('#play');
+    await says(page, '#outcome', 'paused');
+    const at = await cycle(page);
+    const before = await value(page, 'N');
+    for (let n = 0; n < 7; n++) await page.click('#forward');
+    await page.waitForFunction((at) => document.querySelector('#now-cycle').textContent.startsWith(`${at} `), at + 7);
+    assert.notEqual(await value(page, 'N'), before);
+    for (let n = 0; n < 7; n++) await page.click('#back');
+    await page.waitForFunction((at) => document.querySelector('#now-cycle').textContent.startsWith(`${at} `), at);
+    assert.equal(await value(page, 'N'), before);
+    await close();
+  });
+
+  test('stops in an emergency, and runs again', async () => {
+    const { page, close } = await open();
+    await run(page, COUNTS);
+    await says(page, '#outcome', 'running');
+    await page.click('#stop');
+    await says(page, '#outcome', 'emergency stop');
+    await page.click('#restart');
+    await says(page, '#outcome', 'running');
+    await close();
+  });
+
+  test('shows an error at its place, and runs the program after it is put right', async () => {
+    const { page, close } = await open();
+    await write(page, '3.1\nrises\nSTAND_UPP 60\nMESSAGE risen\nEND\n');
+    await page.waitForSelector('.problem.error');
+    assert.match(await page.textContent('#problems'), /3:1.*STAND_UPP/);
+    assert.equal(await page.locator('#editor .cm-lintRange-error').textContent(), 'STAND_UPP');
+    await page.click('#restart');
+    await says(page, '#notice', 'errors');
+    await write(page, '3.1\nrises\nSTAND_UP 60\nMESSAGE risen\nEND\n');
+    await page.waitForSelector('.problem', { state: 'detached' });
+    await page.click('#restart');
+    await says(page, '#title', 'rises');
+    await says(page, '#message', 'risen');
+    await close();
+  });
+
+  test('says what words are, and what can be written', async () => {
+    const { page, close } = await open();
+    await write(page, '3.1\nrises\nSTAND_UP 60\nEND\n');
+    await page.locator('#editor .cm-line').nth(2).hover({ position: { x: 20, y: 8 } });
+    await page.locator('#editor .known').waitFor();
+    assert.match(await page.locator('#editor .known').textContent(), /STAND_UP.*mm/s);
+    await page.locator('#editor .cm-line').nth(3).click();
+    await page.keyboard.press('Home');
+    await page.keyboard.type('SIT');
+    await page.locator('#editor .cm-tooltip-autocomplete li', { hasText: 'SIT_DOWN' }).waitFor();
+    // The editor takes no key for the list that may have been meant for the text.
+    await page.waitForTimeout(200);
+    await page.keyboard.press('Enter');
+    assert.match(await page.locator('#editor .cm-line').nth(3).textContent(), /^SIT_DOWN/);
+    await close();
+  });
+
+  test('a lesson, an example and a program of one\'s own have addresses', async () => {
+    const { page, close } = await open(`${one}#lesson=10`);
+    assert.equal(await page.textContent('#lesson-title'), 'A hand that grasps');
+    assert.match(await page.textContent('#file'), /grasp\.prg · hand/);
+    assert.equal(await page.locator('#modes dt').count(), 3);
+    await page.selectOption('#choice', 'example 3');
+    await says(page, '#file', 'tripod.prg');
+    assert.equal(await page.locator('#modes dt').count(), 6);
+    assert.equal(await page.isHidden('#lesson'), true);
+    assert.equal(new URL(page.url()).hash, '#example=3');
+    await write(page, '3.1\n足を上げる 🤖\nMESSAGE はい\nEND\n');
+    const address = page.url();
+    assert.match(address, /#robot=hexapod&events=&program=/);
+    await close();
+    const other = await open(address);
+    await says(other.page, '#title', '足を上げる 🤖');
+    assert.equal(await other.page.inputValue('#robot'), 'hexapod');
+    await other.close();
+  });
+
+  test('another robot, and inputs that come by themselves, begin the run anew', async () => {
+    const { page, complaints, close } = await open();
+    await write(page, COUNTS);
+    await page.fill('#scripted', '20:key F');
+    await page.keyboard.press('Tab');
+    await says(page, '#message', 'key');
+    await page.fill('#scripted', 'soon');
+    await page.keyboard.press('Tab');
+    await page.waitForSelector('#notice:not([hidden])');
+    await page.fill('#scripted', '');
+    await page.keyboard.press('Tab');
+    await page.selectOption('#robot', 'hand');
+    await says(page, '#file', '· hand');
+    await says(page, '#outcome', 'running');
+    assert.equal(await page.locator('#modes dt').count(), 3);
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test('what an address holds never becomes markup', async () => {
+    const { page, close } = await open();
+    await write(page, '3.1\n</script><img src=x onerror=alert(1)>\nMESSAGE <b>\nEND\n');
+    const address = page.url();
+    await close();
+    const other = await open(address);
+    await says(other.page, '#title', '</script><img');
+    assert.deepEqual(other.complaints, []);
+    await other.close();
+  });
+
+  test('an address may hold a program with errors', async () => {
+    const { page, close } = await open();
+    await write(page, '3.1\nx\nMESAGE a\nEND\n');
+    const address = page.url();
+    await close();
+    const other = await open(address);
+    await other.page.waitForSelector('.problem.error');
+    assert.match(await other.page.locator('#editor .cm-content').textContent(), /MESAGE a/);
+    await other.close();
+  });
+
+  test('speaks Japanese, findings included', async () => {
+    const { page, close } = await open(`${one}#lesson=8`, { locale: 'ja' });
+    assert.equal(await page.textContent('#lesson-title'), '支持三角形');
+    await write(page, '3.1\nx\nMESAGE a\nEND\n');
+    await page.waitForSelector('.problem.error');
+    assert.match(await page.textContent('#problems'), /コマンドはありません/);
+    await page.click('#language');
+    assert.match(await page.textContent('#problems'), /not a command/);
+    assert.equal(await page.textContent('#lesson-title'), 'The support triangle');
+    await close();
+  });
+});
+
+test('from a server it asks for its two files alone, and is ready in a second', async () => {
+  const server = createServer((request, response) => {
+    const name = request.url === '/' ? 'index.html' : request.url.slice(1);
+    response.setHeader('Content-Type', TYPES[name.split('.').at(-1)] ?? 'text/plain');
+    response.end(readFileSync(`${folder}/hosted/${name}`));
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const home = `http://127.0.0.1:${server.address().port}/`;
+  const { page, asked, complaints, close } = await open(home);
+  assert.deepEqual(asked.sort(), [home, `${home}playground.wasm`]);
+  assert.deepEqual(complaints, []);
+  console.log(`ready after ${await page.getAttribute('html', 'data-ready')} ms`);
+  await close();
+  server.close();
+});

@@ -1,0 +1,78 @@
+// What the session knows of the text, in the editor: words under the pointer, and what can be written.
+
+import { autocompletion, completionKeymap, snippet } from '@codemirror/autocomplete';
+import { hoverTooltip, keymap } from '@codemirror/view';
+import { make } from './dom.js';
+import { spoken } from './words.js';
+
+/** A word that is being written. */
+const BEGUN = /[A-Za-z_][\w.]*$/;
+
+/**
+ * Extensions of the editor. `ask(question)` gives the answer about the text as it stands, or nothing; `valueAt(place)` the value
+ * of the variable there as { from, to, text }, or nothing.
+ */
+export function knowledge(ask, valueAt) {
+  return [
+    hoverTooltip((view, place) => hover(view.state.doc, place, ask, valueAt)),
+    autocompletion({ override: [(context) => offers(context, ask)], icons: false }),
+    keymap.of(completionKeymap),
+  ];
+}
+
+async function hover(doc, place, ask, valueAt) {
+  const value = valueAt(place);
+  const known = (await ask({ do: 'hover', at: positionOf(doc, place) }))?.hover;
+  if (!value && !known) return null;
+  const [pos, end] = value ? [value.from, value.to] : [placeOf(doc, known.from), placeOf(doc, known.to)];
+  const parts = [...(value ? [make('p', { className: 'value', textContent: value.text })] : []), ...(known ? paragraphs(known.text[spoken()]) : [])];
+  return { pos, end, above: true, create: () => ({ dom: make('div', { className: 'known' }, ...parts) }) };
+}
+
+async function offers(context, ask) {
+  const begun = context.matchBefore(BEGUN);
+  if (!begun && !context.explicit) return null;
+  const { doc } = context.state;
+  const found = (await ask({ do: 'complete', at: positionOf(doc, context.pos) }))?.offers ?? [];
+  const written = begun?.text.toUpperCase();
+  const isWhole = found.some(({ label }) => label.toUpperCase() === written);
+  if (context.aborted || !found.length || (isWhole && !context.explicit)) return null;
+  return {
+    from: placeOf(doc, found[0].from),
+    options: found.map(({ label, detail, description, text, fills }) => ({
+      label,
+      detail: detail === label ? undefined : detail,
+      info: description || undefined,
+      apply: fills ? snippet(fields(text)) : text,
+    })),
+  };
+}
+
+/** A snippet of the Language Server Protocol in the editor's own words, which have no choices and end nowhere else. */
+function fields(text) {
+  return text.replace(/\$\{(\d+)\|([^,|]*)[^|]*\|\}/g, '${$1:$2}').replace(/\$0/g, '${99}');
+}
+
+/** A place of the text as a session has it: line and column from 1. */
+export function positionOf(doc, place) {
+  const { number, from } = doc.lineAt(place);
+  return [number, place - from + 1];
+}
+
+export function placeOf(doc, [line, column]) {
+  if (line > doc.lines) return doc.length;
+  const { from, to } = doc.line(Math.max(line, 1));
+  return Math.min(from + column - 1, to);
+}
+
+/** The little of Markdown that is known of words: code, lists, paragraphs. */
+function paragraphs(text) {
+  const blocks = text.split(/```\w*\n([^]*?)\n```\n*/);
+  return blocks.flatMap((block, n) => (n % 2 ? [make('pre', { textContent: block })] : block.split(/\n{2,}/).filter(Boolean).map(paragraph)));
+}
+
+function paragraph(text) {
+  if (!text.startsWith('- ')) return make('p', { textContent: text.trim() });
+  const items = text.trim().split(/^- /m).filter(Boolean);
+  return make('ul', {}, ...items.map((item) => make('li', { textContent: item.trim() })));
+}

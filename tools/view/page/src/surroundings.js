@@ -1,0 +1,141 @@
+// What surrounds the robot: its floor or table, blocks that stand on the floor, objects. Lengths in mm.
+
+import {
+  BoxGeometry, CanvasTexture, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, LinearMipmapNearestFilter, Mesh, MeshBasicMaterial,
+  MeshLambertMaterial, PlaneGeometry, RepeatWrapping, ShadowMaterial, Vector3,
+} from 'three';
+import { colour } from './dom.js';
+
+/** A tile of the floor: mm. */
+const TILE = 500;
+
+export class Surroundings extends Group {
+  /** Of a recording, around a robot of a size. */
+  constructor(recording, size) {
+    super();
+    this.recording = recording;
+    this.size = size;
+    this.floor = new Group();
+    this.add(this.floor);
+    if (recording.robot.planar) this.makeTable();
+    else this.makeFloor();
+    this.blocks = recording.scene.blocks.map((block) => this.makeBlock(block));
+    this.things = recording.scene.objects.map((outline) => this.makeThing(outline));
+  }
+
+  /** The slider of a hand carries a table. */
+  makeTable() {
+    const { height, slope } = this.recording.scene;
+    const thick = 10;
+    this.table = new Mesh(new BoxGeometry(this.size * 1.5, thick, this.size * 0.7), new MeshLambertMaterial());
+    this.table.receiveShadow = true;
+    this.table.position.y = -thick / 2;
+    this.table.rotation.z = Math.atan(slope[0]);
+    this.floor.add(this.table);
+    this.tableHeight = height;
+    this.floor.position.y = (this.recording.robot.slider?.[1] ?? 0) + height;
+  }
+
+  makeFloor() {
+    const { height, slope } = this.recording.scene;
+    const span = this.size * 30;
+    const shadow = new Mesh(new PlaneGeometry(span, span), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
+    shadow.receiveShadow = true;
+    // Lines as a picture on a plane, which stay smooth at every distance.
+    this.tile = document.createElement('canvas');
+    this.tile.width = this.tile.height = 512;
+    const map = new CanvasTexture(this.tile);
+    map.wrapS = map.wrapT = RepeatWrapping;
+    map.minFilter = LinearMipmapNearestFilter;
+    const tiles = 2 * Math.ceil(span / TILE / 2);
+    map.repeat.set(tiles, tiles);
+    this.grid = new Mesh(new PlaneGeometry(tiles * TILE, tiles * TILE), new MeshBasicMaterial({ map, depthWrite: false }));
+    this.grid.renderOrder = -1;
+    this.floor.add(shadow, this.grid);
+    const normal = new Vector3(-slope[0], -slope[1], 1).normalize();
+    this.floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), normal);
+    this.floor.position.z = height - 0.6;
+  }
+
+  /** A block reaches down to the lowest place of the floor under it. */
+  makeBlock({ x, y, height }) {
+    const corners = x.flatMap((x) => y.map((y) => this.plane(x, y)));
+    const foot = Math.min(...corners, height) - 0.6;
+    const geometry = new BoxGeometry(x[1] - x[0], y[1] - y[0], height - foot);
+    const mesh = new Mesh(geometry, new MeshLambertMaterial());
+    mesh.position.set((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (height + foot) / 2);
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    mesh.edges = new LineSegments(new EdgesGeometry(geometry), new LineBasicMaterial());
+    mesh.add(mesh.edges);
+    this.add(mesh);
+    return mesh;
+  }
+
+  makeThing(outline) {
+    const depth = this.size * 0.42;
+    const round = 'disc' in outline;
+    const geometry = round ? new CylinderGeometry(outline.disc, outline.disc, depth, 32).rotateX(Math.PI / 2) : new BoxGeometry(...outline.box, depth);
+    const mesh = new Mesh(geometry, new MeshLambertMaterial({ transparent: true, opacity: 0.82 }));
+    // Forces inside it show through.
+    mesh.renderOrder = 1;
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    this.add(mesh);
+    return mesh;
+  }
+
+  /** Takes the colours of the page's scheme. */
+  recolour() {
+    if (this.grid) this.drawTile();
+    this.table?.material.color.set(colour('table'));
+    this.things.forEach((thing) => thing.material.color.set(colour('thing')));
+    this.blocks.forEach((block) => {
+      block.material.color.set(colour('table'));
+      block.edges.material.color.set(colour('grid-strong'));
+    });
+  }
+
+  /** One tile of the floor: a line each 100 mm, a stronger one around. */
+  drawTile() {
+    const [pen, { width }] = [this.tile.getContext('2d'), this.tile];
+    pen.fillStyle = colour('stage');
+    pen.fillRect(0, 0, width, width);
+    for (let line = 0; line <= 5; line++) {
+      const strong = line % 5 === 0;
+      pen.fillStyle = colour(strong ? 'grid-strong' : 'grid');
+      const half = strong ? 1.6 : 1.1;
+      const at = (line * width) / 5;
+      pen.fillRect(at - half, 0, 2 * half, width);
+      pen.fillRect(0, at - half, width, 2 * half);
+    }
+    this.grid.material.map.needsUpdate = true;
+  }
+
+  /** Where everything is at a place between frames, with the robot at a pose. */
+  move(place, pose) {
+    const value = (name) => this.recording.value(name, place);
+    const y = value('slider.1');
+    if (y !== undefined) this.floor.position.set(value('slider.0'), y + this.tableHeight, 0);
+    this.things.forEach((thing, n) => {
+      thing.visible = this.recording.has(`thing.${n}.0`);
+      if (!thing.visible) return;
+      thing.position.set(value(`thing.${n}.0`), value(`thing.${n}.1`), 0);
+      thing.rotation.z = (value(`thing.${n}.2`) * Math.PI) / 180;
+    });
+    const [x, y0] = pose ?? [0, 0];
+    this.grid?.position.set(Math.round(x / TILE) * TILE, Math.round(y0 / TILE) * TILE, 0);
+  }
+
+  /** The height of the floor itself. */
+  plane(x, y) {
+    const { height, slope } = this.recording.scene;
+    return height + slope[0] * x + slope[1] * y;
+  }
+
+  /** The height of what is under a place: the floor, or a block on it. */
+  ground(x, y) {
+    const under = this.recording.scene.blocks.filter((block) => x >= block.x[0] && x <= block.x[1] && y >= block.y[0] && y <= block.y[1]);
+    return Math.max(this.plane(x, y), ...under.map(({ height }) => height));
+  }
+}

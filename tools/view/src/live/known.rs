@@ -1,0 +1,87 @@
+//! What the page's editor asks about the text.
+
+use serde::Serialize;
+use tip_ide::Document;
+use tipc::message::Lang;
+use tipc::source::{Position, Source, Span, Unit};
+
+/// The most offers of one answer; a program may have more names than anyone reads.
+const MOST: usize = 2000;
+
+/// A line and a column from 1, the column in units of UTF-16.
+pub(super) type Place = [u32; 2];
+
+/// What is known, under the name of the question.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Known {
+    /// Of a word, if there is one.
+    Hover(Option<Hover>),
+    /// What can be written.
+    Offers(Vec<Offer>),
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Hover {
+    from: Place,
+    to: Place,
+    /// As Markdown, in English and Japanese.
+    text: [String; 2],
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Offer {
+    label: String,
+    detail: String,
+    description: String,
+    /// What goes.
+    from: Place,
+    to: Place,
+    /// What comes instead, as a snippet of the Language Server Protocol if it has places to fill.
+    text: String,
+    fills: bool,
+}
+
+/// What is known of the word at a place.
+pub(super) fn hover(document: &Document, place: Place) -> Known {
+    let at = offset(document.source(), place);
+    let [english, japanese] = [Lang::English, Lang::Japanese].map(|lang| document.hover(at, lang));
+    Known::Hover(english.zip(japanese).map(|(english, japanese)| {
+        let [from, to] = ends(document.source(), english.span);
+        Hover {
+            from,
+            to,
+            text: [english.text, japanese.text],
+        }
+    }))
+}
+
+/// What can be written at a place.
+pub(super) fn offers(document: &Document, place: Place) -> Known {
+    let source = document.source();
+    let offers = document.complete(offset(source, place)).into_iter();
+    let shown = offers.take(MOST).map(|offer| {
+        let [from, to] = ends(source, offer.span);
+        Offer {
+            label: offer.label,
+            detail: offer.detail,
+            description: offer.description,
+            from,
+            to,
+            fills: offer.template.is_some(),
+            text: offer.template.unwrap_or(offer.text),
+        }
+    });
+    Known::Offers(shown.collect())
+}
+
+fn offset(source: &Source, [line, column]: Place) -> usize {
+    source.offset(Position { line, column }, Unit::Utf16)
+}
+
+fn ends(source: &Source, span: Span) -> [Place; 2] {
+    [span.start, span.end].map(|offset| {
+        let Position { line, column } = source.position(offset, Unit::Utf16);
+        [line, column]
+    })
+}
