@@ -49,10 +49,6 @@ fn spelled(bytes: &[u8], encoding: Encoding) -> String {
 struct Memory(Vec<u8>);
 
 impl Host for Memory {
-    fn has_file(&self) -> bool {
-        true
-    }
-
     fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.0 = bytes.to_vec();
         Ok(())

@@ -129,6 +129,8 @@ const REQUESTS: &[&str] = &[
     "{\"do\":\"edit\",\"text\":\"3.1\\nx\\nREM\\nEND\\n\",\"base\":1,\"by\":\"a\"}\n",
     "{\"do\":\"save\"}\n",
     "{\"do\":\"reload\"}\n",
+    "{\"do\":\"hover\",\"at\":[3,1]}\n",
+    "{\"do\":\"complete\",\"at\":[3,2]}\n",
     "\"id\":7,",
     "1e999",
     "18446744073709551615",

@@ -91,8 +91,8 @@ export class Surroundings extends Group {
     this.table?.material.color.set(colour('table'));
     this.things.forEach((thing) => thing.material.color.set(colour('thing')));
     this.blocks.forEach((block) => {
-      block.material.color.set(colour('table'));
-      block.edges.material.color.set(colour('grid-strong'));
+      block.material.color.set(colour('grid-strong'));
+      block.edges.material.color.set(colour('muted'));
     });
   }
 
