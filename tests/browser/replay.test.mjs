@@ -169,24 +169,41 @@ test('what a program says is text, whatever it says', async () => {
   await close();
 });
 
+/** The pixels of the robot's picture at rest, when all of them are drawn. */
+async function picture(page) {
+  await page.waitForTimeout(1000);
+  return page.$eval('#canvas', (canvas) => {
+    const copy = Object.assign(document.createElement('canvas'), { width: 400, height: 200 });
+    const pen = copy.getContext('2d');
+    pen.drawImage(canvas, 0, 0, 400, 200);
+    return [...pen.getImageData(0, 0, 400, 200).data];
+  });
+}
+
+/** In how many pixels two pictures differ. */
+function differences(one, other) {
+  const differs = (at) => [0, 1, 2].reduce((sum, n) => sum + Math.abs(one[at + n] - other[at + n]), 0) > 24;
+  return one.filter((_, at) => at % 4 === 0 && differs(at)).length;
+}
+
 test('forces inside an object show through it', async () => {
   const { page, close } = await open(browser, `${pages}/grasp.html`, { colorScheme: 'light' }, '#cycle=2600');
-  const picture = async () => {
-    // At rest all pixels are drawn.
-    await page.waitForTimeout(1000);
-    return page.$eval('#canvas', (canvas) => {
-      const copy = Object.assign(document.createElement('canvas'), { width: 400, height: 200 });
-      const pen = copy.getContext('2d');
-      pen.drawImage(canvas, 0, 0, 400, 200);
-      return [...pen.getImageData(0, 0, 400, 200).data];
-    });
-  };
-  const shown = await picture();
+  const shown = await picture(page);
   await page.click('#show-forces');
-  const hidden = await picture();
-  const differs = (at) => [0, 1, 2].reduce((sum, n) => sum + Math.abs(shown[at + n] - hidden[at + n]), 0) > 24;
-  const pixels = shown.filter((_, at) => at % 4 === 0 && differs(at)).length;
   // What stands out of the object is about half of it.
+  const pixels = differences(shown, await picture(page));
   assert.ok(pixels > 95, `${pixels} pixels`);
   await close();
+});
+
+test('blocks of a scene stand on the floor', async () => {
+  const shown = [];
+  for (const name of ['step', 'level']) {
+    const { page, complaints, close } = await open(browser, `${pages}/${name}.html`, { colorScheme: 'light' }, '#cycle=0');
+    shown.push(await picture(page));
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+  const pixels = differences(...shown);
+  assert.ok(pixels > 1500, `${pixels} pixels`);
 });

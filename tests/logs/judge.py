@@ -34,6 +34,11 @@ def examine(path):
                     assert abs(size - 1) < 1e-9, transform
                     assert transform.timestamp.ToNanoseconds() == message.log_time
             elif schema.name == "foxglove.SceneUpdate":
+                blocks = [entity for entity in decoded.entities if entity.id == "blocks"]
+                # The upper sides of those of step.toml are 15 and 120 mm above the floor, and the log is in metres.
+                middles = [round(cube.pose.position.z, 9) for entity in blocks for cube in entity.cubes]
+                assert middles == ([0.0075, 0.06] if path.stem == "step" else []), middles
+                assert all(entity.frame_id == "world" for entity in blocks)
                 for entity in decoded.entities:
                     places += len(entity.arrows) + len(entity.cubes) + len(entity.cylinders)
                     places += sum(len(line.points) for line in entity.lines)
