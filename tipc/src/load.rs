@@ -72,6 +72,9 @@ impl Loaded {
 impl Loaded {
     /// Adds warnings that others found, but those that a comment silences.
     pub fn add(&mut self, mut found: Vec<Diagnostic>) {
+        if found.is_empty() {
+            return;
+        }
         Allows::of(&self.source, &self.module).silence(&self.source, &mut found);
         judge(&mut found, self.module.edition);
         self.diagnostics.append(&mut found);

@@ -22,6 +22,19 @@ pub(crate) const KINDS: &[Kind] = &[
     ("messages", |lines| {
         repeated(lines, |_| "MESSAGE hello %D%".to_owned())
     }),
+    ("blocks", |lines| {
+        repeated(lines / 10, |n| {
+            format!(
+                "IF KB_HIT THEN\nD = {n}\nELSEIF B > {n} THEN\nB += 1\nENDIF\n\
+                 WHILE D < 10\nD += 1\nWEND\nFOR C = 1 TO 3\nNEXT"
+            )
+        })
+    }),
+    ("comments", |lines| {
+        repeated(lines, |n| {
+            format!("  // what the foot does after step {n}")
+        })
+    }),
 ];
 
 /// A bit of everything: ten lines, ten steps, again and again.

@@ -28,6 +28,7 @@ use server::Server;
 use std::path::Path;
 use std::rc::Rc;
 use surroundings::{Chosen, Surroundings};
+use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Options, Robot};
 
@@ -45,6 +46,10 @@ impl Surroundings for Nowhere {
             robot: tip_sim::Robot::named(robot.unwrap_or_default().name()).ok(),
             complaint: asked.filter(|_| robot.is_none()).map(str::to_owned),
         })
+    }
+
+    fn other_robot(&mut self, _: &Path, _: Option<&str>) -> Option<Diagnostic> {
+        None
     }
 
     fn page(&mut self, code: &str, _: Lang) -> Option<String> {

@@ -96,9 +96,12 @@ impl Parser<'_> {
 
     /// A statement that begins with no word of the language, if it is known from other languages.
     pub(super) fn unknown(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
-        self.assignment(tokens)
-            .or_else(|| self.brace(word, tokens))
-            .or_else(|| self.line_number(word, tokens))
+        let other = self.assignment(tokens).or_else(|| self.brace(word, tokens));
+        // Nearly all statements begin with a command: for those no other language is searched.
+        if other.is_some() || commands::find(self.source.slice(word)).is_some() {
+            return other;
+        }
+        self.line_number(word, tokens)
             .or_else(|| self.goes_on_declaring(word, tokens))
             .or_else(|| self.foreign_word(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
@@ -331,7 +334,8 @@ impl Parser<'_> {
 
     /// The keyword that a first word in full-width letters is meant to be.
     pub(super) fn narrow_keyword(&self, word: Span) -> Option<Keyword> {
-        let narrow = narrow(self.source.slice(word));
+        let word = self.source.slice(word);
+        let narrow = (!word.is_ascii()).then(|| narrow(word))?;
         keywords::find(&narrow, self.module.edition)
     }
 

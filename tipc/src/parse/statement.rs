@@ -57,8 +57,8 @@ impl Parser<'_> {
         tokens.clear();
         let foreign = lex(self.text, span, &mut tokens);
         // In what is to be shown, any character may stand.
-        let shows = keyword.is_none() && foreign::shows_text(self.source.slice(word));
-        let foreign = foreign.filter(|_| !shows);
+        let shows = || keyword.is_none() && foreign::shows_text(self.source.slice(word));
+        let foreign = foreign.filter(|_| !shows());
         if let Some(foreign) = foreign {
             self.report_foreign(foreign);
         }

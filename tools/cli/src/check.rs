@@ -139,9 +139,9 @@ fn once(arguments: &Check) -> Result<Status, Error> {
                 let mut loaded = input::load(file, &options);
                 reach::warn(&mut loaded, &robot);
                 special::warn(&mut loaded, &robot);
-                if let Some(given) = given.filter(|_| !is_asked) {
-                    embedded::warn(&mut loaded, file, &given);
-                }
+                let given = given.filter(|_| !is_asked);
+                let other = given.and_then(|given| embedded::warning(file, &given));
+                loaded.add(other.into_iter().collect());
                 let loaded = fix::offered(loaded, &options, shown);
                 report::check(&loaded, shown)?;
                 loaded

@@ -8,7 +8,6 @@ use super::robot::RobotChoice;
 use sites::{Said, Site};
 use std::fs;
 use std::path::{Path, PathBuf};
-use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Warning;
@@ -21,15 +20,11 @@ const LONGEST: u64 = 1 << 20;
 /// Folders below `src` that are looked into.
 const DEPTH: usize = 16;
 
-/// Warns if the crate compiles the program for another robot than `tip.toml` gives it, and nowhere for that one. What cannot
-/// be read for certain says nothing.
-pub(super) fn warn(loaded: &mut Loaded, program: &Path, given: &Given) {
-    let Some(robot) = &given.robot else {
-        return;
-    };
-    let Some(found) = differing(program, robot) else {
-        return;
-    };
+/// The warning that the crate compiles the program for another robot than `tip.toml` gives it, and nowhere for that one. What
+/// cannot be read for certain says nothing.
+pub(super) fn warning(program: &Path, given: &Given) -> Option<Diagnostic> {
+    let robot = given.robot.as_ref()?;
+    let found = differing(program, robot)?;
     let project = given.file().display().to_string();
     let place = Span::new(0, 0);
     let reason = Warning::CompiledForAnother {
@@ -41,8 +36,7 @@ pub(super) fn warn(loaded: &mut Loaded, program: &Path, given: &Given) {
     let help = Warning::SayOneRobot {
         project: project.into(),
     };
-    let finding = Diagnostic::new(Code::OtherRobot, place, reason).help(help);
-    loaded.add(vec![finding]);
+    Some(Diagnostic::new(Code::OtherRobot, place, reason).help(help))
 }
 
 /// A place that compiles the program for another robot.

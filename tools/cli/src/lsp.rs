@@ -22,8 +22,12 @@ use lsp_server::{ErrorCode, Message, RequestId, Response};
 use server::Server;
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
+use std::time::Duration;
+
+/// How long nothing has to be asked before the server finds out what may be asked next: whoever types would wait for that.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// `tipc lsp`
 #[derive(Debug, Args)]
@@ -50,18 +54,25 @@ pub(super) struct Lsp {
 pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
     let mut server = Server::new(Files::new(arguments.robot.clone()));
     let frames = incoming();
-    while let Ok(frame) = frames.recv() {
-        let mut next = Some(frame);
+    let mut next = frames.recv().ok();
+    while let Some(frame) = next {
+        let mut waiting = Some(frame);
         // What waits may change the same text again: findings can wait as well.
-        while let Some(frame) = next {
+        while let Some(frame) = waiting {
             if let Some(end) = take(&mut server, frame)? {
                 return Ok(end);
             }
-            next = frames.try_recv().ok();
+            waiting = frames.try_recv().ok();
         }
         let due = catch_unwind(AssertUnwindSafe(|| server.due()));
         send(due.unwrap_or_default())?;
-        let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));
+        next = match frames.recv_timeout(PAUSE) {
+            Err(RecvTimeoutError::Timeout) => {
+                let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));
+                frames.recv().ok()
+            }
+            frame => frame.ok(),
+        };
     }
     Ok(Status::Failure)
 }

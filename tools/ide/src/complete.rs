@@ -11,6 +11,7 @@ use tipc::language::Keyword;
 use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Targets, Values};
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::reserved::{JOINT, Kind, POSITION, RESERVED, VAR_KEY, motion_flags};
+use tipc::source::Span;
 use tipc::symbols::DefinitionKind;
 use tipc::syntax::VariableKind;
 
@@ -28,6 +29,20 @@ impl Document {
             offer.span = span;
         }
         offers
+    }
+
+    /// The same, but no more than `most`: of more, those that have the typed letters in this order. Whether these are all.
+    pub fn complete_with(&self, offset: usize, most: usize) -> (Vec<Offer>, bool) {
+        let mut offers = self.complete(offset);
+        let are_all = offers.len() <= most;
+        if !are_all {
+            offers.retain(|offer| {
+                let typed = Span::new(offer.span.start, offset.max(offer.span.start));
+                has_letters(&offer.label, self.slice(typed))
+            });
+            offers.truncate(most);
+        }
+        (offers, are_all)
     }
 
     fn offers(&self, place: &Place) -> Vec<Offer> {
@@ -202,6 +217,14 @@ impl Document {
             })
             .collect()
     }
+}
+
+/// Whether a word has letters in this order, whatever their case and whatever stands between them.
+fn has_letters(word: &str, letters: &str) -> bool {
+    let mut word = word.chars();
+    letters
+        .chars()
+        .all(|letter| word.any(|one| one.eq_ignore_ascii_case(&letter)))
 }
 
 fn command_offer(row: &Command, document: &Document) -> Offer {

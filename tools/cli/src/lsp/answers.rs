@@ -7,10 +7,10 @@ use super::shapes;
 use super::surroundings::Surroundings;
 use super::tokens::tokens;
 use gen_lsp_types::{
-    DocumentHighlight, DocumentHighlightKind, FoldingRange, FoldingRangeKind, FoldingRangeParams,
-    Hover, InlayHint, InlayHintParams, Location, MarkupContent, MarkupKind,
-    PrepareRenamePlaceholder, ReferenceParams, RenameParams, SemanticTokens,
-    TextDocumentIdentifier, TextDocumentPositionParams, Uri,
+    CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, FoldingRange,
+    FoldingRangeKind, FoldingRangeParams, Hover, InlayHint, InlayHintParams, Location,
+    MarkupContent, MarkupKind, PrepareRenamePlaceholder, ReferenceParams, RenameParams,
+    SemanticTokens, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
 };
 use lsp_server::ErrorCode;
 use serde::Serialize;
@@ -198,13 +198,22 @@ impl<S: Surroundings> Asked<'_, S> {
     }
 
     fn completion(&self, at: usize) -> Result<Value, Failure> {
-        let offers = self.document.complete(at);
+        let (offers, are_all) = self.document.complete_with(at, MOST_OFFERS);
         let places = self.places();
         let has_snippets = self.client.has_snippets;
         let items = offers
             .into_iter()
             .map(|it| shapes::item(it, places, has_snippets));
-        write(items.collect::<Vec<_>>())
+        let items: Vec<CompletionItem> = items.collect();
+        match are_all {
+            true => write(items),
+            // With the next letter the editor asks again.
+            false => write(CompletionList {
+                is_incomplete: true,
+                items,
+                ..CompletionList::default()
+            }),
+        }
     }
 
     fn signatures(&self, at: usize) -> Result<Value, Failure> {
@@ -325,6 +334,9 @@ impl<S: Surroundings> Asked<'_, S> {
         }))
     }
 }
+
+/// Writing out thousands of labels would take longer than typing the next letter.
+const MOST_OFFERS: usize = 150;
 
 const QUICK_FIX: &str = "quickfix";
 const FIX_ALL: &str = "source.fixAll";

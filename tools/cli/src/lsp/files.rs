@@ -3,11 +3,12 @@
 use super::surroundings::{Chosen, Surroundings};
 use crate::choices::EncodingName;
 use crate::robot::RobotChoice;
-use crate::{explain, project};
+use crate::{embedded, explain, project};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::{env, fs};
+use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Loaded, Options, render};
 
@@ -15,6 +16,8 @@ use tipc::{Loaded, Options, render};
 pub(crate) struct Files {
     robot: Option<RobotChoice>,
     known: HashMap<String, Rc<Chosen>>,
+    /// What is to be said of the crates around programs, each with the robot that it is given.
+    crates: HashMap<(PathBuf, String), Option<Diagnostic>>,
     pages: HashMap<(String, Lang), Option<String>>,
 }
 
@@ -24,6 +27,7 @@ impl Files {
         Files {
             robot,
             known: HashMap::new(),
+            crates: HashMap::new(),
             pages: HashMap::new(),
         }
     }
@@ -58,6 +62,16 @@ impl Surroundings for Files {
         chosen
     }
 
+    fn other_robot(&mut self, path: &Path, asked: Option<&str>) -> Option<Diagnostic> {
+        if self.robot.is_some() || asked.is_some() {
+            return None;
+        }
+        let given = project::of(path).ok().flatten()?;
+        let key = (path.to_owned(), given.to_string());
+        let warning = || embedded::warning(path, &given);
+        self.crates.entry(key).or_insert_with(warning).clone()
+    }
+
     fn page(&mut self, code: &str, lang: Lang) -> Option<String> {
         let key = (code.to_owned(), lang);
         let page = self.pages.entry(key).or_insert_with(|| written(code, lang));
@@ -71,6 +85,7 @@ impl Surroundings for Files {
 
     fn forget(&mut self) {
         self.known.clear();
+        self.crates.clear();
     }
 }
 

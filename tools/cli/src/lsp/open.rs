@@ -3,8 +3,10 @@
 use super::places::Places;
 use super::surroundings::Chosen;
 use gen_lsp_types::TextDocumentContentChangeEvent as Change;
+use std::ops::Range;
 use tip_ide::Document;
-use tip_sim::reach;
+use tip_sim::{reach, special};
+use tipc::diagnostic::Diagnostic;
 use tipc::source::{Encoding, Source, Unit};
 
 /// A text that is open, and what is known of it once somebody asks.
@@ -32,22 +34,17 @@ impl Open {
         let mut known = self.document.take();
         for change in changes {
             match change {
-                Change::TextDocumentContentChangeWholeDocument(whole) => {
-                    known = None;
-                    self.text = whole.text;
-                }
+                Change::TextDocumentContentChangeWholeDocument(whole) => self.text = whole.text,
                 Change::TextDocumentContentChangePartial(part) => {
                     let decoded = || Source::decode("", self.text.as_bytes(), Encoding::Utf8).0;
-                    let source = known.take();
-                    let source = source.map_or_else(decoded, |it| it.source().clone());
-                    let source = &source;
-                    let span = Places { source, unit }.span(part.range);
-                    // A mark before the text is not part of the source.
-                    let mark = source.mark().len();
-                    let place = span.start + mark..span.end + mark;
-                    self.text.replace_range(place, &part.text);
+                    let bytes = match &known {
+                        Some(document) => place(document.source(), part.range, unit),
+                        None => place(&decoded(), part.range, unit),
+                    };
+                    self.text.replace_range(bytes, &part.text);
                 }
             }
+            known = None;
         }
         self.forget();
     }
@@ -65,14 +62,30 @@ impl Open {
         }
     }
 
-    /// What is known of the text, for a robot.
-    pub(crate) fn document(&mut self, name: &str, chosen: &Chosen) -> &Document {
+    /// What is known of the text, for a robot; `other` says whether the crate around the file is for another one.
+    pub(crate) fn document(
+        &mut self,
+        name: &str,
+        chosen: &Chosen,
+        other: impl FnOnce() -> Option<Diagnostic>,
+    ) -> &Document {
         self.document.get_or_insert_with(|| {
             let mut document = Document::new(name, &self.text, &chosen.options);
-            if let Some(robot) = &chosen.robot {
-                document.judge(|loaded| reach::warn(loaded, robot));
-            }
+            document.judge(|loaded| {
+                if let Some(robot) = &chosen.robot {
+                    reach::warn(loaded, robot);
+                    special::warn(loaded, robot);
+                }
+                loaded.add(other().into_iter().collect());
+            });
             document
         })
     }
+}
+
+/// The bytes of a text in a range. A mark before the text is not part of its source.
+fn place(source: &Source, range: gen_lsp_types::Range, unit: Unit) -> Range<usize> {
+    let span = Places { source, unit }.span(range);
+    let mark = source.mark().len();
+    span.start + mark..span.end + mark
 }

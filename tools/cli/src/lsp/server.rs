@@ -154,6 +154,7 @@ impl<S: Surroundings> Server<S> {
         match method.as_str() {
             "textDocument/didOpen" => {
                 if let Ok(params) = serde_json::from_value::<DidOpenTextDocumentParams>(params) {
+                    self.around.forget();
                     let item = params.text_document;
                     let open = Open::new(Some(item.version), item.text);
                     self.open.insert(item.uri.0, open);
@@ -199,14 +200,16 @@ impl<S: Surroundings> Server<S> {
     /// The program of an address, for its robot.
     pub(super) fn asked<'a>(&'a mut self, uri: &'a str) -> Option<(Asked<'a, S>, Rc<Chosen>)> {
         let client = self.client.as_ref()?;
-        let path = path(uri);
-        let chosen = self.around.robot(path.as_deref(), client.robot.as_deref());
+        let (path, robot) = (path(uri), client.robot.as_deref());
+        let around = &mut self.around;
+        let chosen = around.robot(path.as_deref(), robot);
         let open = self.open.get_mut(uri)?;
+        let other = || around.other_robot(path.as_deref()?, robot);
         let asked = Asked {
             uri,
-            document: open.document(uri, &chosen),
+            document: open.document(uri, &chosen, other),
             client,
-            around: &mut self.around,
+            around,
         };
         Some((asked, chosen))
     }

@@ -3,12 +3,16 @@
 use std::path::Path;
 use std::rc::Rc;
 use tipc::Options;
+use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 
 /// What a server asks of the machine that it runs on.
 pub(crate) trait Surroundings {
     /// The robot of a file, if it is one; `asked` is what the editor's settings name.
     fn robot(&mut self, path: Option<&Path>, asked: Option<&str>) -> Rc<Chosen>;
+
+    /// The warning that the crate around a file compiles it for another robot; `asked` is what the editor's settings name.
+    fn other_robot(&mut self, path: &Path, asked: Option<&str>) -> Option<Diagnostic>;
 
     /// The address of a page about a code.
     fn page(&mut self, code: &str, lang: Lang) -> Option<String>;

@@ -191,6 +191,58 @@ fn the_encoding_is_that_of_the_nearest_tip_toml() {
 }
 
 #[test]
+fn of_very_many_labels_those_that_fit_what_is_typed_are_offered() {
+    let folder = Folder::new("lsp-offers");
+    let labels: String = (0..400)
+        .map(|number| format!("L{number}:\nREM\n"))
+        .collect();
+    let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
+    let mut offered = |typed: &str| {
+        editor.open(&format!("3.1\nTitle\n{labels}GOTO {typed}\nEND\n"));
+        let at = editor.position(editor.text.find("\nEND").expect("it stands there"));
+        let params = json!({ "textDocument": { "uri": URI }, "position": at });
+        let answer = editor.ask("textDocument/completion", params);
+        let answer = answer.expect("an answer");
+        assert_eq!(answer["isIncomplete"], true);
+        let items = answer["items"].as_array().expect("a list");
+        let label = |item: &Value| item["label"].as_str().expect("a label").to_owned();
+        items.iter().map(label).collect::<Vec<_>>()
+    };
+    assert_eq!(offered("").len(), 150);
+    // L39; L309 to L399 and L390 to L398; L139, L239.
+    assert_eq!(offered("l39").len(), 1 + 10 + 9 + 2);
+    assert_eq!(offered("L399"), ["L399"]);
+    assert_eq!(offered("M"), [""; 0]);
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
+fn what_only_the_robot_and_the_crate_know_is_warned_of_as_tipc_check_does() {
+    let folder = Folder::new("lsp-crate")
+        .file("Cargo.toml", "[package]\nname = \"around\"\n")
+        .file("tip.toml", "robot = \"titan8\"\n")
+        .file(
+            "src/lib.rs",
+            "include_tip!(\"../walk.prg\", robot = \"hand\");",
+        );
+    let uri = format!("file://{}", folder.path("walk.prg").display());
+    let text = "3.1\nTitle\nPTP F1 -2000 200 -200\nSPECIAL 30\nEND\n";
+    let folder = folder.file("walk.prg", text);
+    let warned = |options: Value| {
+        let mut editor = Editor::start(&folder, ENCODINGS[1], options);
+        let item = json!({ "uri": uri, "languageId": "tip", "version": 0, "text": text });
+        editor.tell("textDocument/didOpen", json!({ "textDocument": item }));
+        let found = editor.receive()["params"]["diagnostics"].take();
+        assert_eq!(editor.end(), 0);
+        let found = found.as_array().expect("a list").clone();
+        codes(&found).join(" ")
+    };
+    assert_eq!(warned(Value::Null), "W125 W122 W123");
+    // An editor that names the robot itself needs no tip.toml.
+    assert_eq!(warned(json!({ "robot": "titan8" })), "W122 W123");
+}
+
+#[test]
 fn an_editor_that_goes_away_ends_the_server() {
     let folder = Folder::new("lsp-gone");
     let mut editor = Editor::start(&folder, ENCODINGS[0], Value::Null);
