@@ -108,6 +108,18 @@ test('conditions, counts of hits, and going back through them', async () => {
   assert.deepEqual(seen, ['29', '39', '29']);
 });
 
+test('a log point says what stands in braces, and stops nothing', async () => {
+  await launch({}, [{ line: 15, logMessage: 'turn {N}: {N * 2}', condition: 'N >= 47' }, { line: 9 }]);
+  const said = [];
+  client.on('output', ({ body }) => said.push(body));
+  const { reason, line } = await move(() => client.continueRequest({ threadId: 1 }));
+  assert.deepEqual([reason, line], ['breakpoint', 9]);
+  const logged = said.filter(({ output }) => output.startsWith('turn'));
+  // It is said before its line runs, which adds to N.
+  assert.deepEqual(logged.map(({ output }) => output), [47, 48, 49].map((n) => `turn ${n}: ${2 * n}\n`));
+  assert.ok(logged.every(({ category }) => category === 'console'));
+});
+
 test('who set this last', async () => {
   await launch({}, [{ line: 9 }]);
   const thread = { threadId: 1 };

@@ -5,7 +5,7 @@ use crate::diagnostic::{Edit, Fix};
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::DELIMITERS;
-use crate::message::{Fixing, Habit, Message, Parsing};
+use crate::message::{Fixing, Habit, Message, Parsing, Warning};
 use crate::source::Span;
 use crate::syntax::StatementKind;
 
@@ -23,6 +23,7 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             glued(site)
         }
         (Message::Parsing(Parsing::LineBreak), _) => last_break(site),
+        (_, Some(Message::Warning(Warning::ShowValue { name }))) => Some(value(site, name)),
         _ => None,
     }
 }
@@ -74,6 +75,16 @@ fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
     let start = inside.start + 1;
     let end = start + shown.len();
     Some([Span::new(place.start, start), Span::new(end, place.end)])
+}
+
+/// `$N`, `{N}`, `%N` of a variable.
+fn value(site: &Site<'_>, name: &str) -> Fix {
+    let new = format!("%{name}%");
+    let title = Fixing::Replace {
+        old: site.text().into(),
+        new: new.as_str().into(),
+    };
+    Fix::certain(title, [Edit::replace(site.span(), new)])
 }
 
 /// A place without the blanks at its ends.

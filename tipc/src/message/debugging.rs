@@ -121,6 +121,38 @@ messages! {
         "`{text}` is not an event, such as `key F`, `VR1=8`, `halt` or `N = 5`",
         "`{text}` はイベントではありません。`key F`、`VR1=8`、`halt`、`N = 5` のように書いてください";
 
+    // Why it does not do what it is asked.
+    NoStepFrom { line: u32 }
+        "no step is on line {line} or after it",
+        "{line}行目以降にステップがありません";
+    NoSuchName { name: Text }
+        "'{name}' is not a routine, label or command of the program",
+        "'{name}' という名前のルーチン、ラベル、コマンドはこのプログラムにありません";
+    NoSuchVariable { name: Text }
+        "{name}: the program has no variable of that name",
+        "{name}: この名前の変数はプログラムにありません";
+    IsConstant { name: Text }
+        "{name}: that name is a constant",
+        "{name}: これは定数の名前です";
+    NotFinite { name: Text }
+        "{name}: a variable holds finite numbers only",
+        "{name}: 変数に入れられるのは有限の数だけです";
+    NoCountOfHits { text: Text }
+        "'{text}' is not a count of hits, such as 5, >= 5 or % 5",
+        "'{text}' は通過回数の指定ではありません。5、>= 5、% 5 のように書いてください";
+    WouldDiscard { cycles: usize }
+        "{cycles} cycles have been run after this one, and would be discarded",
+        "これより後の{cycles}サイクルの実行結果が破棄されます";
+    AgainConfirms { refused: Text }
+        "{refused}; do it again to confirm",
+        "{refused}。よければもう一度実行してください";
+    NoInput { port: Text }
+        "the robot has no input {port}",
+        "このロボットに入力 {port} はありません";
+    Massless { event: Text }
+        "'{event}' is for walking robots with mass: --plant dynamic",
+        "'{event}' は質量のある歩行ロボット用です(--plant dynamic)";
+
     HelpMoves
         "r run, n over, s into, o out, c cycle, l to line, g to cycle, CAPITALS: back",
         "r:実行 n:次へ s:中へ o:外へ c:1サイクル l:行まで g:サイクル指定 大文字:逆方向";

@@ -4,6 +4,7 @@ mod certain;
 mod every;
 mod kept;
 mod likely;
+mod warnings;
 
 use tipc::diagnostic::Applicability::{self, Certain, Likely};
 use tipc::repair::{Repaired, repair};

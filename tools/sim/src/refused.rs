@@ -5,6 +5,7 @@ use std::fmt;
 use tip_runtime::command::Port;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::VariableError;
+use tipc::message::{Debugging, Lang};
 
 /// Why something cannot happen to a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,20 +22,39 @@ pub enum Refused {
     Text(EventError),
 }
 
+impl Refused {
+    /// What it says in a language. What the runtime says itself is English.
+    pub fn text(&self, lang: Lang) -> String {
+        let message = match self {
+            Refused::Mismatch(mismatch) => return mismatch.to_string(),
+            Refused::Text(error) => return error.to_string(),
+            Refused::NoInput(port) => Debugging::NoInput {
+                port: port.to_string().into(),
+            },
+            Refused::Variable(name, error) => return of_variable(name, *error, lang),
+            Refused::Massless(event) => Debugging::Massless {
+                event: event.clone().into(),
+            },
+        };
+        message.in_lang(lang).to_string()
+    }
+}
+
+/// What is wrong with a variable.
+pub(crate) fn of_variable(variable: &str, error: VariableError, lang: Lang) -> String {
+    let name = variable.to_owned().into();
+    let message = match error {
+        VariableError::Unknown => Debugging::NoSuchVariable { name },
+        VariableError::Constant => Debugging::IsConstant { name },
+        VariableError::NotFinite => Debugging::NotFinite { name },
+        other => return format!("{variable}: {other}"),
+    };
+    message.in_lang(lang).to_string()
+}
+
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Refused::Mismatch(mismatch) => mismatch.fmt(f),
-            Refused::NoInput(port) => write!(f, "the robot has no input {port}"),
-            Refused::Variable(name, error) => write!(f, "{name}: {error}"),
-            Refused::Massless(event) => {
-                write!(
-                    f,
-                    "'{event}' is for walking robots with mass: --plant dynamic"
-                )
-            }
-            Refused::Text(error) => error.fmt(f),
-        }
+        f.write_str(&self.text(Lang::English))
     }
 }
 

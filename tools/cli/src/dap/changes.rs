@@ -6,6 +6,7 @@ use super::shown;
 use serde_json::json;
 use tip_sim::Event;
 use tip_sim::debug::{Discard, Move, Refused, Value};
+use tipc::message::Debugging;
 
 /// What a change begins with that may discard what was run after it.
 const DISCARD: &str = "discard ";
@@ -47,7 +48,9 @@ impl<H: Host> Session<H> {
             }
             Err(refused @ Refused::WouldDiscard(_)) => {
                 self.refused = Some(this);
-                Err(format!("{}; do it again to confirm", refused.text(lang)))
+                let refused = refused.text(lang).into();
+                let again = Debugging::AgainConfirms { refused };
+                Err(again.in_lang(lang).to_string())
             }
             Err(refused) => Err(refused.text(lang)),
         }

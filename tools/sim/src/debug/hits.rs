@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use tipc::message::Debugging;
 
 /// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,13 +30,17 @@ impl Hits {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotHits(pub(super) String);
 
+impl NotHits {
+    pub(super) fn message(&self) -> Debugging {
+        Debugging::NoCountOfHits {
+            text: self.0.clone().into(),
+        }
+    }
+}
+
 impl fmt::Display for NotHits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "'{}' is not a count of hits, such as 5, >= 5 or % 5",
-            self.0
-        )
+        self.message().fmt(f)
     }
 }
 

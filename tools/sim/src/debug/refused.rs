@@ -6,7 +6,7 @@ use std::fmt;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::VariableError;
 use tipc::diagnostic::Diagnostic;
-use tipc::message::Lang;
+use tipc::message::{Debugging, Lang};
 
 /// Why something is refused.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,38 +33,30 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// What it says, in one of the languages of messages where it comes from the compiler.
+    /// What it says in a language. A fault has its classical text in each.
     pub fn text(&self, lang: Lang) -> String {
-        match self {
-            Refused::Wrong(diagnostic) => diagnostic.headline(lang),
-            other => other.to_string(),
-        }
+        let message = match self {
+            Refused::Wrong(diagnostic) => return diagnostic.headline(lang),
+            Refused::Fault(fault) => return fault.to_string(),
+            Refused::Event(refused) => return refused.text(lang),
+            Refused::NoStep(line) => Debugging::NoStepFrom { line: *line },
+            Refused::NoName(name) => Debugging::NoSuchName {
+                name: name.clone().into(),
+            },
+            Refused::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
+            Refused::Hits(error) => error.message(),
+            Refused::WouldDiscard(cycles) => Debugging::WouldDiscard {
+                cycles: usize::try_from(*cycles).unwrap_or(usize::MAX),
+            },
+            Refused::Ended => Debugging::Ended,
+        };
+        message.in_lang(lang).to_string()
     }
 }
 
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Refused::NoStep(line) => write!(f, "no step is on line {line} or after it"),
-            Refused::NoName(name) => {
-                write!(
-                    f,
-                    "'{name}' is not a routine, label or command of the program"
-                )
-            }
-            Refused::NoVariable(name, error) => write!(f, "{name}: {error}"),
-            Refused::Wrong(diagnostic) => f.write_str(&diagnostic.headline(Lang::English)),
-            Refused::Fault(fault) => fault.fmt(f),
-            Refused::Hits(error) => error.fmt(f),
-            Refused::WouldDiscard(cycles) => {
-                write!(
-                    f,
-                    "{cycles} cycles have been run after this one, and would be discarded"
-                )
-            }
-            Refused::Ended => f.write_str("the program is over"),
-            Refused::Event(refused) => refused.fmt(f),
-        }
+        f.write_str(&self.text(Lang::English))
     }
 }
 

@@ -1,6 +1,11 @@
 //! What the debugger's parts answer by themselves.
 
-use super::hits::Hits;
+use super::Refused;
+use super::hits::{Hits, NotHits};
+use crate::refused;
+use tip_runtime::command::Port;
+use tip_runtime::program::VariableError;
+use tipc::message::Lang;
 
 #[test]
 fn counts_of_hits_are_read() {
@@ -32,4 +37,34 @@ fn hits_stop_at_the_passes_that_they_name() {
     assert_eq!(stops(Hits::Only(3)), [3]);
     assert_eq!(stops(Hits::From(5)), [5, 6, 7]);
     assert_eq!(stops(Hits::Each(3)), [3, 6]);
+}
+
+#[test]
+fn a_refusal_is_said_in_both_languages() {
+    let name = || "HEIGHT".to_owned();
+    for (refused, english, japanese) in [
+        (
+            Refused::NoStep(7),
+            "no step is on line 7 or after it",
+            "7行目以降にステップがありません",
+        ),
+        (
+            Refused::NoVariable(name(), VariableError::Unknown),
+            "HEIGHT: the program has no variable of that name",
+            "HEIGHT: この名前の変数はプログラムにありません",
+        ),
+        (
+            Refused::Hits(NotHits("five".to_owned())),
+            "'five' is not a count of hits, such as 5, >= 5 or % 5",
+            "'five' は通過回数の指定ではありません。5、>= 5、% 5 のように書いてください",
+        ),
+        (
+            Refused::Event(refused::Refused::NoInput(Port::Knob(9))),
+            "the robot has no input VR9",
+            "このロボットに入力 VR9 はありません",
+        ),
+    ] {
+        assert_eq!(refused.to_string(), english);
+        assert_eq!(refused.text(Lang::Japanese), japanese);
+    }
 }
