@@ -216,10 +216,10 @@ const BANG: &str = "!";
 
 /// Whether a statement is a comment in another language.
 pub(crate) fn is_comment(statement: &str) -> bool {
-    // `#include` is none.
-    let first = statement.split_whitespace().next().unwrap_or_default();
     let is_marked = COMMENTS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement);
-    is_marked && self::statement(first).is_none()
+    // `#include` is none.
+    let first = || statement.split_whitespace().next().unwrap_or_default();
+    is_marked && self::statement(first()).is_none()
 }
 
 /// `! text`, but not `!KB_HIT`.

@@ -19,7 +19,7 @@ pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
 pub use outcome::{Cycles, Failure};
 
 use super::index::Index;
-use super::{Edition, Keyword};
+use super::{Bilingual, Edition, Keyword};
 use tip_runtime::command::{Op, Teach};
 
 /// A command of the language.
@@ -48,7 +48,7 @@ pub struct Command {
     /// The runtime errors of its own step, besides those of its operands.
     pub failures: &'static [Failure],
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 /// What a command does.
@@ -143,7 +143,7 @@ impl Command {
             unit: "",
             cycles: Cycles::One,
             failures: outcome::NONE,
-            description: "",
+            description: Bilingual::EMPTY,
         }
     }
 
@@ -158,9 +158,8 @@ impl Command {
         Command {
             since: row.since,
             form: Form::Words(""),
-            ..Command::new(row.word, Meaning::Keyword(keyword))
-                .place(row.section, row.clause)
-                .does(row.description)
+            description: row.description,
+            ..Command::new(row.word, Meaning::Keyword(keyword)).place(row.section, row.clause)
         }
     }
 
@@ -174,9 +173,9 @@ impl Command {
     }
 
     /// What it does, in one line.
-    const fn does(self, description: &'static str) -> Self {
+    const fn does(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
-            description,
+            description: Bilingual { english, japanese },
             ..self
         }
     }
@@ -223,9 +222,9 @@ impl Command {
     }
 
     /// The program stays on it until this holds.
-    const fn until(self, what: &'static str) -> Self {
+    const fn until(self, english: &'static str, japanese: &'static str) -> Self {
         Command {
-            cycles: Cycles::Until(what),
+            cycles: Cycles::Until(Bilingual { english, japanese }),
             ..self
         }
     }

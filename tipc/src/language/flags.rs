@@ -1,7 +1,7 @@
 //! The event flags of conditions (T.I.P. 3.1 §6-2).
 
-use super::Edition;
 use super::commands::Robots;
+use super::{Bilingual, Edition};
 use std::mem::discriminant;
 use tip_runtime::command::{Flag, Port, Target};
 
@@ -21,7 +21,7 @@ pub struct Row {
     /// The clause of the language reference.
     pub clause: &'static str,
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 /// What makes a flag true.
@@ -42,26 +42,42 @@ pub const FLAGS: &[Row] = &[
     Row::new(
         Flag::HaltRequest,
         "Somebody asked the program to stop at a good moment.",
+        "切りのよいところで停止するよう求められています。",
     )
     .caused_by(Cause::Halt),
-    Row::new(Flag::KbHit, "The keyboard buffer is not empty.").caused_by(Cause::Key),
-    Row::new(Flag::Antenna, "The palm touches something.")
-        .only(Robots::HAND)
-        .caused_by(Cause::Input(Port::Antenna)),
+    Row::new(
+        Flag::KbHit,
+        "The keyboard buffer is not empty.",
+        "キーボードのバッファにキーがあります。",
+    )
+    .caused_by(Cause::Key),
+    Row::new(
+        Flag::Antenna,
+        "The palm touches something.",
+        "手のひらが何かに触れています。",
+    )
+    .only(Robots::HAND)
+    .caused_by(Cause::Input(Port::Antenna)),
     Row::new(
         Flag::Inpos(Target::All),
         "The target has arrived within the JUST tolerance.",
+        "JUSTの許容誤差以内で到着しています。",
     ),
     Row::new(
         Flag::Near(Target::All),
         "The target has arrived within the NEAR tolerance.",
+        "NEARの許容誤差以内に近づいています。",
     ),
-    Row::new(Flag::Special(0), "Native code of a SPECIAL command set it."),
+    Row::new(
+        Flag::Special(0),
+        "Native code of a SPECIAL command set it.",
+        "SPECIALコマンドのネイティブコードが立てるフラグです。",
+    ),
 ];
 
 impl Row {
     /// A flag of 3.1 that every robot has and sets itself.
-    const fn new(flag: Flag, description: &'static str) -> Self {
+    const fn new(flag: Flag, english: &'static str, japanese: &'static str) -> Self {
         Row {
             flag,
             since: Edition::V3_1,
@@ -69,7 +85,7 @@ impl Row {
             cause: Cause::Robot,
             section: "§6-2",
             clause: "5.1",
-            description,
+            description: Bilingual { english, japanese },
         }
     }
 

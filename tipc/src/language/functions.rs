@@ -1,7 +1,7 @@
 //! The functions of equations (T.I.P. 3.1 §5-2).
 
-use super::Edition;
 use super::index::Index;
+use super::{Bilingual, Edition};
 use tip_runtime::function::Function;
 
 /// A row of the table.
@@ -18,7 +18,7 @@ pub struct Row {
     /// The clause of the language reference.
     pub clause: &'static str,
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 /// What a function calculates, which decides its operands.
@@ -69,7 +69,8 @@ impl Row {
         word: &'static str,
         operation: Operation,
         clause: &'static str,
-        description: &'static str,
+        english: &'static str,
+        japanese: &'static str,
     ) -> Self {
         Row {
             word,
@@ -77,13 +78,18 @@ impl Row {
             since: Edition::V3_1,
             section: "§5-2",
             clause,
-            description,
+            description: Bilingual { english, japanese },
         }
     }
 
     /// A function of 3.1 from number to number.
-    const fn scalar(word: &'static str, function: Function, description: &'static str) -> Self {
-        Row::new(word, Operation::Scalar(function), "4.4", description)
+    const fn scalar(
+        word: &'static str,
+        function: Function,
+        english: &'static str,
+        japanese: &'static str,
+    ) -> Self {
+        Row::new(word, Operation::Scalar(function), "4.4", english, japanese)
     }
 }
 
@@ -93,56 +99,104 @@ pub const FUNCTIONS: &[Row] = &[
         "INT",
         Function::Int,
         "The largest whole number not above the operand.",
+        "引数を超えない最大の整数。",
     ),
-    Row::scalar("ABS", Function::Abs, "The operand without its sign."),
-    Row::scalar("SQRT", Function::Sqrt, "The square root."),
-    Row::scalar("SIN", Function::Sin, "The sine of an angle in degrees."),
-    Row::scalar("COS", Function::Cos, "The cosine of an angle in degrees."),
-    Row::scalar("TAN", Function::Tan, "The tangent of an angle in degrees."),
-    Row::scalar("ASIN", Function::Asin, "The arc sine in degrees."),
-    Row::scalar("ACOS", Function::Acos, "The arc cosine in degrees."),
+    Row::scalar(
+        "ABS",
+        Function::Abs,
+        "The operand without its sign.",
+        "絶対値。",
+    ),
+    Row::scalar("SQRT", Function::Sqrt, "The square root.", "平方根。"),
+    Row::scalar(
+        "SIN",
+        Function::Sin,
+        "The sine of an angle in degrees.",
+        "角度(度)の正弦。",
+    ),
+    Row::scalar(
+        "COS",
+        Function::Cos,
+        "The cosine of an angle in degrees.",
+        "角度(度)の余弦。",
+    ),
+    Row::scalar(
+        "TAN",
+        Function::Tan,
+        "The tangent of an angle in degrees.",
+        "角度(度)の正接。",
+    ),
+    Row::scalar(
+        "ASIN",
+        Function::Asin,
+        "The arc sine in degrees.",
+        "逆正弦(度)。",
+    ),
+    Row::scalar(
+        "ACOS",
+        Function::Acos,
+        "The arc cosine in degrees.",
+        "逆余弦(度)。",
+    ),
     Row::scalar(
         "ATAN",
         Function::Atan,
         "The arc tangent in degrees, of -1 to 1.",
+        "-1から1までの数の逆正接(度)。",
     ),
     Row::new(
         "ATAN2",
         Operation::Atan2,
         "4.5",
         "The direction of the point (x, y) in degrees, from y and x.",
+        "yとxから求めた、点(x, y)の方向(度)。",
     ),
-    Row::scalar("DEG2RAD", Function::Deg2Rad, "Degrees to radians."),
-    Row::scalar("RAD2DEG", Function::Rad2Deg, "Radians to degrees."),
+    Row::scalar(
+        "DEG2RAD",
+        Function::Deg2Rad,
+        "Degrees to radians.",
+        "度をラジアンに直します。",
+    ),
+    Row::scalar(
+        "RAD2DEG",
+        Function::Rad2Deg,
+        "Radians to degrees.",
+        "ラジアンを度に直します。",
+    ),
     Row::new(
         "NORM",
         Operation::Norm,
         "4.6",
         "The root of the sum of squares of the members.",
+        "メンバーの二乗和の平方根。",
     ),
     Row::new(
         "UNIT_VECT",
         Operation::UnitVect,
         "4.7",
         "The same direction with length 1.",
+        "同じ向きで長さ1のベクトル。",
     ),
     Row::new(
         "ROT_X",
         Operation::Rotate(Axis::X),
         "4.8",
         "A position turned by degrees about the x axis of the robot frame.",
+        "位置をロボット座標系のx軸まわりに指定した角度(度)だけ回したもの。",
     ),
     Row::new(
         "ROT_Y",
         Operation::Rotate(Axis::Y),
         "4.8",
         "A position turned by degrees about the y axis of the robot frame.",
+        "位置をロボット座標系のy軸まわりに指定した角度(度)だけ回したもの。",
     ),
     Row::new(
         "ROT_Z",
         Operation::Rotate(Axis::Z),
         "4.8",
         "A position turned by degrees about the z axis of the robot frame.",
+        "位置をロボット座標系のz軸まわりに指定した角度(度)だけ回したもの。",
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! The inputs that AD_IN reads by name (T.I.P. 3.1 §7-9-1).
 
-use super::Edition;
 use super::commands::Robots;
+use super::{Bilingual, Edition};
 use crate::robot::Robot;
 use std::mem::discriminant;
 use tip_runtime::command::Port;
@@ -20,7 +20,7 @@ pub struct Row {
     /// The clause of the language reference.
     pub clause: &'static str,
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 /// Every kind of input that has a name.
@@ -29,30 +29,43 @@ pub const INPUTS: &[Row] = &[
         Port::Knob(1),
         Robots::ALL,
         "A potentiometer of the control box.",
+        "操作箱のポテンショメータ。",
     ),
     Row::new(
         Port::Paw(1),
         Robots::TITAN,
         "The pressure sensor under a sole.",
+        "足裏の圧力センサ。",
     ),
     Row::new(
         Port::Antenna,
         Robots::NAMED,
         "The feeler of TITAN VIII, or the palm's touch of the Hiroshima Hand.",
+        "TITAN VIIIの触角、またはHiroshima Handの手のひらの接触センサ。",
     ),
-    Row::new(Port::Joint(1, 1), Robots::ALL, "A joint's potentiometer."),
+    Row::new(
+        Port::Joint(1, 1),
+        Robots::ALL,
+        "A joint's potentiometer.",
+        "関節のポテンショメータ。",
+    ),
 ];
 
 impl Row {
     /// An input of 3.1.
-    const fn new(port: Port, robots: Robots, description: &'static str) -> Self {
+    const fn new(
+        port: Port,
+        robots: Robots,
+        english: &'static str,
+        japanese: &'static str,
+    ) -> Self {
         Row {
             port,
             since: Edition::V3_1,
             robots,
             section: "§7-9-1",
             clause: "7.32",
-            description,
+            description: Bilingual { english, japanese },
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The words that the parser reads itself: declarations, control words, texts, ends.
 
-use super::Edition;
 use super::index::Index;
+use super::{Bilingual, Edition};
 use smol_str::SmolStr;
 use std::fmt;
 
@@ -19,7 +19,7 @@ pub struct Row {
     /// The clause of the language reference.
     pub clause: &'static str,
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 macro_rules! keywords {
@@ -28,12 +28,12 @@ macro_rules! keywords {
         since: $since:expr,
         section: $section:literal,
         clause: $clause:literal,
-        description: $description:literal,
+        description: $english:literal, $japanese:literal,
     } )*) => {
         /// A word that the parser reads itself.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Keyword {
-            $( #[doc = concat!("`", $word, "`: ", $description)] $variant, )*
+            $( #[doc = concat!("`", $word, "`: ", $english)] $variant, )*
         }
 
         /// Every keyword.
@@ -43,7 +43,10 @@ macro_rules! keywords {
             since: $since,
             section: $section,
             clause: $clause,
-            description: $description,
+            description: Bilingual {
+                english: $english,
+                japanese: $japanese,
+            },
         }, )*];
     };
 }
@@ -54,182 +57,182 @@ keywords! {
         since: Edition::V3_1,
         section: "§7-10-1",
         clause: "3.1",
-        description: "Declares scalar variables; takes no step.",
+        description: "Declares scalar variables; takes no step.", "スカラー変数を宣言します。ステップにはなりません。",
     }
     DefPos {
         word: "DEF_POS",
         since: Edition::V3_1,
         section: "§7-10-1",
         clause: "3.1",
-        description: "Declares positions with members X, Y, Z in mm; takes no step.",
+        description: "Declares positions with members X, Y, Z in mm; takes no step.", "メンバーX、Y、Z(mm)を持つ座標型変数を宣言します。ステップにはなりません。",
     }
     DefJoint {
         word: "DEF_JOINT",
         since: Edition::V3_1,
         section: "§7-10-1",
         clause: "3.1",
-        description: "Declares joint variables with one member J1…Jn a joint; takes no step.",
+        description: "Declares joint variables with one member J1…Jn a joint; takes no step.", "関節ごとにメンバーJ1…Jnを持つ関節型変数を宣言します。ステップにはなりません。",
     }
     If {
         word: "IF",
         since: Edition::V3_1,
         section: "§7-6-1, §7-6-7, §7-6-8",
         clause: "7.20",
-        description: "Opens a block, or jumps, if the condition holds.",
+        description: "Opens a block, or jumps, if the condition holds.", "条件が成り立つとき、ブロックを実行するか、ジャンプします。",
     }
     Then {
         word: "THEN",
         since: Edition::V3_1,
         section: "§7-6-1",
         clause: "2.6",
-        description: "Ends the condition of IF and ELSEIF; the block follows.",
+        description: "Ends the condition of IF and ELSEIF; the block follows.", "IFとELSEIFの条件の終わりです。次の行からブロックが始まります。",
     }
     ElseIf {
         word: "ELSEIF",
         since: Edition::V3_1,
         section: "§7-6-1",
         clause: "7.20",
-        description: "Opens another branch of IF.",
+        description: "Opens another branch of IF.", "IFの別の分岐を始めます。",
     }
     Else {
         word: "ELSE",
         since: Edition::V3_1,
         section: "§7-6-1",
         clause: "7.20",
-        description: "Opens the last branch of IF; alone on its line.",
+        description: "Opens the last branch of IF; alone on its line.", "IFの最後の分岐を始めます。1行に単独で書きます。",
     }
     EndIf {
         word: "ENDIF",
         since: Edition::V3_1,
         section: "§7-6-1",
         clause: "7.20",
-        description: "Closes IF; alone on its line.",
+        description: "Closes IF; alone on its line.", "IFを閉じます。1行に単独で書きます。",
     }
     While {
         word: "WHILE",
         since: Edition::V3_1,
         section: "§7-6-2",
         clause: "7.20",
-        description: "Repeats the block while the condition holds.",
+        description: "Repeats the block while the condition holds.", "条件が成り立つ間、ブロックを繰り返します。",
     }
     Wend {
         word: "WEND",
         since: Edition::V3_1,
         section: "§7-6-2",
         clause: "7.20",
-        description: "Closes WHILE; alone on its line.",
+        description: "Closes WHILE; alone on its line.", "WHILEを閉じます。1行に単独で書きます。",
     }
     Repeat {
         word: "REPEAT",
         since: Edition::V3_1,
         section: "§7-6-3",
         clause: "7.20",
-        description: "Opens a block that runs at least once; alone on its line.",
+        description: "Opens a block that runs at least once; alone on its line.", "少なくとも1回は実行されるブロックを始めます。1行に単独で書きます。",
     }
     Until {
         word: "UNTIL",
         since: Edition::V3_1,
         section: "§7-6-3",
         clause: "7.20",
-        description: "Closes REPEAT, which goes on until the condition holds.",
+        description: "Closes REPEAT, which goes on until the condition holds.", "REPEATを閉じます。条件が成り立つまで繰り返します。",
     }
     For {
         word: "FOR",
         since: Edition::V3_1,
         section: "§7-6-4",
         clause: "7.20",
-        description: "Counts a variable through a block.",
+        description: "Counts a variable through a block.", "変数を数えながらブロックを繰り返します。",
     }
     To {
         word: "TO",
         since: Edition::V3_1,
         section: "§7-6-4",
         clause: "7.20",
-        description: "Stands before the last value of FOR.",
+        description: "Stands before the last value of FOR.", "FORの終了値の前に書きます。",
     }
     Step {
         word: "STEP",
         since: Edition::V3_1,
         section: "§7-6-4",
         clause: "7.20",
-        description: "Stands before the increment of FOR.",
+        description: "Stands before the increment of FOR.", "FORの増分の前に書きます。",
     }
     Next {
         word: "NEXT",
         since: Edition::V3_1,
         section: "§7-6-4",
         clause: "7.20",
-        description: "Closes FOR.",
+        description: "Closes FOR.", "FORを閉じます。",
     }
     Subroutine {
         word: "SUBROUTINE",
         since: Edition::V3_1,
         section: "§7-6-5",
         clause: "7.20",
-        description: "Opens a subroutine.",
+        description: "Opens a subroutine.", "サブルーチンを始めます。",
     }
     SubEnd {
         word: "SUBEND",
         since: Edition::V3_1,
         section: "§7-6-5",
         clause: "7.20",
-        description: "Closes SUBROUTINE and returns.",
+        description: "Closes SUBROUTINE and returns.", "SUBROUTINEを閉じ、呼び出し元に戻ります。",
     }
     Call {
         word: "CALL",
         since: Edition::V3_1,
         section: "§7-6-6",
         clause: "7.20",
-        description: "Calls a SUBROUTINE.",
+        description: "Calls a SUBROUTINE.", "SUBROUTINEを呼び出します。",
     }
     Goto {
         word: "GOTO",
         since: Edition::V3_1,
         section: "§7-7-1",
         clause: "7.20",
-        description: "Jumps to a label; without one to the nearest LOOP above.",
+        description: "Jumps to a label; without one to the nearest LOOP above.", "ラベルへジャンプします。省略すると、上にある最も近いLOOPへ飛びます。",
     }
     Gosub {
         word: "GOSUB",
         since: Edition::V3_1,
         section: "§7-7-2",
         clause: "7.20",
-        description: "Calls a label or SUBROUTINE.",
+        description: "Calls a label or SUBROUTINE.", "ラベルまたはSUBROUTINEを呼び出します。",
     }
     Return {
         word: "RETURN",
         since: Edition::V3_1,
         section: "§7-7-3",
         clause: "7.20",
-        description: "Returns to the step after the call.",
+        description: "Returns to the step after the call.", "呼び出しの次のステップに戻ります。",
     }
     Message {
         word: "MESSAGE",
         since: Edition::V3_1,
         section: "§7-9-4",
         clause: "7.35",
-        description: "Shows a line of text with the values of variables.",
+        description: "Shows a line of text with the values of variables.", "変数の値を入れた1行の文字列を表示します。",
     }
     Rem {
         word: "REM",
         since: Edition::V3_1,
         section: "§7-10-2",
         clause: "7.38",
-        description: "Does nothing for one cycle.",
+        description: "Does nothing for one cycle.", "1周期の間、何もしません。",
     }
     End {
         word: "END",
         since: Edition::V3_1,
         section: "§7-10-3",
         clause: "7.39",
-        description: "Ends the program, and its text.",
+        description: "Ends the program, and its text.", "プログラムを終了します。プログラムの文面もここまでです。",
     }
     Exit {
         word: "EXIT",
         since: Edition::V3_1,
         section: "§7-10-4",
         clause: "7.39",
-        description: "Ends the program.",
+        description: "Ends the program.", "プログラムを終了します。",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Words that are not commands, functions, flags or inputs, and which words nothing may have as a name (T.I.P. 3.1 §4).
 
-use super::{Edition, commands, flags, functions, inputs, keywords};
+use super::{Bilingual, Edition, commands, flags, functions, inputs, keywords};
 use tip_runtime::command::{self, CONSTANT, Target};
 
 /// A row of the table.
@@ -17,7 +17,7 @@ pub struct Row {
     /// The clause of the language reference.
     pub clause: &'static str,
     /// One line for the reference.
-    pub description: &'static str,
+    pub description: Bilingual,
 }
 
 /// What such a word is.
@@ -53,16 +53,29 @@ pub const JOINT: &str = "J";
 
 /// Every such word.
 pub const RESERVED: &[Row] = &[
-    Row::target(Target::All, "Everything that the command can act on."),
-    Row::target(Target::Floor, "The slider of the Hiroshima Hand."),
-    Row::target(Target::Foot(1), "A foot or finger."),
-    Row::target(Target::Joint(1, 1), "A joint: its leg and its number."),
+    Row::target(
+        Target::All,
+        "Everything that the command can act on.",
+        "そのコマンドが対象にできるものすべて。",
+    ),
+    Row::target(
+        Target::Floor,
+        "The slider of the Hiroshima Hand.",
+        "Hiroshima Handのスライダ。",
+    ),
+    Row::target(Target::Foot(1), "A foot or finger.", "足または指。"),
+    Row::target(
+        Target::Joint(1, 1),
+        "A joint: its leg and its number.",
+        "関節。脚の番号と関節の番号で表します。",
+    ),
     Row::new(
         VAR_KEY,
         Kind::Variable,
         "§7-9-2",
         "3.3",
         "Receives the key of KEY_IN without argument.",
+        "引数のないKEY_INのキーが入ります。",
     ),
     Row::new(
         "CHAR_SPC",
@@ -70,6 +83,7 @@ pub const RESERVED: &[Row] = &[
         "§4-5",
         "3.3",
         "The ASCII code of the space bar.",
+        "スペースキーのASCIIコード。",
     ),
     Row::new(
         CONSTANT,
@@ -77,6 +91,7 @@ pub const RESERVED: &[Row] = &[
         "§4-5",
         "3.3",
         "The ASCII code of a digit or letter.",
+        "数字または英字のASCIIコード。",
     ),
     Row::new(
         command::RELATIVE,
@@ -84,6 +99,7 @@ pub const RESERVED: &[Row] = &[
         "§7-1",
         "3.2",
         "The value after it counts from where the foot or joint is.",
+        "続く値を、足先や関節の現在値からの相対値とします。",
     ),
     Row::new(
         command::ABSOLUTE,
@@ -91,6 +107,7 @@ pub const RESERVED: &[Row] = &[
         "§7-1",
         "3.2",
         "The value after it is taken as it is.",
+        "続く値を、そのままの値(絶対値)とします。",
     ),
     Row::new(
         command::FAST,
@@ -98,6 +115,7 @@ pub const RESERVED: &[Row] = &[
         "§7-1",
         "3.2",
         "Lifts the limit of acceleration of a motion.",
+        "動作の加速度制限をなくします。",
     ),
     Row::new(
         LOOP,
@@ -105,6 +123,7 @@ pub const RESERVED: &[Row] = &[
         "§7-7-1",
         "6.2",
         "Where GOTO without a label leads: the nearest one above.",
+        "ラベルのないGOTOの行き先。上にある最も近いものへ飛びます。",
     ),
     Row::new(
         POSITION[0],
@@ -112,15 +131,31 @@ pub const RESERVED: &[Row] = &[
         "§4-4",
         "3.1",
         "To the right, in mm.",
+        "右方向(mm)。",
     ),
-    Row::new(POSITION[1], Kind::Member, "§4-4", "3.1", "Forward, in mm."),
-    Row::new(POSITION[2], Kind::Member, "§4-4", "3.1", "Up, in mm."),
+    Row::new(
+        POSITION[1],
+        Kind::Member,
+        "§4-4",
+        "3.1",
+        "Forward, in mm.",
+        "前方向(mm)。",
+    ),
+    Row::new(
+        POSITION[2],
+        Kind::Member,
+        "§4-4",
+        "3.1",
+        "Up, in mm.",
+        "上方向(mm)。",
+    ),
     Row::new(
         JOINT,
         Kind::Member,
         "§4-4",
         "3.1",
         "A joint of the leg, by its number.",
+        "脚の関節。番号で表します。",
     ),
 ];
 
@@ -131,7 +166,8 @@ impl Row {
         kind: Kind,
         section: &'static str,
         clause: &'static str,
-        description: &'static str,
+        english: &'static str,
+        japanese: &'static str,
     ) -> Self {
         Row {
             word,
@@ -139,14 +175,14 @@ impl Row {
             since: Edition::V3_1,
             section,
             clause,
-            description,
+            description: Bilingual { english, japanese },
         }
     }
 
     /// A target of 3.1.
-    const fn target(target: Target, description: &'static str) -> Self {
+    const fn target(target: Target, english: &'static str, japanese: &'static str) -> Self {
         let kind = Kind::Target(target);
-        Row::new(target.stem(), kind, "§4-4", "3.2", description)
+        Row::new(target.stem(), kind, "§4-4", "3.2", english, japanese)
     }
 
     /// Whether it says what this word is, and nothing may have the word as a name.

@@ -2,6 +2,7 @@
 
 use super::Message;
 use super::list::{Each, List};
+use crate::language::Bilingual;
 use smol_str::SmolStr;
 
 messages! {
@@ -18,13 +19,13 @@ messages! {
     OneCycle
         "takes 1 control cycle",
         "1制御周期かかります";
-    Waits { what: &'static str }
+    Waits { what: Bilingual }
         "takes at least 1 control cycle, until {what}",
         "少なくとも1制御周期かかり、次の条件まで待ちます: {what}";
     OnlyFor { robots: Each }
         "only for {robots}",
         "使えるロボット: {robots}";
-    Stops { fault: String, when: &'static str }
+    Stops { fault: String, when: Bilingual }
         "emergency stop, {fault}: {when}",
         "緊急停止({fault}): {when}";
     Reference { section: &'static str, clause: &'static str }

@@ -1,7 +1,7 @@
 //! How a message is put into words, in one language or another.
 
 use super::Message;
-use crate::language::Keyword;
+use crate::language::{Bilingual, Keyword};
 use std::fmt::{self, Debug, Display, Formatter};
 use tip_runtime::command::Target;
 
@@ -64,6 +64,19 @@ macro_rules! alike {
 }
 
 alike!(char, f64, u32, usize, &'static str, Keyword, Target);
+
+impl Bilingual {
+    /// The text in a language.
+    pub const fn in_lang(self, lang: Lang) -> &'static str {
+        lang.pick(self.english, self.japanese)
+    }
+}
+
+impl Say for Bilingual {
+    fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(self.in_lang(lang))
+    }
+}
 
 impl Say for Box<Message> {
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result {

@@ -89,7 +89,7 @@ fn cycles(command: &Command) -> String {
     match command.cycles {
         Cycles::Zero => "none".to_owned(),
         Cycles::One => "1".to_owned(),
-        Cycles::Until(what) => format!("at least 1, until {what}"),
+        Cycles::Until(what) => format!("at least 1, until {}", what.english),
     }
 }
 
@@ -97,7 +97,7 @@ fn failures(command: &Command) -> String {
     let failures = command.failures();
     let failures: Vec<String> = failures
         .iter()
-        .map(|(fault, when)| format!("`{fault}` ({when})"))
+        .map(|(fault, when)| format!("`{fault}` ({})", when.english))
         .collect();
     failures.join(", ")
 }

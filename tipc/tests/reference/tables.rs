@@ -137,9 +137,9 @@ fn commands() -> String {
             code(&command.form.syntax()),
             dash(command.unit),
             command.robots.letters(),
-            command.limit().unwrap_or("–"),
+            command.limit().map_or("–", |limit| limit.english),
             cycles(command),
-            command.description,
+            command.description.english,
             command.section,
             command.clause
         );

@@ -7,10 +7,10 @@ use crate::targets::{robot_flags, robot_inputs, targets};
 use crate::template::template;
 use crate::{Document, Offer, OfferKind};
 use place::Place;
-use tipc::language::Keyword;
 use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Targets, Values};
 use tipc::language::functions::FUNCTIONS;
 use tipc::language::reserved::{JOINT, Kind, POSITION, RESERVED, VAR_KEY, motion_flags};
+use tipc::language::{Bilingual, Keyword};
 use tipc::source::Span;
 use tipc::symbols::DefinitionKind;
 use tipc::syntax::VariableKind;
@@ -49,7 +49,7 @@ impl Document {
         match place {
             Place::Version => {
                 let version = self.loaded.module.edition.to_string();
-                vec![Offer::new(version, OfferKind::Constant, "")]
+                vec![Offer::new(version, OfferKind::Constant, Bilingual::EMPTY)]
             }
             Place::Start => self.starts(),
             Place::Member(name) => self.members(name),
@@ -94,7 +94,7 @@ impl Document {
             if kinds.contains(&kind) {
                 let description = match definition.place {
                     None => reserved_line(VAR_KEY),
-                    Some(_) => "",
+                    Some(_) => Bilingual::EMPTY,
                 };
                 let name = definition.name.as_str();
                 let offer = Offer::new(name, OfferKind::Variable, description);
@@ -121,7 +121,8 @@ impl Document {
             _ => Vec::new(),
         };
         let offers = names.into_iter().map(|name| {
-            let description = crate::word::member_row(&name).map_or("", |row| row.description);
+            let description =
+                crate::word::member_row(&name).map_or(Bilingual::EMPTY, |row| row.description);
             Offer::new(name, OfferKind::Member, description)
         });
         offers.collect()
@@ -141,7 +142,7 @@ impl Document {
             .collect();
         names.dedup();
         let offers = names.into_iter().map(|name| {
-            let offer = Offer::new(name, OfferKind::Label, "");
+            let offer = Offer::new(name, OfferKind::Label, Bilingual::EMPTY);
             Offer {
                 text: format!("{name}:"),
                 ..offer
@@ -260,9 +261,9 @@ fn constants() -> impl Iterator<Item = Offer> {
     })
 }
 
-fn reserved_line(word: &str) -> &'static str {
+fn reserved_line(word: &str) -> Bilingual {
     let row = RESERVED.iter().find(|row| row.word == word);
-    row.map_or("", |row| row.description)
+    row.map_or(Bilingual::EMPTY, |row| row.description)
 }
 
 fn declaring(kind: VariableKind) -> Keyword {

@@ -7,7 +7,7 @@ use crate::word::{What, Word};
 use tipc::code::Code;
 use tipc::language::commands::{self, Command, Cycles, Robots};
 use tipc::language::functions::{self, Operation};
-use tipc::language::{Keyword, flags, inputs, reserved};
+use tipc::language::{Bilingual, Keyword, flags, inputs, reserved};
 use tipc::message::list::Each;
 use tipc::message::{Editing, Lang, Message};
 use tipc::source::Span;
@@ -159,8 +159,8 @@ impl Card {
         self.text += &format!("```tip\n{text}\n```\n\n");
     }
 
-    fn paragraph(&mut self, text: &str) {
-        self.text += &format!("{text}\n\n");
+    fn paragraph(&mut self, text: Bilingual) {
+        self.text += &format!("{}\n\n", text.in_lang(self.lang));
     }
 
     fn item(&mut self, message: impl Into<Message>) {

@@ -1,5 +1,6 @@
 //! What completion offers.
 
+use tipc::language::Bilingual;
 use tipc::source::Span;
 
 /// Something that can be written at a place.
@@ -12,7 +13,7 @@ pub struct Offer {
     /// How it is used, in a few words.
     pub detail: String,
     /// One line that says what it is.
-    pub description: String,
+    pub description: Bilingual,
     /// What goes: the word that is begun.
     pub span: Span,
     /// What comes instead.
@@ -47,14 +48,14 @@ pub enum OfferKind {
 }
 
 impl Offer {
-    pub(crate) fn new(label: impl Into<String>, kind: OfferKind, description: &str) -> Self {
+    pub(crate) fn new(label: impl Into<String>, kind: OfferKind, description: Bilingual) -> Self {
         let label = label.into();
         Offer {
             text: label.clone(),
             label,
             kind,
             detail: String::new(),
-            description: description.to_owned(),
+            description,
             span: Span::default(),
             template: None,
         }

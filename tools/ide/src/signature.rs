@@ -3,6 +3,7 @@
 use crate::Document;
 use crate::hover::usage;
 use crate::word::{What, Word};
+use tipc::language::Bilingual;
 use tipc::language::commands::{self, Command, Form};
 use tipc::lex::{self, Piece, Pieces, split_comment};
 use tipc::source::{Span, Unit};
@@ -22,7 +23,7 @@ pub struct Signatures {
     /// Its forms.
     pub forms: Vec<Signature>,
     /// What it does, in one line.
-    pub description: &'static str,
+    pub description: Bilingual,
     /// The form that fits what is written.
     pub form: usize,
     /// The argument that is being written, from 0.

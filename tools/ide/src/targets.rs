@@ -2,6 +2,7 @@
 
 use tip_runtime::command::{Flag, Port, Target};
 use tipc::Robot;
+use tipc::language::Bilingual;
 use tipc::language::commands::{Joints, Targets};
 use tipc::language::flags::{self, FLAGS};
 use tipc::language::inputs::INPUTS;
@@ -46,7 +47,7 @@ pub(crate) fn robot_flags(robot: Robot) -> Vec<(Flag, &'static flags::Row)> {
 }
 
 /// The inputs of a robot, each with what it is.
-pub(crate) fn robot_inputs(robot: Robot) -> Vec<(String, &'static str)> {
+pub(crate) fn robot_inputs(robot: Robot) -> Vec<(String, Bilingual)> {
     let rows = INPUTS.iter().filter(|row| row.robots.contains(robot));
     let mut found = Vec::new();
     for row in rows {

@@ -1,7 +1,7 @@
 //! Arguments to try messages with.
 
-use crate::language::Keyword;
 use crate::language::keywords::KEYWORDS;
+use crate::language::{Bilingual, Keyword};
 use crate::message::list::{Alternatives, Both, Each, Faults, List, Pieces, Quoted};
 use crate::message::{Cut, Decimal, Letter, Message, Parsing, Text};
 use smol_str::SmolStr;
@@ -50,6 +50,16 @@ impl Sample for Text {
 impl Sample for &'static str {
     fn sample(turn: usize) -> Self {
         String::sample(turn).leak()
+    }
+}
+
+impl Sample for Bilingual {
+    fn sample(turn: usize) -> Self {
+        let text = Sample::sample(turn);
+        Bilingual {
+            english: text,
+            japanese: text,
+        }
     }
 }
 

@@ -200,10 +200,9 @@ impl<S: Surroundings> Asked<'_, S> {
     fn completion(&self, at: usize) -> Result<Value, Failure> {
         let (offers, are_all) = self.document.complete_with(at, MOST_OFFERS);
         let places = self.places();
-        let has_snippets = self.client.has_snippets;
         let items = offers
             .into_iter()
-            .map(|it| shapes::item(it, places, has_snippets));
+            .map(|it| shapes::item(it, places, self.client));
         let items: Vec<CompletionItem> = items.collect();
         match are_all {
             true => write(items),
@@ -217,7 +216,8 @@ impl<S: Surroundings> Asked<'_, S> {
     }
 
     fn signatures(&self, at: usize) -> Result<Value, Failure> {
-        write(self.document.signatures(at).map(shapes::signatures))
+        let found = self.document.signatures(at);
+        write(found.map(|found| shapes::signatures(found, self.client.lang)))
     }
 
     fn nameable(&self, at: usize) -> Result<Value, Failure> {

@@ -1,5 +1,6 @@
 //! Answers of several parts in the shapes of the protocol.
 
+use super::client::Client;
 use super::places::Places;
 use gen_lsp_types::{
     ActiveParameter, CompletionItem, CompletionItemKind, CompletionItemTextEdit, DocumentSymbol,
@@ -7,10 +8,11 @@ use gen_lsp_types::{
     SignatureHelp, SignatureInformation, SymbolKind, TextEdit,
 };
 use tip_ide::{Offer, OfferKind, Outline, OutlineKind, Signature, Signatures};
+use tipc::message::Lang;
 
 /// What can be written.
-pub(crate) fn item(offer: Offer, places: Places, has_snippets: bool) -> CompletionItem {
-    let template = offer.template.filter(|_| has_snippets);
+pub(crate) fn item(offer: Offer, places: Places, client: &Client) -> CompletionItem {
+    let template = offer.template.filter(|_| client.has_snippets);
     let format = match template {
         Some(_) => InsertTextFormat::Snippet,
         None => InsertTextFormat::PlainText,
@@ -24,7 +26,8 @@ pub(crate) fn item(offer: Offer, places: Places, has_snippets: bool) -> Completi
         label: offer.label,
         kind: Some(kind(offer.kind)),
         detail: said(offer.detail),
-        documentation: said(offer.description).map(Documentation::String),
+        documentation: said(offer.description.in_lang(client.lang).to_owned())
+            .map(Documentation::String),
         insert_text_format: Some(format),
         text_edit: Some(CompletionItemTextEdit::TextEdit(edit)),
         ..CompletionItem::default()
@@ -47,8 +50,8 @@ fn kind(kind: OfferKind) -> CompletionItemKind {
 }
 
 /// The forms of a command, and where in them the cursor is.
-pub(crate) fn signatures(found: Signatures) -> SignatureHelp {
-    let description = found.description;
+pub(crate) fn signatures(found: Signatures, lang: Lang) -> SignatureHelp {
+    let description = found.description.in_lang(lang);
     let forms = found.forms.into_iter().map(|form| SignatureInformation {
         documentation: Some(Documentation::String(description.to_owned())),
         parameters: Some(parameters(&form)),

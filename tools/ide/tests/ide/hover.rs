@@ -174,3 +174,16 @@ fn facts_are_japanese_where_that_is_read() {
     );
     assert!(hover.text.contains("- 代入される値: 80"), "{}", hover.text);
 }
+
+#[test]
+fn the_tables_speak_japanese() {
+    let (document, at) = cursor("SLE$0EP 20\nEND\n");
+    let hover = document.hover(at, Lang::Japanese).expect("a command");
+    for line in [
+        "指定した時間だけ待ちます。",
+        "- 少なくとも1制御周期かかり、次の条件まで待ちます: 時間が経過する(V÷サンプリング時間、端数切り上げ)",
+        "- 緊急停止(Domain error): 0未満",
+    ] {
+        assert!(hover.text.contains(line), "{}", hover.text);
+    }
+}

@@ -32,7 +32,7 @@ pub(crate) fn snippets() -> BTreeMap<String, Snippet> {
             let snippet = Snippet {
                 prefix: row.name.to_owned(),
                 body: text.lines().map(str::to_owned).collect(),
-                description: format!("{}{only}", row.description),
+                description: format!("{}{only}", row.description.english),
                 is_file_template: false,
             };
             (row.name.to_owned(), snippet)

@@ -65,7 +65,7 @@ pub(super) fn offers(document: &Document, place: Place) -> Known {
         Offer {
             label: offer.label,
             detail: offer.detail,
-            description: offer.description,
+            description: offer.description.english.to_owned(),
             from,
             to,
             fills: offer.template.is_some(),

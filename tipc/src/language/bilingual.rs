@@ -1,0 +1,20 @@
+//! Texts of the tables.
+
+/// What a row says of its word, in each language that messages are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bilingual {
+    /// In English.
+    pub english: &'static str,
+    /// In Japanese.
+    pub japanese: &'static str,
+}
+
+impl Bilingual {
+    /// Nothing to say.
+    pub const EMPTY: Bilingual = Bilingual::new("", "");
+
+    /// A text in each language.
+    pub(super) const fn new(english: &'static str, japanese: &'static str) -> Self {
+        Bilingual { english, japanese }
+    }
+}
