@@ -42,7 +42,7 @@ async function offers(context, ask) {
     options: found.map(({ label, detail, description, text, fills }) => ({
       label,
       detail: detail === label ? undefined : detail,
-      info: description || undefined,
+      info: description[spoken()] || undefined,
       apply: fills ? snippet(fields(text)) : text,
     })),
   };

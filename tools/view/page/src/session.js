@@ -21,7 +21,8 @@
 //   {do: 'hover', at}                     what is known of the word at a place (line and UTF-16 column, from 1); the answer has
 //                                         `hover`: {from, to, text}, Markdown in English and Japanese, or null
 //   {do: 'complete', at}                  what can be written there; the answer has `offers`: [{label, detail, description,
-//                                         from, to, text, fills}], whose text is a snippet of LSP if it `fills` places
+//                                         from, to, text, fills}]: descriptions in English and Japanese, and the
+//                                         text a snippet of LSP if it `fills` places
 //
 // Updates, by their `type`:
 //

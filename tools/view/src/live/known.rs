@@ -33,7 +33,8 @@ pub(super) struct Hover {
 pub(super) struct Offer {
     label: String,
     detail: String,
-    description: String,
+    /// In English and Japanese.
+    description: [&'static str; 2],
     /// What goes.
     from: Place,
     to: Place,
@@ -65,7 +66,7 @@ pub(super) fn offers(document: &Document, place: Place) -> Known {
         Offer {
             label: offer.label,
             detail: offer.detail,
-            description: offer.description.english.to_owned(),
+            description: [offer.description.english, offer.description.japanese],
             from,
             to,
             fills: offer.template.is_some(),

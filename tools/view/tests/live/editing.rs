@@ -113,6 +113,11 @@ fn an_editor_is_told_what_words_are_and_what_can_be_written() {
     let stand = offers.iter().find(|offer| offer["label"] == "STAND_UP");
     let stand = stand.expect("a command");
     assert_eq!(stand["fills"], true);
+    let described = |language: usize| stand["description"][language].as_str().expect("a text");
+    assert!(
+        described(0).is_ascii() && !described(1).is_ascii(),
+        "{stand}"
+    );
     assert!(
         stand["text"]
             .as_str()
