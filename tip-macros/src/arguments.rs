@@ -4,7 +4,7 @@ use crate::literal::{self, Text};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::iter::Peekable;
 use tipc::source::Encoding;
-use tipc::{Robot, emit};
+use tipc::{Robot, emit, published};
 
 /// Something wrong with the invocation itself.
 #[derive(Debug)]
@@ -40,7 +40,7 @@ const INCLUDE_ROBOT: &str =
     "expected include_robot!([visibility] \"path\" [as NAME] [, runtime = path])";
 const TIP: &str = "expected tip!([visibility] Name, r#\"program\"# [, option = value]…)";
 const OPTIONS: &str = "the options are `robot`, `tip_version`, `encoding` and `runtime`";
-const ROBOTS: &str = "`titan8`, `hand`, `generic` or the path of a description, \"robot.toml\"";
+const ROBOTS: &str = "`titan8`, `hand`, `generic`, a published robot such as `phantomx`, or the path of a description, \"robot.toml\"";
 /// `[visibility] "path" [as Name] [, option = value]…`
 pub(crate) fn include_tip(input: TokenStream) -> Result<Arguments, Misuse> {
     let mut input = Input::new(input, INCLUDE_TIP);
@@ -145,12 +145,20 @@ fn runtime(option: &Ident, value: Vec<TokenTree>) -> Result<TokenStream, Misuse>
     }
 }
 
-/// The path of a description.
+/// The path of a description, or the name of a robot that has one here.
 fn description(value: &[TokenTree]) -> Option<Text> {
     let [token] = value else {
         return None;
     };
-    literal::string(token).filter(|text| text.value.ends_with(".toml"))
+    let text = match token {
+        TokenTree::Ident(name) => Text {
+            value: name.to_string(),
+            span: name.span(),
+        },
+        token => literal::string(token)?,
+    };
+    let is_known = text.value.ends_with(".toml") || published::find(&text.value).is_some();
+    is_known.then_some(text)
 }
 
 fn encoding(word: &str) -> Option<Encoding> {

@@ -12,6 +12,7 @@ use tipc::diagnostic::Diagnostic;
 use tipc::embed::{self, embed};
 use tipc::emit;
 use tipc::message::{Lang, Reading};
+use tipc::published;
 use tipc::source::Span;
 
 /// `invoking` is the file that holds the invocation, if the compiler knows one.
@@ -62,7 +63,7 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
                     .map(|description| description.to_rust(&spelling))
                     .map_err(|errors| Failure::at(&text, errors))
             };
-            included(&text, invoking, compile)
+            on_description(&text, invoking, compile)
                 .unwrap_or_else(|failure| failure.beside(skeleton(&text.value, &spelling)))
         }
         Err(misuse) => complaint(&misuse),
@@ -99,6 +100,18 @@ impl Failure {
         let errors = self.errors.iter();
         let errors = errors.map(|rendered| error(self.span, &without_level(rendered)));
         quote!(#(#errors)* #skeleton)
+    }
+}
+
+/// What a macro makes of the description that it names: a file, or that of a published robot.
+fn on_description(
+    name: &Text,
+    invoking: Option<&Path>,
+    compile: impl FnOnce(&[u8]) -> Result<TokenStream, Failure>,
+) -> Result<TokenStream, Failure> {
+    match published::find(&name.value) {
+        Some(robot) => compile(robot.text.as_bytes()),
+        None => included(name, invoking, compile),
     }
 }
 
@@ -143,7 +156,7 @@ fn compiled(
     };
     match &arguments.robot_file {
         None => compile(&arguments.load),
-        Some(path) => included(path, invoking, |description| {
+        Some(path) => on_description(path, invoking, |description| {
             compile(&tipc::Options {
                 robot: described(path, description)?,
                 ..arguments.load

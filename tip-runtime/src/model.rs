@@ -176,6 +176,24 @@ pub enum Inverse {
 pub type Axes = [bool; 3];
 
 impl Inverse {
+    /// Every one, each before those that suit more legs.
+    pub const ALL: [Inverse; 4] = [
+        Inverse::YawPitchPitch,
+        Inverse::RollPitchPitch,
+        Inverse::Planar,
+        Inverse::LeastSquares,
+    ];
+
+    /// What descriptions call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Inverse::YawPitchPitch => "yaw-pitch-pitch",
+            Inverse::RollPitchPitch => "roll-pitch-pitch",
+            Inverse::Planar => "planar",
+            Inverse::LeastSquares => "least-squares",
+        }
+    }
+
     /// Whether a closed form finds the angles of a foot, so that no search is needed.
     pub const fn is_closed(self) -> bool {
         matches!(self, Inverse::YawPitchPitch | Inverse::RollPitchPitch)
@@ -204,6 +222,17 @@ pub enum TorqueUnit {
 }
 
 impl TorqueUnit {
+    /// Both.
+    pub const ALL: [TorqueUnit; 2] = [TorqueUnit::NewtonMetre, TorqueUnit::MillinewtonMetre];
+
+    /// Its symbol.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            TorqueUnit::NewtonMetre => "N·m",
+            TorqueUnit::MillinewtonMetre => "mN·m",
+        }
+    }
+
     /// How many of this unit one N·m is.
     pub const fn per_newton_metre(self) -> f64 {
         match self {

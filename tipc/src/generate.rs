@@ -39,6 +39,8 @@ use crate::description::{self, Description};
 use crate::diagnostic::Diagnostic;
 use crate::load::{self, Loaded, load};
 use crate::message::{Building, Lang, Reading};
+#[cfg(feature = "robot-files")]
+use crate::published;
 use crate::render::{self, Style};
 use crate::source::{Encoding, Source, Span};
 use crate::{embed, emit, program::Program};
@@ -104,7 +106,8 @@ impl Config {
         self
     }
 
-    /// The robot that programs are checked for, as a file describes it; it takes the place of [`robot`](Self::robot).
+    /// The robot that programs are checked for, as a file describes it, or one of those that are
+    /// [`published`](crate::published), by its name; it takes the place of [`robot`](Self::robot).
     #[cfg(feature = "robot-files")]
     pub fn robot_file(&mut self, path: impl Into<PathBuf>) -> &mut Self {
         self.robot_file = Some(path.into());
@@ -260,6 +263,9 @@ fn program(input: &Path, options: &load::Options, report: &mut Report) -> Option
 
 #[cfg(feature = "robot-files")]
 fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, BuildError> {
+    if let Some(robot) = path.to_str().and_then(published::find) {
+        return Ok(robot.read().map_err(|loaded| report.add_all(&loaded)).ok());
+    }
     report.depends_on(path)?;
     let name = path.display().to_string();
     let described = match files::read(path) {

@@ -33,6 +33,7 @@ pub mod message;
 pub mod migrate;
 pub mod parse;
 pub mod program;
+pub mod published;
 pub mod render;
 #[cfg(feature = "tools")]
 pub mod repair;

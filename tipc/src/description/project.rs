@@ -5,6 +5,7 @@ use super::open;
 use super::section::{Found, Section};
 use crate::load::Loaded;
 use crate::message::Describing;
+use crate::published;
 use crate::robot::Robot;
 use crate::source::Encoding;
 use glob::{MatchOptions, Pattern};
@@ -71,7 +72,7 @@ pub fn parse_project(name: &str, bytes: &[u8]) -> Result<Project, Box<Loaded>> {
 }
 
 fn said(section: Section<'_>, found: &mut Found) -> Said {
-    let is_robot = |name: &str| Robot::from_name(name).is_some();
+    let is_robot = |name: &str| Robot::from_name(name).is_some() || published::find(name).is_some();
     let is_scene = |name: &str| Scene::by_name(name).is_some();
     let words = [
         ("auto", Encoding::Auto),

@@ -85,10 +85,7 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<Body> {
 /// What torques the robot senses and gives, if it does. The search commands of the hand are none of its.
 pub(super) fn forces(robot: Section<'_>, legs: &[Leg], found: &mut Found) -> Option<Forces> {
     let section = robot.table("forces", Part::Forces, found)?;
-    let units = [
-        ("N·m", TorqueUnit::NewtonMetre),
-        ("mN·m", TorqueUnit::MillinewtonMetre),
-    ];
+    let units = TorqueUnit::ALL.map(|unit| (unit.symbol(), unit));
     let unit = section.choice("unit", &units, found);
     let unit = unit.unwrap_or(TorqueUnit::NewtonMetre);
     let scale = unit.per_newton_metre();
@@ -130,11 +127,6 @@ pub(super) fn slider(robot: Section<'_>, found: &mut Found) -> Option<Slider> {
 
 /// The inverse kinematics that the file asks for.
 pub(super) fn inverse(robot: Section<'_>, found: &mut Found) -> Option<Inverse> {
-    let words = [
-        ("yaw-pitch-pitch", Inverse::YawPitchPitch),
-        ("roll-pitch-pitch", Inverse::RollPitchPitch),
-        ("planar", Inverse::Planar),
-        ("least-squares", Inverse::LeastSquares),
-    ];
+    let words = Inverse::ALL.map(|inverse| (inverse.name(), inverse));
     robot.choice("inverse", &words, found)
 }

@@ -19,7 +19,7 @@ static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
 /// How a source file is to be read. Every command takes these.
 #[derive(Clone, Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for: titan8, hand, generic, or a description; else that of tip.toml, or titan8
+    /// The robot that the program is for: a name that 'tipc robot list' shows, or a description; else that of tip.toml, or titan8
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 

@@ -2,6 +2,7 @@
 
 mod export;
 mod import;
+mod list;
 
 use super::choices::Format;
 use super::error::Error;
@@ -15,6 +16,10 @@ use tip_sim::{Anatomy, Robot};
 /// What to do with a robot's description.
 #[derive(Debug, Subcommand)]
 pub(super) enum RobotVerb {
+    /// List the robots that have a name
+    List(list::List),
+    /// Show what a robot has, and where the figures of a published one come from
+    Show(list::Show),
     /// Report everything that is wrong with a description, or what the robot has
     Check(CheckRobot),
     /// Make a description of a URDF file
@@ -41,6 +46,8 @@ pub(super) struct CheckRobot {
 /// Does what the command line says.
 pub(super) fn robot(verb: &RobotVerb) -> Result<Status, Error> {
     match verb {
+        RobotVerb::List(_) => list::list(),
+        RobotVerb::Show(arguments) => list::show(arguments),
         RobotVerb::Check(arguments) => check(arguments),
         RobotVerb::Import(arguments) => import::import(arguments),
         RobotVerb::Export(arguments) => export::export(arguments),
@@ -78,15 +85,22 @@ fn summary(robot: &Robot) -> String {
     });
     let forces = forces.map_or(
         "no commands of torque, force and compliance".to_owned(),
-        |forces| format!("torque up to {} {:?}", forces.torque_max, forces.unit),
+        |forces| {
+            format!(
+                "torque up to {} {}",
+                forces.torque_max,
+                forces.unit.symbol()
+            )
+        },
     );
     let (name, legs) = (robot.name(), feet.len());
     let (of_legs, of_joints) = (report::plural(legs, "leg"), report::plural(joints, "joint"));
     let mut text = format!(
         "{name}: {of_legs} of {of_joints}, {standing}\n\
          F1 to F{legs}, J11 to J{legs}{joints}, members J1 to J{joints}; {forces}\n\
-         inverse kinematics: {inverse:?}\n\
-         feet in the initial posture, in mm:\n"
+         inverse kinematics: {}\n\
+         feet in the initial posture, in mm:\n",
+        inverse.name()
     );
     for (number, foot) in (1..).zip(feet) {
         // Adding 0 makes of −0 a plain 0.

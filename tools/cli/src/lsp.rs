@@ -45,7 +45,7 @@ pub(super) struct Lsp {
     #[arg(long)]
     stdio: bool,
 
-    /// The robot of every program: titan8, hand, generic, or a description
+    /// The robot of every program: a name that 'tipc robot list' shows, or a description
     #[arg(long, value_name = "NAME|FILE.toml")]
     robot: Option<RobotChoice>,
 }

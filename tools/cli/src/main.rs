@@ -138,6 +138,7 @@ impl Verb {
             Verb::Migrate(arguments) => arguments.shown,
             Verb::New(arguments) => arguments.shown,
             Verb::Robot(describe::RobotVerb::Check(arguments)) => arguments.shown,
+            Verb::Robot(describe::RobotVerb::Show(arguments)) => arguments.shown,
             _ => return None,
         };
         Some(shown.message_format)

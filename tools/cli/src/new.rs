@@ -37,7 +37,7 @@ pub(super) struct New {
     #[arg(value_name = "NAME")]
     place: Place,
 
-    /// The robot: titan8, hand, generic, hexapod, or a description
+    /// The robot: hexapod, a name that 'tipc robot list' shows, or a description
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 

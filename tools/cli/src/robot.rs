@@ -11,12 +11,14 @@ use std::str::FromStr;
 use tipc::description::Description;
 use tipc::message::Using;
 use tipc::message::list::Each;
+use tipc::published::{self, Published};
 use tipc::{Loaded, Robot};
 
 /// `NAME` or `FILE.toml`, as `--robot` has it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum RobotChoice {
     Named(RobotName),
+    Published(&'static Published),
     File(PathBuf),
 }
 
@@ -25,10 +27,14 @@ impl FromStr for RobotChoice {
 
     fn from_str(text: &str) -> Result<Self, Wrong> {
         let is_file = Path::new(text).extension().is_some_and(|end| end == "toml");
-        match RobotName::from_str(text, true) {
-            Ok(name) => Ok(RobotChoice::Named(name)),
-            Err(_) if is_file => Ok(RobotChoice::File(text.into())),
-            Err(_) => Err(Wrong(no_robot(text))),
+        if let Ok(name) = RobotName::from_str(text, true) {
+            Ok(RobotChoice::Named(name))
+        } else if let Some(robot) = published::find(&text.to_lowercase()) {
+            Ok(RobotChoice::Published(robot))
+        } else if is_file {
+            Ok(RobotChoice::File(text.into()))
+        } else {
+            Err(Wrong(no_robot(text)))
         }
     }
 }
@@ -43,6 +49,7 @@ impl fmt::Display for RobotChoice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RobotChoice::Named(name) => f.write_str(name.robot().name()),
+            RobotChoice::Published(robot) => f.write_str(robot.name),
             RobotChoice::File(path) => path.display().fmt(f),
         }
     }
@@ -55,7 +62,8 @@ const ALIKE: f64 = 0.75;
 fn no_robot(text: &str) -> Using {
     let values = RobotName::value_variants().iter();
     let names = values.filter_map(|name| Some(name.to_possible_value()?.get_name().to_owned()));
-    let names: Vec<String> = names.collect();
+    let published = published::ALL.iter().map(|robot| robot.name.to_owned());
+    let names: Vec<String> = names.chain(published).collect();
     let small = text.to_lowercase();
     let likeness = |name: &String| strsim::jaro_winkler(&small, name);
     let near = names
@@ -79,7 +87,7 @@ impl RobotChoice {
     /// The file that it is read from, if there is one.
     pub(super) fn file(&self) -> Option<&Path> {
         match self {
-            RobotChoice::Named(_) => None,
+            RobotChoice::Named(_) | RobotChoice::Published(_) => None,
             RobotChoice::File(path) => Some(path),
         }
     }
@@ -96,6 +104,7 @@ impl RobotChoice {
     pub(super) fn load(&self) -> Result<ChosenRobot, Box<Loaded>> {
         match self {
             RobotChoice::Named(name) => Ok(ChosenRobot::Named(*name)),
+            RobotChoice::Published(robot) => Ok(ChosenRobot::Described(Box::new(robot.read()?))),
             RobotChoice::File(path) => {
                 let description = input::describe(path)?;
                 Ok(ChosenRobot::Described(Box::new(description)))

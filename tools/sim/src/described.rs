@@ -7,7 +7,7 @@ use std::fmt;
 use std::rc::Rc;
 use tip_runtime::model::Model;
 use tipc::description::{self, Description, WithModel};
-use tipc::{Facts, Loaded};
+use tipc::{Facts, Loaded, published};
 
 impl Robot {
     /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
@@ -19,6 +19,12 @@ impl Robot {
         parsed
             .map(|robot| Self::described(&robot))
             .map_err(NotDescribed)
+    }
+
+    /// One of the robots that are published.
+    pub(crate) fn published(name: &str) -> Option<Self> {
+        let description = published::find(name)?.read().ok()?;
+        Some(Self::described(&description))
     }
 
     /// A walking robot from a description that was read. It stays in memory for good.

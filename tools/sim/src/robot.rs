@@ -14,7 +14,7 @@ use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
-use tipc::{Facts, Options};
+use tipc::{Facts, Options, published};
 
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
 #[derive(Clone)]
@@ -29,7 +29,8 @@ pub struct Robot {
 }
 
 impl Robot {
-    /// A robot that the language knows by name: `titan8`, `hand` or `generic`. The hand has its SPECIAL commands.
+    /// A robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or one of those that are
+    /// [`published`](tipc::published), with the feature `robot-files`. The hand has its SPECIAL commands.
     ///
     /// # Errors
     /// There is no robot of that name.
@@ -46,8 +47,13 @@ impl Robot {
                     ..hand.with_special(HandSpecials::new())
                 })
             }
-            _ => Err(UnknownRobot(name.to_owned())),
+            _ => Self::published(name).ok_or_else(|| UnknownRobot(name.to_owned())),
         }
+    }
+
+    #[cfg(not(feature = "robot-files"))]
+    fn published(_: &str) -> Option<Self> {
+        None
     }
 
     /// A walking robot of a model, such as `include_robot!` makes.
@@ -179,9 +185,13 @@ impl fmt::Display for UnknownRobot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "'{}' is not a robot: the robots are titan8, hand and generic; any other one is a description",
+            "'{}' is not a robot: the robots are titan8, hand and generic, ",
             self.0
-        )
+        )?;
+        for robot in published::ALL {
+            write!(f, "{}, ", robot.name)?;
+        }
+        f.write_str("and any other one by its description")
     }
 }
 

@@ -194,10 +194,7 @@ impl<'a> Plot<'a> {
                 self.each_joint(axis, Title::Angle, |frame| &frame.angles)
             }
             Diagram::Torques => {
-                let unit = match self.recording.robot.torque_unit {
-                    TorqueUnit::NewtonMetre => "N·m",
-                    TorqueUnit::MillinewtonMetre => "mN·m",
-                };
+                let unit = self.recording.robot.torque_unit.symbol();
                 let axis = (Axis::Torque, unit);
                 self.each_joint(axis, Title::Torque, |frame| &frame.torques)
             }

@@ -62,7 +62,7 @@ fn robot(
         None => given.and_then(|it| it.robot.clone()).unwrap_or_default(),
         Some(name) => match name.parse().map_err(|error| format!("{error:?}"))? {
             RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
-            named @ RobotChoice::Named(_) => named,
+            named => named,
         },
     };
     let robot = choice.load().map_err(|loaded| findings(&loaded, lang))?;

@@ -28,7 +28,7 @@ pub(crate) struct Export {
     #[arg(long, required = true)]
     urdf: bool,
 
-    /// The robot: titan8, hand, generic, a description, or a URDF file that is to be made regular
+    /// The robot: a name that 'tipc robot list' shows, a description, or a URDF file that is to be made regular
     #[arg(
         long,
         value_name = "NAME|FILE.toml|FILE.urdf",

@@ -27,6 +27,8 @@ pub(super) const ENDINGS: &[(&str, &str)] = endings![
     "lsp",
     "completions",
     "man",
+    "robot_list",
+    "robot_show",
     "robot_check",
     "robot_import",
     "robot_export",

@@ -82,6 +82,18 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "記述ファイルの誤りをすべて報告する。なければロボットの構成を示す",
     ),
     (
+        "List the robots that have a name",
+        "名前のあるロボットの一覧を示す",
+    ),
+    (
+        "Show what a robot has, and where the figures of a published one come from",
+        "ロボットの構成を示す。公開されているロボットは数値の出典も示す",
+    ),
+    (
+        "The robot: a name that 'tipc robot list' shows, or a description",
+        "ロボット: 'tipc robot list' が示す名前、または記述ファイル",
+    ),
+    (
         "Make a description of a URDF file",
         "URDF ファイルから記述ファイルを作る",
     ),
@@ -115,28 +127,28 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "URDF ファイル。xacro は先に展開する",
     ),
     (
-        "The robot of every program: titan8, hand, generic, or a description",
-        "すべてのプログラムのロボット: titan8、hand、generic、または記述ファイル",
+        "The robot of every program: a name that 'tipc robot list' shows, or a description",
+        "すべてのプログラムのロボット: 'tipc robot list' が示す名前、または記述ファイル",
     ),
     (
         "Talk through standard input and output, as it always does",
         "標準入出力で話す (常にそうする)",
     ),
     (
-        "The robot that the program is for: titan8, hand, generic, or a description; else that of tip.toml, or titan8",
-        "対象のロボット: titan8、hand、generic、または記述ファイル。省くと tip.toml のもの、なければ titan8",
+        "The robot that the program is for: a name that 'tipc robot list' shows, or a description; else that of tip.toml, or titan8",
+        "対象のロボット: 'tipc robot list' が示す名前、または記述ファイル。省くと tip.toml のもの、なければ titan8",
     ),
     (
         "The robot that the programs are for, if it is none that has a name",
         "対象のロボット (名前のないロボットの場合)",
     ),
     (
-        "The robot: titan8, hand, generic, hexapod, or a description",
-        "ロボット: titan8、hand、generic、hexapod、または記述ファイル",
+        "The robot: hexapod, a name that 'tipc robot list' shows, or a description",
+        "ロボット: hexapod、'tipc robot list' が示す名前、または記述ファイル",
     ),
     (
-        "The robot: titan8, hand, generic, a description, or a URDF file that is to be made regular",
-        "ロボット: titan8、hand、generic、記述ファイル、または整形する URDF ファイル",
+        "The robot: a name that 'tipc robot list' shows, a description, or a URDF file that is to be made regular",
+        "ロボット: 'tipc robot list' が示す名前、記述ファイル、または整形する URDF ファイル",
     ),
     (
         "The version of the language that line 1 must name",

@@ -103,6 +103,9 @@ impl Choice {
                 let (name, bytes) = input::bytes(path)?;
                 described(&name, bytes, Motion::bend)
             }
+            Choice::Robot(RobotChoice::Published(robot)) => {
+                described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::bend)
+            }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
                 RobotName::Titan8 | RobotName::Generic => named(*name, &titan8::MODEL, walk()),
                 RobotName::Hand => Kit {

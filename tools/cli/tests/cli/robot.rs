@@ -93,7 +93,7 @@ fn a_robot_that_nobody_knows_is_wrong_usage() {
         .tipc(&["check", "lift.prg", "--robot", "hexapod"])
         .expect(2);
     assert!(
-        outcome.err.contains("titan8, hand and generic"),
+        outcome.err.contains("titan8, hand, generic, a1"),
         "{}",
         outcome.err
     );
@@ -228,7 +228,7 @@ fn a_robot_that_cannot_be_written_leaves_nothing() {
         folder.tipc(&all).expect(status).err
     };
     assert!(export(&[], 2).contains("--urdf"));
-    assert!(export(&["--urdf", "--robot", "titan9"], 2).contains("titan8, hand and generic"));
+    assert!(export(&["--urdf", "--robot", "titan9"], 2).contains("titan8, hand, generic, a1"));
     let bad = export(&["--urdf", "--robot", "bad.toml", "-o", "out.urdf"], 1);
     assert!(bad.contains("bad.toml"), "{bad}");
     let gone = export(&["--urdf", "--robot", "gone.urdf", "-o", "out.urdf"], 1);
@@ -257,4 +257,62 @@ fn robot_check_shows_every_fault() {
         lines[1].starts_with("bad.toml:2:1: error[E401]: "),
         "{lines:?}"
     );
+}
+
+#[test]
+fn every_robot_that_has_a_name_is_listed_and_shown() {
+    let folder = Folder::new("robot-list");
+    let list = folder.tipc(&["robot", "list"]).expect(0).out;
+    let names: Vec<&str> = list
+        .lines()
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    let all = [
+        "titan8",
+        "hand",
+        "generic",
+        "a1",
+        "phantomx",
+        "solo12",
+        "spotmicro",
+        "trifinger",
+    ];
+    assert_eq!(names, all);
+    assert!(
+        list.contains("\nphantomx    PhantomX AX: a hexapod of 18 hobby servos\n"),
+        "{list}"
+    );
+    for name in names {
+        let shown = folder.tipc(&["robot", "show", name]).expect(0).out;
+        assert!(shown.contains(&format!("{name}: ")), "{shown}");
+        assert!(shown.contains("inverse kinematics: "), "{shown}");
+    }
+    let wrong = folder.tipc(&["robot", "show", "asimo"]).expect(2);
+    assert!(wrong.err.contains("phantomx"), "{wrong:#?}");
+}
+
+#[test]
+fn what_is_shown_of_a_published_robot_is_its_description() {
+    let folder = Folder::new("robot-show");
+    let shown = folder.tipc(&["robot", "show", "A1"]).expect(0).out;
+    for line in [
+        "# Licence: BSD-3-Clause. What is marked A is assumed.",
+        "# a1: 4 legs of 3 joints, body of 6 kg",
+        "# F1 to F4, J11 to J43, members J1 to J3; torque up to 33.5 N·m",
+        "# inverse kinematics: roll-pitch-pitch",
+        "#   F2  130.8 180.5 -282.8",
+    ] {
+        assert!(shown.lines().any(|it| it == line), "{line}: {shown}");
+    }
+    let folder = folder
+        .file("mine.toml", &shown)
+        .file("tip.toml", "robot = \"spotmicro\"\n");
+    folder.tipc(&["robot", "check", "mine.toml"]).expect(0);
+    let folder = folder.program("lift.prg", "REL_PTP F4 0 0 20\nWAIT_INPOS F4\nEND");
+    let by_project = folder.tipc(&["check", "lift.prg"]).expect(0);
+    assert!(by_project.err.contains("for spotmicro"), "{by_project:#?}");
+    let by_option = folder
+        .tipc(&["check", "lift.prg", "--robot", "solo12"])
+        .expect(0);
+    assert!(by_option.err.contains("for solo12"), "{by_option:#?}");
 }

@@ -66,11 +66,13 @@ fn a_missing_file_is_asked_for() {
 #[test]
 fn a_robot_that_is_not_there_is_named_with_those_that_are() {
     let folder = Folder::new("usage-robot").program("p.prg", "END");
-    let there = "There are titan8, hand and generic, and yours in a FILE.toml";
+    let robots = "titan8, hand, generic, a1, phantomx, solo12, spotmicro and trifinger";
+    let there = format!("There are {robots}, and yours in a FILE.toml");
     for (word, near) in [
         ("titan9", "titan8"),
         ("TitanVIII", "titan8"),
         ("hnad", "hand"),
+        ("phantom-x", "phantomx"),
     ] {
         let expected =
             format!("error: --robot: no robot is called `{word}`: did you mean `{near}`? {there}");
@@ -79,7 +81,9 @@ fn a_robot_that_is_not_there_is_named_with_those_that_are() {
     check(
         &folder,
         &["run", "--robot", "asimo", "p.prg"],
-        "error: --robot: no robot is called `asimo`; there are titan8, hand and generic, and yours in a FILE.toml",
+        &format!(
+            "error: --robot: no robot is called `asimo`; there are {robots}, and yours in a FILE.toml"
+        ),
     );
     folder
         .tipc(&["check", "--robot", "Titan8", "p.prg"])

@@ -1,0 +1,66 @@
+//! Robots that can be bought or built, each with the figures that were published of it: the descriptions in `robots/`.
+//!
+//! Wherever a robot is chosen by its name, these names do as well; reading them needs the feature `robot-files`.
+//!
+//! ```
+//! let phantomx = tipc::published::find("phantomx").expect("it is one of them");
+//! assert!(phantomx.summary().contains("a hexapod"));
+//! # #[cfg(feature = "robot-files")]
+//! assert_eq!(phantomx.read().expect("it was tried").robot().signature().legs, 6);
+//! ```
+
+#[cfg(feature = "robot-files")]
+use crate::description::{self, Description};
+#[cfg(feature = "robot-files")]
+use crate::load::Loaded;
+
+/// A robot, and the text that describes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Published {
+    /// What options, macros and `tip.toml` call it.
+    pub name: &'static str,
+    /// Its description: figures, their sources and licences.
+    pub text: &'static str,
+}
+
+macro_rules! published {
+    ($($name:literal)*) => {
+        /// Every one.
+        pub const ALL: &[Published] = &[$(Published {
+            name: $name,
+            text: include_str!(concat!("../robots/", $name, ".toml")),
+        }),*];
+    };
+}
+
+published! { "a1" "phantomx" "solo12" "spotmicro" "trifinger" }
+
+/// The robot of that name.
+pub fn find(name: &str) -> Option<&'static Published> {
+    ALL.iter().find(|robot| robot.name == name)
+}
+
+impl Published {
+    /// What it is, in a line.
+    pub fn summary(&self) -> &'static str {
+        let first = self.text.lines().next().unwrap_or_default();
+        first.trim_start_matches(['#', ' '])
+    }
+
+    /// What messages call the text.
+    pub fn file(&self) -> String {
+        format!("{}.toml", self.name)
+    }
+
+    /// The description, read.
+    ///
+    /// # Errors
+    /// None: a test reads each of them.
+    #[cfg(feature = "robot-files")]
+    pub fn read(&self) -> Result<Description, Box<Loaded>> {
+        description::parse(&self.file(), self.text.as_bytes())
+    }
+}
+
+#[cfg(all(test, feature = "robot-files"))]
+mod tests;
