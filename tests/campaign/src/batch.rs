@@ -50,19 +50,18 @@ impl Effort {
         })
     }
 
-    /// The scripts of a program. Simulated joints take longer to compute.
+    /// The scripts of a program. Simulated joints take longer to compute, mass longer still.
     fn scripts(&self, robot: Robot, seed: u64) -> Vec<Script> {
         let echo = |run| Script::random(robot, seed, run, self.cycles, Plant::Echo);
         let mut scripts: Vec<Script> = (0..self.runs).map(echo).collect();
         if seed.is_multiple_of(self.simulated_one_in) {
-            let number = self.runs;
-            scripts.push(Script::random(
-                robot,
-                seed,
-                number,
-                self.simulated_cycles,
-                Plant::Simulated,
-            ));
+            let simulated = |number, cycles, plant| {
+                Script::random(robot, seed, self.runs + number, cycles, plant)
+            };
+            scripts.push(simulated(0, self.simulated_cycles, Plant::Simulated));
+            if robot != Robot::Hand {
+                scripts.push(simulated(1, self.simulated_cycles / 10, Plant::Dynamic));
+            }
         }
         scripts
     }

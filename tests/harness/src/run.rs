@@ -98,6 +98,7 @@ fn robot(settings: &Settings) -> Result<Robot, String> {
         Some(description) => Robot::described(description),
         None => Robot::named(settings.load.robot.name()).map_err(text)?,
     };
+    let robot = robot.with_plant(settings.plant);
     match &settings.scene {
         Some(name) => {
             let scene = Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}"))?;

@@ -7,6 +7,7 @@
 use std::fmt::{Display, Write as _};
 use std::fs;
 use std::path::Path;
+use tip_sim::Plant;
 use tipc::description::{self, Description};
 use tipc::message::Lang;
 use tipc::render;
@@ -24,6 +25,8 @@ pub struct Settings {
     pub inputs: String,
     /// What surrounds the robot, by its name.
     pub scene: Option<String>,
+    /// How the robot is simulated.
+    pub plant: Plant,
 }
 
 impl Settings {
@@ -84,6 +87,7 @@ impl Settings {
                     self.scene = Some(value.to_owned());
                     Some(())
                 }
+                "--plant" => (value == "dynamic").then(|| self.plant = Plant::Dynamic),
                 "--cycles" | "--keys" | "--halt" | "--sensor" | "--events" => {
                     self.add_input(option, value);
                     Some(())
@@ -128,7 +132,7 @@ mod tests {
     #[test]
     fn every_option_is_read() {
         let header = "# clauses: 2.4\n# args: --robot generic --keys 3:a,4:0x1B --halt 5 --cycles 100\n\
-            # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis --scene cylinder\n{\"end\":\"END\"}\n# args: --no\n";
+            # args: --sensor VR1=8@3 --tip-version 2.5 --encoding shift_jis --scene cylinder --plant dynamic\n{\"end\":\"END\"}\n# args: --no\n";
         let [settings] = &Settings::of_header(header, Path::new("")).unwrap()[..] else {
             panic!("one robot");
         };
@@ -140,6 +144,7 @@ mod tests {
             "--keys 3:a,4:0x1B --halt 5 --cycles 100 --sensor VR1=8@3"
         );
         assert_eq!(settings.scene.as_deref(), Some("cylinder"));
+        assert_eq!(settings.plant, Plant::Dynamic);
     }
 
     #[test]

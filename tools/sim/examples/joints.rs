@@ -1,25 +1,35 @@
-//! Writes what a run on TITAN VIII commands its joints, and what its body and feet did, a line for each cycle: twelve
-//! angles (deg), x, y, z (mm), roll, pitch, yaw (deg), four loads (N) and the slip so far (mm).
+//! Writes what a run of a walking robot commands its joints, and what its body and feet did, a line for each cycle: the
+//! angles of all joints (deg), x, y, z (mm), roll, pitch, yaw (deg), a load for each foot (N) and the slip so far (mm).
 //!
-//! `joints PROGRAM.prg quasi-static|dynamic FRICTION`
+//! `joints PROGRAM.prg SCENE.toml [ROBOT.toml]`: TITAN VIII without a description. Lines of the program that begin with
+//! `// events:` say what happens to the robot that the scene gives mass.
 
 use std::error::Error;
 use std::fs;
 use tip_runtime::hardware::JointCommand;
-use tip_runtime::plant::{Scene, Simulation};
+use tip_runtime::plant::Simulation;
 use tip_sim::{Robot, Run, load};
+use tipc::description::parse_scene;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let [path, plant, friction] = &std::env::args().skip(1).collect::<Vec<_>>()[..] else {
-        return Err("joints PROGRAM.prg quasi-static|dynamic FRICTION".into());
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let [path, scene, robot @ ..] = &words[..] else {
+        return Err("joints PROGRAM.prg SCENE.toml [ROBOT.toml]".into());
     };
-    let mut scene = Scene::EMPTY;
-    scene.friction = friction.parse()?;
-    let chosen = Simulation::NAMES.iter().find(|(name, _)| name == plant);
-    scene.plant = chosen.map(|(_, plant)| *plant);
-    let robot = Robot::named("titan8")?.with_scene(&scene)?;
-    let program = load(path, &fs::read_to_string(path)?, &robot)?;
-    let mut run = Run::new(program, robot)?;
+    let scene = parse_scene(scene, &fs::read(scene)?).map_err(|_| "not a scene")?;
+    let robot = match robot {
+        [description] => Robot::description(&fs::read_to_string(description)?)?,
+        _ => Robot::named("titan8")?,
+    };
+    let text = fs::read_to_string(path)?;
+    let program = load(path, &text, &robot)?;
+    let mut run = Run::new(program, robot.with_scene(&scene)?)?;
+    if scene.plant == Some(Simulation::Dynamic) {
+        let events = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("// events:"));
+        run = run.events(events.collect::<Vec<_>>().join(",").trim())?;
+    }
     while run.ending().is_none() {
         run.advance(None);
         let (motion, limbs) = (

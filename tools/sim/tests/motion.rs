@@ -63,6 +63,55 @@ fn a_walk_with_mass_goes_as_far_and_does_not_fall() -> Outcome {
 }
 
 #[test]
+fn a_trot_that_might_topple_falls_on_neither_plant() -> Outcome {
+    let trot = include_str!("../../../tests/mujoco/trot.prg");
+    let mut motions = Vec::new();
+    for plant in [Plant::Simulated, Plant::Dynamic] {
+        let mut run = on(Robot::named("titan8")?.with_plant(plant), trot)?;
+        assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::Exit));
+        let motion = run.motion().expect("it walks");
+        assert_eq!((motion.falls, run.first_fall()), (0, None));
+        // 17 strokes of 40 mm; on two feet it leans, and feet slide.
+        close(motion.travel.y, 680.0, 100.0);
+        close(motion.travel.turn, 0.0, 10.0);
+        motions.push(motion);
+    }
+    let unmodelled = motions[0].unmodelled.expect("it has no mass");
+    assert!(unmodelled.tips > 0, "{unmodelled:?}");
+    // On two feet the centre of mass is beside the line between them.
+    assert!(motions[1].least_margin < 0.0, "{:?}", motions[1]);
+    Ok(())
+}
+
+#[test]
+fn a_leg_presses_by_its_force_or_its_spring_and_by_its_weight() -> Outcome {
+    // The robot lies on its belly, a shank upright: its foot carries the shank and half of the thigh besides.
+    let own = (0.4 + 0.4) * G;
+    for (commands, force) in [
+        ("FORCE F1 0 0 -20", 20.0),
+        ("FORCE F1 0 0 -20\nSLEEP 500\nFORCE F1 0 0 R -25", 45.0),
+        ("COMPLIANCE_POSITION F1 R 0 R 0 R -30", 30.0),
+        (
+            "SET_POSITION_STIFFNESS F1 2 2 2\nCOMPLIANCE_POSITION F1 R 0 R 0 R -15",
+            30.0,
+        ),
+        (
+            "COMPLIANCE_POSITION F1 R 0 R 0 R -30\nSLEEP 500\nNO_COMPLIANCE F1\nFORCE F1 0 0 -10",
+            10.0,
+        ),
+    ] {
+        let generic = Robot::named("generic")?.with_plant(Plant::Dynamic);
+        let text = format!("3.1\nt\n{commands}\nSLEEP 9000\nEND\n");
+        let mut run = on(generic, &text)?;
+        // Before END, which holds every joint by angle.
+        assert_eq!(run.to_end(Limit::cycles(150)), Ending::Limit);
+        let load = run.limbs().expect("legs").loads[0];
+        assert!((load - force - own).abs() < 0.5, "{text}: {load} N");
+    }
+    Ok(())
+}
+
+#[test]
 fn a_scene_chooses_the_plant_unless_the_robot_does() -> Outcome {
     let mut scene = Scene::EMPTY;
     scene.plant = Some(Simulation::Dynamic);

@@ -27,13 +27,21 @@ fn main() -> ! {
     }
 }
 
-/// Whether both programs ended themselves; `None` if that is not known.
+/// Whether both programs ended themselves, and the walk with mass went on; `None` if that is not known.
 fn run() -> Option<bool> {
     let mut trace = hio::hstdout().ok()?;
     let mut report = hio::hstderr().ok()?;
-    let walked = measure("walk", robots::walker, &mut trace, &mut report)?;
-    let grasped = measure("grasp", robots::hand, &mut trace, &mut report)?;
-    Some(walked && grasped)
+    let (trace, report) = (&mut trace, &mut report);
+    let walked = measure("walk", robots::walker, robots::run, trace, report)?;
+    let grasped = measure("grasp", robots::hand, robots::run, trace, report)?;
+    let swung = measure(
+        "walk with mass",
+        robots::heavy_walker,
+        robots::begin,
+        trace,
+        report,
+    )?;
+    Some(walked && grasped && swung)
 }
 
 /// Runs one program, and reports its bytes of memory.
@@ -41,6 +49,7 @@ fn run() -> Option<bool> {
 fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
     name: &str,
     make: fn() -> Result<Machine<'static, P, H, (), S, L, J>, Mismatch>,
+    run: fn(&mut Machine<'static, P, H, (), S, L, J>, &mut HostStream) -> bool,
     trace: &mut HostStream,
     report: &mut HostStream,
 ) -> Option<bool> {
@@ -48,7 +57,7 @@ fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: u
     let mut robot = make().ok()?;
     let making = stack::deepest().checked_sub(before)?;
     let before = stack::paint();
-    let ended = robots::run(&mut robot, trace);
+    let ended = run(&mut robot, trace);
     let cycle = stack::deepest().checked_sub(before)?;
     let (program, machine) = (size_of::<P>(), size_of_val(&robot));
     let plant = size_of::<H>();

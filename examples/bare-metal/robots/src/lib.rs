@@ -67,6 +67,20 @@ pub fn hand() -> Result<Hand, Mismatch> {
     Machine::new(Grasp::new(), &hand::MODEL, plant, (), HandSpecials::new())
 }
 
+/// How many cycles of the walk with mass slow machines run: it stands up and swings its first legs.
+const SLICE: u64 = 250;
+
+/// Runs the first cycles of a program, with a line in the trace for each. Whether it goes on then, and all
+/// of the trace was written.
+pub fn begin<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(
+    robot: &mut Machine<'_, P, H, (), S, L, J>,
+    out: &mut impl Write,
+) -> bool {
+    let mut trace = Trace::new(out);
+    let runs = (0..SLICE).all(|_| robot.cycle_traced(&mut trace).is_running());
+    runs && trace.is_complete()
+}
+
 /// Runs a program to its end, with a line in the trace for each control cycle. Whether it ended
 /// itself, and all of the trace was written.
 pub fn run<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: usize>(

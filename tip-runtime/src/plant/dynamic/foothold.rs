@@ -2,6 +2,9 @@
 
 use super::Vector;
 
+/// A foot that leaves the ground for less has bounced, not stepped: s.
+const BOUNCE: f64 = 5e-3;
+
 /// A foot on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Foothold {
@@ -11,6 +14,8 @@ pub(super) struct Foothold {
     pub(super) load: f64,
     /// Where it touched down, in the world: m.
     touchdown: Option<Vector>,
+    /// For how long it has carried nothing: s.
+    up: f64,
     /// How far from there it has slipped: m.
     pub(super) slip: f64,
 }
@@ -21,20 +26,46 @@ impl Foothold {
         place: Vector::new(0.0, 0.0, 0.0),
         load: 0.0,
         touchdown: None,
+        up: 0.0,
         slip: 0.0,
     };
 
-    /// The foot is there, and carries so much.
+    /// The foot is there, and has carried so much for `dt` s.
     #[inline]
-    pub(super) fn at(&mut self, place: Vector, load: f64) {
+    pub(super) fn at(&mut self, place: Vector, load: f64, dt: f64) {
         self.place = place;
         self.load = load;
         if load > 0.0 {
             let touchdown = *self.touchdown.get_or_insert(place);
             self.slip = (place - touchdown).norm();
-        } else {
+            self.up = 0.0;
+            return;
+        }
+        self.up += dt;
+        if self.up >= BOUNCE {
             self.touchdown = None;
             self.slip = 0.0;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_foot_that_bounces_goes_on_slipping_and_one_that_steps_does_not() {
+        let mut foot = Foothold::NONE;
+        let at = |x| Vector::new(x, 0.0, 0.0);
+        foot.at(at(1.0), 5.0, 1e-3);
+        foot.at(at(1.5), 0.0, 4e-3);
+        foot.at(at(2.0), 5.0, 1e-3);
+        assert_eq!(foot.slip, 1.0);
+        foot.at(at(2.5), 0.0, 4e-3);
+        foot.at(at(3.0), 0.0, 1e-3);
+        assert_eq!(foot.slip, 0.0);
+        foot.at(at(4.0), 5.0, 1e-3);
+        foot.at(at(4.25), 5.0, 1e-3);
+        assert_eq!(foot.slip, 0.25);
     }
 }

@@ -124,7 +124,7 @@ impl<const J: usize> LegBody<J> {
             }
             if j == J {
                 let load = touch.map_or(0.0, |touch| force.dot(&touch.normal));
-                self.foot.at(place, load);
+                self.foot.at(place, load, world.stride.dt);
             }
         }
         let mut carried = Share::NONE;
