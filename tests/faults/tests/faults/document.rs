@@ -10,6 +10,7 @@ const HEAD: &str = "\
 How a program ends, or goes on, after a fault of sensors, hardware, keys or timing. Each fault was injected into runs of a short program
 with motion, waits, inputs and, where the robot has them, torques, forces and springs. A fault that stops the robot at once was injected
 in every cycle but the first; the others in every fifth cycle, starting at a different cycle for each place. A broken sensor stays broken.
+On robots with mass (`--plant dynamic`) it was every third cycle, and every fifteenth.
 The same faults were injected into [compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and
 vibration, in every eleventh cycle and in every fifty-fifth.
 

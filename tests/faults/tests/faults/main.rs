@@ -14,7 +14,7 @@ use campaign::{Campaign, Seen};
 use script::Script;
 use std::{env, fs, path, thread};
 use tip_runtime::model::{generic, hand, titan8};
-use tip_runtime::plant::{Scene, SimulatedHand, SimulatedPlant};
+use tip_runtime::plant::{DynamicPlant, Scene, SimulatedHand, SimulatedPlant};
 use tip_runtime::special::hand::HandSpecials;
 
 tip_macros::include_tip!("motions/titan.prg");
@@ -23,6 +23,9 @@ tip_macros::include_tip!("motions/hand.prg", robot = hand);
 /// Cycles between the moments at which faults break into a compiled program, which is longer than a script; a
 /// prime as well.
 const PACE: usize = 11;
+
+/// The same for robots with mass.
+const HEAVY_PACE: usize = 3;
 
 /// What the campaign of files writes.
 const OTHER_HALF: &str = "\n## Files and Ctrl-C\n";
@@ -41,10 +44,23 @@ fn compiled_titan() -> Seen {
     Campaign::new(&titan8::MODEL, Titan::new(), plant, (), PACE).run()
 }
 
+/// With mass, which takes longer to compute.
+fn heavy_titan() -> Seen {
+    let plant = DynamicPlant::new(&titan8::MODEL);
+    let script = Script::new(&titan8::MODEL, script::TITAN);
+    Campaign::new(&titan8::MODEL, script, plant, (), HEAVY_PACE).run()
+}
+
 fn generic() -> Seen {
     let plant = SimulatedPlant::new(&generic::MODEL);
     let script = Script::new(&generic::MODEL, script::GENERIC);
     Campaign::new(&generic::MODEL, script, plant, (), 1).run()
+}
+
+fn heavy_generic() -> Seen {
+    let plant = DynamicPlant::new(&generic::MODEL);
+    let script = Script::new(&generic::MODEL, script::GENERIC);
+    Campaign::new(&generic::MODEL, script, plant, (), HEAVY_PACE).run()
 }
 
 fn hand() -> Seen {
@@ -63,9 +79,11 @@ fn compiled_hand() -> Seen {
 // clauses: 2.22 2.23 2.24 7.40 8.1
 #[test]
 fn every_fault_in_every_place_has_its_outcome_and_the_table_says_which() {
-    let columns: [Column; 5] = [
+    let columns: [Column; 7] = [
         ("titan8", titan),
+        ("titan8, dynamic", heavy_titan),
         ("generic", generic),
+        ("generic, dynamic", heavy_generic),
         ("hand", hand),
         ("titan8, compiled", compiled_titan),
         ("hand, compiled", compiled_hand),
