@@ -9,7 +9,7 @@ use crate::skeleton::robot_frame;
 use colours::themed;
 use page::{Drawn, Page, Span, View, padded};
 use std::fmt;
-use tip_runtime::model::{Point, TorqueUnit};
+use tip_runtime::model::Point;
 use tip_sim::urdf::frame;
 use tipc::message::Lang;
 use titles::{Axis, Title};
