@@ -107,7 +107,7 @@ impl Config {
     }
 
     /// The robot that programs are checked for, as a file describes it, or one of those that are
-    /// [`published`](crate::published), by its name; it takes the place of [`robot`](Self::robot).
+    /// [`published`], by its name; it takes the place of [`robot`](Self::robot).
     #[cfg(feature = "robot-files")]
     pub fn robot_file(&mut self, path: impl Into<PathBuf>) -> &mut Self {
         self.robot_file = Some(path.into());
