@@ -5,7 +5,7 @@ use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines, Sink};
 use tip_sim::lockstep::{Divergence, Lockstep, Scout};
-use tip_sim::{Engine, Inputs, Limit, Robot, Run};
+use tip_sim::{Engine, Inputs, Limit, Plant, Robot, Run};
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -98,7 +98,10 @@ fn robot(settings: &Settings) -> Result<Robot, String> {
         Some(description) => Robot::described(description),
         None => Robot::named(settings.load.robot.name()).map_err(text)?,
     };
-    let robot = robot.with_plant(settings.plant);
+    let robot = robot.with_plant(match settings.has_mass {
+        true => Plant::Dynamic,
+        false => Plant::default(),
+    });
     match &settings.scene {
         Some(name) => {
             let scene = Scene::by_name(name).ok_or_else(|| format!("no scene is called {name}"))?;

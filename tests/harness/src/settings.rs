@@ -7,7 +7,6 @@
 use std::fmt::{Display, Write as _};
 use std::fs;
 use std::path::Path;
-use tip_sim::Plant;
 use tipc::description::{self, Description};
 use tipc::message::Lang;
 use tipc::render;
@@ -25,8 +24,8 @@ pub struct Settings {
     pub inputs: String,
     /// What surrounds the robot, by its name.
     pub scene: Option<String>,
-    /// How the robot is simulated.
-    pub plant: Plant,
+    /// Whether the robot is simulated with mass.
+    pub has_mass: bool,
 }
 
 impl Settings {
@@ -87,7 +86,7 @@ impl Settings {
                     self.scene = Some(value.to_owned());
                     Some(())
                 }
-                "--plant" => (value == "dynamic").then(|| self.plant = Plant::Dynamic),
+                "--plant" => (value == "dynamic").then(|| self.has_mass = true),
                 "--cycles" | "--keys" | "--halt" | "--sensor" | "--events" => {
                     self.add_input(option, value);
                     Some(())
@@ -144,7 +143,7 @@ mod tests {
             "--keys 3:a,4:0x1B --halt 5 --cycles 100 --sensor VR1=8@3"
         );
         assert_eq!(settings.scene.as_deref(), Some("cylinder"));
-        assert_eq!(settings.plant, Plant::Dynamic);
+        assert!(settings.has_mass);
     }
 
     #[test]
