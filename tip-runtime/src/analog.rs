@@ -58,7 +58,7 @@ pub(crate) fn angle_of_volts(range: Range, volts: f64) -> f64 {
 }
 
 /// Volts of a sole's pressure sensor under `load` N.
-pub(crate) fn volts_of_load(load: f64) -> f64 {
+pub fn volts_of_load(load: f64) -> f64 {
     (PAW * load / PAW_FULL).clamp(0.0, PAW)
 }
 

@@ -23,6 +23,7 @@ pub mod hand;
 mod override_sensors;
 pub mod walker;
 
+pub use crate::analog::volts_of_load;
 pub use crate::scene::{
     BLOCKS, Block, Floor, OBJECTS, Object, Scene, SceneError, Shape, Simulation,
 };

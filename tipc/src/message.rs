@@ -42,6 +42,8 @@ mod reading;
 pub mod running;
 pub(crate) mod say;
 #[cfg(feature = "tools")]
+mod simulating;
+#[cfg(feature = "tools")]
 mod stopping;
 mod structuring;
 mod suggesting;
@@ -80,6 +82,8 @@ pub use reading::Reading;
 #[cfg(feature = "tools")]
 pub use running::Running;
 pub use say::{Decimal, Lang, Letter};
+#[cfg(feature = "tools")]
+pub use simulating::Simulating;
 #[cfg(feature = "tools")]
 pub use stopping::Stopping;
 pub use structuring::Structuring;
@@ -127,6 +131,8 @@ tables! {
     Stopping,
     #[cfg(feature = "tools")]
     Debugging,
+    #[cfg(feature = "tools")]
+    Simulating,
     #[cfg(feature = "build")]
     Building,
 }

@@ -8,6 +8,7 @@ use crate::desk::Desk;
 use crate::echo::Echo;
 use crate::engine::Engine;
 use crate::native::Native;
+use crate::outside::Outside;
 use crate::plant::Plant;
 use crate::rig::Rig;
 use crate::shell::Shell;
@@ -97,6 +98,8 @@ pub(crate) struct Seats {
     pub(crate) program: Engine,
     pub(crate) desk: Desk,
     pub(crate) special: Native,
+    /// What simulates the robot in place of its own plant.
+    pub(crate) outside: Option<Box<dyn Outside>>,
 }
 
 pub(crate) struct Sized<const L: usize, const J: usize> {
@@ -179,13 +182,14 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
     }
 
     fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch> {
-        let (rig, model) = (self.rig(around), self.model);
         let Seats {
             program,
             desk,
             special,
+            outside,
         } = seats;
-        let machine = Machine::new(program, model, rig, desk, special)?;
+        let rig = outside.map_or_else(|| self.rig(around), Rig::outside);
+        let machine = Machine::new(program, self.model, rig, desk, special)?;
         Ok(Box::new(machine))
     }
 }

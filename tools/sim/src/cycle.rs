@@ -27,7 +27,8 @@ pub struct Cycle {
     pub lamp: Option<(u8, bool)>,
     /// The command that was accepted, in its first cycle.
     pub command: Option<Asked>,
-    /// Where the body is after the cycle; none for a robot that stays where it is.
+    /// Where the body is after the cycle; none for a robot that stays where it is. One outside of this process says where it
+    /// was when the cycle began.
     pub pose: Option<Pose>,
     /// A hash of what each joint was sent and measured, as in a trace with state.
     pub state: u64,
@@ -89,7 +90,7 @@ impl Collector {
             say: self.say,
             lamp: self.lamp,
             command: self.command,
-            pose: shell.motion().map(|motion| motion.pose),
+            pose: shell.pose(),
             state: state_hash(seen.commands, seen.angles),
             status,
         }

@@ -3,12 +3,18 @@
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
 use tip_runtime::controller::Aim;
-use tip_runtime::plant::Motion;
+use tip_runtime::plant::{Motion, Travel};
 
 impl Run {
-    /// How the body moves; none for a robot that stays where it is.
+    /// How the body moves; none for a robot that stays where it is, or that another process simulates.
     pub fn motion(&self) -> Option<Motion> {
         self.shell.motion()
+    }
+
+    /// How far the body has come; none for a robot that stays where it is, or that another process simulates without saying
+    /// where it is.
+    pub fn travel(&self) -> Option<Travel> {
+        self.shell.travel()
     }
 
     /// When and where the robot first fell, if it did.

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+mod apart;
 mod body;
 mod cycle;
 pub mod debug;
@@ -12,6 +13,7 @@ mod desk;
 mod echo;
 mod engine;
 pub mod event;
+pub mod external;
 mod figures;
 mod findings;
 mod interp;
@@ -19,6 +21,7 @@ mod load;
 pub mod lockstep;
 mod motion;
 mod native;
+mod outside;
 mod plant;
 pub mod reach;
 mod refused;
@@ -45,6 +48,7 @@ pub use cycle::{Asked, Cycle};
 pub use described::NotDescribed;
 pub use engine::Engine;
 pub use event::{Event, Events, Inputs, Timed};
+pub use external::ExternalPlant;
 pub use interp::Interpreter;
 pub use load::{NotLoaded, load};
 pub use motion::{Fall, Grasp, Limbs};

@@ -1,12 +1,14 @@
 //! The simulated hardware of a run under one type for each size, which may fail.
 
 use crate::echo::Echo;
+use crate::outside::{Outside, Reading};
 use std::any::Any;
 use std::fmt;
+use std::time::Duration;
 use tip_runtime::command::Port;
 use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
-use tip_runtime::plant::{Fall, Grasp, Limbs, Motion, Noise, Plant};
+use tip_runtime::plant::{Fall, Grasp, Limbs, Motion, Noise, Plant, Pose, Travel};
 
 /// A plant that may fail.
 #[derive(Clone)]
@@ -19,6 +21,7 @@ enum Simulated<const L: usize, const J: usize> {
     /// Of any size, so that it is compiled once.
     Echo(Box<Echo>),
     Plant(Box<dyn AnyPlant<L, J>>),
+    Outside(Box<dyn Outside>),
 }
 
 /// What is to fail.
@@ -60,8 +63,40 @@ impl<const L: usize, const J: usize> Rig<L, J> {
         }
     }
 
+    pub(crate) fn outside(outside: Box<dyn Outside>) -> Self {
+        Rig {
+            simulated: Simulated::Outside(outside),
+            failures: Failures::default(),
+        }
+    }
+
+    /// Waits until the sensors can be read, but not longer than this; whether they can.
+    pub(crate) fn is_ready(&mut self, longest: Duration) -> bool {
+        match &mut self.simulated {
+            Simulated::Echo(_) | Simulated::Plant(_) => true,
+            Simulated::Outside(outside) => outside.is_ready(longest),
+        }
+    }
+
+    /// Where the body is, if that is known.
+    pub(crate) fn pose(&self) -> Option<Pose> {
+        match &self.simulated {
+            Simulated::Outside(outside) => outside.pose(),
+            Simulated::Echo(_) | Simulated::Plant(_) => self.motion().map(|motion| motion.pose),
+        }
+    }
+
+    /// How far it has come, if that is known.
+    pub(crate) fn travel(&self) -> Option<Travel> {
+        match &self.simulated {
+            Simulated::Outside(outside) => outside.travel(),
+            Simulated::Echo(_) | Simulated::Plant(_) => self.motion().map(|motion| motion.travel),
+        }
+    }
+
     pub(crate) fn plant(&self) -> &dyn Any {
         match &self.simulated {
+            Simulated::Outside(outside) => outside.any(),
             Simulated::Echo(echo) => echo.as_ref(),
             Simulated::Plant(plant) => plant.any(),
         }
@@ -69,7 +104,7 @@ impl<const L: usize, const J: usize> Rig<L, J> {
 
     fn simulated(&self) -> Option<&dyn AnyPlant<L, J>> {
         match &self.simulated {
-            Simulated::Echo(_) => None,
+            Simulated::Echo(_) | Simulated::Outside(_) => None,
             Simulated::Plant(plant) => Some(plant.as_ref()),
         }
     }
@@ -78,7 +113,7 @@ impl<const L: usize, const J: usize> Rig<L, J> {
     pub(crate) fn touched(&mut self) -> Option<&mut Echo> {
         match &mut self.simulated {
             Simulated::Echo(echo) => Some(echo),
-            Simulated::Plant(_) => None,
+            Simulated::Plant(_) | Simulated::Outside(_) => None,
         }
     }
 }
@@ -88,6 +123,7 @@ impl<const L: usize, const J: usize> Clone for Simulated<L, J> {
         match self {
             Simulated::Echo(echo) => Simulated::Echo(echo.clone()),
             Simulated::Plant(plant) => Simulated::Plant(plant.boxed()),
+            Simulated::Outside(outside) => Simulated::Outside(outside.boxed()),
         }
     }
 }
@@ -108,6 +144,12 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
                     Ok(())
                 }
                 Simulated::Plant(plant) => plant.read(into),
+                Simulated::Outside(outside) => outside.read(Reading {
+                    angles: into.angles.as_flattened_mut(),
+                    torques: into.torques.as_flattened_mut(),
+                    inputs: &mut into.inputs,
+                    slider: &mut into.slider,
+                }),
             },
         }
     }
@@ -121,13 +163,20 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
                     Ok(())
                 }
                 Simulated::Plant(plant) => plant.write(outputs),
+                Simulated::Outside(outside) => outside.write(
+                    outputs.joints.as_flattened(),
+                    outputs.slider,
+                    outputs.period,
+                ),
             },
         }
     }
 
     fn stop(&mut self, why: &Fault) {
-        if let Simulated::Plant(plant) = &mut self.simulated {
-            plant.stop(why);
+        match &mut self.simulated {
+            Simulated::Echo(_) => {}
+            Simulated::Plant(plant) => plant.stop(why),
+            Simulated::Outside(outside) => outside.stop(),
         }
     }
 }
@@ -137,19 +186,20 @@ impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
         match &mut self.simulated {
             Simulated::Echo(echo) => echo.set_sensor(port, volts),
             Simulated::Plant(plant) => plant.set_sensor(port, volts),
+            Simulated::Outside(outside) => outside.set_sensor(port, volts),
         }
     }
 
     fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
         match &mut self.simulated {
-            Simulated::Echo(_) => false,
+            Simulated::Echo(_) | Simulated::Outside(_) => false,
             Simulated::Plant(plant) => plant.push(force, cycles),
         }
     }
 
     fn set_noise(&mut self, noise: Noise) -> bool {
         match &mut self.simulated {
-            Simulated::Echo(_) => false,
+            Simulated::Echo(_) | Simulated::Outside(_) => false,
             Simulated::Plant(plant) => plant.set_noise(noise),
         }
     }

@@ -4,6 +4,7 @@ use crate::body::{Anatomy, Around, Body, Miss, Seats, Sized};
 use crate::desk::Desk;
 use crate::engine::Engine;
 use crate::native::Native;
+use crate::outside::Outside;
 use crate::plant::Plant;
 use crate::shell::Shell;
 use std::fmt;
@@ -159,12 +160,28 @@ impl Robot {
 
     /// Puts a program on it.
     pub(crate) fn start(&self, program: Engine, desk: Desk) -> Result<Box<dyn Shell>, Mismatch> {
-        let seats = Seats {
+        self.body.start(&self.around, self.seats(program, desk))
+    }
+
+    /// Puts a program on it, and has it simulated outside.
+    pub(crate) fn start_outside(
+        &self,
+        program: Engine,
+        desk: Desk,
+        outside: Box<dyn Outside>,
+    ) -> Result<Box<dyn Shell>, Mismatch> {
+        let mut seats = self.seats(program, desk);
+        seats.outside = Some(outside);
+        self.body.start(&self.around, seats)
+    }
+
+    fn seats(&self, program: Engine, desk: Desk) -> Seats {
+        Seats {
             program,
             desk,
             special: self.special.clone(),
-        };
-        self.body.start(&self.around, seats)
+            outside: None,
+        }
     }
 }
 

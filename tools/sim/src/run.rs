@@ -12,6 +12,7 @@ use crate::sink::both;
 #[cfg(feature = "std")]
 use crate::trace::Trace;
 use std::fmt;
+use std::time::Duration;
 use tip_runtime::command::Flag;
 use tip_runtime::console::Console;
 use tip_runtime::hardware::JointCommand;
@@ -21,6 +22,9 @@ use tip_runtime::record::{Ending, Sink, state_hash};
 
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
+
+/// How often an observer is asked while a robot outside of this process is waited for.
+const NAP: Duration = Duration::from_millis(50);
 
 /// How long a run may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,7 +48,8 @@ impl From<Option<u64>> for Limit {
 
 /// Accompanies a run while it lasts.
 pub trait Observer {
-    /// Asked before each cycle; `false` interrupts the run.
+    /// Asked before each cycle, and now and then while a robot outside of this process is waited for; `false` interrupts
+    /// the run.
     fn goes_on(&mut self) -> bool {
         true
     }
@@ -92,15 +97,19 @@ impl Run {
     /// # Errors
     /// The program was checked for another robot.
     pub fn of(engine: Engine, robot: &Robot) -> Result<Self, Mismatch> {
-        Ok(Run {
-            shell: robot.start(engine, Desk::default())?,
+        Ok(Self::on(robot.start(engine, Desk::default())?))
+    }
+
+    pub(crate) fn on(shell: Box<dyn Shell>) -> Self {
+        Run {
+            shell,
             events: Events::NONE,
             happened: 0,
             ending: None,
             fall: None,
             #[cfg(feature = "std")]
             trace: None,
-        })
+        }
     }
 
     /// Adds events, given as text, to those that are to happen.
@@ -209,8 +218,12 @@ impl Run {
             if limit.0.is_some_and(|limit| self.cycles() >= limit) {
                 return self.end(Ending::Limit);
             }
+            let is_ready = self.shell.is_ready(NAP);
             if !observer.goes_on() {
                 return self.end(Ending::Interrupted);
+            }
+            if !is_ready {
+                continue;
             }
             self.advance(observer.sink());
             observer.after(self);

@@ -8,11 +8,12 @@ use crate::motion::{Grasp, Limbs};
 use crate::native::Native;
 use crate::rig::{Failures, Rig};
 use std::any::Any;
+use std::time::Duration;
 use tip_runtime::command::{Flag, MAX, Port};
 use tip_runtime::controller::Aim;
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::{Emergency, Machine, Status};
-use tip_runtime::plant::{self, Motion, Noise, Plant as _};
+use tip_runtime::plant::{self, Motion, Noise, Plant as _, Pose, Travel};
 use tip_runtime::record::Sink;
 
 /// What a sole's sensor reads on the ground: V.
@@ -27,7 +28,10 @@ pub(crate) trait Shell {
     fn desk_mut(&mut self) -> &mut Desk;
     fn failures_mut(&mut self) -> &mut Failures;
     fn touched(&mut self) -> Option<&mut Echo>;
+    fn is_ready(&mut self, longest: Duration) -> bool;
     fn motion(&self) -> Option<Motion>;
+    fn pose(&self) -> Option<Pose>;
+    fn travel(&self) -> Option<Travel>;
     fn first_fall(&self) -> Option<plant::Fall>;
     fn limbs(&self) -> Option<Limbs>;
     fn aims(&self) -> Vec<Aim>;
@@ -131,8 +135,20 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
         self.hardware_mut().touched()
     }
 
+    fn is_ready(&mut self, longest: Duration) -> bool {
+        self.hardware_mut().is_ready(longest)
+    }
+
     fn motion(&self) -> Option<Motion> {
         self.hardware().motion()
+    }
+
+    fn pose(&self) -> Option<Pose> {
+        self.hardware().pose()
+    }
+
+    fn travel(&self) -> Option<Travel> {
+        self.hardware().travel()
     }
 
     fn first_fall(&self) -> Option<plant::Fall> {

@@ -19,6 +19,13 @@ pub struct Travel {
     pub turn: f64,
 }
 
+impl Travel {
+    /// Along x, y and z: mm; to the left: deg.
+    pub const fn new([x, y, z]: Point, turn: f64) -> Self {
+        Travel { x, y, z, turn }
+    }
+}
+
 /// Where the body began, and how often it has turned round since.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Start {

@@ -1,6 +1,7 @@
 //! The process in which both engines run: it may die or hang, and then says so by name.
 
 use super::error::NotBuilt;
+use crate::apart::apart;
 use crate::event::Inputs;
 use crate::lockstep::{Answer, LIMIT};
 use crate::search;
@@ -72,16 +73,6 @@ impl Engines {
         }
     }
 }
-
-/// Ctrl-C of the terminal is for this process, which then ends the other.
-#[cfg(unix)]
-fn apart(command: &mut Command) {
-    use std::os::unix::process::CommandExt;
-    command.process_group(0);
-}
-
-#[cfg(not(unix))]
-fn apart(_: &mut Command) {}
 
 impl search::Engines for Engines {
     type Error = NotBuilt;

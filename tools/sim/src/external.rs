@@ -1,0 +1,389 @@
+//! A robot that another process simulates, such as MuJoCo, Gazebo or a simulator of your own.
+//!
+//! The process gets what the joints are commanded on its standard input, a line for each control cycle, and answers each with a
+//! line of what the sensors measure on its standard output. Program and simulator wait for each other, so that the same answers
+//! give the same run, however long they take. The protocol is in `docs/external-plant.md`.
+//!
+//! ```no_run
+//! use tip_sim::{ExternalPlant, Limit, Robot, Run, load};
+//!
+//! let robot = Robot::named("titan8")?;
+//! let program = load("rise.prg", "3.1\nStand up\nSTAND_UP 60\nWAIT_INPOS ALL\nEND\n", &robot)?;
+//! let plant = ExternalPlant::new("python3", ["simulate.py", "titan8.xml"]);
+//! let mut run = Run::external(program, &robot, &plant)?;
+//! run.to_end(Limit::cycles(1000));
+//! if let Some(trouble) = run.trouble() {
+//!     println!("{trouble}");
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A process cannot be copied or taken back. What runs a program again, such as a debugger, takes a [`Robot`], which never is
+//! such a process; and a copy of a run, or one that was restored, has none: it stops with [`Trouble::Copy`] when it reads its
+//! sensors.
+
+mod answer;
+mod line;
+mod link;
+mod trouble;
+
+pub use trouble::{Ended, Head, Trouble};
+
+use crate::desk::Desk;
+use crate::engine::Engine;
+use crate::outside::{Outside, Reading};
+use crate::robot::Robot;
+use crate::run::Run;
+use answer::{Answer, Measured};
+use line::Layout;
+use link::{Heard, Link};
+use std::any::Any;
+use std::ffi::{OsStr, OsString};
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+use tip_runtime::command::Port;
+use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
+use tip_runtime::machine::Mismatch;
+use tip_runtime::model::Point;
+use tip_runtime::plant::{Pose, Travel, volts_of_load};
+use tip_runtime::program::Program;
+use tipc::message::{Lang, Simulating};
+
+/// A process that simulates a robot: how it is started, and how long it may take.
+#[derive(Clone)]
+pub struct ExternalPlant {
+    program: OsString,
+    arguments: Vec<OsString>,
+    patience: Patience,
+    listener: Arc<dyn Fn(&str) + Send + Sync>,
+}
+
+/// How long answers may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Patience {
+    /// The one to `hello`: a simulator may have to load much.
+    pub first: Duration,
+    /// Any other one.
+    pub later: Duration,
+}
+
+impl Default for Patience {
+    /// 30 s and 5 s.
+    fn default() -> Self {
+        Patience {
+            first: Duration::from_secs(30),
+            later: Duration::from_secs(5),
+        }
+    }
+}
+
+impl ExternalPlant {
+    /// A program with its arguments; no shell is between. What it writes to its standard error is dropped.
+    pub fn new(
+        program: impl AsRef<OsStr>,
+        arguments: impl IntoIterator<Item = impl AsRef<OsStr>>,
+    ) -> Self {
+        let arguments = arguments.into_iter();
+        ExternalPlant {
+            program: program.as_ref().to_owned(),
+            arguments: arguments.map(|word| word.as_ref().to_owned()).collect(),
+            patience: Patience::default(),
+            listener: Arc::new(|_| ()),
+        }
+    }
+
+    /// Waits otherwise.
+    #[must_use]
+    pub fn with_patience(mut self, patience: Patience) -> Self {
+        self.patience = patience;
+        self
+    }
+
+    /// Gives each line of its standard error to a function, printable and without its end, on a thread of its own.
+    #[must_use]
+    pub fn with_listener(mut self, listener: impl Fn(&str) + Send + Sync + 'static) -> Self {
+        self.listener = Arc::new(listener);
+        self
+    }
+}
+
+impl fmt::Debug for ExternalPlant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ExternalPlant")
+            .field("program", &self.program)
+            .field("arguments", &self.arguments)
+            .field("patience", &self.patience)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A run on an external plant does not begin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotStarted {
+    /// The program is for another robot.
+    Mismatch(Mismatch),
+    /// The process cannot be started.
+    Process {
+        /// Its program.
+        program: String,
+        /// What the system says.
+        reason: String,
+    },
+}
+
+impl NotStarted {
+    /// What it says in a language. What the runtime and the system say themselves is English.
+    pub fn text(&self, lang: Lang) -> String {
+        match self {
+            NotStarted::Mismatch(mismatch) => mismatch.to_string(),
+            NotStarted::Process { program, reason } => {
+                let (program, reason) = (program.clone().into(), reason.clone().into());
+                let message = Simulating::CannotStart { program, reason };
+                message.in_lang(lang).to_string()
+            }
+        }
+    }
+}
+
+impl fmt::Display for NotStarted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(Lang::English))
+    }
+}
+
+impl std::error::Error for NotStarted {}
+
+impl Run {
+    /// Puts a program on a robot that another process simulates, before its first cycle, and starts the process. It ends with
+    /// the run, or is ended.
+    ///
+    /// # Errors
+    /// The program was checked for another robot, or the process cannot be started.
+    pub fn external(
+        program: impl Program + Clone + 'static,
+        robot: &Robot,
+        plant: &ExternalPlant,
+    ) -> Result<Self, NotStarted> {
+        let plant = Box::new(External::start(robot, plant)?);
+        let shell = robot.start_outside(Engine::new(program), Desk::default(), plant);
+        Ok(Run::on(shell.map_err(NotStarted::Mismatch)?))
+    }
+
+    /// What is wrong with its external plant, if anything is.
+    pub fn trouble(&self) -> Option<&Trouble> {
+        self.plant::<External>()?.trouble.as_ref()
+    }
+}
+
+/// A robot whose sensors and joints are another process's.
+pub(crate) struct External {
+    layout: Layout,
+    /// None in a copy.
+    link: Option<Link>,
+    patience: Patience,
+    /// What an answer is awaited to.
+    awaits: Option<Head>,
+    /// Of the next control cycle.
+    number: u64,
+    measured: Measured,
+    /// What events have set inputs to.
+    overrides: Inputs<Option<f64>>,
+    journey: Option<Journey>,
+    trouble: Option<Trouble>,
+    is_stopped: bool,
+}
+
+/// From where to where the body has come.
+#[derive(Clone, Copy, Debug)]
+struct Journey {
+    start: Pose,
+    now: Pose,
+    /// Whole turns: deg.
+    turned: f64,
+}
+
+impl Journey {
+    fn on(before: Option<Self>, now: Pose) -> Self {
+        let Some(before) = before else {
+            return Journey {
+                start: now,
+                now,
+                turned: 0.0,
+            };
+        };
+        // Headings are kept within half a turn.
+        let turn = now.yaw - before.now.yaw;
+        let whole = if turn > 180.0 {
+            -360.0
+        } else if turn < -180.0 {
+            360.0
+        } else {
+            0.0
+        };
+        Journey {
+            now,
+            turned: before.turned + whole,
+            ..before
+        }
+    }
+
+    fn travel(&self) -> Travel {
+        let ([x, y, z], [x0, y0, z0]) = (self.now.position, self.start.position);
+        let turn = self.now.yaw - self.start.yaw + self.turned;
+        Travel::new([x - x0, y - y0, z - z0], turn)
+    }
+}
+
+impl External {
+    fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, NotStarted> {
+        let layout = Layout::of(robot.name(), &robot.anatomy());
+        let hello = layout.hello();
+        let mut link = Link::start(&plant.program, &plant.arguments, plant.listener.clone())
+            .map_err(|reason| NotStarted::Process {
+                program: plant.program.to_string_lossy().into_owned(),
+                reason: reason.to_string(),
+            })?;
+        link.ask(hello);
+        Ok(External {
+            layout,
+            link: Some(link),
+            patience: plant.patience,
+            awaits: Some(Head::Hello),
+            number: 0,
+            measured: Measured::default(),
+            overrides: Inputs::all(None),
+            journey: None,
+            trouble: None,
+            is_stopped: false,
+        })
+    }
+
+    /// Waits for what is awaited, but not longer than this; whether nothing is awaited any more.
+    fn wait(&mut self, longest: Duration) -> bool {
+        let (Some(head), None) = (self.awaits, &self.trouble) else {
+            return true;
+        };
+        let Some(link) = &mut self.link else {
+            self.trouble = Some(Trouble::Copy);
+            return true;
+        };
+        let within = match head {
+            Head::Hello => self.patience.first,
+            Head::Cycle(_) => self.patience.later,
+        };
+        let taken = match link.answer(longest, within) {
+            Heard::Nothing => return false,
+            heard => self.take(head, heard, within),
+        };
+        self.awaits = None;
+        if let Err(trouble) = taken {
+            if let Some(link) = &mut self.link {
+                link.give_up();
+            }
+            self.trouble = Some(trouble);
+        }
+        true
+    }
+
+    /// Takes what was heard in answer to a line.
+    fn take(&mut self, to: Head, heard: Heard, within: Duration) -> Result<(), Trouble> {
+        let line = match heard {
+            Heard::Line(line) => line,
+            Heard::Nothing | Heard::TooLate => return Err(Trouble::NoAnswer { to, within }),
+            Heard::End(ended) => return Err(Trouble::Ended { to, ended }),
+            Heard::TooLong => return Err(Trouble::TooLong { to }),
+            Heard::NotText => return Err(Trouble::NotText { to }),
+        };
+        let Answer { measured, pose } = answer::read(&line, to, &self.layout, &self.measured)?;
+        self.measured = measured;
+        if let Some(pose) = pose {
+            self.journey = Some(Journey::on(self.journey, pose));
+        }
+        Ok(())
+    }
+
+    fn fault(&self) -> Result<(), HardwareFault> {
+        let word = self.trouble.as_ref().map(Trouble::word);
+        word.map_or(Ok(()), |word| Err(HardwareFault(word)))
+    }
+}
+
+impl Outside for External {
+    fn boxed(&self) -> Box<dyn Outside> {
+        Box::new(External {
+            layout: self.layout.clone(),
+            link: None,
+            // An answer that never comes, so that the copy finds out.
+            awaits: Some(Head::Cycle(self.number)),
+            measured: self.measured.clone(),
+            trouble: self.trouble.clone(),
+            ..*self
+        })
+    }
+
+    fn any(&self) -> &dyn Any {
+        self
+    }
+
+    fn is_ready(&mut self, longest: Duration) -> bool {
+        self.wait(longest)
+    }
+
+    fn read(&mut self, into: Reading<'_>) -> Result<(), HardwareFault> {
+        while !self.wait(Duration::MAX) {}
+        self.fault()?;
+        let unit = self.layout.per_newton_metre;
+        into.angles.copy_from_slice(&self.measured.angles);
+        for (into, torque) in into.torques.iter_mut().zip(&self.measured.torques) {
+            *into = torque * unit;
+        }
+        for (number, load) in (1..).zip(&self.measured.loads) {
+            into.inputs.set(Port::Paw(number), volts_of_load(*load));
+        }
+        for port in self.layout.inputs() {
+            if let Some(volts) = self.overrides.get(port).flatten() {
+                into.inputs.set(port, volts);
+            }
+        }
+        *into.slider = self.measured.slider;
+        Ok(())
+    }
+
+    fn write(
+        &mut self,
+        joints: &[JointCommand],
+        slider: Point,
+        period: f64,
+    ) -> Result<(), HardwareFault> {
+        while !self.wait(Duration::MAX) {}
+        self.fault()?;
+        let line = self.layout.cycle(self.number, joints, slider, period);
+        if let Some(link) = &mut self.link {
+            link.ask(line);
+        }
+        self.awaits = Some(Head::Cycle(self.number));
+        self.number += 1;
+        Ok(())
+    }
+
+    fn stop(&mut self) {
+        if let (Some(link), None, false) = (&mut self.link, &self.trouble, self.is_stopped) {
+            link.tell(line::stop(self.number));
+        }
+        self.is_stopped = true;
+    }
+
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        let has = self.layout.inputs().any(|input| input == port);
+        has && self.overrides.set(port, Some(volts))
+    }
+
+    fn pose(&self) -> Option<Pose> {
+        self.journey.map(|journey| journey.now)
+    }
+
+    fn travel(&self) -> Option<Travel> {
+        self.journey.as_ref().map(Journey::travel)
+    }
+}

@@ -1,0 +1,212 @@
+//! The process behind an external plant, and the pipes to it.
+
+use super::line::{BYE, LONGEST};
+use super::trouble::Ended;
+use crate::apart::apart;
+use std::ffi::{OsStr, OsString};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+use tip_runtime::printable::Printable;
+
+/// How long a process may take to end after the last line; then it is killed.
+const GRACE: Duration = Duration::from_secs(2);
+/// How long it is waited for whether a process that has closed its output ends.
+const MOMENT: Duration = Duration::from_millis(500);
+/// How often that is looked at.
+const BLINK: Duration = Duration::from_millis(5);
+/// The longest line of standard error that is passed on in one piece: bytes.
+const SAID: u64 = 4096;
+
+/// A process that answers line by line.
+pub(super) struct Link {
+    child: Child,
+    /// None when it has been told the last line.
+    lines: Option<Sender<Line>>,
+    answers: Receiver<Heard>,
+    /// Disconnected when standard error has been read to its end.
+    said: Receiver<()>,
+    asked: Instant,
+    /// Nothing more is to be expected of it.
+    is_given_up: bool,
+}
+
+/// A line to the process.
+struct Line {
+    text: String,
+    is_answered: bool,
+}
+
+/// What came in place of an answer, or the answer.
+pub(super) enum Heard {
+    Line(String),
+    /// Not yet.
+    Nothing,
+    TooLate,
+    End(Ended),
+    TooLong,
+    NotText,
+}
+
+impl Link {
+    pub(super) fn start(
+        program: &OsStr,
+        arguments: &[OsString],
+        listener: Arc<dyn Fn(&str) + Send + Sync>,
+    ) -> io::Result<Self> {
+        let mut command = Command::new(program);
+        command.args(arguments);
+        command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        apart(&mut command);
+        let mut child = command.spawn()?;
+        let (lines, to_write) = mpsc::channel();
+        let (heard, answers) = mpsc::channel();
+        let (saying, said) = mpsc::channel();
+        if let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) {
+            thread::spawn(move || talk(input, output, &to_write, &heard));
+        }
+        if let Some(errors) = child.stderr.take() {
+            thread::spawn(move || {
+                listen(errors, listener.as_ref());
+                drop(saying);
+            });
+        }
+        Ok(Link {
+            child,
+            lines: Some(lines),
+            answers,
+            said,
+            asked: Instant::now(),
+            is_given_up: false,
+        })
+    }
+
+    /// Sends a line, and expects an answer from now on.
+    pub(super) fn ask(&mut self, text: String) {
+        self.asked = Instant::now();
+        self.send(text, true);
+    }
+
+    /// Sends a line that has no answer.
+    pub(super) fn tell(&mut self, text: String) {
+        self.send(text, false);
+    }
+
+    fn send(&mut self, text: String, is_answered: bool) {
+        // A process that is gone shows when its answer is missing.
+        let lines = self.lines.iter();
+        lines.for_each(|lines| {
+            drop(lines.send(Line {
+                text: text.clone(),
+                is_answered,
+            }))
+        });
+    }
+
+    /// The answer to what it was asked last, waiting for it, but not longer than this; it is too late after `within`.
+    pub(super) fn answer(&mut self, longest: Duration, within: Duration) -> Heard {
+        let left = within.saturating_sub(self.asked.elapsed());
+        match self.answers.recv_timeout(left.min(longest)) {
+            Ok(Heard::End(_)) | Err(RecvTimeoutError::Disconnected) => Heard::End(self.ended()),
+            Ok(heard) => heard,
+            Err(RecvTimeoutError::Timeout) if self.asked.elapsed() < within => Heard::Nothing,
+            Err(RecvTimeoutError::Timeout) => Heard::TooLate,
+        }
+    }
+
+    /// How it ended.
+    fn ended(&mut self) -> Ended {
+        match self.wait(MOMENT) {
+            None => Ended::Closed,
+            Some(status) => status.code().map_or(Ended::Killed, Ended::Exit),
+        }
+    }
+
+    /// Waits so long for its end.
+    fn wait(&mut self, longest: Duration) -> Option<std::process::ExitStatus> {
+        let begin = Instant::now();
+        loop {
+            match self.child.try_wait() {
+                Ok(Some(status)) => return Some(status),
+                Ok(None) if begin.elapsed() < longest => thread::sleep(BLINK),
+                Ok(None) | Err(_) => return None,
+            }
+        }
+    }
+
+    /// It is not given time to end by itself.
+    pub(super) fn give_up(&mut self) {
+        self.is_given_up = true;
+    }
+}
+
+impl Drop for Link {
+    /// Says good-bye, closes its input and waits for its end, which comes in any case.
+    fn drop(&mut self) {
+        self.tell(BYE.to_owned());
+        self.lines = None;
+        let grace = if self.is_given_up {
+            Duration::ZERO
+        } else {
+            GRACE
+        };
+        if self.wait(grace).is_none() {
+            // One that has ended meanwhile cannot be killed.
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+        }
+        // What it said last. Others may hold its pipe open.
+        let _ = self.said.recv_timeout(MOMENT);
+    }
+}
+
+/// Writes each line and reads its answer, as long as there are lines.
+fn talk(mut input: ChildStdin, output: ChildStdout, lines: &Receiver<Line>, heard: &Sender<Heard>) {
+    let mut output = BufReader::new(output);
+    for line in lines {
+        // A process that does not read any more shows when its answer is missing.
+        let _ = input
+            .write_all(line.text.as_bytes())
+            .and_then(|()| input.flush());
+        if line.is_answered && heard.send(hear(&mut output)).is_err() {
+            return;
+        }
+    }
+}
+
+/// The next line.
+fn hear(output: &mut impl BufRead) -> Heard {
+    let mut bytes = Vec::new();
+    let read = output
+        .by_ref()
+        .take(LONGEST + 1)
+        .read_until(b'\n', &mut bytes);
+    let is_whole = bytes.pop_if(|byte| *byte == b'\n').is_some();
+    match (read, is_whole, String::from_utf8(bytes)) {
+        (Ok(read), false, _) if read as u64 > LONGEST => Heard::TooLong,
+        (Ok(_), true, Ok(line)) => Heard::Line(line),
+        (Ok(_), true, Err(_)) => Heard::NotText,
+        // A line without its end was cut off.
+        _ => Heard::End(Ended::Closed),
+    }
+}
+
+/// Passes on what it says, line by line.
+fn listen(errors: ChildStderr, listener: &(dyn Fn(&str) + Send + Sync)) {
+    let mut errors = BufReader::new(errors);
+    loop {
+        let mut bytes = Vec::new();
+        let read = errors.by_ref().take(SAID).read_until(b'\n', &mut bytes);
+        if !read.is_ok_and(|read| read > 0) {
+            return;
+        }
+        let text = String::from_utf8_lossy(&bytes);
+        listener(&Printable::line(text.trim_end()).to_string());
+    }
+}
