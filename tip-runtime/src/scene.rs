@@ -27,8 +27,8 @@ pub const BLOCKS: usize = 8;
 /// How many objects a scene has room for.
 pub const OBJECTS: usize = 4;
 
-/// Lighter objects are too quick for the time steps of the simulation: kg.
-const LIGHTEST: f64 = 0.01;
+/// Lighter objects would need too many time steps: kg.
+const LIGHTEST: f64 = 0.001;
 
 /// Smaller objects would slip through contacts: mm.
 const SMALLEST: f64 = 2.0;

@@ -2,8 +2,10 @@
 
 #![cfg(feature = "control")]
 
+mod accuracy;
 mod fingers;
 mod floors;
+mod masses;
 mod objects;
 mod rig;
 mod robustness;

@@ -204,7 +204,7 @@ keys! {
 
     Object "size", "[width, height] in mm", Some("`radius` must be there"), "that it is a box, or an upright cylinder";
     Object "radius", "a number in mm", Some("`size` must be there"), "that it is a disc: a cylinder that lies along z";
-    Object "mass", "a number in kg, 0.01 or more", None, "its mass";
+    Object "mass", "a number in kg, 0.001 or more", None, "its mass";
     Object "friction", "a number", Some("0.5"), "its coefficient of friction; where two things touch the smaller one counts";
     Object "x", "a number in mm", Some("0"), "where its centre is at first";
     Object "y", "a number in mm", Some("it stands on the floor"), "where its centre is at first";

@@ -1,7 +1,8 @@
 //! An object in motion: a rigid body in the plane.
 
 use super::Vector;
-use super::finger::across;
+use super::contact::{HEAVY, Law};
+use super::finger::{across, rotated};
 use crate::scene::{Object, Shape};
 
 /// Of free fall: m/s².
@@ -28,6 +29,10 @@ pub(super) struct Body {
     inertia: f64,
     /// The coefficient of Coulomb friction of its surface.
     pub(super) friction: f64,
+    /// Of its contacts with floor and palm.
+    pub(super) law: Law,
+    /// Of its contacts with fingers.
+    pub(super) held: Law,
     /// Its centre: m.
     pub(super) centre: Vector,
     /// rad.
@@ -36,8 +41,16 @@ pub(super) struct Body {
     pub(super) velocity: Vector,
     /// rad/s.
     pub(super) spin: f64,
+    /// In the middle of the step, as the one before it lets expect: m/s.
+    middle: Vector,
+    /// The same: rad/s.
+    middle_spin: f64,
     /// Unit vector along its width.
     right: Vector,
+    /// What it accelerated by in the last step: m/s².
+    acceleration: Vector,
+    /// The same: rad/s².
+    spin_up: f64,
     /// What pushes it: N.
     force: Vector,
     /// What turns it: N·m.
@@ -65,22 +78,38 @@ impl Body {
             mass,
             inertia,
             friction: object.friction,
+            law: Law::of(mass),
+            held: Law::of(mass.min(HEAVY)),
             centre: Vector::new(object.x, object.y.unwrap_or(0.0)) / 1000.0,
             angle: object.angle.to_radians(),
             velocity: Vector::zeros(),
             spin: 0.0,
+            middle: Vector::zeros(),
+            middle_spin: 0.0,
             right: Vector::x(),
+            acceleration: Vector::zeros(),
+            spin_up: 0.0,
             force: Vector::zeros(),
             torque: 0.0,
         };
-        body.place();
+        body.align();
         body
     }
 
-    /// Finds out how it lies; only its weight pushes from now on.
-    fn place(&mut self) {
+    /// Lies as its angle says, to the last bit.
+    pub(super) fn align(&mut self) {
         let (sin, cos) = libm::sincos(self.angle);
         self.right = Vector::new(cos, sin);
+    }
+
+    /// Moves on at its velocity for `time` s, to the middle of a step of `dt` s, in which only its
+    /// weight pushes it yet.
+    pub(super) fn drift(&mut self, time: f64, dt: f64) {
+        self.centre += self.velocity * time;
+        self.angle += self.spin * time;
+        self.right = rotated(self.right, self.spin * time);
+        self.middle = self.velocity + self.acceleration * (dt / 2.0);
+        self.middle_spin = self.spin + self.spin_up * (dt / 2.0);
         self.force = Vector::new(0.0, -GRAVITY * self.mass);
         self.torque = 0.0;
     }
@@ -92,19 +121,29 @@ impl Body {
         self.torque += (point - self.centre).perp(&force);
     }
 
-    /// Moves on by `dt` s; then only its weight pushes.
-    pub(super) fn advance(&mut self, dt: f64) {
-        self.velocity += self.force * (dt / self.mass);
-        self.spin += self.torque * (dt / self.inertia);
-        self.centre += self.velocity * dt;
-        self.angle += self.spin * dt;
-        self.place();
+    /// Takes its velocity from the start to the end of a step of `dt` s, in whose middle it is.
+    pub(super) fn kick(&mut self, dt: f64) {
+        self.acceleration = self.force / self.mass;
+        self.spin_up = self.torque / self.inertia;
+        self.velocity += self.acceleration * dt;
+        self.spin += self.spin_up * dt;
     }
 
-    /// How fast a point of it moves: m/s.
+    /// How fast a point of it moves in the middle of the step: m/s.
     #[inline]
     pub(super) fn velocity_at(&self, point: Vector) -> Vector {
-        self.velocity + across(point - self.centre) * self.spin
+        self.middle + across(point - self.centre) * self.middle_spin
+    }
+
+    /// Of its contacts with another body: that of the lighter one.
+    pub(super) fn law_with(&self, other: &Self) -> Law {
+        let lighter = if self.mass < other.mass { self } else { other };
+        lighter.law
+    }
+
+    /// How fast its contacts swing it at most: rad/s.
+    pub(super) fn frequency(&self) -> f64 {
+        self.law.frequency(self.mass)
     }
 
     /// The points of its outline that meet something flat in the `direction` (a unit vector).

@@ -7,11 +7,46 @@
 
 use super::Vector;
 
-/// Of every contact, along and across: N/m.
-pub(super) const STIFFNESS: f64 = 5000.0;
+/// What two things are made of where they touch, along and across.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Law {
+    /// N/m.
+    stiffness: f64,
+    /// N·s/m.
+    damping: f64,
+}
 
-/// Of every contact, along and across: N·s/m.
+/// What counts as heavy, and a finger as no heavier: kg.
+pub(super) const HEAVY: f64 = 0.2;
+
+/// Of what is not heavier than that: N/m. What is heavier is as much stiffer, so that it rests as deep.
+const STIFFNESS: f64 = 5000.0;
+
+/// Of what is just as heavy: N·s/m.
 const DAMPING: f64 = 15.0;
+
+impl Law {
+    /// Of fingers with the floor, and with what is heavy.
+    pub(super) const FINGER: Self = Law {
+        stiffness: STIFFNESS,
+        damping: DAMPING,
+    };
+
+    /// Of the lighter one's mass (kg). Every mass swings in the same way, since its damping ratio on
+    /// one contact is the same: 0.24.
+    pub(super) fn of(mass: f64) -> Self {
+        let share = mass / HEAVY;
+        Law {
+            stiffness: STIFFNESS * share.max(1.0),
+            damping: DAMPING * share.max(libm::sqrt(share)),
+        }
+    }
+
+    /// How fast it swings what has that mass: rad/s.
+    pub(super) fn frequency(self, mass: f64) -> f64 {
+        libm::sqrt(self.stiffness / mass)
+    }
+}
 
 /// Where and how far two things overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,12 +64,14 @@ pub(super) struct Overlap {
 pub(super) struct Bristle(f64);
 
 impl Bristle {
-    /// The force on the first thing, which moves at `velocity` (m/s) past the second, for the next
-    /// `dt` s: N. Without overlap there is none, and friction forgets.
+    /// The force on the first thing in the middle of a step of `dt` s, where it moves at `velocity`
+    /// (m/s) past the second: N. Without overlap there is none, and friction forgets.
+    #[inline]
     pub(super) fn press(
         &mut self,
         overlap: Option<Overlap>,
         velocity: impl FnOnce(Vector) -> Vector,
+        Law { stiffness, damping }: Law,
         friction: f64,
         dt: f64,
     ) -> Option<Push> {
@@ -43,13 +80,13 @@ impl Bristle {
             return None;
         };
         let velocity = velocity(at);
-        let push = (STIFFNESS * depth - DAMPING * velocity.dot(&normal)).max(0.0);
+        let push = (stiffness * depth - damping * velocity.dot(&normal)).max(0.0);
         let tangent = Vector::new(-normal.y, normal.x);
         let slip = velocity.dot(&tangent);
         let most = friction * push;
-        let stretch = self.0 + slip * dt;
-        self.0 = within(stretch, most / STIFFNESS);
-        let drag = within(-STIFFNESS * stretch - DAMPING * slip, most);
+        let middle = self.0 + slip * dt / 2.0;
+        self.0 = within(self.0 + slip * dt, most / stiffness);
+        let drag = within(-stiffness * middle - damping * slip, most);
         Some(Push {
             at,
             force: normal * push + tangent * drag,

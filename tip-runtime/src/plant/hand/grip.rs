@@ -2,7 +2,7 @@
 //! other.
 
 use super::Vector;
-use super::contact::{Bristle, Push};
+use super::contact::{Bristle, Law, Push};
 use super::finger::Finger;
 use super::overlap::Surface;
 use super::slider::SliderServo;
@@ -13,8 +13,12 @@ use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::{Leg, Model, Point, Whole};
 use crate::scene::{OBJECTS, Scene};
 
-/// The longest step: ms.
-const STEP: f64 = 0.1;
+/// The longest step: s.
+const STEP: f64 = 0.0005;
+
+/// How far one contact may swing a body in a step: rad. All of its contacts together swing it up to four
+/// times as fast, and their dampers must not turn its motion round within a step.
+const SWING: f64 = 0.12;
 
 /// A cycle that is longer is cut short: ms.
 const LONGEST: f64 = 1000.0;
@@ -47,6 +51,8 @@ pub(super) struct Grip<S: ?Sized> {
     /// `None` of a hand without fingers.
     palm: Option<Palm>,
     things: [Option<Thing>; OBJECTS],
+    /// The longest step that its fingers and objects allow: s.
+    step: f64,
     /// Of the last cycle: ms.
     period: f64,
     stopped: bool,
@@ -95,7 +101,7 @@ impl<const J: usize> FingerPlant<J> {
             };
             let velocity = |at| link.velocity_at(at) - floor.velocity;
             let place = floor.overlap(link.end);
-            let push = tread.press(place, velocity, floor.friction, dt);
+            let push = tread.press(place, velocity, Law::FINGER, floor.friction, dt);
             if let Some(Push { at, force }) = push {
                 self.finger.push(m, at, force);
                 if m + 1 == J {
@@ -118,16 +124,20 @@ impl<const J: usize> FingerPlant<J> {
 impl<const L: usize, const J: usize> Grip<[FingerPlant<J>; L]> {
     /// In its initial posture over a level floor with nothing on it.
     pub(super) fn new(model: &Model<L, J>) -> Self {
-        Grip {
+        let mut grip = Grip {
             scene: Scene::EMPTY,
             torque_unit: Whole::of(model).torque_unit(),
             slider: SliderServo::new(model.slider.as_ref()),
             palm: Palm::between(model.legs.iter().map(|leg| leg.base)),
             things: [None; OBJECTS],
+            step: STEP,
             period: model.standards.period,
             stopped: false,
             fingers: model.legs.each_ref().map(FingerPlant::new),
-        }
+        };
+        let slice: &mut Grip<[FingerPlant<J>]> = &mut grip;
+        slice.step = slice.longest_step();
+        grip
     }
 }
 
@@ -171,6 +181,18 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         for finger in &mut self.fingers {
             finger.grasps = [[[Bristle::default(); 5]; J]; OBJECTS];
         }
+        self.step = self.longest_step();
+    }
+
+    /// A step in which no contact swings too far: s.
+    fn longest_step(&self) -> f64 {
+        let of_fingers = self
+            .fingers
+            .iter()
+            .map(|FingerPlant { finger, .. }| Law::FINGER.frequency(finger.lightest()) / 3.0);
+        let things = self.things.iter().flatten();
+        let frequencies = of_fingers.chain(things.map(|thing| thing.body.frequency()));
+        frequencies.fold(STEP, |step, frequency| step.min(SWING / frequency))
     }
 
     /// What the sensors read.
@@ -218,12 +240,25 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.advance();
     }
 
-    /// One control cycle.
+    /// One control cycle: positions at the middles of steps, velocities at their ends. What pushes in
+    /// a middle depends on velocities, too, which go on there as in the step before.
     fn advance(&mut self) {
-        let steps = libm::ceil(self.period.min(LONGEST) / STEP);
-        let dt = self.period.min(LONGEST) / steps / 1000.0;
-        for _ in 0..steps as u32 {
-            self.step(dt);
+        let time = self.period.min(LONGEST) / 1000.0;
+        // Whole multiples of the longest step are not split for a rounding error.
+        let steps = libm::ceil(time / self.step - 1e-9);
+        let dt = time / steps;
+        self.drift(dt / 2.0, dt);
+        for _ in 1..steps as u32 {
+            self.kick(dt);
+            self.drift(dt, dt);
+        }
+        self.kick(dt);
+        self.drift(dt / 2.0, dt);
+        for FingerPlant { finger, .. } in &mut self.fingers {
+            finger.align();
+        }
+        for thing in self.things.iter_mut().flatten() {
+            thing.body.align();
         }
         self.watch();
     }
@@ -240,8 +275,19 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
     }
 
-    /// Moves everything on by `dt` s.
-    fn step(&mut self, dt: f64) {
+    /// Moves everything on for `time` s at its velocity, to the middle of a step of `dt` s.
+    fn drift(&mut self, time: f64, dt: f64) {
+        for FingerPlant { finger, .. } in &mut self.fingers {
+            finger.drift(time, dt);
+        }
+        for thing in self.things.iter_mut().flatten() {
+            thing.body.drift(time, dt);
+        }
+        self.slider.advance(time);
+    }
+
+    /// Takes all velocities from the start to the end of a step of `dt` s, by what pushes in its middle.
+    fn kick(&mut self, dt: f64) {
         let floor = self.floor();
         for finger in &mut self.fingers {
             finger.on_last = [Vector::zeros(); 2];
@@ -250,12 +296,11 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.meet_objects(&floor, dt);
         for FingerPlant { finger, pull, .. } in &mut self.fingers {
             finger.push(J.wrapping_sub(1), finger.tip(), *pull);
-            finger.advance(dt);
+            finger.kick(dt);
         }
         for thing in self.things.iter_mut().flatten() {
-            thing.body.advance(dt);
+            thing.body.kick(dt);
         }
-        self.slider.advance(dt);
     }
 
     /// Objects press on the floor, the palm, the fingers and each other.

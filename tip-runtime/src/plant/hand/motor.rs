@@ -36,12 +36,13 @@ pub(super) struct Effort {
 
 impl Effort {
     /// A spring (N·m/rad) that is stretched by `gap` deg, and a damper (N·m·s/rad) between rates that
-    /// differ by `slower` rad/s, both at the end of a step of `dt` s.
+    /// differ by `slower` rad/s, both at the end of a step of `dt` s if the rate does not change. What
+    /// changes it does so evenly, and turns the joint half as far as at the end's rate.
     #[inline]
     fn spring(stiffness: f64, damping: f64, gap: f64, slower: f64, dt: f64) -> Self {
         Effort {
             torque: stiffness * gap.to_radians() + damping * slower,
-            inertia: dt * (damping + dt * stiffness),
+            inertia: dt * (damping + dt / 2.0 * stiffness),
         }
     }
 
@@ -79,6 +80,8 @@ pub(super) struct Motor {
     set_rate: f64,
     /// What it gives: N·m.
     pub(super) torque: f64,
+    /// What its joint accelerated by in the last step, unless it was led by the servo: rad/s².
+    carried: f64,
 }
 
 impl Motor {
@@ -90,6 +93,7 @@ impl Motor {
         set_point: 0.0,
         set_rate: 0.0,
         torque: 0.0,
+        carried: 0.0,
     };
 
     /// Holds an angle (deg).
@@ -140,8 +144,14 @@ impl Motor {
         }
     }
 
-    /// What the motor itself does to a joint at `angle` deg that turns at `rate` rad/s, in a step of
-    /// `dt` s.
+    /// What its joint is expected to go on accelerating by: rad/s². A joint that is led keeps its rate.
+    #[inline]
+    pub(super) const fn carried(&self) -> f64 {
+        self.carried
+    }
+
+    /// What the motor itself does to a joint at `angle` deg in the middle of a step of `dt` s, at whose
+    /// start it turns at `rate` rad/s.
     #[inline]
     pub(super) fn effort(&self, angle: f64, rate: f64, dt: f64) -> Effort {
         match self.mode {
@@ -150,7 +160,7 @@ impl Motor {
                 inertia: 0.0,
             },
             Mode::Servo => {
-                let gap = self.set_point - angle - (rate * dt).to_degrees();
+                let gap = self.set_point - angle - (rate * dt / 2.0).to_degrees();
                 Effort::spring(SERVO, SERVO_DAMPING, gap, self.set_rate - rate, dt)
             }
         }
@@ -163,7 +173,7 @@ impl Motor {
             torque: -FRICTION * rate,
             inertia: FRICTION * dt / 2.0,
         };
-        let ahead = angle + (rate * dt).to_degrees();
+        let ahead = angle + (rate * dt / 2.0).to_degrees();
         [friction, self.stop(ahead, rate, dt)]
     }
 
@@ -177,6 +187,10 @@ impl Motor {
         if yields {
             self.mode = Mode::Yielding(bounded);
         }
+        self.carried = match self.mode {
+            Mode::Servo => 0.0,
+            Mode::Torque(_) | Mode::Yielding(_) => acceleration,
+        };
         yields
     }
 

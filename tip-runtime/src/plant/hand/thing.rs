@@ -77,7 +77,11 @@ impl Thing {
         finger: &mut Finger<J>,
         dt: f64,
     ) -> Vector {
-        let friction = self.body.friction;
+        let Body {
+            friction,
+            held: law,
+            ..
+        } = self.body;
         let mut on_last = Vector::zeros();
         for (m, bristles) in bristles.iter_mut().enumerate() {
             let Some(link) = finger.links().get(m) else {
@@ -91,7 +95,7 @@ impl Thing {
             for (bristle, place) in bristles.iter_mut().zip(places) {
                 let body = &self.body;
                 let velocity = |at| link.velocity_at(at) - body.velocity_at(at);
-                let push = bristle.press(place, velocity, friction, dt);
+                let push = bristle.press(place, velocity, law, friction, dt);
                 if let Some(Push { at, force }) = push {
                     finger.push(m, at, force);
                     self.body.push(at, -force);
@@ -107,12 +111,13 @@ impl Thing {
     /// Touches another thing, the `n`th after it.
     pub(super) fn meet(&mut self, n: usize, other: &mut Self, dt: f64) {
         let friction = self.body.friction.min(other.body.friction);
+        let law = self.body.law_with(&other.body);
         let places = of_bodies(&self.body, &other.body);
         let bristles = self.others.get_mut(n).into_iter().flatten();
         for (bristle, place) in bristles.zip(places) {
             let (own, its) = (&self.body, &other.body);
             let velocity = |at| own.velocity_at(at) - its.velocity_at(at);
-            if let Some(Push { at, force }) = bristle.press(place, velocity, friction, dt) {
+            if let Some(Push { at, force }) = bristle.press(place, velocity, law, friction, dt) {
                 self.body.push(at, force);
                 other.body.push(at, -force);
             }
@@ -161,7 +166,7 @@ fn press(
     is_there: impl Fn(Vector) -> bool,
     dt: f64,
 ) -> bool {
-    let friction = body.friction.min(surface.friction);
+    let (friction, law) = (body.friction.min(surface.friction), body.law);
     let mut touches = false;
     let feelers = body.feelers(-surface.normal);
     for (bristle, feeler) in bristles.iter_mut().zip(feelers) {
@@ -169,7 +174,7 @@ fn press(
         let place = feeler.and_then(|point| surface.overlap(point));
         let own = &*body;
         let velocity = |at| own.velocity_at(at) - surface.velocity;
-        if let Some(Push { at, force }) = bristle.press(place, velocity, friction, dt) {
+        if let Some(Push { at, force }) = bristle.press(place, velocity, law, friction, dt) {
             body.push(at, force);
             touches = true;
         }
