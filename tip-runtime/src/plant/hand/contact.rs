@@ -19,7 +19,10 @@ pub(super) struct Law {
 /// What counts as heavy, and a finger as no heavier: kg.
 pub(super) const HEAVY: f64 = 0.2;
 
-/// Of what is not heavier than that: N/m. What is heavier is as much stiffer, so that it rests as deep.
+/// By how much what is heavier makes contacts stiffer at most, so that no force leaves the numbers.
+const HEAVIEST: f64 = 1e9;
+
+/// Of what is not heavier than `HEAVY`: N/m. What is heavier is as much stiffer, so that it rests as deep.
 const STIFFNESS: f64 = 5000.0;
 
 /// Of what is just as heavy: N·s/m.
@@ -35,7 +38,7 @@ impl Law {
     /// Of the lighter one's mass (kg). Every mass swings in the same way, since its damping ratio on
     /// one contact is the same: 0.24.
     pub(super) fn of(mass: f64) -> Self {
-        let share = mass / HEAVY;
+        let share = (mass / HEAVY).min(HEAVIEST);
         Law {
             stiffness: STIFFNESS * share.max(1.0),
             damping: DAMPING * share.max(libm::sqrt(share)),
