@@ -146,24 +146,29 @@ fn what_weighs_1_g_is_held_between_fingers_as_steadily_as_what_weighs_300_g() {
             ..BOX
         };
         let mut plant = with(&[wide]);
+        // The floor goes down first, until fingertips are beside the box's middle: they would touch the
+        // floor otherwise, and what tilts the box would leave its lower edge on the link, above the tip.
+        let commands = |joints| Outputs {
+            slider: [0.0, -155.0, 0.0],
+            ..outputs(joints)
+        };
+        write(&mut plant, &commands(held()), cycles(0.5));
         let mut joints = held();
         for (finger, torque) in joints.iter_mut().zip([60.0, 30.0, 30.0]) {
             finger[0] = JointCommand::Torque(torque);
         }
-        let commands = Outputs {
-            slider: [0.0, -130.0, 0.0],
-            ..outputs(joints)
-        };
-        write(&mut plant, &commands, cycles(1.0));
+        write(&mut plant, &commands(joints), cycles(1.0));
         let before = (object(&plant), plant.fingertips()[0]);
-        write(&mut plant, &commands, cycles(0.2));
+        write(&mut plant, &commands(joints), cycles(0.2));
         let after = (object(&plant), plant.fingertips()[0]);
         for axis in 0..2 {
             close(after.0.position[axis], before.0.position[axis], 1e-4);
             close(after.1.on_objects[axis], before.1.on_objects[axis], 1e-4);
         }
-        // 60 mN·m of joint 1 about the force at its tip.
+        // 60 mN·m of joint 1 about the one force on its finger, which is at its tip.
+        assert_eq!(after.1.on_floor, [0.0; 3]);
         let ([x, y, _], [along, up, _]) = (after.1.position, after.1.on_objects);
+        assert!((-150.0..-100.0).contains(&y), "beside the box: {y}");
         close(((x + 60.0) * up - y * along) / 60.0, 1.0, 1e-3);
     }
 }

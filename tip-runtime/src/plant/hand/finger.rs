@@ -234,8 +234,8 @@ impl<const J: usize> Finger<J> {
         accelerations
     }
 
-    /// The lower triangle of the mass matrix (kg·m²), which is all that is read, and what keeps the joints turning at their rates (N·m): from the tip inwards, with all that is
-    /// beyond a joint as one body.
+    /// The lower triangle of the mass matrix (kg·m²), which is all that is read, and what keeps the joints
+    /// turning at their rates (N·m): from the tip inwards, with all that is beyond a joint as one body.
     fn dynamics(&self) -> ([[f64; J]; J], [f64; J]) {
         let mut matrix = [[0.0; J]; J];
         let mut inertial = [0.0; J];

@@ -107,8 +107,9 @@ impl Motor {
     }
 
     /// Takes a command for the next `time` s, in which a servo's set point goes evenly from where it
-    /// was to where it is sent, or to the stop before that; a joint at `angle` deg that was driven by torque starts there. `unit`
-    /// is how many of the command's unit one N·m is. A value that is not a number is left out.
+    /// was to where it is sent, or to the stop before that; a joint at `angle` deg that was driven by
+    /// torque starts there. `unit` is how many of the command's unit one N·m is. A value that is not a
+    /// number is left out.
     pub(super) fn command(&mut self, command: JointCommand, unit: f64, angle: f64, time: f64) {
         if let Mode::Torque(_) = self.mode {
             self.set_point = angle;
