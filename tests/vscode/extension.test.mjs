@@ -57,7 +57,6 @@ test('the problem matcher reads every line of the short format', () => {
     });
     assert.deepEqual(read.sort(), [
       'wrong.prg 3 9 warning W101',
-      'wrong.prg 3 9 warning W104',
       'wrong.prg 4 1 error E204-01',
       'wrong.prg 5 3 error E205-01',
     ]);

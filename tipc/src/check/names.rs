@@ -3,7 +3,7 @@
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
-use crate::language::commands::{self, Meaning};
+use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
 use crate::message::{Habit, Instead, Message, Naming, Suggesting};
@@ -11,7 +11,7 @@ use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind, Word};
+use crate::syntax::{Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, Target};
@@ -81,7 +81,24 @@ impl Names {
                 }
             }
         }
+        names.warn_of_flags(module, found);
         names
+    }
+
+    /// A variable may be called `R`, `A` or `HS`; a motion that has the word means its flag.
+    fn warn_of_flags(&self, module: &Module, found: &mut Vec<Diagnostic>) {
+        for (variable, declared) in self.variables.iter().zip(&self.declared) {
+            let name = variable.name.as_str();
+            let is_flag = is_motion_flag(name, self.edition);
+            let used = is_flag.then(|| used_in_motion(module, name)).flatten();
+            if let (Some(declared), Some(used)) = (*declared, used) {
+                let warning = Diagnostic::new(Code::FlagName, declared, Naming::ReadAsFlag)
+                    .about(name)
+                    .label(used, Naming::FlagHere)
+                    .help(Naming::ChooseAnother);
+                found.push(warning);
+            }
+        }
     }
 
     fn insert(&mut self, name: &str, kind: VariableKind, place: Option<Span>) {
@@ -107,11 +124,6 @@ impl Names {
             self.refused
                 .insert(array.map_or(name, |(name, _)| name).to_owned());
             return;
-        }
-        if is_motion_flag(name, self.edition) {
-            let reason = Naming::ReadAsFlag;
-            let warning = Diagnostic::new(Code::FlagName, word.span, reason);
-            found.push(warning.about(name).help(Naming::ChooseAnother));
         }
         self.insert(name, kind, Some(word.span));
     }
@@ -313,4 +325,26 @@ fn declare(name: &str, kind: Option<VariableKind>) -> Naming {
     };
     let declaration = format!("{keyword} {name}").into();
     Naming::DeclareAs { declaration }
+}
+
+/// Where a motion command has a word first.
+fn used_in_motion(module: &Module, word: &str) -> Option<Span> {
+    let motions = module.statements.iter().filter_map(motion_arguments);
+    let is_word =
+        |operand: &&Operand| matches!(&operand.kind, OperandKind::Name(name) if name == word);
+    let used = motions.flatten().find(is_word);
+    used.map(|operand| operand.span)
+}
+
+fn motion_arguments(statement: &Statement) -> Option<&[Operand]> {
+    let StatementKind::Command {
+        name, arguments, ..
+    } = &statement.kind
+    else {
+        return None;
+    };
+    let Form::Robot(form) = commands::find(&name.node)?.form else {
+        return None;
+    };
+    form.motion.then_some(arguments)
 }

@@ -48,6 +48,9 @@ messages! {
     ReadAsFlag
         "motion commands read this word as their flag",
         "移動系コマンドはこの語をフラグとして読みます";
+    FlagHere
+        "the flag, not the variable",
+        "変数ではなくフラグです";
     NoVariableName { word: SmolStr }
         "`{word}` cannot name a variable",
         "`{word}` は変数名に使えません";

@@ -44,7 +44,7 @@ const BESIDE: &[(&str, &str)] = &[
     ),
     (
         "Naming",
-        "ChooseAnother FirstDeclared DeclaredHere LabelCharacters OwnName WriteNames VariableCharacters DeclareOnce NumberBelongsHere
+        "ChooseAnother FlagHere FirstDeclared DeclaredHere LabelCharacters OwnName WriteNames VariableCharacters DeclareOnce NumberBelongsHere
          Declare DeclareAs AlsoHere VarMembers PosMembers JointMembers AssignBefore",
     ),
     (
