@@ -1,12 +1,14 @@
 //! What a simulated robot did in a cycle, as the trace shows it.
 
-use crate::plant::{Motion, Unmodelled};
+use crate::plant::{Motion, Pose, Unmodelled};
 use core::fmt::{self, Write};
 
 /// What a simulated robot did in a cycle. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub struct Moved<'a> {
-    /// How the body moves; none for a robot that stays where it is.
+    /// Where the body is; none for a robot that stays where it is.
+    pub pose: Option<Pose>,
+    /// How the body moves, if that is known.
     pub motion: Option<Motion>,
     /// Joints of each leg.
     pub joints_per_leg: usize,
@@ -20,7 +22,7 @@ impl Moved<'_> {
     /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`, `slides`,
     /// `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
-        if let Some(Motion { pose, .. }) = &self.motion {
+        if let Some(pose) = &self.pose {
             let [x, y, z] = pose.position;
             let pose = [x, y, z, pose.roll, pose.pitch, pose.yaw];
             out.write_str(r#","pose":"#)?;

@@ -28,6 +28,24 @@ messages! {
     NearRobot { word: String, near: String, robots: Each }
         "no robot is called `{word}`: did you mean `{near}`? There are {robots}, and yours in a FILE.toml",
         "`{word}` というロボットはありません。`{near}` のことですか? {robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
+    NoPlant { word: String, plants: Each }
+        "no plant is called `{word}`; there are {plants}, and a process of yours as `exec:COMMAND`",
+        "`{word}` というプラントはありません。{plants}か、自分のプロセスを `exec:COMMAND` の形で指定してください";
+    NoProcess { command: String }
+        "`{command}` is not a command line: write a program and its arguments, and close every quote, as in `exec:python3 simulate.py`",
+        "`{command}` はコマンドラインではありません。`exec:python3 simulate.py` のようにプログラムと引数を書き、引用符は閉じてください";
+    ProcessRunsOnce { command: &'static str }
+        "`tipc {command}` runs programs again or backwards, and a process can neither be copied nor taken back: take --plant dynamic here, and the process with `tipc run`",
+        "`tipc {command}` はプログラムを繰り返し、または逆向きに実行しますが、プロセスはコピーも巻き戻しもできません。ここでは --plant dynamic を使い、プロセスは `tipc run` で使ってください";
+    ProcessIsRun { command: &'static str }
+        "`tipc {command}` records our plants only; `tipc run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tipc view FILE --program PROGRAM` shows what it did",
+        "`tipc {command}` が記録できるのは内蔵のプラントだけです。プロセスは `tipc run --plant exec:COMMAND --trace FILE --trace-motion` で実行し、`tipc view FILE --program PROGRAM` で表示してください";
+    SceneIsElsewhere
+        "--scene surrounds our plants, and a process has its own surroundings: give the scene to the process",
+        "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
+    FallsAreElsewhere
+        "--deny falls needs a plant of ours: nobody counts the falls of a process's robot",
+        "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
     NotAVersion { text: String }
         "`{text}` is not a version of the language, as 3.1 is",
         "`{text}` は3.1のような言語のバージョンではありません";

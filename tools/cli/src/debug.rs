@@ -14,6 +14,7 @@ mod tests;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
+use super::plant::{self, Ours};
 use super::{Status, input, interrupt, report, scene};
 use app::App;
 use clap::Args;
@@ -83,6 +84,11 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
 /// The program on its robot; none, with its findings reported, if something does not load.
 fn load(arguments: &Debug) -> Result<Option<App>, Error> {
     let shown = arguments.source.shown;
+    let plant = plant::ours(
+        arguments.inputs.plant.as_ref(),
+        Ours::Again("debug"),
+        shown.lang(),
+    )?;
     let robot = match arguments.source.robot().load() {
         Ok(robot) => robot,
         Err(loaded) => {
@@ -90,11 +96,7 @@ fn load(arguments: &Debug) -> Result<Option<App>, Error> {
             return Ok(None);
         }
     };
-    let Some(scene) = scene::load(
-        arguments.inputs.scene.as_ref(),
-        arguments.inputs.plant,
-        shown,
-    ) else {
+    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), plant, shown) else {
         return Ok(None);
     };
     let robot = scene::around(robot.simulated()?, &scene)?;

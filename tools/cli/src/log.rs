@@ -1,6 +1,7 @@
 //! `tipc log`: a run as a file that the field's viewers and tables read.
 
 use super::error::Error;
+use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::{Status, output, report};
 use clap::Args;
@@ -65,7 +66,10 @@ impl Kind {
 pub(super) fn log(arguments: &Log) -> Result<Status, Error> {
     let (out, kind) = (&arguments.out, Kind::of(&arguments.out)?);
     output::refuse_inputs(out, &arguments.recorded.files())?;
-    let Some(recorded) = arguments.recorded.record(kind.pace(arguments.every))? else {
+    let Some(recorded) = arguments
+        .recorded
+        .record(kind.pace(arguments.every), Ours::Recorded("log"))?
+    else {
         return Ok(Status::Failure);
     };
     let recording = &recorded.recording;

@@ -26,6 +26,7 @@ mod migrate;
 mod new;
 mod output;
 mod place;
+mod plant;
 mod plot;
 mod project;
 mod recorded;

@@ -1,6 +1,7 @@
 //! `tipc plot`: a run as diagrams.
 
 use super::error::Error;
+use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::{Status, output};
 use clap::{Args, ValueEnum};
@@ -62,7 +63,10 @@ impl What {
 pub(super) fn plot(arguments: &Plot) -> Result<Status, Error> {
     let out = &arguments.out;
     output::refuse_inputs(out, &arguments.recorded.files())?;
-    let Some(recorded) = arguments.recorded.record(Pace::Smooth)? else {
+    let Some(recorded) = arguments
+        .recorded
+        .record(Pace::Smooth, Ours::Recorded("plot"))?
+    else {
         return Ok(Status::Failure);
     };
     let diagrams: Vec<Diagram> = match arguments.of.as_slice() {

@@ -2,6 +2,7 @@
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
+use super::plant::{self, Ours};
 use super::{Status, input, interrupt, report, run, scene};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -57,8 +58,8 @@ impl RecordedArguments {
 
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; none if something was found, and
     /// reported.
-    pub(super) fn record(&self, pace: Pace) -> Result<Option<Recorded>, Error> {
-        let Some((loaded, robot)) = self.load(&self.file, false)? else {
+    pub(super) fn record(&self, pace: Pace, why: Ours) -> Result<Option<Recorded>, Error> {
+        let Some((loaded, robot)) = self.load(&self.file, false, why)? else {
             return Ok(None);
         };
         let recording = self.run(&loaded, &robot, pace)?;
@@ -72,13 +73,16 @@ impl RecordedArguments {
         Ok(Some(Recorded { recording, robot }))
     }
 
-    /// The program and the robot in its scene, with inputs that it has; none if something was found, and reported.
+    /// The program and the robot in its scene, with inputs that it has; none if something was found, and reported. The
+    /// command takes our plants alone, and says why.
     pub(super) fn load(
         &self,
         program: &Path,
         quiet: bool,
+        why: Ours,
     ) -> Result<Option<(Loaded, Robot)>, Error> {
         interrupt::catch();
+        let plant = plant::ours(self.inputs.plant.as_ref(), why, self.source.shown.lang())?;
         let robot = match self.source.robot().load() {
             Ok(robot) => robot,
             Err(loaded) => {
@@ -86,11 +90,7 @@ impl RecordedArguments {
                 return Ok(None);
             }
         };
-        let Some(scene) = scene::load(
-            self.inputs.scene.as_ref(),
-            self.inputs.plant,
-            self.source.shown,
-        ) else {
+        let Some(scene) = scene::load(self.inputs.scene.as_ref(), plant, self.source.shown) else {
             return Ok(None);
         };
         let robot = scene::around(robot.simulated()?, &scene)?;

@@ -14,6 +14,7 @@ mod waiting;
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
 use super::error::Error;
+use super::plant::PlantChoice;
 use super::{Status, input, interrupt, report, scene};
 use clap::Args;
 use emergency::Stopped;
@@ -24,8 +25,9 @@ use std::path::PathBuf;
 use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{Inputs, Interpreter, Observer, Robot, reach, special};
+use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, reach, special};
 use tipc::Loaded;
+use tipc::message::Using;
 use tipc::message::running::Weight;
 use tipc::program::Program;
 use trace::{Extras, Trace};
@@ -42,6 +44,7 @@ use trace::{Extras, Trace};
   tipc run --robot hand grasp.prg --scene cylinder
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
   tipc run walk.prg --realtime                  as fast as the robot, with a status line and your keys
+  tipc run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
   tipc run walk.prg --quiet --deny falls        for scripts: nothing but messages, and exit status 4 after a fall
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
@@ -106,9 +109,14 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
             return Ok(Status::Failure);
         }
     };
+    let plant = arguments.inputs.plant.as_ref();
+    let process = plant.and_then(PlantChoice::process);
+    if process.is_some() {
+        refuse_ours(arguments)?;
+    }
     let Some(scene) = scene::load(
         arguments.inputs.scene.as_ref(),
-        arguments.inputs.plant,
+        plant.and_then(PlantChoice::name),
         arguments.source.shown,
     ) else {
         return Ok(Status::Failure);
@@ -152,6 +160,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
                 arguments,
                 loaded: &loaded,
                 inputs: &inputs,
+                process,
             };
             job.simulate(program, robot, trace, logs)
         }
@@ -165,6 +174,8 @@ struct Job<'a> {
     /// What it was loaded from.
     loaded: &'a Loaded,
     inputs: &'a Inputs,
+    /// What simulates the robot, if it is not one of our plants.
+    process: Option<ExternalPlant>,
 }
 
 impl Job<'_> {
@@ -181,8 +192,8 @@ impl Job<'_> {
         let anatomy = robot.anatomy();
         let options = self.arguments.source.options(robot.options().robot);
         let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
-        let mut run = tip_sim::Run::new(Interpreter::new(program), robot)
-            .map_err(|mismatch| usage(&mismatch))?
+        let mut run = self
+            .start(Interpreter::new(program), robot)?
             .with_events(&self.inputs.events)
             .map_err(|refused| usage(&refused))?
             .with_console(screen);
@@ -227,9 +238,24 @@ impl Job<'_> {
         Ok(self.status(&ending, fell))
     }
 
+    /// Puts the program on its robot.
+    fn start(&self, program: Interpreter, robot: Robot) -> Result<tip_sim::Run, Error> {
+        match &self.process {
+            Some(process) => {
+                let lang = self.arguments.source.shown.lang();
+                let run = tip_sim::Run::external(program, &robot, process);
+                run.map_err(|refused| Error::Failed(refused.text(lang)))
+            }
+            None => tip_sim::Run::new(program, robot)
+                .map_err(|mismatch| Error::Usage(mismatch.to_string())),
+        }
+    }
+
     fn progress(&self) -> Progress {
         match (self.arguments.quiet, self.arguments.realtime) {
             (true, _) => Progress::hidden(),
+            // What a process says would be written into its line.
+            (false, false) if self.process.is_some() => Progress::hidden(),
             (false, true) => Progress::live(),
             (false, false) => Progress::of(self.inputs.cycles),
         }
@@ -310,6 +336,19 @@ impl Observer for Watch<'_> {
             live.after(run, &self.job.loaded.source);
         }
     }
+}
+
+/// Refuses what only our plants can do.
+fn refuse_ours(arguments: &Run) -> Result<(), Error> {
+    let refused = if arguments.inputs.scene.is_some() {
+        Using::SceneIsElsewhere
+    } else if arguments.deny.falls() {
+        Using::FallsAreElsewhere
+    } else {
+        return Ok(());
+    };
+    let lang = arguments.source.shown.lang();
+    Err(Error::Usage(refused.in_lang(lang).to_string()))
 }
 
 /// Refuses inputs that the robot lacks.

@@ -10,6 +10,7 @@ mod reply;
 mod viewer;
 
 use super::error::Error;
+use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::watch::Watch;
 use super::{Status, input, interrupt, output, report};
@@ -92,7 +93,7 @@ impl Serve {
     /// The program on its robot; none if something was found, and reported.
     fn session(&self, path: &Path) -> Result<Option<Session>, Error> {
         let recorded = &self.recorded;
-        let Some((loaded, robot)) = recorded.load(path, self.quiet)? else {
+        let Some((loaded, robot)) = recorded.load(path, self.quiet, Ours::Again("serve"))? else {
             return Ok(None);
         };
         let inputs = recorded.inputs.inputs();

@@ -31,6 +31,13 @@ const OTHERS: &[(&str, &str)] = &[
 #[derive(Clone, Debug)]
 pub(super) struct Wrong(pub(super) Using);
 
+impl Wrong {
+    /// What is said of it in a language.
+    pub(super) fn text(&self, lang: Lang) -> String {
+        self.0.in_lang(lang).to_string()
+    }
+}
+
 impl fmt::Display for Wrong {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)

@@ -7,6 +7,7 @@ mod watched;
 use super::arguments::{InputArguments, SourceArguments};
 use super::checked::checked;
 use super::error::Error;
+use super::plant::{self, Ours};
 use super::robot::ChosenRobot;
 use super::usage::count;
 use super::{Status, interrupt, output, scene};
@@ -58,12 +59,14 @@ pub(super) struct Verify {
 /// Builds the program, runs both engines, and prints a certificate, or the shortest input on which they differ.
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
+    let lang = arguments.source.shown.lang();
+    let plant = plant::ours(arguments.inputs.plant.as_ref(), Ours::Again("verify"), lang)?;
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
     let Some(scene) = scene::load(
         arguments.inputs.scene.as_ref(),
-        arguments.inputs.plant,
+        plant,
         arguments.source.shown,
     ) else {
         return Ok(Status::Failure);

@@ -1,6 +1,7 @@
 //! `tipc view`: a page that replays a run.
 
 use super::error::Error;
+use super::plant::Ours;
 use super::recorded::{RecordedArguments, STOPPED};
 use super::report::plural;
 use super::{Status, interrupt, output, report};
@@ -51,7 +52,8 @@ pub(super) struct View {
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
     let program = arguments.program.as_deref().unwrap_or(&recorded.file);
-    let Some((loaded, robot)) = recorded.load(program, arguments.quiet)? else {
+    let Some((loaded, robot)) = recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
+    else {
         return Ok(Status::Failure);
     };
     let out = arguments.out();

@@ -23,6 +23,7 @@
 //! sensors.
 
 mod answer;
+mod journey;
 mod line;
 mod link;
 mod trouble;
@@ -31,10 +32,12 @@ pub use trouble::{Ended, Head, Trouble};
 
 use crate::desk::Desk;
 use crate::engine::Engine;
+use crate::motion::Limbs;
 use crate::outside::{Outside, Reading};
 use crate::robot::Robot;
 use crate::run::Run;
 use answer::{Answer, Measured};
+use journey::Journey;
 use line::Layout;
 use link::{Heard, Link};
 use std::any::Any;
@@ -194,47 +197,6 @@ pub(crate) struct External {
     is_stopped: bool,
 }
 
-/// From where to where the body has come.
-#[derive(Clone, Copy, Debug)]
-struct Journey {
-    start: Pose,
-    now: Pose,
-    /// Whole turns: deg.
-    turned: f64,
-}
-
-impl Journey {
-    fn on(before: Option<Self>, now: Pose) -> Self {
-        let Some(before) = before else {
-            return Journey {
-                start: now,
-                now,
-                turned: 0.0,
-            };
-        };
-        // Headings are kept within half a turn.
-        let turn = now.yaw - before.now.yaw;
-        let whole = if turn > 180.0 {
-            -360.0
-        } else if turn < -180.0 {
-            360.0
-        } else {
-            0.0
-        };
-        Journey {
-            now,
-            turned: before.turned + whole,
-            ..before
-        }
-    }
-
-    fn travel(&self) -> Travel {
-        let ([x, y, z], [x0, y0, z0]) = (self.now.position, self.start.position);
-        let turn = self.now.yaw - self.start.yaw + self.turned;
-        Travel::new([x - x0, y - y0, z - z0], turn)
-    }
-}
-
 impl External {
     fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, NotStarted> {
         let layout = Layout::of(robot.name(), &robot.anatomy());
@@ -380,7 +342,20 @@ impl Outside for External {
     }
 
     fn pose(&self) -> Option<Pose> {
-        self.journey.map(|journey| journey.now)
+        self.journey.as_ref().map(Journey::now)
+    }
+
+    fn limbs(&self) -> Option<Limbs> {
+        let joints = self.layout.joints.max(1);
+        let legs = |values: &[f64]| values.chunks(joints).map(<[f64]>::to_vec).collect();
+        let unit = self.layout.per_newton_metre;
+        let torques: Vec<f64> = self.measured.torques.iter().map(|it| it * unit).collect();
+        let is_known = !self.measured.angles.is_empty();
+        is_known.then(|| Limbs {
+            angles: legs(&self.measured.angles),
+            loads: self.measured.loads.clone(),
+            torques: legs(&torques),
+        })
     }
 
     fn travel(&self) -> Option<Travel> {

@@ -3,12 +3,17 @@
 use crate::motion::{Fall, Grasp, Limbs};
 use crate::run::Run;
 use tip_runtime::controller::Aim;
-use tip_runtime::plant::{Motion, Travel};
+use tip_runtime::plant::{Motion, Pose, Travel};
 
 impl Run {
     /// How the body moves; none for a robot that stays where it is, or that another process simulates.
     pub fn motion(&self) -> Option<Motion> {
         self.shell.motion()
+    }
+
+    /// Where the body is; none for a robot that stays where it is, or that another process simulates without saying so.
+    pub fn pose(&self) -> Option<Pose> {
+        self.shell.pose()
     }
 
     /// How far the body has come; none for a robot that stays where it is, or that another process simulates without saying

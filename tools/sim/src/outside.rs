@@ -1,5 +1,6 @@
 //! A robot that is simulated outside of this process, whatever its size.
 
+use crate::motion::Limbs;
 use std::any::Any;
 use std::time::Duration;
 use tip_runtime::command::Port;
@@ -35,4 +36,6 @@ pub(crate) trait Outside {
     /// Where the body is, if that is known.
     fn pose(&self) -> Option<Pose>;
     fn travel(&self) -> Option<Travel>;
+    /// Its legs or fingers, if anything is known of them.
+    fn limbs(&self) -> Option<Limbs>;
 }

@@ -78,19 +78,27 @@ impl<const L: usize, const J: usize> Rig<L, J> {
         }
     }
 
+    /// What simulates it outside of this process, if something does.
+    pub(crate) fn elsewhere(&self) -> Option<&dyn Outside> {
+        match &self.simulated {
+            Simulated::Outside(outside) => Some(outside.as_ref()),
+            Simulated::Echo(_) | Simulated::Plant(_) => None,
+        }
+    }
+
     /// Where the body is, if that is known.
     pub(crate) fn pose(&self) -> Option<Pose> {
-        match &self.simulated {
-            Simulated::Outside(outside) => outside.pose(),
-            Simulated::Echo(_) | Simulated::Plant(_) => self.motion().map(|motion| motion.pose),
+        match self.elsewhere() {
+            Some(outside) => outside.pose(),
+            None => self.motion().map(|motion| motion.pose),
         }
     }
 
     /// How far it has come, if that is known.
     pub(crate) fn travel(&self) -> Option<Travel> {
-        match &self.simulated {
-            Simulated::Outside(outside) => outside.travel(),
-            Simulated::Echo(_) | Simulated::Plant(_) => self.motion().map(|motion| motion.travel),
+        match self.elsewhere() {
+            Some(outside) => outside.travel(),
+            None => self.motion().map(|motion| motion.travel),
         }
     }
 

@@ -218,16 +218,24 @@ impl Run {
             if limit.0.is_some_and(|limit| self.cycles() >= limit) {
                 return self.end(Ending::Limit);
             }
-            let is_ready = self.shell.is_ready(NAP);
-            if !observer.goes_on() {
+            if !self.is_awaited(observer) || !observer.goes_on() {
                 return self.end(Ending::Interrupted);
             }
-            if !is_ready {
-                continue;
-            }
             self.advance(observer.sink());
+            // What it did in this cycle; nobody who has enough need wait for it.
+            self.is_awaited(observer);
             observer.after(self);
         }
+    }
+
+    /// Waits for a robot outside of this process; `false` if the observer does not.
+    fn is_awaited(&mut self, observer: &mut (impl Observer + ?Sized)) -> bool {
+        while !self.shell.is_ready(NAP) {
+            if !observer.goes_on() {
+                return false;
+            }
+        }
+        true
     }
 
     fn end(&mut self, ending: Ending) -> Ending {

@@ -156,7 +156,10 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
     }
 
     fn limbs(&self) -> Option<Limbs> {
-        self.hardware().limbs().map(Limbs::from)
+        match self.hardware().elsewhere() {
+            Some(outside) => outside.limbs(),
+            None => self.hardware().limbs().map(Limbs::from),
+        }
     }
 
     fn aims(&self) -> Vec<Aim> {

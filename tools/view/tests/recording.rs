@@ -47,6 +47,7 @@ fn trace(text: &str, robot: &Robot, events: &str) -> String {
         run.advance(Some(&mut lines));
         let limbs = run.limbs().expect("limbs");
         lines.moved(&Moved {
+            pose: run.pose(),
             motion: run.motion(),
             joints_per_leg: limbs.angles[0].len(),
             angles: &limbs.angles.concat(),

@@ -1,6 +1,6 @@
 //! The options of a run, which `tipc run` and `tipc verify` share.
 
-use super::super::choices::PlantName;
+use super::super::plant::PlantChoice;
 use super::super::scene::SceneChoice;
 use super::super::usage::count;
 use clap::Args;
@@ -33,9 +33,10 @@ pub(crate) struct InputArguments {
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(crate) scene: Option<SceneChoice>,
 
-    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass
+    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tipc run' also exec:COMMAND,
+    /// a process of yours that simulates any robot
     #[arg(long, value_name = "PLANT")]
-    pub(crate) plant: Option<PlantName>,
+    pub(crate) plant: Option<PlantChoice>,
 }
 
 impl InputArguments {

@@ -4,9 +4,11 @@ use super::message::Launch;
 use super::session::{Debuggee, Host};
 use crate::choices::{EncodingName, PlantName};
 use crate::input;
+use crate::plant::{self, Ours, PlantChoice};
 use crate::project::{self, Given};
 use crate::robot::RobotChoice;
 use crate::scene::{self, SceneChoice};
+use crate::usage::Wrong;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 use tip_runtime::plant::Scene;
@@ -77,7 +79,10 @@ fn robot(
         }
     };
     if let Some(name) = &launch.plant {
-        scene.plant = Some(PlantName::from_str(name, true)?.simulation());
+        let choice: PlantChoice = name.parse().map_err(|wrong: Wrong| wrong.text(lang))?;
+        let plant = plant::ours(Some(&choice), Ours::Again("dap"), lang);
+        let plant = plant.map_err(|error| error.to_string())?;
+        scene.plant = plant.map(PlantName::simulation);
     }
     scene::around(robot, &scene).map_err(|error| error.to_string())
 }

@@ -258,8 +258,8 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "ロボットの周囲: cylinder (ハンドの下の物体)、または自作のシーン",
     ),
     (
-        "How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass",
-        "歩行ロボットのシミュレーション: quasi-static は各時点で静止とみなし、dynamic は質量を考える",
+        "How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tipc run' also exec:COMMAND, a process of yours that simulates any robot",
+        "歩行ロボットのシミュレーション: quasi-static は各時点で静止とみなし、dynamic は質量を考える。tipc run では exec:COMMAND も使え、どのロボットも自分のプロセスでシミュレーションできる",
     ),
     (
         "Write the trace, one JSON object a line, to a file, or to standard output for '-'",

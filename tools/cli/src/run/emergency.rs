@@ -127,7 +127,10 @@ impl Stopped<'_> {
                 Stopping::OutOfReach { target }.into(),
                 self.joints_of(target),
             ),
-            Fault::Hardware(what) => (Stopping::Broken { what }.into(), None),
+            Fault::Hardware(what) => match self.run.trouble() {
+                Some(trouble) => (trouble.message().into(), None),
+                None => (Stopping::Broken { what }.into(), None),
+            },
             Fault::EmergencyKey => (Stopping::KeyPressed.into(), None),
             // Sensors: the message names the one that it is about.
             fault => {

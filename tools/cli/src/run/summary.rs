@@ -4,7 +4,7 @@ use super::super::place::place;
 use super::waiting::until;
 use std::fmt::Write as _;
 use tip_runtime::machine::Emergency;
-use tip_runtime::plant::{Motion, Unmodelled};
+use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
@@ -43,6 +43,9 @@ pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) ->
     };
     if let Ending::Interrupted | Ending::Limit = ending {
         lines.next(run);
+    }
+    if let Some(travel) = run.travel() {
+        lines.travel(&travel);
     }
     if let Some(moved) = run.motion() {
         lines.motion(&moved, run.first_fall(), run);
@@ -95,8 +98,7 @@ impl Lines {
         self.add(Figure::Next, &next);
     }
 
-    fn motion(&mut self, motion: &Motion, first: Option<Fall>, run: &Run) {
-        let travel = &motion.travel;
+    fn travel(&mut self, travel: &Travel) {
         let (y, along) = sense(travel.y, Along::Forward, Along::Backward);
         let (x, aside) = sense(travel.x, Aside::Right, Aside::Left);
         let (z, upright) = sense(travel.z, Upright::Up, Upright::Down);
@@ -111,6 +113,9 @@ impl Lines {
         self.add(Figure::Travel, &travelled);
         let (angle, aside) = sense(travel.turn, Aside::Left, Aside::Right);
         self.add(Figure::Turn, &Running::Turn { angle, aside });
+    }
+
+    fn motion(&mut self, motion: &Motion, first: Option<Fall>, run: &Run) {
         let falls = match first {
             None => Running::NoFall,
             Some(Fall { time, step, .. }) => Running::Falls {

@@ -85,6 +85,7 @@ impl Trace {
         let limbs = run.limbs();
         let legs = limbs.as_ref().map_or(&[][..], |limbs| &limbs.angles);
         self.lines.moved(&Moved {
+            pose: run.pose(),
             motion: run.motion(),
             joints_per_leg: legs.first().map_or(0, Vec::len),
             angles: &legs.concat(),

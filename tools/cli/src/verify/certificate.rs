@@ -3,6 +3,7 @@
 use super::super::arguments::InputArguments;
 use super::super::checked::Checked;
 use super::super::choices::PlantName;
+use super::super::plant::PlantChoice;
 use std::fmt::Write as _;
 use tip_runtime::printable::Printable;
 use tip_sim::search::Tally;
@@ -25,7 +26,12 @@ pub(super) fn certificate(
     let mut scene = scene.map_or("level floor".to_owned(), |scene| {
         format!("scene {}", Printable::line(scene))
     });
-    if let Some(plant) = inputs.plant.map(PlantName::name) {
+    if let Some(plant) = inputs
+        .plant
+        .as_ref()
+        .and_then(PlantChoice::name)
+        .map(PlantName::name)
+    {
         scene = format!("{scene}, {plant} plant");
     }
     let (rustc, cargo) = (

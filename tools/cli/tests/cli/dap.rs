@@ -20,7 +20,7 @@ END
 ";
 
 /// An adapter, and what it has sent that nobody has read.
-struct Client {
+pub(crate) struct Client {
     adapter: Child,
     input: Option<ChildStdin>,
     output: BufReader<ChildStdout>,
@@ -29,7 +29,7 @@ struct Client {
 }
 
 impl Client {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let mut adapter = Command::new(env!("CARGO_BIN_EXE_tipc"))
             .arg("dap")
             .stdin(Stdio::piped())
@@ -115,13 +115,13 @@ impl Client {
         response
     }
 
-    fn ask(&mut self, command: &str, arguments: Value) -> Value {
+    pub(crate) fn ask(&mut self, command: &str, arguments: Value) -> Value {
         let response = self.request(command, arguments);
         assert_eq!(response["success"], true, "{response}");
         response["body"].clone()
     }
 
-    fn refusal(&mut self, command: &str, arguments: Value) -> String {
+    pub(crate) fn refusal(&mut self, command: &str, arguments: Value) -> String {
         let response = self.request(command, arguments);
         assert_eq!(response["success"], false, "{response}");
         response["message"].as_str().expect("a reason").to_owned()

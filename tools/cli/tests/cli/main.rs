@@ -6,6 +6,8 @@ mod commands;
 mod cycles;
 mod dap;
 mod emit;
+#[cfg(unix)]
+mod external;
 #[cfg(target_os = "linux")]
 mod faults;
 mod fix;

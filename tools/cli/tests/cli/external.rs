@@ -1,0 +1,227 @@
+//! `tipc run --plant exec:COMMAND`: a robot that a process simulates.
+
+use crate::dap::Client;
+use crate::support::Folder;
+use serde_json::json;
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+/// Joints that are at once where they are commanded to be; the body goes forward by 1 mm in each cycle.
+const SCRIPT: &str = r#"
+while read -r kind rest; do
+  for word in $rest; do
+    case $word in
+      n=*) n=${word#n=} ;;
+      initial=*) initial=${word#initial=} ;;
+      targets=*) targets=${word#targets=} ;;
+    esac
+  done
+  case $kind in
+    hello) echo "ready version=1 angles=$initial loads=10,20,30,40 pose=0,0,200,0,0,0" ;;
+    cycle)
+      if [ "$n" = "$1" ]; then eval "$2"; fi
+      echo "state n=$n angles=$targets loads=10,20,30,40 pose=0,$((n + 1)),200,0,0,0" ;;
+    bye) echo "good-bye" >&2; exit 0 ;;
+  esac
+done
+"#;
+
+const PROGRAM: &str = "PTP_ANGLE F1 R 10 R -5 R 7.25\nWAIT_INPOS F1\nMESSAGE there\nEND";
+
+fn folder(name: &str) -> Folder {
+    Folder::new(name)
+        .program("nod.prg", PROGRAM)
+        .file("sim.sh", SCRIPT)
+}
+
+#[test]
+fn a_process_simulates_the_robot() {
+    let folder = folder("external");
+    let run = [
+        "run",
+        "nod.prg",
+        "--plant",
+        "exec:sh sim.sh",
+        "--trace",
+        "nod.jsonl",
+    ];
+    let outcome = folder
+        .tipc(&[&run[..], &["--trace-motion"]].concat())
+        .expect(0);
+    assert_eq!(outcome.out, "there\n");
+    // Its standard error is passed on; falls are not ours to count.
+    let lines: Vec<&str> = outcome.err.lines().collect();
+    let cycles = folder.read("nod.jsonl").lines().count() - 1;
+    let ended = format!("nod.prg: END at line 6 after {cycles} cycles, ");
+    let said: Vec<_> = lines
+        .iter()
+        .filter(|line| line.starts_with(&ended))
+        .collect();
+    assert_eq!(said.len(), 1, "{outcome:#?}");
+    let travel = format!("  travel  {cycles}.0 mm forward, 0.0 mm to the right, 0.0 mm up");
+    assert!(lines.contains(&travel.as_str()), "{outcome:#?}");
+    assert!(lines.contains(&"good-bye"), "{outcome:#?}");
+    assert!(!outcome.err.contains("falls"), "{outcome:#?}");
+    let trace = folder.read("nod.jsonl");
+    let first = trace.lines().next().unwrap_or_default();
+    assert!(
+        first.contains(r#""pose":[0.0,1.0,200.0,0.0,0.0,0.0],"angles":[["#)
+            && first.ends_with(r#""loads":[10.0,20.0,30.0,40.0]}"#),
+        "{first}"
+    );
+    // What it did can be looked at.
+    folder
+        .tipc(&[
+            "view",
+            "nod.jsonl",
+            "--program",
+            "nod.prg",
+            "-o",
+            "nod.html",
+        ])
+        .expect(0);
+    assert!(folder.has("nod.html"));
+}
+
+#[test]
+fn a_fault_of_the_process_is_an_emergency_stop() {
+    let folder = folder("external-fault");
+    let plant = "exec:sh sim.sh 3 'echo state n=3 angles=0,0,90,nan,0,90,0,0,90,0,0,90 loads=1,2,3,4 pose=0,0,0,0,0,0; read x'";
+    let run = [
+        "run",
+        "nod.prg",
+        "--plant",
+        plant,
+        "--out-dir",
+        "logs",
+        "--quiet",
+    ];
+    let outcome = folder.tipc(&run).expect(3);
+    let said = "the external plant's answer to 'cycle n=3': 'angles' of J21 is not finite";
+    assert!(outcome.err.contains(said), "{outcome:#?}");
+    assert!(
+        outcome
+            .err
+            .contains("TIP_ERR:Hardware fault plant: answer is not finite"),
+        "{outcome:#?}"
+    );
+    assert!(folder.read("logs/EMG.log").contains(
+        "
+TIP_ERR:Hardware fault plant: answer is not finite (RobotError)
+"
+    ));
+    let outcome = folder
+        .tipc(&[&run[..], &["--lang", "ja"]].concat())
+        .expect(3);
+    assert!(
+        outcome.err.contains(
+            "'cycle n=3' への外部プラントの応答: J21 の 'angles' が有限の値ではありません"
+        ),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_process_that_is_not_there() {
+    let folder = folder("external-none");
+    let outcome = folder
+        .tipc(&["run", "nod.prg", "--plant", "exec:./none x"])
+        .expect(1);
+    assert!(
+        outcome
+            .err
+            .contains("the external plant './none' does not start: "),
+        "{outcome:#?}"
+    );
+}
+
+#[test]
+fn a_signal_ends_run_and_process() {
+    let folder = folder("external-signal");
+    let plant = "exec:sh sim.sh 3 'echo waits >&2; exec sleep 60'";
+    let mut command = folder.command(&["run", "nod.prg", "--plant", plant]);
+    let begin = Instant::now();
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+    let mut child = child.expect("tipc starts");
+    let mut said = BufReader::new(child.stderr.take().expect("a pipe")).lines();
+    let waits = said.next().expect("it says something").expect("text");
+    assert_eq!(waits, "waits");
+    // Its answer to cycle 3 never comes.
+    let pid = child.id().to_string();
+    let kill = std::process::Command::new("kill")
+        .args(["-INT", &pid])
+        .status();
+    assert!(kill.is_ok_and(|status| status.success()));
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
+    assert!(begin.elapsed() < Duration::from_secs(20));
+}
+
+#[test]
+fn what_a_process_cannot_do_is_refused_with_a_way_out() {
+    let folder = folder("external-refused").file("level.toml", "[floor]\nfriction = 0.9\n");
+    let plant = ["--plant", "exec:sh sim.sh"];
+    let cases: [(&[&str], &str); 8] = [
+        (&["verify", "nod.prg"], "`tipc run`"),
+        (&["debug", "nod.prg"], "`tipc run`"),
+        (&["serve", "nod.prg"], "`tipc run`"),
+        (&["view", "nod.prg"], "`tipc view FILE --program PROGRAM`"),
+        (
+            &["log", "nod.prg", "-o", "nod.csv"],
+            "`tipc view FILE --program PROGRAM`",
+        ),
+        (
+            &["plot", "nod.prg", "-o", "nod.svg"],
+            "`tipc view FILE --program PROGRAM`",
+        ),
+        (
+            &["run", "nod.prg", "--scene", "level.toml"],
+            "give the scene to the process",
+        ),
+        (
+            &["run", "nod.prg", "--deny", "falls"],
+            "needs a plant of ours",
+        ),
+    ];
+    for (command, way_out) in cases {
+        let outcome = folder.tipc(&[command, &plant[..]].concat()).expect(2);
+        assert!(outcome.err.contains(way_out), "{command:?} {outcome:#?}");
+        assert!(!outcome.err.contains("good-bye"), "{command:?} started it");
+    }
+    assert_eq!(
+        folder.names(),
+        ["level.toml", "nod.prg", "sim.sh"],
+        "nothing is written"
+    );
+}
+
+#[test]
+fn a_plant_that_is_none_is_refused() {
+    let folder = folder("external-word");
+    let refused = |plant: &str| {
+        folder
+            .tipc(&["run", "nod.prg", "--plant", plant])
+            .expect(2)
+            .err
+    };
+    assert!(refused("dynamics").contains(
+        "no plant is called `dynamics`; there are quasi-static and dynamic, and a process of yours as `exec:COMMAND`"
+    ));
+    assert!(refused("exec:").contains("is not a command line"));
+    assert!(refused("exec:sh 'a").contains("`sh 'a` is not a command line"));
+    folder
+        .tipc(&["run", "nod.prg", "--plant", "dynamic"])
+        .expect(0);
+}
+
+#[test]
+fn a_process_is_no_plant_of_a_debugger() {
+    let folder = folder("external-dap");
+    let program = folder.path("nod.prg");
+    let mut client = Client::new();
+    client.ask("initialize", json!({ "adapterID": "tip" }));
+    let mut refused =
+        |plant: &str| client.refusal("launch", json!({ "program": program, "plant": plant }));
+    assert!(refused("exec:sh sim.sh").contains("`tipc run`"));
+    assert!(refused("dynamics").contains("no plant is called `dynamics`"));
+}
