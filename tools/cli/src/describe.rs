@@ -24,7 +24,7 @@ pub(super) enum RobotVerb {
     Check(CheckRobot),
     /// Make a description of a URDF file
     Import(import::Import),
-    /// Write a robot as URDF
+    /// Write a robot as URDF, or as a model of MuJoCo
     Export(export::Export),
 }
 

@@ -23,6 +23,9 @@ use tip_runtime::plant::{self, DynamicPlant, Scene, SimulatedHand, SimulatedPlan
 pub(crate) trait Body {
     fn anatomy(&self) -> Anatomy;
     fn has_input(&self, around: &Around, port: Port) -> bool;
+    /// How it and what is around it begin, if everything has mass.
+    #[cfg(feature = "urdf")]
+    fn beginning(&self, around: &Around) -> Beginning;
     /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss>;
     fn start(&self, around: &Around, seats: Seats) -> Result<Box<dyn Shell>, Mismatch>;
@@ -84,6 +87,15 @@ impl Limb {
         last.last()
             .map_or(self.base, |(frame, joint)| frame.point(joint.link))
     }
+}
+
+/// Where a robot and the objects around it are before the first control cycle.
+#[cfg(feature = "urdf")]
+pub(crate) struct Beginning {
+    /// Of the body; `None` if it is bolted down.
+    pub(crate) pose: Option<plant::Pose>,
+    /// What a hand is to grasp, in the order of the scene; `None` of any other robot.
+    pub(crate) objects: Option<[Option<plant::ObjectState>; plant::OBJECTS]>,
 }
 
 /// How a robot is simulated, and what is around it.
@@ -175,6 +187,18 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
 
     fn has_input(&self, around: &Around, port: Port) -> bool {
         plant::Plant::set_sensor(&mut self.rig(around), port, 0.0)
+    }
+
+    #[cfg(feature = "urdf")]
+    fn beginning(&self, around: &Around) -> Beginning {
+        let rig = self.rig(&Around {
+            plant: Plant::Dynamic,
+            ..*around
+        });
+        Beginning {
+            pose: plant::Plant::motion(&rig).map(|motion| motion.pose),
+            objects: plant::Plant::grasp(&rig).map(|grasp| grasp.objects),
+        }
     }
 
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {

@@ -19,6 +19,8 @@ mod findings;
 mod interp;
 mod load;
 pub mod lockstep;
+#[cfg(feature = "urdf")]
+pub mod mjcf;
 mod motion;
 mod native;
 mod outside;

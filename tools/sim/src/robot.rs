@@ -140,6 +140,12 @@ impl Robot {
         self.body.anatomy()
     }
 
+    /// How it and what is around it begin.
+    #[cfg(feature = "urdf")]
+    pub(crate) fn beginning(&self) -> crate::body::Beginning {
+        self.body.beginning(&self.around)
+    }
+
     /// How programs for it are loaded.
     pub fn options(&self) -> Options {
         Options {

@@ -41,12 +41,12 @@ mod pose;
 mod read;
 mod robot;
 mod schema;
-mod shape;
+pub(crate) mod shape;
 mod tree;
 mod values;
 mod version;
 mod write;
-mod xml;
+pub(crate) mod xml;
 
 pub use export::export;
 

@@ -4,29 +4,40 @@ use super::import::{self, is_urdf};
 use super::{Status, output, report};
 use crate::error::Error;
 use crate::robot::RobotChoice;
+use crate::scene::{self, SceneChoice};
 use crate::shown::Shown;
 use crate::usage::Wrong;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tip_sim::{Robot, urdf};
+use tip_sim::{Robot, mjcf, urdf};
 
 /// `tipc robot export`
 #[derive(Debug, Args)]
 #[command(
     after_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
 forward, y left and z up. A robot that is bolted down hangs on the link world. A slider becomes prismatic joints to the link floor.
+A model of MuJoCo has the same names, x to the right and y forward; its motors take the angles that joints are commanded (rad).
 
 Examples:
   tipc robot export --urdf -o titan8.urdf
   tipc robot export --urdf --robot hexapod.toml -o hexapod.urdf
+  tipc robot export --mjcf --scene steps.toml -o titan8.xml
 
 Exit status: 0 if the file is written, 1 otherwise."
 )]
 pub(crate) struct Export {
     /// Write URDF, with boxes, cylinders and spheres for its shapes
-    #[arg(long, required = true)]
+    #[arg(long, required_unless_present = "mjcf")]
     urdf: bool,
+
+    /// Write a model of MuJoCo (MJCF), with motors, contacts and what surrounds the robot
+    #[arg(long, conflicts_with = "urdf")]
+    mjcf: bool,
+
+    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
+    #[arg(long, value_name = "NAME|FILE.toml", conflicts_with = "urdf")]
+    scene: Option<SceneChoice>,
 
     /// The robot: a name that 'tipc robot list' shows, a description, or a URDF file that is to be made regular
     #[arg(
@@ -37,7 +48,7 @@ pub(crate) struct Export {
     robot: Model,
 
     /// Write to a file instead of standard output
-    #[arg(short, long, value_name = "OUT.urdf")]
+    #[arg(short, long, value_name = "OUT")]
     out: Option<PathBuf>,
 
     #[command(flatten)]
@@ -67,14 +78,25 @@ pub(super) fn export(arguments: &Export) -> Result<Status, Error> {
     let Some(robot) = robot(arguments)? else {
         return Ok(Status::Failure);
     };
-    let text = urdf::export(&robot);
+    let text = match arguments.mjcf {
+        false => urdf::export(&robot),
+        true => {
+            let scene = scene::load(arguments.scene.as_ref(), None, arguments.shown);
+            let Some(scene) = scene else {
+                return Ok(Status::Failure);
+            };
+            mjcf::export(&scene::around(robot, &scene)?)
+        }
+    };
     match &arguments.out {
         Some(out) => {
-            let file = match &arguments.robot {
+            let robot = match &arguments.robot {
                 Model::Robot(choice) => choice.file(),
                 Model::Urdf(path) => Some(path.as_path()),
             };
-            output::refuse_inputs(out, file.as_slice())?;
+            let scene = arguments.scene.as_ref().and_then(SceneChoice::file);
+            let files: Vec<&Path> = robot.into_iter().chain(scene).collect();
+            output::refuse_inputs(out, &files)?;
             output::replace(out, text)?;
         }
         None => output::print(text)?,

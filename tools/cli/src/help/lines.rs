@@ -97,7 +97,10 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "Make a description of a URDF file",
         "URDF ファイルから記述ファイルを作る",
     ),
-    ("Write a robot as URDF", "ロボットを URDF で書き出す"),
+    (
+        "Write a robot as URDF, or as a model of MuJoCo",
+        "ロボットを URDF か MuJoCo のモデルで書き出す",
+    ),
     (
         "Print this message or the help of the given subcommand(s)",
         "この説明、または指定したコマンドの説明を表示する",
@@ -335,6 +338,10 @@ pub(super) const LINES: &[(&str, &str)] = &[
     (
         "Write to a file instead of standard output",
         "標準出力ではなくファイルに書く",
+    ),
+    (
+        "Write a model of MuJoCo (MJCF), with motors, contacts and what surrounds the robot",
+        "MuJoCo のモデル (MJCF) を書く。モータ・接触・ロボットの周囲も含む",
     ),
     (
         "Write URDF, with boxes, cylinders and spheres for its shapes",

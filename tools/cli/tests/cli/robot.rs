@@ -219,6 +219,40 @@ fn a_robot_is_written_as_urdf() {
 }
 
 #[test]
+fn a_robot_is_written_for_mujoco_with_what_surrounds_it() {
+    let folder = Folder::new("exported-mjcf").file("step.toml", "[floor]\nfriction = 0.9\n");
+    let export = |more: &[&str], status| {
+        let all = [&["robot", "export"], more].concat();
+        folder.tipc(&all).expect(status)
+    };
+    let titan = export(&["--mjcf", "--scene", "step.toml"], 0).out;
+    assert!(titan.contains("<mujoco model=\"titan8\">"), "{titan}");
+    assert!(titan.contains("friction=\"0.9 0 0\""), "{titan}");
+    export(
+        &[
+            "--mjcf", "--robot", "hand", "--scene", "cylinder", "-o", "hand.xml",
+        ],
+        0,
+    );
+    assert!(folder.read("hand.xml").contains("<body name=\"O1\""));
+
+    let grasps = export(&["--mjcf", "--scene", "cylinder", "-o", "no.xml"], 2).err;
+    assert!(grasps.contains("titan8 grasps nothing"), "{grasps}");
+    let gone = export(&["--mjcf", "--scene", "gone.toml", "-o", "no.xml"], 1).err;
+    assert!(gone.contains("gone.toml"), "{gone}");
+    assert!(!folder.has("no.xml"));
+    let itself = export(&["--mjcf", "--scene", "step.toml", "-o", "step.toml"], 1).err;
+    assert!(itself.contains("which is being read"), "{itself}");
+    // URDF knows no surroundings.
+    assert!(
+        export(&["--urdf", "--scene", "step.toml"], 2)
+            .err
+            .contains("--scene")
+    );
+    assert!(export(&["--urdf", "--mjcf"], 2).err.contains("--mjcf"));
+}
+
+#[test]
 fn a_robot_that_cannot_be_written_leaves_nothing() {
     let folder = Folder::new("not-exported")
         .file("pendulum.urdf", URDF)

@@ -7,8 +7,6 @@ use crate::body::{Anatomy, Limb};
 use crate::robot::Robot;
 use tip_runtime::model::{Body, Inverse, Joint, Point, Slider};
 
-/// How thick a link is drawn, against the mean length of all links.
-const THICKNESS: f64 = 0.1;
 /// How much thicker a joint is drawn than its link.
 const KNUCKLE: f64 = 1.3;
 /// How fast the slider of a simulated hand goes: m/s.
@@ -41,7 +39,7 @@ pub fn export(robot: &Robot) -> String {
     let anatomy = robot.anatomy();
     let mut writer = Writer {
         text: HEAD.to_owned(),
-        thickness: thickness(&anatomy.legs),
+        thickness: frame::thickness(&anatomy.legs),
         speed: anatomy.standards.omega_max.to_radians(),
     };
     writer.line(&format!("<robot name=\"{}\">", xml::escaped(robot.name())));
@@ -59,16 +57,6 @@ pub fn export(robot: &Robot) -> String {
     }
     writer.line("</robot>");
     writer.text
-}
-
-/// How thick links are drawn: mm.
-fn thickness(legs: &[Limb]) -> f64 {
-    let joints = legs.iter().flat_map(|leg| &leg.joints);
-    let lengths: Vec<f64> = joints
-        .map(|joint| length(joint.link))
-        .filter(|length| *length > 0.0)
-        .collect();
-    THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
 }
 
 struct Writer {

@@ -14,6 +14,9 @@ use tip_runtime::model::{Point, Range, Slider};
 
 /// Where robots are bolted down.
 pub const WORLD: &str = "world";
+/// How thick a link is drawn, against the mean length of all links.
+const THICKNESS: f64 = 0.1;
+
 /// The robot frame.
 pub const BASE: &str = "base_link";
 /// What the legs of a walking robot carry.
@@ -43,13 +46,13 @@ pub fn standing(is_planar: bool) -> [f64; 3] {
 }
 
 /// The axes along which a slider goes.
-pub(super) fn ways(slider: &Slider) -> impl Iterator<Item = usize> {
+pub(crate) fn ways(slider: &Slider) -> impl Iterator<Item = usize> {
     let travel = slider.travel;
     (0..3).filter(move |axis| travel[*axis].min < travel[*axis].max)
 }
 
 /// What the joint of a slider along x, y or z is called.
-pub(super) fn carriage(axis: usize) -> &'static str {
+pub(crate) fn carriage(axis: usize) -> &'static str {
     ["floor_x", "floor_y", "floor_z"][axis]
 }
 
@@ -70,7 +73,7 @@ pub fn direction([right, forward, up]: [f64; 3]) -> [f64; 3] {
 }
 
 /// What holds every first joint, and `more` (mm) on each side of them.
-pub(super) fn around(legs: &[Limb], more: f64) -> [Range; 3] {
+pub(crate) fn around(legs: &[Limb], more: f64) -> [Range; 3] {
     [0, 1, 2].map(|axis| {
         let along = || legs.iter().map(|leg| leg.base[axis]);
         Range::new(
@@ -80,6 +83,16 @@ pub(super) fn around(legs: &[Limb], more: f64) -> [Range; 3] {
     })
 }
 
-pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
+pub(crate) fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
+}
+
+/// How thick links are drawn: their radius in mm.
+pub(crate) fn thickness(legs: &[Limb]) -> f64 {
+    let joints = legs.iter().flat_map(|leg| &leg.joints);
+    let lengths: Vec<f64> = joints
+        .map(|joint| length(joint.link))
+        .filter(|length| *length > 0.0)
+        .collect();
+    THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
 }

@@ -144,10 +144,16 @@ impl Shape {
             }
             Kind::Ball { radius } => [0.4 * mass * (radius / 1000.0) * (radius / 1000.0); 3],
             Kind::Rod { along, radius } => {
-                let (length, radius) = (length(frame::metres(along)), radius / 1000.0);
-                let across = mass * (3.0 * radius * radius + length * length) / 12.0;
-                [across, across, mass * radius * radius / 2.0]
+                let [across, along] =
+                    rod_moments(mass, length(frame::metres(along)), radius / 1000.0);
+                [across, across, along]
             }
         }
     }
+}
+
+/// The moments of inertia of a rod (kg, m) across it and about itself: kg·m².
+pub(crate) fn rod_moments(mass: f64, length: f64, radius: f64) -> [f64; 2] {
+    let across = mass * (3.0 * radius * radius + length * length) / 12.0;
+    [across, mass * radius * radius / 2.0]
 }

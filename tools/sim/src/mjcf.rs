@@ -1,0 +1,81 @@
+//! Robots as models of MuJoCo (MJCF), with their motors and what is around them.
+//!
+//! Lengths are in m, angles in rad. The world is that of a run: z up, the robot begins at the origin, with x to its right
+//! and y ahead, where [`DynamicPlant`](tip_runtime::plant::DynamicPlant) has it. Masses, motors and contacts stand for those of our
+//! plants, so that the same commands lead to the same motion as far as two simulations agree.
+
+mod limb;
+mod parts;
+mod surroundings;
+
+use crate::robot::Robot;
+use parts::Parts;
+use tip_runtime::model::Point;
+use tip_runtime::plant::Pose;
+
+/// How large whatever touches something is around a point or line of our plants: m.
+const SKIN: f64 = 1e-3;
+
+/// A robot in its [scene](Robot::with_scene) as MJCF.
+///
+/// Joints, and the position motors that turn them, are called `J11` to `Jnm`, the bodies that they carry `link11` to `linknm`; feet
+/// or fingertips are the sites and touch sensors `F1` to `Fn`. The first keyframe, `initial`, is the initial posture.
+///
+/// ```
+/// use tip_runtime::plant::Scene;
+/// use tip_sim::{Robot, mjcf};
+///
+/// let titan = mjcf::export(&Robot::named("titan8")?);
+/// assert!(titan.contains("<freejoint name=\"base_link\"/>"), "it walks");
+/// assert!(titan.contains("<position name=\"J11\" joint=\"J11\""));
+///
+/// let hand = Robot::named("hand")?.with_scene(&Scene::CYLINDER)?;
+/// assert!(mjcf::export(&hand).contains("<body name=\"O1\""), "what it grasps");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn export(robot: &Robot) -> String {
+    let anatomy = robot.anatomy();
+    let beginning = robot.beginning();
+    let mut parts = Parts::default();
+    if beginning.pose.is_some() {
+        surroundings::ground(&mut parts, robot.scene());
+    }
+    limb::base(&mut parts, &anatomy, &beginning);
+    for (number, leg) in (1..).zip(&anatomy.legs) {
+        limb::leg(
+            &mut parts,
+            number,
+            leg,
+            &anatomy,
+            beginning.objects.is_some(),
+        );
+    }
+    if let Some(slider) = &anatomy.slider {
+        surroundings::slider(&mut parts, slider, &anatomy, robot.scene());
+    }
+    if let Some(objects) = &beginning.objects {
+        surroundings::objects(&mut parts, &anatomy, robot.scene(), objects);
+    }
+    parts.world.close("body");
+    parts.text(robot.name())
+}
+
+/// A point or vector in mm, in m.
+fn metres(of: Point) -> [f64; 3] {
+    of.map(|mm| mm / 1000.0)
+}
+
+/// The attitude of a body: w, x, y, z.
+fn quaternion(pose: &Pose) -> [f64; 4] {
+    let half = |degrees: f64| libm::sincos(degrees.to_radians() / 2.0);
+    let ((sy, cy), (sp, cp), (sr, cr)) = (half(pose.yaw), half(pose.pitch), half(pose.roll));
+    // Yaw about z, then pitch about x, then roll about y.
+    let [w, x, y, z] = [cy * cp, cy * sp, sy * sp, sy * cp];
+    [
+        w * cr - y * sr,
+        x * cr - z * sr,
+        w * sr + y * cr,
+        x * sr + z * cr,
+    ]
+}

@@ -1,0 +1,153 @@
+//! Body, legs and motors.
+
+use super::parts::Parts;
+use super::{SKIN, metres, quaternion};
+use crate::body::{Anatomy, Beginning, Limb};
+use crate::urdf::frame::{self, BASE, BODY};
+use crate::urdf::shape::rod_moments;
+use crate::urdf::xml::vector;
+use std::f64::consts::FRAC_1_SQRT_2;
+use tip_runtime::model::{Body, Joint};
+use tip_runtime::plant::Drives;
+
+/// How far around a foot or fingertip its contacts are counted as its load: m.
+const REACH: f64 = 2.0 * SKIN;
+
+/// Begins the body that carries all legs.
+pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning) {
+    let world = &mut parts.world;
+    if let (Some(pose), Some(body)) = (&beginning.pose, &anatomy.body) {
+        let [x, y, z] = metres(pose.position);
+        // The skin stands on the floor, not the point in it.
+        let (at, attitude) = ([x, y, z + SKIN], quaternion(pose));
+        let (shown, turned) = (vector(at), vector(attitude));
+        world.open(&format!(
+            "body name=\"{BASE}\" pos=\"{shown}\" quat=\"{turned}\""
+        ));
+        world.add(&format!("freejoint name=\"{BASE}\""));
+        trunk(parts, body);
+        parts.places.extend(at.into_iter().chain(attitude));
+    } else if beginning.objects.is_some() {
+        // Of the hand y is the height.
+        let turned = vector([FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0, 0.0]);
+        world.open(&format!("body name=\"{BASE}\" quat=\"{turned}\""));
+    } else {
+        world.open(&format!("body name=\"{BASE}\""));
+    }
+}
+
+/// A uniform box, whose mass the simulation takes to be at the origin.
+fn trunk(parts: &mut Parts, body: &Body) {
+    let ranges = [body.x, body.y, body.z];
+    let half = ranges.map(|range| (range.max - range.min) / 2000.0);
+    let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
+    let [xx, yy, zz] = half.map(|half| half * half);
+    let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
+    let (inertia, half, middle) = (vector(inertia), vector(half.map(f64::abs)), vector(middle));
+    let mass = body.mass;
+    parts.world.add(&format!(
+        "inertial pos=\"0 0 0\" mass=\"{mass}\" diaginertia=\"{inertia}\""
+    ));
+    parts.world.add(&format!(
+        "geom name=\"{BODY}\" type=\"box\" size=\"{half}\" pos=\"{middle}\""
+    ));
+}
+
+/// A chain of links. Those of a `hand` are counterbalanced, and touch things along their length; those of other robots at their
+/// ends.
+pub(super) fn leg(parts: &mut Parts, number: u8, leg: &Limb, anatomy: &Anatomy, hand: bool) {
+    let radius = frame::thickness(&anatomy.legs) / 1000.0;
+    let foot = frame::foot(number);
+    let mut at = leg.base;
+    let postures = leg.initial.iter().copied();
+    for ((count, joint), posture) in (1_u8..).zip(&leg.joints).zip(postures) {
+        let (name, link) = (frame::joint(number, count), frame::link(number, count));
+        let is_last = usize::from(count) == leg.joints.len();
+        let weightless = if hand { " gravcomp=\"1\"" } else { "" };
+        let place = vector(metres(at));
+        parts
+            .world
+            .open(&format!("body name=\"{link}\" pos=\"{place}\"{weightless}"));
+        hinge(parts, &name, joint, posture.to_radians());
+        let touching = if is_last { &foot } else { &link };
+        carried(parts, joint, radius, touching, hand);
+        at = joint.link;
+    }
+    let end = vector(metres(at));
+    parts.world.add(&format!(
+        "site name=\"{foot}\" pos=\"{end}\" size=\"{REACH}\""
+    ));
+    parts
+        .sensors
+        .add(&format!("touch name=\"{foot}\" site=\"{foot}\""));
+    for _ in &leg.joints {
+        parts.world.close("body");
+    }
+}
+
+/// A joint and its motor. A set point that follows its command with the lag of our servos, and whose rate the motor knows, is
+/// this motor on the command itself, as that lag is what its damping is against its stiffness.
+fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
+    let drives = Drives::default();
+    let [axis, range] = [
+        vector(joint.axis),
+        vector([joint.outer.min, joint.outer.max].map(f64::to_radians)),
+    ];
+    let [rotor, friction, stiffness, damping] = [
+        drives.rotor,
+        drives.friction,
+        drives.stiffness,
+        drives.damping,
+    ]
+    .map(|of| of * joint.torque);
+    parts.world.add(&format!(
+        "joint name=\"{name}\" axis=\"{axis}\" range=\"{range}\" armature=\"{rotor}\" damping=\"{friction}\""
+    ));
+    let force = vector([-joint.torque, joint.torque]);
+    parts.motors.add(&format!(
+        "position name=\"{name}\" joint=\"{name}\" kp=\"{stiffness}\" kv=\"{damping}\" forcerange=\"{force}\" ctrlrange=\"{range}\""
+    ));
+    parts.places.push(posture);
+    parts.controls.push(posture);
+}
+
+/// What a joint carries: a rod (its radius in m), and what of it touches things.
+fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: bool) {
+    let end = metres(joint.link);
+    let length = frame::length(end);
+    let middle = vector(end.map(|part| part / 2.0));
+    let (mass, inertia) = (joint.mass, vector(inertia(joint.mass, end, radius)));
+    let end = vector(end);
+    let world = &mut parts.world;
+    world.add(&format!(
+        "inertial pos=\"{middle}\" mass=\"{mass}\" fullinertia=\"{inertia}\""
+    ));
+    let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
+    if length > 0.0 {
+        world.add(&format!("geom class=\"drawn\" {}", rod(radius)));
+    }
+    let shape = match hand && length > 0.0 {
+        true => rod(SKIN),
+        false => format!("type=\"sphere\" pos=\"{end}\" size=\"{SKIN}\""),
+    };
+    world.add(&format!("geom name=\"{touching}\" {shape}"));
+}
+
+/// xx, yy, zz, xy, xz and yz of a rod (kg, m) that ends at a point, about its middle.
+fn inertia(mass: f64, end: [f64; 3], radius: f64) -> [f64; 6] {
+    let length = frame::length(end);
+    let [x, y, z] = match length > 0.0 {
+        true => end.map(|part| part / length),
+        false => [0.0, 0.0, 1.0],
+    };
+    let [across, along] = rod_moments(mass, length, radius);
+    let less = across - along;
+    [
+        across - less * x * x,
+        across - less * y * y,
+        across - less * z * z,
+        -less * x * y,
+        -less * x * z,
+        -less * y * z,
+    ]
+}
