@@ -3,6 +3,19 @@
 //! Lengths are in m, angles in rad. The world is that of a run: z up, the robot begins at the origin, with x to its right
 //! and y ahead, where [`DynamicPlant`](tip_runtime::plant::DynamicPlant) has it. Masses, motors and contacts stand for those of our
 //! plants, so that the same commands lead to the same motion as far as two simulations agree.
+//!
+//! ```
+//! use tip_runtime::plant::Scene;
+//! use tip_sim::{Robot, mjcf};
+//!
+//! let titan = mjcf::export(&Robot::named("titan8")?);
+//! assert!(titan.contains("<freejoint name=\"base_link\"/>"), "it walks");
+//! assert!(titan.contains("<position name=\"J11\" joint=\"J11\""));
+//!
+//! let hand = Robot::named("hand")?.with_scene(&Scene::CYLINDER)?;
+//! assert!(mjcf::export(&hand).contains("<body name=\"O1\""), "what it grasps");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod limb;
 mod parts;
@@ -20,19 +33,6 @@ const SKIN: f64 = 1e-3;
 ///
 /// Joints, and the position motors that turn them, are called `J11` to `Jnm`, the bodies that they carry `link11` to `linknm`; feet
 /// or fingertips are the sites and touch sensors `F1` to `Fn`. The first keyframe, `initial`, is the initial posture.
-///
-/// ```
-/// use tip_runtime::plant::Scene;
-/// use tip_sim::{Robot, mjcf};
-///
-/// let titan = mjcf::export(&Robot::named("titan8")?);
-/// assert!(titan.contains("<freejoint name=\"base_link\"/>"), "it walks");
-/// assert!(titan.contains("<position name=\"J11\" joint=\"J11\""));
-///
-/// let hand = Robot::named("hand")?.with_scene(&Scene::CYLINDER)?;
-/// assert!(mjcf::export(&hand).contains("<body name=\"O1\""), "what it grasps");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[must_use]
 pub fn export(robot: &Robot) -> String {
     let anatomy = robot.anatomy();
