@@ -100,7 +100,7 @@ impl Parser<'_> {
             }
         }
         // A comment of another language that never ends has swallowed it.
-        if !self.in_comment {
+        if !self.in_comment && !self.ends_with_number() {
             self.report_missing_end();
         }
     }

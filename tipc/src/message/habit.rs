@@ -76,6 +76,12 @@ messages! {
     Speed
         "set the speed with `SET_V_MAX F1 200` (feet) or `SET_OMEGA_MAX J11 90` (joints)",
         "速度は `SET_V_MAX F1 200` (足先)か `SET_OMEGA_MAX J11 90` (関節)で設定します";
+    Acceleration
+        "set the acceleration with `SET_A_MAX F1 1200`",
+        "加速度は `SET_A_MAX F1 1200` で設定します";
+    Teach
+        "`TEACH_POSITION F1 P` stores where a foot is, `TEACH_ANGLE F1 Q` the angles of its joints",
+        "足先の位置を読み取るのは `TEACH_POSITION F1 P`、関節角は `TEACH_ANGLE F1 Q` です";
     Home
         "`INITIAL_POSTURE` goes to the initial posture",
         "初期姿勢に戻るのは `INITIAL_POSTURE` です";

@@ -136,6 +136,18 @@ impl Parser<'_> {
         Some(StatementKind::Broken(shape))
     }
 
+    /// `90 END` at the end of the file: its number is reported.
+    pub(super) fn ends_with_number(&self) -> bool {
+        let last = self.module.statements.last();
+        last.filter(|_| self.numbered.is_some())
+            .is_some_and(|last| {
+                let mut words = self.source.slice(last.span).split_whitespace();
+                let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
+                matches!(last.kind, StatementKind::Broken(_))
+                    && words.next_back().is_some_and(is_end)
+            })
+    }
+
     /// `DEF_VAR A; B`: the name after the `;` was to be declared, too.
     fn goes_on_declaring(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
         let before = self.module.statements.last()?;

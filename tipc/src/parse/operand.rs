@@ -60,6 +60,8 @@ impl Reader<'_> {
             fault.help = Some(Habit::Comment.into());
         } else if calculates {
             fault.help = Some(Habit::CalculateArgument.into());
+        } else if token.kind == Kind::Colon {
+            fault.help = Some(Habit::NextStatement.into());
         } else if matches!(token.kind, Kind::Assign(_)) {
             fault.help = Some(self.without_equals().into());
         }

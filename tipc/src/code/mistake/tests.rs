@@ -61,7 +61,7 @@ const BESIDE: &[(&str, &str)] = &[
          JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
          NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
-         KeyIn AdIn Lamp Cases Speed Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
+         KeyIn AdIn Lamp Cases Speed Acceleration Teach Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
          Assign Initial Nest WriteNot WriteNotEqual Forever LeaveThenOut CloseOneLineIf InOneWord Number Comma Migrate Title
          TitleHere OtherEncoding Nothing Ask Motors ClearText KeyFirst TargetBefore InnerFirst NoParameters UntilCloses WithoutEquals",
     ),

@@ -1,0 +1,4 @@
+3.1
+A title
+10 PTP F1 R 0 R 0 R 50
+20 END

@@ -1,0 +1,4 @@
+3.1
+A title
+ACCEL F1 100
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_POS P
+GET_POS F1 P
+PTP F1 P
+END
