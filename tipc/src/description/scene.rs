@@ -206,7 +206,7 @@ mod tests {
         };
         assert_eq!(told("[floor\n"), at(&["1:7"]));
         let text = "[floor]\nhight = 1\nfriction = -1\n[[object]]\nmass = 1\n\
-            [[object]]\nsize = [1, 40]\nmass = 1\n[[object]]\nradius = 20\nmass = 0.001\n\
+            [[object]]\nsize = [1, 40]\nmass = 1\n[[object]]\nradius = 20\nmass = 0.0009\n\
             [[object]]\nradius = 20\nsize = [1, 1]\nmass = 1\n[[object]]\nradius = \"big\"\n";
         let lines = ["2:1", "3:12", "4:1", "7:8", "11:8", "12:1", "16:1", "17:10"];
         assert_eq!(told(text), at(&lines));

@@ -20,6 +20,10 @@ const PLAIN: &[(&str, &str)] = &[
         "ReadAsFlag NotDeclared NoNumber NothingUses NothingReads AssignedNowhere",
     ),
     ("Structuring", "NoSuchLabel NoLoopAbove NextCounts RunsInto"),
+    (
+        "Simulating",
+        "CannotStart NoAnswer Exited Killed Closed TooLong NotText NotAnswer UnknownWord Twice Missing OtherVersion OtherCycle OtherCount NotNumber NotFinite Copy",
+    ),
 ];
 
 /// Rows that are not reasons: helps and labels.
