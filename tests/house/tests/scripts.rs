@@ -162,7 +162,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 21] = [
+const NEEDS: [(&str, &[&str], &[&str]); 22] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "editors/vscode/build",
@@ -182,6 +182,7 @@ const NEEDS: [(&str, &[&str], &[&str]); 21] = [
         &[],
         &["node is not installed"],
     ),
+    ("examples/mujoco/run", &[], &["python3 is not installed"]),
     (
         "site/build",
         &[],

@@ -1,0 +1,65 @@
+"""Simulates in MuJoCo a walking robot that `tipc robot export --mjcf` wrote, under a program of `tipc run --plant exec:`.
+
+Argument: the file. The lines are those of docs/external-plant.md. Inside everything is in m, rad, N, N·m and s.
+"""
+
+import math
+import sys
+
+import mujoco
+import numpy as np
+
+# The set point of a motor follows what is commanded as with `--plant dynamic`: with this lag (s), at this speed (rad/s) at most.
+LAG, SPEED = 0.015, math.radians(360)
+
+model = mujoco.MjModel.from_xml_path(sys.argv[1])
+data = mujoco.MjData(model)
+step = model.opt.timestep
+joints = model.actuator_trnid[:, 0]
+angles, rates = model.jnt_qposadr[joints], model.jnt_dofadr[joints]
+stiffness, damping = model.actuator_gainprm[:, 0], -model.actuator_biasprm[:, 2]
+
+
+def numbers(text):
+    return np.array([float(number) for number in text.split(",")])
+
+
+def measured():
+    """What the sensors read, in deg, N·m, N and mm."""
+    turn = np.zeros(9)
+    mujoco.mju_quat2Mat(turn, data.qpos[3:7])
+    _, y_x, _, _, y_y, _, x_z, y_z, z_z = turn
+    roll, pitch, yaw = math.atan2(-x_z, z_z), math.asin(max(-1, min(1, y_z))), math.atan2(-y_x, y_y)
+    rows = {
+        "angles": np.degrees(data.qpos[angles]),
+        "torques": data.actuator_force,
+        "loads": data.sensordata,
+        "pose": [*(1000 * data.qpos[:3]), *np.degrees([roll, pitch, yaw])],
+    }
+    return " ".join(f"{key}={','.join(map(str, row))}" for key, row in rows.items())
+
+
+for line in sys.stdin:
+    kind, *words = line.split()
+    said = dict(word.split("=") for word in words)
+    if kind == "hello":
+        mujoco.mj_resetDataKeyframe(model, data, model.key("initial").id)
+        mujoco.mj_forward(model, data)
+        target = setpoint = data.qpos[angles]
+        print("ready version=1", measured(), flush=True)
+    elif kind == "cycle":
+        is_torque = np.array([mode == "torque" for mode in said["modes"].split(",")])
+        commanded = numbers(said["targets"])
+        goal = np.where(is_torque, target, np.radians(commanded))
+        for left in range(round(float(said["period"]) / 1000 / step), 0, -1):
+            target = target + (goal - target) / left
+            turn = np.clip((target - setpoint) * (1 - math.exp(-step / LAG)), -SPEED * step, SPEED * step)
+            setpoint = setpoint + turn
+            # A motor gives stiffness · (control − angle) − damping · rate.
+            servo = setpoint + damping / stiffness * turn / step
+            torque = data.qpos[angles] + (commanded + damping * data.qvel[rates]) / stiffness
+            data.ctrl[:] = np.where(is_torque, torque, servo)
+            mujoco.mj_step(model, data)
+        print(f"state n={said['n']}", measured(), flush=True)
+    elif kind == "bye":
+        break
