@@ -1,7 +1,8 @@
 //! Programs in the one style of docs/style.md: blanks, capital letters, indentation, comments in columns.
 //!
 //! Lines are neither joined nor parted nor moved, and no byte of a comment, of a text, of the first two lines or of what
-//! follows END changes, whatever the encoding. **What is written back loads to the same program**: each call checks it.
+//! follows END changes, whatever the encoding. **What is written back is the same program**: each call reads it again and
+//! compares the statements.
 //!
 //! ```
 //! use tipc::{Options, format::format};
@@ -18,7 +19,7 @@ mod layout;
 mod rows;
 mod same;
 
-use crate::load::{Loaded, Options, load, lowered};
+use crate::load::{Loaded, Options, load, parsed};
 use crate::message::Formatting;
 use rows::Rows;
 
@@ -37,8 +38,8 @@ pub enum Refusal {
 ///
 /// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
 pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
-    let before = lowered(name, bytes, options);
-    if before.program.is_none() {
+    let before = parsed(name, bytes, options);
+    if !before.loads(options) {
         let found = load(name, bytes, options);
         return Err(Refusal::Findings(Box::new(found)));
     }
@@ -47,7 +48,7 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
     if formatted == bytes {
         return Ok(formatted);
     }
-    let after = lowered(name, &formatted, options);
+    let after = parsed(name, &formatted, options);
     match same::check(&before, &after) {
         Ok(()) => Ok(formatted),
         Err(reason) => Err(Refusal::Because(reason)),

@@ -1,7 +1,7 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 
 use crate::allow::Allows;
-use crate::check::check;
+use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
 use crate::fix;
@@ -112,33 +112,20 @@ pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
 
 /// The same without what only an analysis of the program finds: warnings. The findings are in no order.
 pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
-    let (source, undecodable) = Source::decode(name, bytes, options.encoding);
-    if let Some(fault) = undecodable {
-        let mut faults = vec![fault.into()];
-        name_encoding(&mut faults, bytes);
-        return Loaded {
-            robot: Some(options.robot),
-            ..Loaded::refused(source, faults)
-        };
-    }
-    let (module, mut diagnostics) = parse(&source, options.tip_version);
-    name_encoding(&mut diagnostics, bytes);
-    let wrong_version = module.statements.is_empty()
-        && diagnostics
-            .iter()
-            .any(|diagnostic| diagnostic.code == Code::Version);
-    let (symbols, program) = if wrong_version {
-        (Symbols::default(), None)
-    } else {
-        let checked = check(&source, &module, options.robot, diagnostics);
-        diagnostics = checked.found;
-        judge(&mut diagnostics, module.edition);
-        let is_sound = diagnostics
-            .iter()
-            .all(|diagnostic| diagnostic.level() == Level::Warning);
-        let resolved = checked.resolved.filter(|_| is_sound);
+    let Parsed {
+        source,
+        module,
+        is_program,
+        mut diagnostics,
+    } = parsed(name, bytes, options);
+    let (symbols, program) = if is_program {
+        let mut checked = check(&source, &module, options.robot, diagnostics);
+        let resolved = sound(&mut checked, module.edition);
         let program = resolved.map(|resolved| lower(&source, &module, resolved, options.robot));
+        diagnostics = checked.found;
         (checked.symbols, program)
+    } else {
+        (Symbols::default(), None)
     };
     Loaded {
         source,
@@ -147,6 +134,58 @@ pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
         program,
         robot: Some(options.robot),
         diagnostics,
+    }
+}
+
+/// What was read of a file, before anything is looked up or judged.
+#[derive(Debug)]
+pub(crate) struct Parsed {
+    pub(crate) source: Source,
+    pub(crate) module: Module,
+    /// Whether the rest can be judged: the file is text, and of the version that is asked for.
+    pub(crate) is_program: bool,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+}
+
+#[cfg(feature = "tools")]
+impl Parsed {
+    /// Whether it is a program without errors.
+    pub(crate) fn loads(&self, options: &Options) -> bool {
+        let found = self.diagnostics.clone();
+        let checked = || check(&self.source, &self.module, options.robot, found);
+        self.is_program && sound(&mut checked(), self.module.edition).is_some()
+    }
+}
+
+/// Reads a file.
+pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
+    let (source, undecodable) = Source::decode(name, bytes, options.encoding);
+    let is_text = undecodable.is_none();
+    let (module, mut diagnostics) = match undecodable {
+        None => parse(&source, options.tip_version),
+        Some(fault) => (Module::default(), vec![fault.into()]),
+    };
+    name_encoding(&mut diagnostics, bytes);
+    judge(&mut diagnostics, module.edition);
+    let wrong_version = module.statements.is_empty()
+        && diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.code == Code::Version);
+    Parsed {
+        source,
+        module,
+        is_program: is_text && !wrong_version,
+        diagnostics,
+    }
+}
+
+/// Takes what a module is resolved to, unless there is an error in it.
+fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
+    judge(&mut checked.found, edition);
+    let is_error = |finding: &Diagnostic| finding.level() == Level::Error;
+    match checked.found.iter().any(is_error) {
+        true => None,
+        false => checked.resolved.take(),
     }
 }
 

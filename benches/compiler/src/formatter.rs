@@ -1,4 +1,4 @@
-//! Bytes to bytes in the style: the program is loaded, laid out, loaded again and compared.
+//! Bytes to bytes in the style: the program is read and checked, laid out, read again and compared.
 
 use crate::long::KINDS;
 use std::time::Instant;
