@@ -36,6 +36,7 @@ mod finger;
 mod grip;
 mod motor;
 mod overlap;
+mod seam;
 mod slider;
 mod thing;
 

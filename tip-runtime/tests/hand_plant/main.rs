@@ -10,4 +10,5 @@ mod objects;
 mod rig;
 mod robustness;
 mod statics;
+mod thin;
 mod vibration;

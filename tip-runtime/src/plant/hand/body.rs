@@ -3,6 +3,7 @@
 use super::Vector;
 use super::contact::{HEAVY, Law};
 use super::finger::{across, rotated};
+use super::seam::Face;
 use crate::scene::{Object, Shape};
 
 /// Of free fall: m/s².
@@ -204,6 +205,47 @@ impl Body {
                 }
             }
         }
+    }
+
+    /// The path out of a box for a point that came in through a face: a unit vector, and how far; not
+    /// positive from outside. It is the shortest path, or the next one if that leads out of the opposite face.
+    /// The face is the one to leave by then; from outside it is the nearest.
+    #[inline]
+    pub(super) fn way_back(&self, point: Vector, face: &mut Option<Face>) -> (Vector, f64) {
+        let from = point - self.centre;
+        let [wide, high] = self.axes();
+        let (x, y) = (from.dot(&wide.0), from.dot(&high.0));
+        let (beside, above) = (libm::fabs(x) - wide.1, libm::fabs(y) - high.1);
+        let (side, end) = (
+            Face::Side(libm::copysign(1.0, x)),
+            Face::End(libm::copysign(1.0, y)),
+        );
+        let (nearest, next) = if beside > above {
+            (side, end)
+        } else {
+            (end, side)
+        };
+        let depth = |face| match face {
+            Face::Side(sign) => wide.1 - x * sign,
+            Face::End(sign) => high.1 - y * sign,
+        };
+        let known = face.unwrap_or(nearest);
+        let is_inside = beside < 0.0 && above < 0.0;
+        let is_between = match known {
+            Face::Side(_) => above < 0.0,
+            Face::End(_) => beside < 0.0,
+        };
+        let way = match nearest == known.opposite() {
+            true if is_inside && depth(next) < depth(known) => next,
+            true if is_between => known,
+            _ => nearest,
+        };
+        *face = Some(way);
+        let out = match way {
+            Face::Side(sign) => wide.0 * sign,
+            Face::End(sign) => high.0 * sign,
+        };
+        (out, depth(way))
     }
 
     /// The axes of a box and how far it extends along them: m.

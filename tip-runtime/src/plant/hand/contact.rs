@@ -67,6 +67,9 @@ pub(super) struct Overlap {
 pub(super) struct Bristle(f64);
 
 impl Bristle {
+    /// Of what does not touch.
+    pub(super) const NONE: Self = Bristle(0.0);
+
     /// The force on the first thing in the middle of a step of `dt` s, where it moves at `velocity`
     /// (m/s) past the second: N. Without overlap there is none, and friction forgets.
     #[inline]

@@ -6,7 +6,7 @@ use super::contact::{Bristle, Law, Push};
 use super::finger::Finger;
 use super::overlap::Surface;
 use super::slider::SliderServo;
-use super::thing::{Palm, Thing};
+use super::thing::{Join, Palm, Thing};
 use super::{Fingertip, ObjectState};
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
@@ -31,8 +31,8 @@ pub(super) struct FingerPlant<const J: usize> {
     z: f64,
     /// Friction of its joints and tip on the floor.
     treads: [Bristle; J],
-    /// Friction of its links on each object.
-    grasps: [[[Bristle; 5]; J]; OBJECTS],
+    /// Its links and each object.
+    grasps: [[Join; J]; OBJECTS],
     /// What pulls the fingertip from outside: N.
     pub(super) pull: Vector,
     /// What the floor, and what the objects do to the last link: N.
@@ -65,7 +65,7 @@ impl<const J: usize> FingerPlant<J> {
             finger: Finger::new(leg),
             z: leg.base[2],
             treads: [Bristle::default(); J],
-            grasps: [[[Bristle::default(); 5]; J]; OBJECTS],
+            grasps: [[Join::NONE; J]; OBJECTS],
             pull: Vector::zeros(),
             on_last: [Vector::zeros(); 2],
             greatest: 0.0,
@@ -114,9 +114,9 @@ impl<const J: usize> FingerPlant<J> {
 
     /// It presses on the object with that place in the scene.
     fn meet(&mut self, place: usize, thing: &mut Thing, dt: f64) {
-        if let Some(bristles) = self.grasps.get_mut(place) {
+        if let Some(joins) = self.grasps.get_mut(place) {
             let [_, on_last] = &mut self.on_last;
-            *on_last += thing.meet_finger(bristles, &mut self.finger, dt);
+            *on_last += thing.meet_finger(joins, &mut self.finger, dt);
         }
     }
 }
@@ -179,7 +179,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         let objects = scene.objects.each_ref();
         self.things = objects.map(|object| Some(Thing::new(object.as_ref()?, &floor)));
         for finger in &mut self.fingers {
-            finger.grasps = [[[Bristle::default(); 5]; J]; OBJECTS];
+            finger.grasps = [[Join::NONE; J]; OBJECTS];
         }
         self.step = self.longest_step();
     }

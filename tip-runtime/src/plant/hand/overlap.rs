@@ -4,6 +4,11 @@ use super::Vector;
 use super::body::Body;
 use super::contact::Overlap;
 use super::finger::{Link, across};
+use super::seam::Seam;
+
+/// How far apart a link and a body may be that meet, or have passed each other, within a step: m. That
+/// is 20 m/s in the longest one.
+const SWEEP: f64 = 0.01;
 
 /// Something flat and endless that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,39 +38,60 @@ impl Surface {
 }
 
 /// The places where a link can touch a body: one along a disc; of a box its end, and each corner
-/// that pokes through it; `None` while they are apart. The start of a link belongs to the link before
-/// it, if there is one.
+/// that pokes through it; `None` while they are far apart. The start of a link belongs to the link
+/// before it, if there is one. A body that has come too far through the link, or a link through the
+/// body, goes back to where the seam knows it from.
 #[inline]
-pub(super) fn of_link(link: &Link, is_first: bool, body: &Body) -> Option<[Option<Overlap>; 5]> {
+pub(super) fn of_link(
+    link: &Link,
+    is_first: bool,
+    body: &Body,
+    seam: &mut Seam,
+) -> Option<[Option<Overlap>; 5]> {
     let along = link.end - link.start;
-    let share = (body.centre - link.start).dot(&along) / along.norm_squared();
+    let away = body.centre - link.start;
+    let share = away.dot(&along) / along.norm_squared();
     let nearest = link.start + along * share.clamp(0.0, 1.0);
     let from = nearest - body.centre;
-    if from.norm_squared() > body.reach * body.reach {
+    let near = body.reach + SWEEP;
+    let is_far = from.norm_squared() > near * near;
+    let side = libm::copysign(1.0, along.perp(&away));
+    let is_beside = share > 0.0 && share < 1.0;
+    if is_far && !(is_beside && seam.is_other(side)) {
+        *seam = Seam::UNKNOWN;
         return None;
     }
     if !body.is_box() {
         let (out, depth) = body.way_out(nearest);
+        let (out, depth) = match seam.is_through(side, is_beside) {
+            true => (-out, 2.0 * body.reach - depth),
+            false => (out, depth),
+        };
         let own = is_first || share > 0.0;
         let touch = overlap(nearest, out, depth).filter(|_| own);
         return Some([touch, None, None, None, None]);
     }
-    let (out, depth) = body.way_out(link.end);
-    let [a, b, c, d] = poking(link, along, body);
-    Some([overlap(link.end, out, depth), a, b, c, d])
-}
-
-/// The corners of a box that poke through a link.
-fn poking(link: &Link, along: Vector, body: &Body) -> [Option<Overlap>; 4] {
+    let (out, depth) = body.way_back(link.end, &mut seam.face);
+    if depth > 0.0 {
+        seam.side = side;
+        return Some([overlap(link.end, out, depth), None, None, None, None]);
+    }
     let passes = body
         .crossing(link.start, link.end)
         .is_some_and(|(enters, leaves)| enters > 0.0 && leaves < 1.0);
-    if !passes {
-        return [None; 4];
+    let is_through = seam.is_through(side, passes || is_beside);
+    if !(passes || is_through) {
+        return Some([None; 5]);
     }
+    let [a, b, c, d] = poking(link, along, seam.side, body);
+    Some([None, a, b, c, d])
+}
+
+/// The corners of a box that poke through a link from a side of it: +1 is where a quarter turn from
+/// it points.
+fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap>; 4] {
     let normal = across(along) / along.norm();
-    let centre = (body.centre - link.start).dot(&normal);
-    let away = normal * -libm::copysign(1.0, centre);
+    let away = normal * -side;
     body.corners()
         .map(|corner| overlap(corner, away, (corner - link.start).dot(&away)))
 }

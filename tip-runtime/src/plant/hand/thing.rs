@@ -5,6 +5,7 @@ use super::body::Body;
 use super::contact::{Bristle, Push};
 use super::finger::Finger;
 use super::overlap::{Surface, of_bodies, of_link};
+use super::seam::Seam;
 use crate::model::{Point, Range};
 use crate::scene::{OBJECTS, Object};
 
@@ -13,6 +14,22 @@ const PALM: f64 = 0.5;
 
 /// How thick the palm is, upwards: m.
 const THICKNESS: f64 = 0.02;
+
+/// What a link and a body are to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Join {
+    /// Friction of the places where they can touch.
+    bristles: [Bristle; 5],
+    seam: Seam,
+}
+
+impl Join {
+    /// Of what has not been near each other.
+    pub(super) const NONE: Self = Join {
+        bristles: [Bristle::NONE; 5],
+        seam: Seam::UNKNOWN,
+    };
+}
 
 /// A body with the friction of its contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +90,7 @@ impl Thing {
     /// link: N.
     pub(super) fn meet_finger<const J: usize>(
         &mut self,
-        bristles: &mut [[Bristle; 5]; J],
+        joins: &mut [Join; J],
         finger: &mut Finger<J>,
         dt: f64,
     ) -> Vector {
@@ -83,11 +100,11 @@ impl Thing {
             ..
         } = self.body;
         let mut on_last = Vector::zeros();
-        for (m, bristles) in bristles.iter_mut().enumerate() {
+        for (m, Join { bristles, seam }) in joins.iter_mut().enumerate() {
             let Some(link) = finger.links().get(m) else {
                 continue;
             };
-            let Some(places) = of_link(link, m == 0, &self.body) else {
+            let Some(places) = of_link(link, m == 0, &self.body, seam) else {
                 *bristles = [Bristle::default(); 5];
                 continue;
             };
