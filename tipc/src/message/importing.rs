@@ -18,6 +18,9 @@ messages! {
     Doctype
         "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for",
         "DTDがあります。独自の実体参照は読みません。`<!DOCTYPE …>` を取り、実体の中身をそのまま書いてください";
+    Xacro { at: Place }
+        "{at}: this is xacro, of which URDF is made: expand it first, as `xacro robot.xacro > robot.urdf` (the tool comes with ROS, and by `pip install xacro`)",
+        "{at}: URDFの元になるxacroです。先に `xacro robot.xacro > robot.urdf` のように展開してください(xacroはROSに付属し、`pip install xacro` でも入ります)";
     NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str }
         "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`",
         "{at}: 要素 `{element}` に属性 `{attribute}` がありません。`{attribute}=\"{example}\"` のように書いてください";
@@ -128,12 +131,27 @@ messages! {
     OmegaMax
         "OMEGA_MAX is the velocity of the slowest joint",
         "OMEGA_MAXは最も遅い関節の速度です";
-    TurnsAllRound { joint: String }
-        "assumed: joint {joint} turns from -180 to 180 deg",
-        "仮定: 関節{joint}は-180から180 degまで回る";
-    Motor { joint: String }
-        "assumed: joint {joint} has a motor of 10 N·m",
-        "仮定: 関節{joint}のモータは10 N·m";
+    TurnsAllRound { joints: List }
+        "assumed: limits of -180 and 180 deg, for want of any: {joints}",
+        "仮定: 限界がないので-180と180 deg: {joints}";
+    Motor { joints: List }
+        "assumed: motors of 10 N·m, for want of an effort: {joints}",
+        "仮定: effortがないのでモータは10 N·m: {joints}";
+    DoubtfulLimits { joints: List }
+        "doubtful: limits of half a turn or more on both sides look like placeholders; set `limits`: {joints}",
+        "要確認: 両側とも半回転以上の限界は仮の値のようです。`limits` を設定してください: {joints}";
+    DoubtfulEffort { joints: List }
+        "doubtful: an effort of 1000 N·m or more looks like a placeholder; set `torque`: {joints}",
+        "要確認: 1000 N·m以上のeffortは仮の値のようです。`torque` を設定してください: {joints}";
+    DoubtfulVelocity { joints: List }
+        "doubtful: a velocity of 0, or of 1000 rad/s or more, looks like a placeholder and is no part of OMEGA_MAX; set `omega_max`: {joints}",
+        "要確認: 0や1000 rad/s以上のvelocityは仮の値のようなので、OMEGA_MAXには使いません。`omega_max` を設定してください: {joints}";
+    NoMass { joints: List }
+        "doubtful: these joints carry 0 kg; set `mass`, or the plant with mass moves motors only: {joints}",
+        "要確認: 次の関節の先の質量が0 kgです。`mass` を設定しないと、質量を持つプラントではモータだけが動きます: {joints}";
+    NoInertia { links: List }
+        "doubtful: these links have a mass, and an inertia of 0 about some axis: {links}",
+        "要確認: 次のリンクには質量がありますが、慣性モーメントが0の軸があります: {links}";
     TookIn { link: String, merged: List }
         "link {link} took in the links fixed to it: {merged}",
         "リンク{link}に、固定されたリンクをまとめました: {merged}";

@@ -33,6 +33,7 @@
 mod body;
 mod chain;
 mod check;
+mod doubt;
 mod export;
 pub mod frame;
 mod given;
@@ -46,6 +47,7 @@ mod tree;
 mod values;
 mod version;
 mod write;
+mod xacro;
 pub(crate) mod xml;
 
 pub use export::export;

@@ -62,7 +62,7 @@ fn robot(
 ) -> Result<Robot, String> {
     let choice = match &launch.robot {
         None => given.and_then(|it| it.robot.clone()).unwrap_or_default(),
-        Some(name) => match name.parse().map_err(|error| format!("{error:?}"))? {
+        Some(name) => match name.parse().map_err(|wrong: Wrong| wrong.text(lang))? {
             RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
             named => named,
         },

@@ -1,6 +1,8 @@
 //! `--robot FILE.toml`, and `tipc robot`.
 
+use crate::dap::Client;
 use crate::support::Folder;
+use serde_json::json;
 
 const HEXAPOD: &str = include_str!("../../../../tipc/tests/robots/hexapod.toml");
 
@@ -97,6 +99,19 @@ fn a_robot_that_nobody_knows_is_wrong_usage() {
         "{}",
         outcome.err
     );
+}
+
+#[test]
+fn a_robot_that_a_debugger_does_not_know_is_answered_in_a_sentence() {
+    let folder = folder("dap-unknown");
+    let program = folder.path("lift.prg").display().to_string();
+    let launch = |robot: &str| json!({ "program": program, "robot": robot });
+    let mut client = Client::new();
+    client.ask("initialize", json!({ "adapterID": "tip" }));
+    let reason = client.refusal("launch", launch("hexapad"));
+    assert!(reason.contains("titan8, hand, generic, a1"), "{reason}");
+    assert!(!reason.contains("Robot {"), "{reason}");
+    client.ask("launch", launch("phantomx"));
 }
 
 #[test]

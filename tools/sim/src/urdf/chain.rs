@@ -27,6 +27,8 @@ pub(super) struct Turning<'a> {
     pub(super) at: [f64; 3],
     /// kg.
     pub(super) mass: f64,
+    /// The links that it carries up to the next joint.
+    pub(super) links: Vec<&'a Link>,
     /// Links that fixed joints hold to the one after this joint, without those of the foot.
     pub(super) merged: Vec<&'a str>,
 }
@@ -51,6 +53,7 @@ impl<'a> Chain<'a> {
                 axis: pose.direction(joint.axis),
                 at: pose.origin(),
                 mass: links.iter().map(|(link, _)| link.mass).sum(),
+                links: links.iter().map(|(link, _)| *link).collect(),
                 merged: merged(&links).filter(|_| !is_last).collect(),
             });
             match movable.as_slice() {

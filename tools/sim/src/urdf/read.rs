@@ -7,20 +7,30 @@ use super::robot::{Joint, Kind, Limit, Link, Origin, Robot};
 use super::schema::ROBOT;
 use super::values::{number, quaternion, roll_pitch_yaw, vector};
 use super::version::Version;
+use super::xacro;
 use roxmltree::{Document, Error, Node};
 use tipc::message::Importing;
+use tipc::message::phrase::Place;
 
 /// Refuses what is not URDF. Once it is checked, only what may be left out is missing.
 pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
     let document = Document::parse(text).map_err(|error| {
         ImportError::new(match error {
             Error::DtdDetected => Importing::Doctype,
+            Error::UnknownNamespace(prefix, at) if prefix == xacro::PREFIX => Importing::Xacro {
+                // The place is that of the prefix, after the bracket.
+                at: Place::At {
+                    line: at.row,
+                    column: at.col.saturating_sub(1),
+                },
+            },
             error => Importing::NoUrdf {
                 error: error.to_string().into(),
             },
         })
     })?;
     check::depth(&document)?;
+    xacro::refuse(&document)?;
     let node = document.root_element();
     let version = Version::from_attribute(node.attribute("version"));
     check::element(node, &ROBOT, version)?;
@@ -37,12 +47,14 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
 
 fn link(node: Node<'_, '_>, version: Version) -> Link {
     let inertial = elements(node, "inertial").next();
-    let mass = inertial.and_then(|inertial| elements(inertial, "mass").next());
+    let within = |name| inertial.and_then(|inertial| elements(inertial, name).next());
+    let moment = |name| within("inertia").and_then(|inertia| value(inertia, name));
     Link {
         name: string(node, "name"),
-        mass: mass
+        mass: within("mass")
             .and_then(|mass| value(mass, "value"))
             .unwrap_or_default(),
+        moments: ["ixx", "iyy", "izz"].map(|name| moment(name).unwrap_or_default()),
         boxes: elements(node, "visual")
             .filter_map(|visual| boxed(visual, version))
             .collect(),

@@ -15,6 +15,8 @@ pub(super) struct Link {
     pub(super) name: String,
     /// kg; 0 without `<inertial>`.
     pub(super) mass: f64,
+    /// Of inertia, about its own axes: kg·m²; 0 without `<inertial>`.
+    pub(super) moments: [f64; 3],
     /// Where its boxes are, and their sizes in m.
     pub(super) boxes: Vec<(Origin, [f64; 3])>,
 }

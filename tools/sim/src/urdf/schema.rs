@@ -268,7 +268,8 @@ const VISUAL: Element = holding(
     &[
         child(Count::AtMostOne, &ORIGIN, "<origin xyz=\"0 0 0\"/>"),
         GEOMETRY_CHILD,
-        child(Count::AtMostOne, &MATERIAL, "<material name=\"a\"/>"),
+        // Once by the letter; exporters repeat it for the parts of a mesh.
+        child(Count::Any, &MATERIAL, "<material name=\"a\"/>"),
     ],
 );
 

@@ -1,5 +1,10 @@
 //! What texts of attributes stand for.
 
+/// A name as a comment or a report may hold it.
+pub(super) fn printed(name: &str) -> String {
+    name.replace(char::is_control, "?")
+}
+
 /// One number, and nothing else.
 pub(super) fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok()

@@ -1,7 +1,8 @@
 //! The description as text, and the report.
 
 use super::chain::{Chain, Turning};
-use super::robot::Kind;
+use super::doubt;
+use super::values::printed;
 use std::fmt::Write as _;
 use tip_runtime::model::{Range, Slider};
 use tipc::Robot;
@@ -10,8 +11,6 @@ use tipc::message::list::List;
 
 /// The longest name of a robot, in characters.
 const LONGEST: usize = 40;
-/// What is more than this stands for a motor without limit: N·m.
-const STRONGEST: f64 = 1e5;
 /// How far the assumed body reaches above and below the first joints: mm.
 const HALF_HEIGHT: f64 = 50.0;
 
@@ -39,26 +38,25 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     ];
     let mut text = format!(
         "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
-        comment(source_name),
+        printed(source_name),
         robot_name(found.name)
     );
     for (number, leg) in (1..).zip(legs) {
         let what = Importing::Leg {
             number,
-            joint: comment(leg.name()),
-            link: comment(leg.end),
+            joint: printed(leg.name()),
+            link: printed(leg.end),
         };
         report.push(what.clone());
         let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));
     }
     body(&mut text, found, &mut report);
     slider(&mut text, found.slider.as_ref(), &mut report);
-    let velocities = legs
-        .iter()
-        .flat_map(|leg| &leg.joints)
-        .map(|turning| turning.joint.limit.velocity);
+    report.extend(doubt::of(legs));
+    let joints = legs.iter().flat_map(|leg| &leg.joints);
+    let velocities = joints.map(|turning| turning.joint.limit.velocity);
     let slowest = velocities
-        .filter(|v| *v > 0.0)
+        .filter(|velocity| !doubt::is_no_velocity(*velocity))
         .fold(f64::INFINITY, f64::min);
     if slowest.is_finite() {
         report.push(Importing::OmegaMax);
@@ -83,7 +81,7 @@ fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
             vector(direction(turning.axis)),
             vector(link),
             settings(turning, report),
-            comment(&turning.joint.name)
+            printed(&turning.joint.name)
         );
     }
     text + "]\n"
@@ -92,28 +90,19 @@ fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
 /// Limits, mass and torque of a joint, as far as the file knows them.
 fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
     let joint = turning.joint;
-    let (name, limit) = (comment(&joint.name), &joint.limit);
     let mut text = String::new();
-    let ends = [limit.lower, limit.upper];
-    let has_ends = ends.iter().all(|end| end.is_finite()) && limit.lower < limit.upper;
-    if joint.kind == Kind::Revolute && has_ends {
+    if let Some(ends) = doubt::ends(joint) {
         let ends = ends.map(|end| measure(end.to_degrees()));
         let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
-    } else {
-        report.push(Importing::TurnsAllRound {
-            joint: name.clone(),
-        });
     }
     let _ = write!(text, ", mass = {}", measure(turning.mass));
-    if limit.effort > 0.0 && limit.effort <= STRONGEST {
-        let _ = write!(text, ", torque = {}", measure(limit.effort));
-    } else {
-        report.push(Importing::Motor { joint: name });
+    if let Some(effort) = doubt::effort(joint) {
+        let _ = write!(text, ", torque = {}", measure(effort));
     }
     if !turning.merged.is_empty() {
-        let merged: Vec<String> = turning.merged.iter().map(|link| comment(link)).collect();
+        let merged: Vec<String> = turning.merged.iter().map(|link| printed(link)).collect();
         report.push(Importing::TookIn {
-            link: comment(&joint.child),
+            link: printed(&joint.child),
             merged: List(merged),
         });
     }
@@ -192,11 +181,6 @@ fn direction(axis: [f64; 3]) -> [f64; 3] {
 
 fn vector([x, y, z]: [f64; 3]) -> String {
     format!("[{x}, {y}, {z}]")
-}
-
-/// A name as a comment or a report may hold it.
-fn comment(name: &str) -> String {
-    name.replace(char::is_control, "?")
 }
 
 /// The robot's name with blanks for characters that are not allowed.

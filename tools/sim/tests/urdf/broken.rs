@@ -113,6 +113,18 @@ fn an_element_stands_once() {
         "<child link=\"rod\"/>\n",
         "<child link=\"rod\"/><!-- <child link=\"tip\"/> -->\n",
     );
+    // Exporters give a mesh of several parts several materials; a link has one inertia all the same.
+    taken(
+        "1.0",
+        "</visual>",
+        "<material name=\"a\"/><material name=\"a\"><color rgba=\"1 0 0 1\"/></material></visual>",
+    );
+    refused(
+        "1.0",
+        "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>\n</inertial>",
+        "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>\n</inertial><inertial/>",
+        "line 5, column 12: element `link` holds element `inertial` twice: leave one out",
+    );
 }
 
 #[test]
