@@ -83,6 +83,12 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
+    /// Forgets what it touched.
+    pub(super) const fn let_go(&mut self) {
+        self.grips = [Grip::FREE; J];
+        self.foot = Foothold::NONE;
+    }
+
     /// Holds every joint.
     pub(super) fn hold(&mut self) {
         self.by_torque = 0;

@@ -76,6 +76,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         }
         let rise = self.rise();
         self.trunk.frame.position.z += rise;
+        self.legs.iter_mut().for_each(LegBody::let_go);
         self.refresh();
         self.clearance = clearance(&self.legs, &self.trunk.frame);
         self.watch = Watch::new(&self.trunk.frame, &self.terrain);
