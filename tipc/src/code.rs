@@ -158,8 +158,8 @@ codes! {
     Placeholder "W110" None, "the message shows \"%{}%\" as it is",
         "\"%{}%\" は値に置き換わらず、そのまま表示されます";
     /// A MESSAGE text in quotes.
-    QuotedMessage "W111" None, "the message shows its quotes",
-        "引用符もそのまま表示されます";
+    QuotedMessage "W111" None, "the message shows its quotes or parentheses",
+        "引用符や括弧もそのまま表示されます";
     /// A step that no path leads to.
     Unreachable "W112" None, "the program never comes to this step",
         "このステップは決して実行されません";

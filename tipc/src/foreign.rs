@@ -1,5 +1,9 @@
 //! Words and spellings of other languages, with what is written here in their place. It never looks at programs.
 
+mod command;
+
+pub(crate) use command::command;
+
 use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
 use crate::language::{Edition, Keyword, flags};
@@ -36,7 +40,7 @@ const fn row(words: &'static str, means: Means, habit: Habit) -> Row {
 /// Words with blanks between, what they mean, and what to write.
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT LOG DEBUG TEXT MSG MESS FPRINTF SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE ?", Means::Statement, Habit::ShowText),
+    row("PRINT PRINTF PRINTLN ECHO DISP DISPLAY WRITE WRITELN PUTS SAY SHOW COUT ALERT LOG DEBUG TEXT MSG MESS FPRINTF SERIAL.PRINT SERIAL.PRINTLN CONSOLE.LOG SYSTEM.OUT.PRINTLN TPWRITE TYPE SERIAL.WRITE LCD.PRINT DISPLAY_TEXT SHOW_TEXT ?", Means::Statement, Habit::ShowText),
     row("ELIF ELSIF ELSE_IF ELSEIFTHEN", Means::Keyword(Keyword::ElseIf), Habit::ElseIf),
     row("FI END_IF IFEND END-IF", Means::Keyword(Keyword::EndIf), Habit::EndIf),
     row("ENDWHILE END_WHILE ENDW WHEND WHILEEND WHILE_END", Means::Keyword(Keyword::Wend), Habit::Wend),
@@ -46,29 +50,35 @@ const ROWS: &[Row] = &[
     row("DO", Means::Statement, Habit::Loops),
     row("BREAK LEAVE EXITFOR EXIT_FOR EXITWHILE EXIT_WHILE", Means::Statement, Habit::Break),
     row("CONTINUE CYCLE", Means::Statement, Habit::Continue),
-    row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER WAIT_TIME WAITTIME WAIT_MS WAIT_SEC WAIT_FOR WAITFOR WAIT_UNTIL WAITUNTIL WAIT_MOVE TWAIT TIME.SLEEP SLEEP_MS DWELL G4 G04 INPOS IN_POS WAIT_FOR_INPOS WAIT_IN_POSITION WAIT_POS WAIT_MOTION WAIT_ALL WAIT_STOP WAIT_END WAIT_KB WAIT_KB_HIT SYNC", Means::Statement, Habit::Wait),
-    row("VAR DIM INT INTEGER FLOAT DOUBLE REAL NUM NUMBER LOCAL GLOBAL CONST DEF DEFINE DECLARE DEFVAR DEF_INT DEF_INTEGER DEF_FLOAT DEF_DOUBLE DEF_REAL DEF_NUM DEF_NUMBER DEF_BOOL DEF_STRING DEF_STR DEF_CONST DEF_ARRAY DEF_VARIABLE", Means::Declaration(VariableKind::Var), Habit::Declare),
+    row("WAIT DELAY PAUSE USLEEP MSLEEP TIMER WAIT_TIME WAITTIME WAIT_MS WAIT_SEC WAIT_FOR WAITFOR WAIT_UNTIL WAITUNTIL WAIT_MOVE TWAIT TIME.SLEEP SLEEP_MS DWELL G4 G04 INPOS IN_POS WAIT_FOR_INPOS WAIT_IN_POSITION WAIT_POS WAIT_MOTION WAIT_ALL WAIT_STOP WAIT_END WAIT_KB WAIT_KB_HIT SYNC DLY SWAIT WAITDI WAITDO", Means::Statement, Habit::Wait),
+    row("VAR DIM INT INTEGER FLOAT DOUBLE REAL NUM NUMBER LOCAL GLOBAL DEF DECLARE DEFVAR DEF_INT DEF_INTEGER DEF_FLOAT DEF_DOUBLE DEF_REAL DEF_NUM DEF_NUMBER DEF_BOOL DEF_STRING DEF_STR DEF_ARRAY DEF_VARIABLE DECL LONG BYTE UINT8_T INT16_T BOOL BOOLEAN STRING CHAR", Means::Declaration(VariableKind::Var), Habit::Declare),
+    row("CONST DEFINE #DEFINE DEF_CONST CONSTANT", Means::Declaration(VariableKind::Var), Habit::Constant),
     row("POS POINT POSITION VECTOR DEFPOS DEF_POINT DEF_POSITION DEF_VECTOR DEF_COORD", Means::Declaration(VariableKind::Pos), Habit::Declare),
     row("JOINT ANGLES DEFJOINT DEF_ANGLE DEF_ANGLES DEF_JNT", Means::Declaration(VariableKind::Joint), Habit::Declare),
     row("LET SET ASSIGN", Means::Statement, Habit::Let),
     row("SUB FUNCTION FUNC FN PROC PROCEDURE ROUTINE VOID", Means::Keyword(Keyword::Subroutine), Habit::Subroutine),
     row("JUMP JMP GO BRANCH", Means::Statement, Habit::Goto),
-    row("MOVE MOV MOVEL MOVEJ MOVEP MOVL MOVJ MOVS DRIVE WALK MOVEC MOVEABSJ MOVE_TO MOVETO MOVE_LEG MOVE_FOOT MOVELEG G0 G1 G2 G3 G00 G01 G02 G03 LIN CIRC APPRO APPROS DEPART DEPARTS SERVO SERVO.WRITE", Means::Statement, Habit::Move),
-    row("STOP HALT ESTOP E_STOP BRAKE STOPMOVE EMERGENCY EMERGENCY_STOP EMG EMG_STOP", Means::Statement, Habit::Stop),
+    row("MOVE MOV MOVEL MOVEJ MOVEP MOVL MOVJ MOVS DRIVE WALK MOVEC MOVEABSJ MOVE_TO MOVETO MOVE_LEG MOVE_FOOT MOVELEG G0 G1 G2 G3 G00 G01 G02 G03 LIN CIRC APPRO APPROS DEPART DEPARTS SERVO SERVO.WRITE LINE LINEAR MOVES MOVEA MOVE_L MOVE_J ARC SPTP SLIN MVS MVR JMOVE LMOVE JAPPRO LAPPRO JDEPART LDEPART APPROACH STEP_TO GOTO_POS", Means::Statement, Habit::Move),
+    row("STOP HALT HLT M0 M00 M1 M01 ESTOP E_STOP BRAKE STOPMOVE EMERGENCY EMERGENCY_STOP EMG EMG_STOP", Means::Statement, Habit::Stop),
     row("QUIT TERMINATE ABORT FINISH M2 M02 M30", Means::Statement, Habit::Exit),
-    row("INPUT INKEY INKEY$ GETCH GETCHAR GETC GETKEY GET_KEY READKEY READ_KEY WAITKEY WAIT_KEY KEY SCANF READ SERIAL.READ", Means::Statement, Habit::KeyIn),
+    row("INPUT PROMPT INKEY INKEY$ GETCH GETCHAR GETC GETKEY GET_KEY READKEY READ_KEY WAITKEY WAIT_KEY KEY SCANF READ SERIAL.READ", Means::Statement, Habit::KeyIn),
     row("IN ADC AIN ADIN ANALOGREAD ANALOG_READ DIGITALREAD", Means::Statement, Habit::AdIn),
-    row("OUT DOUT LED LED0 LED1 LED2 LAMP LAMP0 LAMP1 LAMP2 DIGITALWRITE SETDO SET_DO RELAY RELAY_ON RELAY_OFF LED_ON LED_OFF", Means::Statement, Habit::Lamp),
+    row("OUT DOUT LED LED0 LED1 LED2 LAMP LAMP0 LAMP1 LAMP2 DIGITALWRITE SETDO SET_DO RELAY RELAY_ON RELAY_OFF LED_ON LED_OFF SIGNAL SETOUT SET_OUT PULSE", Means::Statement, Habit::Lamp),
     row("SWITCH SELECT", Means::Statement, Habit::Cases),
-    row("SPEED VEL VELOCITY SETSPEED SET_SPEED", Means::Statement, Habit::Speed),
-    row("ACC ACCEL ACCELERATION DEC DECEL SETACC SETACCEL SET_ACC SET_ACCEL SET_ACCELERATION", Means::Statement, Habit::Acceleration),
+    row("SPEED VEL VELOCITY SETSPEED SET_SPEED VELSET OVRD SPD JOVRD FEED FEEDRATE SET_VEL SET_VELOCITY", Means::Statement, Habit::Speed),
+    row("ACC ACCEL ACCELERATION DECEL ACCSET SETACC SETACCEL SET_ACC SET_ACCEL SET_ACCELERATION", Means::Statement, Habit::Acceleration),
     row("TEACH GETPOS GET_POS GET_POSITION READPOS READ_POS READ_POSITION CURPOS CURRENT_POS GETANGLE GET_ANGLE GET_ANGLES READ_ANGLE HERE WHERE", Means::Statement, Habit::Teach),
     row("HOME RESET INIT INITIALIZE INITIALISE G28 GOHOME GO_HOME HOMING", Means::Statement, Habit::Home),
     row("SERVO_ON SERVO_OFF SERVOON SERVOOFF SVON SVOFF MOTOR_ON MOTOR_OFF MOTORS_ON MOTORS_OFF POWER_ON POWER_OFF TORQUE_ON TORQUE_OFF", Means::Statement, Habit::Motors),
-    row("CLS CLEAR CLRSCR CLEAR_SCREEN CLEARSCREEN", Means::Statement, Habit::ClearText),
+    row("CLS CLEAR CLRSCR CLEAR_SCREEN CLEARSCREEN CLC TPERASE", Means::Statement, Habit::ClearText),
     row("PASS NOP NOOP", Means::Statement, Habit::Nothing),
     row("UNLESS", Means::Keyword(Keyword::If), Habit::WriteNot),
     row("WHEN WHENEVER ON", Means::Statement, Habit::Ask),
+    row("INC INCR INCREMENT DEC DECR DECREMENT", Means::Statement, Habit::Count),
+    row("PINMODE SERIAL.BEGIN SERVO.ATTACH SETMODE GPIO.SETUP GPIO.SETMODE", Means::Statement, Habit::NoSetup),
+    row("TRY", Means::Statement, Habit::NoCatch),
+    row("G90 G91", Means::Statement, Habit::RelativeMark),
+    row("FOREVER", Means::Statement, Habit::Forever),
     row("{ } BEGIN", Means::Statement, Habit::Braces),
     row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
 ];
@@ -91,8 +101,15 @@ fn find(rows: &'static [Row], word: &str) -> Option<&'static Row> {
 const PARTS: &[Row] = &[
     row("CASE DEFAULT OTHERWISE ENDSWITCH END_SWITCH ENDSELECT END_SELECT ESAC", Means::Statement, Habit::Cases),
     row("DONE OD ENDLOOP END_LOOP LOOPEND", Means::Statement, Habit::Loops),
+    row("CATCH EXCEPT FINALLY THROW RAISE END_TRY ENDTRY", Means::Statement, Habit::NoCatch),
     row(LOOP, Means::Statement, Habit::LoopLabel),
 ];
+
+/// Whether a routine of another language is where its programs begin, or what they do all the time.
+pub(crate) fn is_main(name: &str) -> bool {
+    const NAMES: &str = "MAIN SETUP LOOP";
+    NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
+}
 
 /// Whether a word goes on with what the word `first` began in another language.
 pub(crate) fn goes_on(first: &str, word: &str) -> bool {
@@ -102,6 +119,11 @@ pub(crate) fn goes_on(first: &str, word: &str) -> bool {
         begun.habit == part.habit || is_loop
     }) || begins_cases(first) && find(ROWS, word).is_some_and(|row| row.habit == Habit::Break)
         || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
+}
+
+/// Whether a word ends a loop in another language, whatever began it.
+pub(crate) fn ends_loop(word: &str) -> bool {
+    find(PARTS, word).is_some_and(|row| matches!(row.habit, Habit::Loops | Habit::LoopLabel))
 }
 
 /// Whether a word begins the cases of a value; a `BREAK` ends each of them.
@@ -193,7 +215,8 @@ pub(crate) fn is_speed(word: &str) -> bool {
 
 /// Whether a word is a unit, which no number has.
 pub(crate) fn is_unit(word: &str) -> bool {
-    const UNITS: &str = "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ";
+    const UNITS: &str =
+        "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
@@ -211,14 +234,27 @@ pub(crate) fn shows_text(word: &str) -> bool {
 }
 
 /// The marks of comments in other languages.
-const COMMENTS: &[&str] = &["#", "'", "/*", "*/", "--", "%", "(*"];
+const COMMENTS: &[&str] = &[
+    "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "／／", "※", "＃", "’",
+];
+
+/// What opens a comment of several lines, and what closes it.
+const OF_LINES: &[[&str; 2]] = &[["/*", "*/"], ["\"\"\"", "\"\"\""], ["'''", "'''"]];
+
+/// What opens a comment of several lines that begins a statement, and what closes it.
+pub(crate) fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
+    let mut marks = OF_LINES.iter().copied();
+    marks.find(|[opens, _]| statement.starts_with(opens))
+}
 
 /// The mark of comments in Fortran and Modula; the language negates flags with it.
 const BANG: &str = "!";
 
 /// Whether a statement is a comment in another language.
 pub(crate) fn is_comment(statement: &str) -> bool {
-    let is_marked = COMMENTS.iter().any(|mark| statement.starts_with(mark)) || is_banged(statement);
+    let is_marked = COMMENTS.iter().any(|mark| statement.starts_with(mark))
+        || is_banged(statement)
+        || is_in_parentheses(statement);
     // `#include` is none.
     let first = || statement.split_whitespace().next().unwrap_or_default();
     is_marked && self::statement(first()).is_none()
@@ -229,6 +265,17 @@ fn is_banged(statement: &str) -> bool {
     let mut words = statement.strip_prefix(BANG).unwrap_or_default().split(' ');
     let first = words.next().unwrap_or_default().to_ascii_uppercase();
     words.next().is_some() && flags::find(&first, Edition::default()).is_none()
+}
+
+/// `(move to start)`, a comment of G-code. Numbers and signs are rather a calculation.
+fn is_in_parentheses(statement: &str) -> bool {
+    let inside = statement
+        .trim_end()
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(')'));
+    inside.is_some_and(|inside| {
+        inside.contains(' ') && inside.chars().all(|it| it.is_alphabetic() || it == ' ')
+    })
 }
 
 /// Whether a comment of another language, or what is taken for one, begins where this part of a line ends.
@@ -275,7 +322,7 @@ pub(crate) fn surely_comments(comment: &str) -> bool {
 
 /// Where a comment of another language begins after a statement, if one does.
 pub(crate) fn comment_after(line: &str) -> Option<usize> {
-    let marks = ["#", "'"];
+    let marks = ["#", "'", "／／", "※", "＃", "’"];
     let starts = |at: &usize| marks.iter().any(|mark| line[*at..].starts_with(mark));
     let after_blank = line.match_indices([' ', '\t']).map(|(at, _)| at + 1);
     after_blank.into_iter().find(starts)

@@ -14,8 +14,10 @@ mod line;
 mod message;
 mod operand;
 mod reader;
+mod routine;
 mod shape;
 mod statement;
+mod wide;
 
 pub(crate) use line::{LONG_VOWEL, narrow};
 
@@ -43,7 +45,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         line: source.line(1),
         step: 0,
         tokens: Vec::new(),
-        in_comment: false,
+        in_comment: None,
         braces: Vec::new(),
         hyphened: Vec::new(),
         numbered: None,
@@ -78,8 +80,8 @@ struct Parser<'a> {
     step: StepId,
     /// The current statement's tokens; kept to use its memory again.
     tokens: Vec<Token>,
-    /// A comment of another language has begun and not yet ended.
-    in_comment: bool,
+    /// What ends the comment of another language that has begun.
+    in_comment: Option<&'static str>,
     /// The braces that are open, which are reported: whether each begins a block.
     braces: Vec<bool>,
     /// Names with a `-`, as written in declarations, which are reported.
@@ -100,16 +102,20 @@ impl Parser<'_> {
             }
         }
         // A comment of another language that never ends has swallowed it.
-        if !self.in_comment && !self.ends_with_number() {
+        if self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
     }
 
     /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.
     fn is_in_comment(&mut self) -> bool {
-        let is_in_comment = self.in_comment;
-        self.in_comment &= !self.source.slice(self.line.span).contains("*/");
-        is_in_comment
+        let Some(closes) = self.in_comment else {
+            return false;
+        };
+        if self.source.slice(self.line.span).contains(closes) {
+            self.in_comment = None;
+        }
+        true
     }
 
     fn check_length(&mut self) {

@@ -59,7 +59,6 @@ fn one_mistake_is_one_error() {
         "else_colon.prg",
         "label_and_jump_bare.prg",
         "loop_without_colon.prg",
-        "next_crossed.prg",
         "not_declared.prg",
         "subroutine_without_colon.prg",
     ];

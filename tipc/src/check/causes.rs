@@ -8,6 +8,7 @@ use crate::language::Keyword;
 use crate::language::commands;
 use crate::lex::{Kind, Token, lex, split_comment};
 use crate::message::{Commanding, Habit, Message, Naming, Parsing, Structuring};
+use crate::parse::narrow;
 use crate::source::{Source, Span};
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
 use std::collections::{HashMap, HashSet};
@@ -15,6 +16,11 @@ use std::collections::{HashMap, HashSet};
 /// Lets findings about one name be one finding, at the first place.
 pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     found.sort_by_key(|finding| finding.span);
+    // What ends no block here may be reported as such already.
+    found.dedup_by(|second, first| {
+        second.code == Code::UnknownCommand
+            && (second.code, second.span) == (first.code, first.span)
+    });
     labels_without_colon(source, module, found);
     labels_after_end(source, module, found);
     parts_of_statements(found);
@@ -128,8 +134,9 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
         let word = finding.subject.clone().unwrap_or_default();
         let is_unknown = finding.code == Code::UnknownCommand;
         if let Some(first) = begun.map(|at| &mut kept[at])
-            && is_unknown
-            && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
+            && (is_unknown && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
+                || first.help == Some(Habit::Loops.into()) && is_until_alone(&finding)
+                || first.help == Some(Habit::FromTheTop.into()) && first.help == finding.help)
         {
             first.labels.push(label(finding.span, Habit::GoesOn));
             continue;
@@ -140,6 +147,12 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
         kept.push(finding);
     }
     *found = kept;
+}
+
+/// `DO` … `UNTIL A > 3`, which ends a REPEAT here.
+fn is_until_alone(finding: &Diagnostic) -> bool {
+    let (opener, word) = (Keyword::Repeat, Keyword::Until);
+    finding.reason == Structuring::NothingOpen { opener, word }.into()
 }
 
 /// `DIM A(10)`: that there are no arrays is the mistake.
@@ -180,8 +193,8 @@ fn reversed_loops(found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order.
-fn crossed_loops(source: &Source, found: &mut [Diagnostic]) {
+/// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order, which is one mistake.
+fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
     let names = |it: &Diagnostic| match &it.reason {
         Message::Structuring(Structuring::NextNames { name }) => {
             let own = it.labels.first()?.span;
@@ -190,18 +203,22 @@ fn crossed_loops(source: &Source, found: &mut [Diagnostic]) {
         _ => None,
     };
     let all: Vec<_> = found.iter().map(names).collect();
+    let mut joined = HashSet::new();
     for (at, named) in all.iter().enumerate() {
-        let Some((outer, inner)) = named else {
+        let Some((outer, inner)) = named.clone().filter(|_| !joined.contains(&at)) else {
             continue;
         };
         let other = Some((inner.clone(), outer.clone()));
-        if let Some(second) = all[at + 1..].iter().position(|it| *it == other) {
-            let (inner, outer) = (inner.clone(), outer.clone());
-            let help = Message::from(Habit::InnerFirst { inner, outer });
-            found[at].help = Some(help.clone());
-            found[at + 1 + second].help = Some(help);
+        let after = (at + 1..all.len()).find(|it| all[*it] == other && !joined.contains(it));
+        if let Some(second) = after {
+            let place = found[second].span;
+            found[at].labels.push(label(place, Naming::AlsoHere));
+            found[at].help = Some(Habit::InnerFirst { inner, outer }.into());
+            joined.insert(second);
         }
     }
+    let mut at = 0..;
+    found.retain(|_| at.next().is_none_or(|at| !joined.contains(&at)));
 }
 
 /// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
@@ -270,6 +287,10 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
             }
             Some(Message::Parsing(Parsing::PlainNames)) => {
                 Some(source.slice(finding.span).to_owned())
+            }
+            Some(Message::Parsing(Parsing::WriteHalfWidth { .. })) => {
+                let text = narrow(source.slice(finding.span)).to_ascii_uppercase();
+                Some(format!("{} wide", text.trim_end_matches(':')))
             }
             _ => None,
         };

@@ -42,6 +42,9 @@ impl Resolver<'_> {
         if let Some(command) = called(word, last) {
             return Habit::Glued { command }.into();
         }
+        if let Some(near) = foreign::command(word) {
+            return Suggesting::DidYouMean { near: near.into() }.into();
+        }
         if let Some(command) = glued(word) {
             return Instead::BlankAfter { command }.into();
         }

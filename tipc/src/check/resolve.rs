@@ -92,7 +92,7 @@ impl Resolver<'_> {
                 for name in names {
                     self.uses.declare(name);
                 }
-                if self.slice(statement.span).contains('=') {
+                if self.slice(statement.span).contains(['=', '#']) {
                     // A value in a declaration is reported; it was to assign the name.
                     self.uses.excuse(self.known.source, statement.span);
                 }

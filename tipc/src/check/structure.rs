@@ -9,6 +9,7 @@ use crate::language::Keyword;
 use crate::message::{Habit, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
+use std::collections::HashSet;
 
 /// Ties every control word to its partner and reports those without one.
 pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
@@ -22,6 +23,7 @@ pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnosti
         },
         open: Vec::new(),
         owed: Vec::new(),
+        foreign: unknown_words(found),
         found,
     };
     for index in 0..count {
@@ -57,12 +59,15 @@ struct Matcher<'a> {
     result: Blocks,
     open: Vec<Open>,
     owed: Vec<Owed>,
+    /// Where a word stands that the language lacks, which is reported.
+    foreign: HashSet<usize>,
     found: &'a mut Vec<Diagnostic>,
 }
 
 impl Matcher<'_> {
     fn statement(&mut self, index: usize) {
         match self.module.statements[index].kind.shape() {
+            Shape::Plain if self.ends_in_foreign_word(index) => {}
             Shape::Plain => self.result.around[index] = self.current(),
             Shape::If => self.open(BlockKind::If, index),
             Shape::OneLineIf => self.one_line_if(index),
@@ -340,13 +345,19 @@ impl Matcher<'_> {
 
     /// Whether a statement is wrong in itself, which is reported.
     fn is_reported(&self, index: usize) -> bool {
-        let kind = &self.module.statements[index].kind;
-        matches!(kind, StatementKind::Broken(_))
+        let statement = &self.module.statements[index];
+        matches!(statement.kind, StatementKind::Broken(_))
+            || self.foreign.contains(&statement.span.start)
     }
 
     fn place(&self, index: usize) -> Span {
         self.module.statements[index].keyword()
     }
+}
+
+fn unknown_words(found: &[Diagnostic]) -> HashSet<usize> {
+    let unknown = found.iter().filter(|it| it.code == Code::UnknownCommand);
+    unknown.map(|it| it.span.start).collect()
 }
 
 fn name_of(operand: &Operand) -> Option<&str> {

@@ -2,6 +2,7 @@
 
 use super::labels::Labels;
 use super::names::{Meant, Names};
+use crate::parse::narrow;
 use crate::program::VariableId;
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
@@ -153,9 +154,7 @@ impl<'a> Uses<'a> {
             let Some(definition) = self.named(&name.to_ascii_uppercase()) else {
                 continue;
             };
-            if let Some(excused) = self.excused.get_mut(definition.index()) {
-                *excused = true;
-            }
+            self.excuse_one(definition);
             let is_member = source.text()[..place.start].ends_with('.');
             let mut known = self.all[self.first..noted].iter();
             if !is_member && known.all(|it| it.place.start != place.start) {
@@ -163,6 +162,18 @@ impl<'a> Uses<'a> {
             }
         }
         self.all[self.first..].sort_by_key(|it| it.place);
+        if !text.is_ascii() {
+            let narrow = narrow(text).to_ascii_uppercase();
+            let names = narrow.split(is_outside);
+            let meant: Vec<_> = names.filter_map(|name| self.named(name)).collect();
+            meant.into_iter().for_each(|it| self.excuse_one(it));
+        }
+    }
+
+    fn excuse_one(&mut self, definition: DefinitionId) {
+        if let Some(excused) = self.excused.get_mut(definition.index()) {
+            *excused = true;
+        }
     }
 
     /// The variable of that name, else the label.

@@ -1,11 +1,11 @@
 //! Characters that cannot stand where they are: full-width words, and comments of other languages.
 
 use super::site::Site;
-use crate::diagnostic::{Edit, Fix};
+use crate::diagnostic::{Edit, Fix, Label};
 use crate::foreign::{self, COMMENT};
 use crate::language::{Keyword, keywords};
 use crate::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
-use crate::message::{Fixing, Habit, Instead, Message, Parsing};
+use crate::message::{Fixing, Habit, Instead, Message, Naming, Parsing};
 use crate::parse::{LONG_VOWEL, narrow};
 use crate::source::Span;
 
@@ -27,9 +27,21 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `ＮＥＸＴ`: all full-width characters of the statement, since one after the other would never be the last one.
+/// `ＮＥＸＴ`, at each place that the finding lists.
 fn half_width(site: &Site<'_>) -> Option<Fix> {
-    let mut span = site.statement()?.span;
+    let also = |label: &&Label| label.text == Naming::AlsoHere.into();
+    let others = site.finding.labels.iter().filter(also);
+    let places = [site.span()].into_iter().chain(others.map(|it| it.span));
+    let statements = places.filter_map(|place| site.module.statement_at(place.start));
+    let mut statements: Vec<usize> = statements.collect();
+    statements.dedup();
+    let spans = statements.iter().map(|at| site.module.statements[*at].span);
+    let edits = spans.flat_map(|span| narrowed(site, span));
+    Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
+}
+
+/// All full-width characters of a statement, since one after the other would never be the last one.
+fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
     let text = site.source.text();
     let first = Span::new(
         span.start,
@@ -55,7 +67,7 @@ fn half_width(site: &Site<'_>) -> Option<Fix> {
             rest.start = run.end;
         }
     }
-    Some(Fix::certain(Fixing::HalfWidth, edits))
+    edits
 }
 
 /// What is typed for characters that are wide, or of typesetting.
@@ -114,6 +126,8 @@ fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
 /// `/* …` up to `… */`, lines below.
 fn comment_of_lines(site: &Site<'_>) -> Option<Fix> {
     let start = site.statement()?.span.start;
+    let statement = site.slice(Span::new(start, site.statement()?.span.end));
+    foreign::comment_of_lines(statement).filter(|[opens, _]| *opens == OPENS)?;
     let mark = Span::new(start, start + OPENS.len());
     let mut edits = vec![Edit::replace(mark, COMMENT)];
     let (first, _) = site.source.line_column(start);

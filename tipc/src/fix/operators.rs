@@ -67,7 +67,11 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             _,
             Some(
                 Message::Parsing(Parsing::NoParentheses)
-                | Message::Instead(Instead::NoParentheses)
+                | Message::Instead(
+                    Instead::NoParentheses
+                    | Instead::WithoutParentheses { .. }
+                    | Instead::OpenBlock { .. },
+                )
                 | Message::Habit(Habit::Glued { .. } | Habit::NoBrackets),
             ),
         ) => parentheses(site),

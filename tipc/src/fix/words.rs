@@ -64,6 +64,10 @@ fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
         Habit::Let => assignment(&tokens),
         Habit::Wait => wait(site, &tokens),
         Habit::Declare => declaration(site, &tokens),
+        // `#define N 3` has no sign between.
+        Habit::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
+            declaration(site, &tokens)
+        }
         Habit::Number { value, .. } => Some(everywhere(site, value)),
         _ => None,
     }

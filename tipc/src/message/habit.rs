@@ -43,6 +43,9 @@ messages! {
     Declare
         "declare variables with `DEF_VAR A` (a number), `DEF_POS P` or `DEF_JOINT Q`",
         "変数の宣言は `DEF_VAR A` (数値)、`DEF_POS P`、`DEF_JOINT Q` です";
+    Constant
+        "a constant is a variable: declare it with `DEF_VAR A`, and assign it on the next line: `A = 100`",
+        "定数も変数で表します。`DEF_VAR A` で宣言し、次の行で `A = 100` のように代入してください";
     Let
         "no word stands before an assignment: `A = 1`",
         "代入の前に語は要りません: `A = 1`";
@@ -91,6 +94,21 @@ messages! {
     Motors
         "leave it out: the motors hold the robot from the start",
         "不要です。モータは最初から入っていて、ロボットを保持しています";
+    NoSetup
+        "leave it out: inputs, lamps and joints need no setting up",
+        "不要です。入力、ランプ、関節の初期設定はありません";
+    NoCatch
+        "leave it out: a fault stops the program, and nothing can catch it; ask before, as `IF A > 0 THEN`",
+        "例外処理はありません。エラーが起きるとプログラムは止まります。`IF A > 0 THEN` のように前もって調べてください";
+    RelativeMark
+        "`PTP F1 x y z` is absolute, `REL_PTP F1 x y z` relative; `R` before one number makes that one relative",
+        "絶対値は `PTP F1 x y z`、相対値は `REL_PTP F1 x y z` です。数値の前に `R` を付けると、その値だけ相対値になります";
+    Count
+        "count with `N += 1` or `N -= 1`",
+        "数を増減するのは `N += 1` や `N -= 1` です";
+    FromTheTop
+        "a program runs from line 3 to END: leave it out, and repeat for ever with `LOOP:` … `GOTO LOOP:`",
+        "プログラムは3行目からENDまで実行されます。これは取り、ずっと繰り返すなら `LOOP:` … `GOTO LOOP:` と書いてください";
     Nothing
         "leave it out: a block may be empty, and `REM` passes one control cycle",
         "消してください。ブロックは空でもかまいません。1制御周期だけ待つなら `REM` です";
@@ -211,6 +229,12 @@ messages! {
     Remainder
         "there is no remainder: of A by B it is `Q = A / B`, `Q = INT Q`, `Q *= B`, `R1 = A - Q`",
         "剰余の演算はありません。AをBで割った余りは `Q = A / B`、`Q = INT Q`、`Q *= B`、`R1 = A - Q` で求めます";
+    ChooseByIf
+        "an equation compares nothing: write `IF A > 0 THEN` … `ELSE` … `ENDIF` around the assignments",
+        "式の中で比較はできません。`IF A > 0 THEN` … `ELSE` … `ENDIF` の中で代入してください";
+    AssignEach { name: SmolStr }
+        "an equation has one variable on its left: write one for each, as `{name} = …`",
+        "式の左辺は変数1つです。`{name} = …` のように、1つずつ別の式にしてください";
     EachMember
         "a POS or JOINT is filled member by member: `P.X = 391`, `P.Y = 201`, `P.Z = -150`",
         "POSやJOINTにはメンバごとに代入します: `P.X = 391`、`P.Y = 201`、`P.Z = -150`";

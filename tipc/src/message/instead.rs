@@ -52,6 +52,12 @@ messages! {
     NoParentheses
         "write it without parentheses",
         "括弧を付けずに書いてください";
+    WithoutParentheses { written: SmolStr }
+        "write it without parentheses: `{written}`",
+        "括弧を付けずに書いてください: `{written}`";
+    OpenBlock { written: SmolStr, closer: Keyword }
+        "write it without parentheses and braces: `{written}`; {closer} ends the block",
+        "括弧や波括弧を付けずに `{written}` と書き、ブロックは{closer}で閉じてください";
     Limit
         "calculate in an equation on the line before, and write its variable here",
         "計算は前の行の式で行い、ここにはその変数を書いてください";

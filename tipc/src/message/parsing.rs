@@ -45,8 +45,8 @@ messages! {
         "write it half-width: `{narrow}`",
         "半角で書いてください: `{narrow}`";
     TakeOut
-        "take it out, or put it into a comment",
-        "取るか、コメントの中に移してください";
+        "take it out, or make it a comment with `//`",
+        "取るか、前に `//` を付けてコメントにしてください";
     PlainNames
         "names and words are made of A-Z, 0-9 and `_`",
         "名前や語に使えるのはA-Z、0-9、`_` です";

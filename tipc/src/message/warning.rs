@@ -56,6 +56,12 @@ messages! {
     QuotesShown
         "the quotes are part of the text",
         "引用符も文字列の一部になります";
+    ParenthesesShown
+        "the parentheses are part of the text",
+        "括弧も文字列の一部になります";
+    LeaveParenthesesOut
+        "leave the parentheses out: the text ends with its line",
+        "括弧は要りません。文字列は行末までです";
     LeaveQuotesOut
         "leave the quotes out: the text ends with its line",
         "引用符は要りません。文字列は行末までです";

@@ -3,8 +3,10 @@
 use super::Parser;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::foreign;
+use crate::language::{commands, names};
 use crate::lex::{Kind, Token};
-use crate::message::{Habit, Instead, Message};
+use crate::message::{Habit, Instead, Message, Parsing};
 use crate::syntax::{Arithmetic, Relation, Shape, StatementKind, upper_case};
 
 impl Parser<'_> {
@@ -15,6 +17,11 @@ impl Parser<'_> {
         };
         if name.kind != Kind::Word {
             return self.increment_before(tokens);
+        }
+        if operator.kind == Kind::Word
+            && let Some(several) = self.several_assigned(tokens)
+        {
+            return Some(several);
         }
         let next = rest.first();
         let both = operator
@@ -59,6 +66,28 @@ impl Parser<'_> {
             _ => return None,
         };
         self.report_unknown(name.span, &word, reason, help);
+        Some(StatementKind::Broken(Shape::Plain))
+    }
+
+    /// `A, B = 1, 2`
+    fn several_assigned(&mut self, tokens: &[Token]) -> Option<StatementKind> {
+        let equals = tokens.iter().position(|it| it.kind == Kind::Assign(None))?;
+        let (names, _) = tokens.split_at(equals);
+        let word = |token: &Token| self.source.slice(token.span);
+        let are_names = names
+            .iter()
+            .all(|it| names::is_variable(&upper_case(word(it))));
+        let (first, last) = (names.first()?, names.last()?);
+        let place = first.span.to(last.span);
+        let text = self.source.slice(place);
+        let is_list = text.matches(',').count() + 1 == names.len();
+        let name = upper_case(word(first));
+        let is_known = commands::find(&name).is_some() || foreign::statement(&name).is_some();
+        if !are_names || !is_list || is_known {
+            return None;
+        }
+        let fault = Diagnostic::new(Code::Equation, place, Parsing::OneVariableLeft);
+        self.report(fault.help(Habit::AssignEach { name }));
         Some(StatementKind::Broken(Shape::Plain))
     }
 

@@ -3,11 +3,13 @@
 use super::{Flow, Parser};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::language::{Keyword, keywords};
+use crate::foreign;
+use crate::language::reserved::LOOP;
+use crate::language::{Keyword, commands, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::{Commanding, Habit, Parsing};
 use crate::source::Span;
-use crate::syntax::{Shape, StatementKind};
+use crate::syntax::{Shape, StatementKind, upper_case};
 
 const OPEN: &str = "{";
 const CLOSE: &str = "}";
@@ -48,9 +50,21 @@ impl Parser<'_> {
     }
 
     /// Reports what opened the block of a statement unless its words are reported, which `before` tells.
-    pub(super) fn opened_block(&mut self, opening: Token, before: usize) {
+    pub(super) fn opened_block(&mut self, place: Span, opening: Token, before: usize) {
+        let word = upper_case(self.source.slice(place));
         let (reason, help) = match opening.kind {
             Kind::Colon => (Habit::NoColon, Habit::WriteThen),
+            // That closes and opens a block, which is reported: `} ELSE {`.
+            _ if word == CLOSE => return,
+            // All of the statement is of another language: `SWITCH (A) {`.
+            _ if commands::find(&word).is_none() && foreign::statement(&word).is_some() => {
+                let is_routine = self.diagnostics.len() > before;
+                if word == LOOP {
+                    let reason = Commanding::NoCommand { word: LOOP.into() };
+                    self.report_unknown(place, LOOP, reason, Habit::Forever);
+                }
+                return self.braces.push(is_routine);
+            }
             _ => {
                 self.braces.push(true);
                 (Habit::NoBraces, Habit::Braces)

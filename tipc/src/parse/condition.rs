@@ -2,7 +2,7 @@
 
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign;
-use crate::language::{Edition, Keyword, flags, functions};
+use crate::language::{Edition, Keyword, flags, functions, keywords};
 use crate::lex::{Kind, Token};
 use crate::message::phrase::End;
 use crate::message::{Habit, Instead, Message, Parsing};
@@ -194,6 +194,37 @@ impl Reader<'_> {
             }
             _ => self.fault_with_help(token.span, Parsing::RelationBelongsHere, Parsing::Relations),
         }
+    }
+
+    /// `IF (A == 1)`: the statement without the parentheses around its whole condition.
+    pub(super) fn condition_in_parentheses(&self) -> Option<Instead> {
+        let whole = self.slice(self.whole());
+        let (keyword, rest) = whole.split_once('(')?;
+        let (inside, rest) = rest.rsplit_once(')')?;
+        let keyword = keywords::find(keyword.trim(), Edition::default())?;
+        let joins = |word: &str| foreign::joins_conditions(word) || foreign::negates(word);
+        if inside.contains(['(', ')', '&', '|', '!']) || inside.split(' ').any(joins) {
+            return None;
+        }
+        let condition = inside.trim();
+        let rest = rest.trim();
+        let word = keyword.word();
+        let closer = match keyword {
+            Keyword::If if rest.is_empty() => Keyword::EndIf,
+            Keyword::While if rest.is_empty() => Keyword::Wend,
+            Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
+                let written = upper_case(format!("{word} {condition} {rest}").trim());
+                return Some(Instead::WithoutParentheses { written });
+            }
+            _ => return None,
+        };
+        let then = if closer == Keyword::EndIf {
+            " THEN"
+        } else {
+            ""
+        };
+        let written = upper_case(&format!("{word} {condition}{then}"));
+        Some(Instead::OpenBlock { written, closer })
     }
 
     /// What is wrong after a condition that opens a block as in another language: `WHILE A < 3 DO`.

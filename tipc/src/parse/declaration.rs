@@ -1,7 +1,7 @@
 //! `DEF_VAR`, `DEF_POS`, `DEF_JOINT`: the names, and what else people put there (T.I.P. 3.1 §4-4).
 
-use super::Parser;
 use super::reader::{Fault, Reader};
+use super::{Parser, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
@@ -59,7 +59,7 @@ impl Parser<'_> {
         let names: Vec<Word> = names_in(self.text, tokens, reported)
             .filter(is_apart)
             .flat_map(|token| self.names_between_commas(token.span))
-            .map(|place| reader.word(place))
+            .map(|place| self.narrow_word(place))
             .collect();
         for name in &names {
             self.check_name_length(name);
@@ -126,8 +126,10 @@ impl Parser<'_> {
             start += name.len();
             place
         });
-        let is_plain =
-            |place: &Span| place.start < place.end && foreign_run(self.text, *place).is_none();
+        let is_plain = |place: &Span| {
+            let name = || narrow(self.source.slice(*place));
+            place.start < place.end && foreign_run(&name(), Span::new(0, name().len())).is_none()
+        };
         names.filter(is_plain).collect()
     }
 

@@ -152,6 +152,9 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     if foreign::is_unit(&word) {
         return Habit::NoUnit.into();
     }
+    if matches!(token.kind, Kind::Relation(_)) {
+        return Habit::ChooseByIf.into();
+    }
     match next.map(|next| next.kind) {
         Some(Kind::Assign(_)) => Parsing::NextStatementElsewhere.into(),
         Some(_) if word.starts_with(|c: char| c.is_ascii_digit()) => Habit::EachMember.into(),

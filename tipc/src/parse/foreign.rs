@@ -1,6 +1,6 @@
 //! Statements as other languages write them: each is one finding, and what it opens or closes counts as what was meant.
 
-use super::jump::{bare, joined, marked, spread};
+use super::jump::{joined, marked, spread};
 use super::shape::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
@@ -68,23 +68,22 @@ fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
     }
 }
 
-/// How a comment of other languages begins that may have several lines.
-const OPENS: &str = "/*";
-
 impl Parser<'_> {
     /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
     pub(super) fn foreign_comment(&mut self, span: Span) {
         let text = self.source.slice(span);
         // A `;` and a `//` are part of it, too.
         let line = self.source.slice(Span::new(span.start, self.line.span.end));
-        self.in_comment = text.starts_with(OPENS) && !line.contains("*/");
+        self.in_comment = foreign::comment_of_lines(text)
+            .filter(|[opens, closes]| !line[opens.len()..].contains(closes))
+            .map(|[_, closes]| closes);
         if let Some(foreign) = foreign_run(self.text, span) {
             self.report_foreign(foreign);
             return self.push(StatementKind::Broken(Shape::Plain), span);
         }
         let first = text.split_whitespace().next().unwrap_or_default();
         let place = Span::new(span.start, span.start + first.len());
-        let help = if self.in_comment {
+        let help = if self.in_comment.is_some() {
             Habit::EachLine
         } else {
             Habit::Comment
@@ -254,11 +253,17 @@ impl Parser<'_> {
             Means::Statement => return None,
             // A label without its colon may be such a word, too.
             Means::Declaration(_) if tokens.len() < 2 => return None,
-            Means::Declaration(_) if self.is_called(tokens) => {
-                self.report_unknown(word, &text, reason, Habit::Subroutine);
-                return Some(StatementKind::Broken(Shape::Plain));
+            Means::Keyword(Keyword::Subroutine) | Means::Declaration(_)
+                if self.is_routine(means, tokens) =>
+            {
+                let help = match self.names_main(tokens) {
+                    true => Habit::FromTheTop.into(),
+                    false if matches!(means, Means::Declaration(_)) => Habit::Subroutine.into(),
+                    false => help,
+                };
+                self.report_unknown(word, &text, reason, help);
+                return Some(self.subroutine_named(word, tokens));
             }
-            Means::Keyword(Keyword::Subroutine) => self.subroutine_named(word, tokens),
             Means::Keyword(keyword) => StatementKind::Broken(meant(keyword, self.text, tokens)),
             Means::Declaration(kind) => match self.second_of_two(tokens) {
                 Some((keyword, kind)) => {
@@ -288,27 +293,6 @@ impl Parser<'_> {
         match means(whole.word())? {
             Means::Declaration(kind) => Some((whole, kind)),
             _ => None,
-        }
-    }
-
-    /// `DEF WALK()`: a routine, not a variable.
-    fn is_called(&self, tokens: &[Token]) -> bool {
-        let name = tokens.get(1).map(|token| self.source.slice(token.span));
-        name.is_some_and(|name| name.contains("()"))
-    }
-
-    /// A routine that begins with another word: what calls it is not wrong.
-    fn subroutine_named(&self, word: Span, tokens: &[Token]) -> StatementKind {
-        let name = tokens.get(1).filter(|token| token.kind == Kind::Word);
-        let Some(name) = name else {
-            return StatementKind::Broken(Shape::Subroutine);
-        };
-        StatementKind::Subroutine {
-            keyword: word,
-            name: Word {
-                node: bare(&upper_case(self.source.slice(name.span))),
-                span: name.span,
-            },
         }
     }
 

@@ -108,7 +108,14 @@ impl Parser<'_> {
     fn label(&mut self, word: Span, span: Span) -> Flow {
         if let Some(foreign) = foreign_run(self.text, word) {
             self.report_foreign(foreign);
-            self.push(StatementKind::Broken(Shape::Plain), span);
+            let name = self.narrow_word(word);
+            self.push(
+                match names::is_label(&name.node) {
+                    true => StatementKind::Label(name),
+                    false => StatementKind::Broken(Shape::Plain),
+                },
+                span,
+            );
             return Flow::Continue;
         }
         if word.start == word.end {
@@ -165,11 +172,15 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
         } else if text.chars().all(foreign::is_invisible) {
             diagnostic = diagnostic.help(Instead::Invisible);
+        } else if self.is_unit(place) {
+            diagnostic = diagnostic.help(Habit::NoUnit);
         } else if let Some(character) = self.quoted_key(place) {
             diagnostic = diagnostic.help(Habit::Character { character });
         } else if text.chars().all(char::is_whitespace) {
             diagnostic = diagnostic.help(Habit::PlainBlank);
-        } else if foreign::ends_in_comment_mark(before) {
+        } else if foreign::ends_in_comment_mark(before)
+            || foreign::comment_mark(text).is_some_and(|mark| !text[mark.len()..].is_ascii())
+        {
             diagnostic = diagnostic.help(Habit::Comment);
         } else if let Some(narrow) = half_width(text) {
             let narrow = self.narrow_statement(place).unwrap_or(narrow);
@@ -196,6 +207,12 @@ impl Parser<'_> {
         let wide = words.iter().filter(|word| !word.is_ascii()).count();
         let narrow = narrow(&words.join(" "));
         (wide > 1 && statement.len() <= SHOWN && narrow.is_ascii()).then_some(narrow)
+    }
+
+    /// `30°`, `100ミリ`: whether a place is a unit right after a number.
+    fn is_unit(&self, place: Span) -> bool {
+        let before = &self.text[self.line.span.start..place.start];
+        before.ends_with(is_digit) && foreign::is_unit(self.source.slice(place))
     }
 
     /// The key between quotes of typesetting that begin at a place.

@@ -218,9 +218,10 @@ impl Reader<'_> {
                 Habit::EachMember.into()
             }
             [b'~', _, ..] if !self.is_equation() => Habit::WriteNot.into(),
-            _ if help == Parsing::NoParentheses.into() && !is_calculation => {
-                Instead::NoParentheses.into()
-            }
+            _ if help == Parsing::NoParentheses.into() && !is_calculation => self
+                .condition_in_parentheses()
+                .unwrap_or(Instead::NoParentheses)
+                .into(),
             _ => help,
         };
         self.fault_with_help(place, reason, help)
@@ -291,6 +292,9 @@ fn meant_by_name(word: &str) -> Message {
             Some((Meaning::KeyIn, _)) => return Habit::KeyIn.into(),
             Some((_, command)) => return Instead::CommandFirst { command }.into(),
             None => {}
+        }
+        if let Some(row) = foreign::statement(&name) {
+            return row.habit.clone().into();
         }
         if foreign::is_function(&name) || foreign::function(&name).is_some() {
             return no_function(&name).1;

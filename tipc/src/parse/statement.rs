@@ -24,6 +24,9 @@ impl Parser<'_> {
         text_end: usize,
         comment: Option<Span>,
     ) -> Flow {
+        if let Some(name) = self.ends_with_wide_colon(word) {
+            return self.wide_label(name, span, text_end, comment);
+        }
         match keywords::find(self.source.slice(word), self.module.edition) {
             Some(Keyword::End) => {
                 self.push(StatementKind::End, word);
@@ -67,7 +70,7 @@ impl Parser<'_> {
         let opening = self.take_brace(keyword, &mut tokens);
         let kind = self.kind(keyword, word, &tokens, foreign.is_some());
         if let Some(opening) = opening {
-            self.opened_block(opening, before);
+            self.opened_block(word, opening, before);
         }
         if let StatementKind::Subroutine { name, .. } = &kind {
             self.check_name_length(name);
@@ -123,6 +126,9 @@ impl Parser<'_> {
                 return self.define(kind, word, tokens, reported);
             }
             Some((_, Start::Define(_) | Start::Other)) | None => {}
+        }
+        if reported && keyword == Some(Keyword::Subroutine) {
+            return self.subroutine_named(word, tokens);
         }
         if reported || self.names_hyphened(tokens) {
             return StatementKind::Broken(shape(keyword, self.text, tokens));

@@ -67,9 +67,16 @@ fn is_format(text: &str) -> bool {
     matches!(kind, "d" | "i" | "f" | "lf" | "g" | "s" | "u" | "x" | "ld")
 }
 
-/// The whole text in quotes. Single words in quotes are part of a text.
+/// The whole text in quotes or parentheses. Single words in them are part of a text.
 fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
-    let mut after = ['"', '\''].into_iter().filter_map(|quote| {
+    let mut inside = text.chars().skip(1);
+    if text.starts_with('(')
+        && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
+    {
+        let finding = Diagnostic::new(Code::QuotedMessage, place, Warning::ParenthesesShown);
+        return Some(finding.help(Warning::LeaveParenthesesOut));
+    }
+    let mut after = ["\"\"\"", "\"", "'"].into_iter().filter_map(|quote| {
         let (_, after) = text.strip_prefix(quote)?.split_once(quote)?;
         Some(after.trim_start())
     });

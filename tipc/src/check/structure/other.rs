@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::BLANKS;
-use crate::message::{Habit, Instead, Message, Structuring};
+use crate::message::{Commanding, Habit, Instead, Message, Structuring};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
@@ -47,6 +47,42 @@ impl Matcher<'_> {
         };
         let (opener, closer) = (inner.opener(), inner.closer());
         let fault = Diagnostic::new(Code::Structure, self.place(index), reason)
+            .label(self.place(first), Structuring::Open { opener })
+            .help(Instead::Closes { opener, closer });
+        self.found.push(fault);
+        true
+    }
+
+    /// `WHILE … LOOP`: the word of another language where the innermost block never gets its own end.
+    pub(super) fn ends_in_foreign_word(&mut self, index: usize) -> bool {
+        let statement = &self.module.statements[index];
+        let StatementKind::Command {
+            name, arguments, ..
+        } = &statement.kind
+        else {
+            return false;
+        };
+        let Some(open) = self.open.last().filter(|_| foreign::ends_loop(&name.node)) else {
+            return false;
+        };
+        let (kind, first, block) = (open.kind, open.first, open.block);
+        let is_loop = matches!(kind, BlockKind::While | BlockKind::Repeat | BlockKind::For);
+        if !is_loop || !arguments.is_empty() || self.comes_later(index, kind) {
+            return false;
+        }
+        self.open.pop();
+        self.result.around[index] = self.current();
+        self.result.blocks[block].end = index;
+        self.result.blocks[block].broken = true;
+        let (opener, closer) = (kind.opener(), kind.closer());
+        let word = name.node.clone();
+        let fault = Diagnostic::new(
+            Code::UnknownCommand,
+            name.span,
+            Commanding::NoCommand { word },
+        );
+        let fault = fault
+            .about(name.node.as_str())
             .label(self.place(first), Structuring::Open { opener })
             .help(Instead::Closes { opener, closer });
         self.found.push(fault);
@@ -128,7 +164,9 @@ impl Matcher<'_> {
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
             .label(self.place(innermost.first), Structuring::Open { opener })
             .help(help);
-        self.found.push(fault);
+        // `REPEAT 5` … `END REPEAT` is one mistake.
+        let counts = innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
+        self.found.extend(Some(fault).filter(|_| !counts));
         for open in self.open.drain(..) {
             self.result.blocks[open.block].broken = true;
         }

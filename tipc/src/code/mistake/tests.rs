@@ -67,12 +67,13 @@ const BESIDE: &[(&str, &str)] = &[
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
          KeyIn AdIn Lamp Cases Speed Acceleration Teach Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned
          Assign Initial Nest WriteNot WriteNotEqual Forever LeaveThenOut CloseOneLineIf InOneWord Number Comma Migrate Title
-         TitleHere OtherEncoding Nothing Ask Motors ClearText KeyFirst TargetBefore InnerFirst NoParameters UntilCloses WithoutEquals",
+         TitleHere OtherEncoding Nothing Ask Motors ClearText KeyFirst TargetBefore InnerFirst NoParameters UntilCloses WithoutEquals
+         NoSetup Constant NoCatch RelativeMark Count FromTheTop ChooseByIf AssignEach",
     ),
     (
         "Instead",
         "Write BlankAfter NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
-         CommandFirst Keys ColonSeparates NoParentheses Limit Functions MemberByMember TypeLeftOut ShorterName
+         CommandFirst Keys ColonSeparates NoParentheses WithoutParentheses OpenBlock Limit Functions MemberByMember TypeLeftOut ShorterName
          Call JumpTo NoValues NoResult LeaveSubroutine Alone NextEach GotoLoop Closes
          CountTimes",
     ),

@@ -1,0 +1,5 @@
+3.1
+A title
+(move to start)
+SLEEP 100
+END

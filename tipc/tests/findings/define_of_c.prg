@@ -1,0 +1,5 @@
+3.1
+A title
+#define PAUSE_TIME 100
+SLEEP PAUSE_TIME
+END

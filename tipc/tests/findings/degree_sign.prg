@@ -1,0 +1,4 @@
+3.1
+A title
+PTP_ANGLE J11 30°
+END

@@ -1,0 +1,8 @@
+3.1
+A title
+"""
+Walk to the wall, and
+ask for a key
+"""
+SLEEP 100
+END

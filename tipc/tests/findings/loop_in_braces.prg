@@ -1,0 +1,6 @@
+3.1
+A title
+loop {
+  SLEEP 100
+}
+END

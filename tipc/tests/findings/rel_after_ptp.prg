@@ -1,0 +1,4 @@
+3.1
+A title
+PTP_REL F1 0 0 10
+END

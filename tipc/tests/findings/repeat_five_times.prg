@@ -1,0 +1,6 @@
+3.1
+A title
+REPEAT 5
+SLEEP 100
+END REPEAT
+END

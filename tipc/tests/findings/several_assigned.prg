@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR A1, B1
+A1, B1 = 1, 2
+SLEEP A1
+SLEEP B1
+END
