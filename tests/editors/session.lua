@@ -50,13 +50,15 @@ local function go(step)
   error("there is no " .. step.find)
 end
 
-local found, arrived = {}, 0
+local found, judged = {}, nil
 vim.lsp.handlers["textDocument/publishDiagnostics"] = function(_, params)
-  found, arrived = params.diagnostics, arrived + 1
+  found, judged = params.diagnostics, params.version
 end
 
-local function codes(before)
-  vim.wait(5000, function() return arrived > before end, 5)
+-- An edit in several places is several changes: the findings that count are those of the last one.
+local function codes()
+  local buffer = vim.api.nvim_get_current_buf()
+  vim.wait(5000, function() return judged == util.buf_versions[buffer] end, 5)
   return unpack(vim.tbl_map(function(one) return one.code end, found))
 end
 
@@ -68,7 +70,7 @@ local function main()
     get_language_id = function() return "tip" end,
   })
   vim.lsp.buf_attach_client(0, id)
-  vim.wait(5000, function() return arrived > 0 end, 5)
+  vim.wait(5000, function() return judged ~= nil end, 5)
   local client = vim.lsp.get_client_by_id(id)
   local legend = client.server_capabilities.semanticTokensProvider.legend.tokenTypes
   local document = { uri = vim.uri_from_bufnr(0) }
@@ -141,22 +143,22 @@ local function main()
     log("refused", err.message)
   end
   function steps.rename(step)
-    local edit, before = at("rename", step, { newName = step.name }), arrived
+    local edit = at("rename", step, { newName = step.name })
     util.apply_workspace_edit(edit, encoding)
-    local after = { codes(before) }
+    local after = { codes() }
     log("renamed", text(), unpack(after))
   end
   function steps.fix(step)
     go(step)
     local place = util.make_position_params(0, encoding).position
-    local actions, before = ask("codeAction", { range = { start = place, ["end"] = place }, context = { diagnostics = {} } }), arrived
+    local actions = ask("codeAction", { range = { start = place, ["end"] = place }, context = { diagnostics = {} } })
     util.apply_workspace_edit(actions[1].edit, encoding)
-    log("fixed", actions[1].title, codes(before))
+    log("fixed", actions[1].title, codes())
   end
   function steps.format()
-    local edits, before = ask("formatting", { options = { tabSize = 2, insertSpaces = true } }), arrived
+    local edits = ask("formatting", { options = { tabSize = 2, insertSpaces = true } })
     util.apply_text_edits(edits, 0, encoding)
-    local after = { codes(before) }
+    local after = { codes() }
     log("formatted", text(), unpack(after))
   end
 
