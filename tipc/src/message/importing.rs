@@ -67,14 +67,14 @@ messages! {
         "its numbers describe no robot: {faults}",
         "この数値ではロボットになりません: {faults}";
     TooManyChains { chains: usize, most: usize }
-        "{chains} chains begin on the body, and a robot has {most} legs at most: make joints that are no leg fixed",
-        "胴体から{chains}本の連鎖が出ていますが、脚は{most}本までです。脚でない関節はfixedにしてください";
+        "{chains} chains begin on the body, and a robot has {most} legs at most: leave out those that are no legs with `--skip`",
+        "胴体から{chains}本の連鎖が出ていますが、脚は{most}本までです。脚でない連鎖は `--skip` で除いてください";
     TooManyJoints { leg: String, joints: usize, most: usize }
         "the leg of joint `{leg}` has {joints} joints, and {most} are the most: make some of them fixed",
         "関節 `{leg}` の脚には関節が{joints}個ありますが、{most}個までです。いくつかをfixedにしてください";
     OtherNumberOfJoints { leg: String, joints: usize, first: String, wanted: usize }
-        "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so make the others fixed",
-        "関節 `{leg}` の脚は{joints}関節、関節 `{first}` の脚は{wanted}関節です。全ての脚で同じ数になるよう、余りをfixedにしてください";
+        "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so leave one out with `--skip`, end one earlier with `--foot`, or make the others fixed",
+        "関節 `{leg}` の脚は{joints}関節、関節 `{first}` の脚は{wanted}関節です。全ての脚で同じ数になるよう、`--skip` で一方を除くか、`--foot` で手前を足先にするか、余りをfixedにしてください";
     LinkTwice { link: String }
         "link `{link}` stands there twice",
         "リンク `{link}` が2つあります";
@@ -106,13 +106,34 @@ messages! {
         "joint `{joint}` on link `{link}` turns about an axis of length 0",
         "リンク `{link}` の関節 `{joint}` の回転軸の長さが0です";
     NoFoot { link: String, joint: String }
-        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint",
-        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。足先にfixed関節でリンクを加えてください";
+        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint, or leave the chain out with `--skip`",
+        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。足先にfixed関節でリンクを加えるか、`--skip` でこの連鎖を除いてください";
     TwoFeet { link: String, joint: String, one: String, other: String }
-        "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: leave the one that is the foot",
-        "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方だけを残してください";
+        "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: name the one that is the foot with `--foot`",
+        "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方を `--foot` で指定してください";
+    NoChain { word: String, chains: List }
+        "no chain is called `{word}`: name a chain by one of its joints or links, or by what only its first joint's name has; the first joints are {chains}",
+        "`{word}` という連鎖はありません。連鎖の関節かリンクの名前、または第1関節の名前だけにある語で指定してください。第1関節は {chains}";
+    SeveralChains { word: String, chains: List }
+        "`{word}` is in the names of several chains: {chains}; write the whole name of a joint or link",
+        "`{word}` は複数の連鎖の名前({chains})にあります。関節かリンクの名前をそのまま書いてください";
+    ChainTwice { word: String, chain: String }
+        "`{word}` names the chain of joint `{chain}` for the second time",
+        "`{word}` は関節 `{chain}` の連鎖を再び指しています";
+    NotInOrder { chains: List }
+        "the order lacks the chains of {chains}: name each leg once, or leave chains out with `--skip`",
+        "順序に {chains} の連鎖がありません。各脚を1回ずつ書くか、`--skip` で除いてください";
+    AllLeftOut { chains: List }
+        "every chain is left out, and one leg has to stay: the first joints are {chains}",
+        "全ての連鎖が除かれました。少なくとも1本の脚が必要です。第1関節は {chains}";
+    NoSuchFoot { link: String, ends: List }
+        "link `{link}` ends no leg: it is not there, on no leg, or after another foot; without it the legs end in {ends}",
+        "リンク `{link}` は足先になりません。リンクがないか、脚の上にないか、別の足先より先にあります。指定しなければ足先は {ends}";
 
     // What is reported of one that is not.
+    LeftOut { chains: List }
+        "left out, as asked: the chains of {chains}",
+        "指定により除いたもの: {chains} の連鎖";
     Frames
         "frames: x forward and y left (REP 103) became x right and y forward",
         "座標系: x前・y左(REP 103)を、x右・y前に変えました";

@@ -33,6 +33,7 @@
 mod body;
 mod chain;
 mod check;
+mod choices;
 mod doubt;
 mod export;
 pub mod frame;
@@ -50,6 +51,7 @@ mod write;
 mod xacro;
 pub(crate) mod xml;
 
+pub use choices::Choices;
 pub use export::export;
 
 use chain::Chain;
@@ -58,8 +60,9 @@ use std::fmt;
 use tip_runtime::command::MAX;
 use tipc::description;
 use tipc::message::Importing;
-use tipc::message::list::Faults;
+use tipc::message::list::{Faults, List};
 use tree::Tree;
+use values::printed;
 use write::Found;
 
 /// A description that was made of a URDF file.
@@ -95,6 +98,18 @@ impl ImportError {
 /// Text that is not URDF, or nested too deep; joints that are not a tree; a leg that branches or has a joint that does not turn; legs
 /// that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
+    import_with(source_name, text, &Choices::default())
+}
+
+/// The same, with what is chosen about the file's chains.
+///
+/// # Errors
+/// As [`import`]; names of chains or feet that the file does not have, or that leave no leg.
+pub fn import_with(
+    source_name: &str,
+    text: &str,
+    choices: &Choices,
+) -> Result<Import, ImportError> {
     let robot = read::robot(text)?;
     let tree = Tree::new(&robot)?;
     let base = tree.rigid(tree.base(), Pose::ROBOT_FRAME);
@@ -105,10 +120,12 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
             link: tree.base().to_owned(),
         }));
     }
+    let (first_joints, left_out) = choices.legs(&tree, first_joints)?;
     let legs = first_joints
         .into_iter()
-        .map(|(joint, pose)| Chain::follow(&tree, joint, pose))
+        .map(|(joint, pose)| Chain::follow(&tree, joint, pose, &choices.feet))
         .collect::<Result<Vec<_>, _>>()?;
+    check_feet(&legs, &choices.feet)?;
     check_sizes(&legs)?;
     let found = Found {
         name: &robot.name,
@@ -118,7 +135,8 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
         slider: body::slider(&tree, &base),
         legs: &legs,
     };
-    let (toml, report) = write::description(source_name, &found);
+    let (toml, mut report) = write::description(source_name, &found);
+    report.extend(left_out);
     match description::parse(source_name, toml.as_bytes()) {
         Ok(_) => Ok(Import { toml, report }),
         Err(loaded) => {
@@ -126,6 +144,18 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
             let faults = Faults(faults.collect());
             Err(ImportError::new(Importing::NoRobot { faults }))
         }
+    }
+}
+
+/// Every foot that is named has to end a leg.
+fn check_feet(legs: &[Chain<'_>], feet: &[String]) -> Result<(), ImportError> {
+    let ends = || legs.iter().map(|leg| leg.end);
+    match feet.iter().find(|foot| ends().all(|end| end != *foot)) {
+        None => Ok(()),
+        Some(foot) => Err(ImportError::new(Importing::NoSuchFoot {
+            link: printed(foot),
+            ends: List(ends().map(printed).collect()),
+        })),
     }
 }
 

@@ -115,7 +115,7 @@ fn robot(arguments: &Export) -> Result<Option<Robot>, Error> {
             }
         },
         Model::Urdf(path) => {
-            let Some(imported) = import::read(path) else {
+            let Some(imported) = import::read(path, &urdf::Choices::default()) else {
                 return Ok(None);
             };
             let robot = Robot::description(&imported.toml);

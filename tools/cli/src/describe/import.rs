@@ -13,9 +13,11 @@ use tip_sim::urdf;
 #[command(
     after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
 foot is the link at the end, on a fixed joint. A report on standard error lists what was assumed and what was dropped.
+A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
 
-Example:
+Examples:
   tipc robot import quadruped.urdf -o quadruped.toml
+  tipc robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint -o dog.toml
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]
@@ -23,6 +25,18 @@ pub(crate) struct Import {
     /// The URDF file; xacro has to be expanded first
     #[arg(value_name = "FILE.urdf")]
     file: PathBuf,
+
+    /// A link that is a chain's foot, where that is not the last one; several with commas between them
+    #[arg(long, value_name = "LINK", value_delimiter = ',')]
+    foot: Vec<String>,
+
+    /// Leave a chain out, such as an arm or a head; several with commas between them
+    #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
+    skip: Vec<String>,
+
+    /// The chains that become F1, F2, …, with commas between them; else in the order of the file
+    #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
+    order: Vec<String>,
 
     /// Write to a file instead of standard output
     #[arg(short, long, value_name = "OUT.toml")]
@@ -35,12 +49,12 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 }
 
 /// The description that a URDF file makes; why there is none goes to standard error.
-pub(super) fn read(path: &Path) -> Option<urdf::Import> {
+pub(super) fn read(path: &Path, choices: &urdf::Choices) -> Option<urdf::Import> {
     let read = fs::read(path).map_err(|reason| reason.to_string());
     let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let imported = text.and_then(|text| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        urdf::import(&name, &text).map_err(|reason| reason.to_string())
+        urdf::import_with(&name, &text, choices).map_err(|reason| reason.to_string())
     });
     let complain = |reason: &String| {
         let (name, reason) = (Printable::line(path.display()), Printable::line(reason));
@@ -52,7 +66,12 @@ pub(super) fn read(path: &Path) -> Option<urdf::Import> {
 /// Writes the description; the report goes to standard error.
 pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
-    let Some(imported) = read(path) else {
+    let choices = urdf::Choices {
+        feet: arguments.foot.clone(),
+        skip: arguments.skip.clone(),
+        order: arguments.order.clone(),
+    };
+    let Some(imported) = read(path, &choices) else {
         return Ok(Status::Failure);
     };
     match &arguments.out {

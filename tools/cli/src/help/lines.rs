@@ -130,6 +130,18 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "URDF ファイル。xacro は先に展開する",
     ),
     (
+        "A link that is a chain's foot, where that is not the last one; several with commas between them",
+        "末端のリンク以外を足先にする。複数はコンマで区切る",
+    ),
+    (
+        "Leave a chain out, such as an arm or a head; several with commas between them",
+        "腕や頭などの連鎖を除く。複数はコンマで区切る",
+    ),
+    (
+        "The chains that become F1, F2, …, with commas between them; else in the order of the file",
+        "F1、F2、… にする連鎖をコンマで区切って並べる。省くとファイルの順",
+    ),
+    (
         "The robot of every program: a name that 'tipc robot list' shows, or a description",
         "すべてのプログラムのロボット: 'tipc robot list' が示す名前、または記述ファイル",
     ),

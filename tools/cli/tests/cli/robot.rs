@@ -179,6 +179,26 @@ fn a_urdf_file_becomes_a_description_that_can_be_checked() {
 }
 
 #[test]
+fn chains_of_a_urdf_file_are_chosen() {
+    let folder = Folder::new("import-chosen").file("pendulum.urdf", URDF);
+    let import = |more: &[&str], status| {
+        let all = [&["robot", "import", "pendulum.urdf"], more].concat();
+        folder.tipc(&all).expect(status)
+    };
+    let chosen = import(&["--order", "hinge", "--foot", "tip"], 0);
+    assert!(
+        chosen.err.contains("F1: joint hinge to link tip"),
+        "{}",
+        chosen.err
+    );
+    let none = import(&["--skip", "arm"], 1).err;
+    assert!(none.contains("no chain is called `arm`"), "{none}");
+    assert!(none.contains("first joints are hinge"), "{none}");
+    let foot = import(&["--foot", "toe"], 1).err;
+    assert!(foot.contains("link `toe` ends no leg"), "{foot}");
+}
+
+#[test]
 fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
     let folder = Folder::new("not-imported")
         .file("sliding.urdf", URDF.replace("revolute", "prismatic"))

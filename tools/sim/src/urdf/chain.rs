@@ -34,11 +34,12 @@ pub(super) struct Turning<'a> {
 }
 
 impl<'a> Chain<'a> {
-    /// From a joint on the body to the foot.
+    /// From a joint on the body to the foot: one of `feet`, or the last link.
     pub(super) fn follow(
         tree: &Tree<'a>,
         first: &'a Joint,
         pose: Pose,
+        feet: &[String],
     ) -> Result<Self, ImportError> {
         let mut joints = Vec::new();
         let mut next = (first, pose);
@@ -47,7 +48,8 @@ impl<'a> Chain<'a> {
             check_kind(joint)?;
             let links = tree.rigid(&joint.child, pose);
             let movable = tree.movable(&links);
-            let is_last = movable.is_empty();
+            let chosen = links.iter().find(|(link, _)| feet.contains(&link.name));
+            let is_last = movable.is_empty() || chosen.is_some();
             joints.push(Turning {
                 joint,
                 axis: pose.direction(joint.axis),
@@ -56,6 +58,10 @@ impl<'a> Chain<'a> {
                 links: links.iter().map(|(link, _)| *link).collect(),
                 merged: merged(&links).filter(|_| !is_last).collect(),
             });
+            if let Some((link, pose)) = chosen {
+                let (end, foot) = (link.name.as_str(), pose.origin());
+                return Ok(Chain { joints, end, foot });
+            }
             match movable.as_slice() {
                 [] => {
                     let (end, foot) = foot(tree, joint, &links)?;

@@ -125,6 +125,17 @@ impl<'a> Tree<'a> {
         found
     }
 
+    /// The names of a joint, of its link, and of all that hangs there.
+    pub(super) fn names_after(&self, joint: &'a Joint) -> Vec<&'a str> {
+        let mut open = vec![joint];
+        let mut names = Vec::new();
+        while let Some(joint) = open.pop() {
+            names.extend([joint.name.as_str(), joint.child.as_str()]);
+            open.extend(self.joints(&joint.child));
+        }
+        names
+    }
+
     /// Whether nothing hangs on the link.
     pub(super) fn is_leaf(&self, link: &Link) -> bool {
         self.joints(&link.name).is_empty()

@@ -2,6 +2,7 @@
 //! here from the numbers in the file, one homogeneous transform after the other.
 
 mod broken;
+mod choices;
 mod doubts;
 mod export;
 mod frames;

@@ -1,0 +1,157 @@
+//! Which chains become legs, in which order, and where they end.
+
+use crate::robots::{Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
+use tip_sim::urdf::{Choices, Import, import_with};
+
+fn words(words: &[&str]) -> Vec<String> {
+    words.iter().copied().map(str::to_owned).collect()
+}
+
+/// Of feet, chains to skip, and chains in order.
+fn choices([feet, skip, order]: [&[&str]; 3]) -> Choices {
+    Choices {
+        feet: words(feet),
+        skip: words(skip),
+        order: words(order),
+    }
+}
+
+#[track_caller]
+fn taken(joints: &[Joint], chosen: [&[&str]; 3]) -> Import {
+    let import = import_with("test.urdf", &urdf(joints), &choices(chosen));
+    import.unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[track_caller]
+fn refused(joints: &[Joint], chosen: [&[&str]; 3], parts: &[&str]) {
+    let import = import_with("test.urdf", &urdf(joints), &choices(chosen));
+    let error = import.expect_err("it is refused").to_string();
+    for part in parts {
+        assert!(error.contains(part), "{error}: {part}");
+    }
+}
+
+/// From which joint to which link each leg goes.
+fn legs(import: &Import) -> Vec<String> {
+    let legs = import.toml.lines();
+    let legs = legs.filter_map(|line| line.strip_prefix("[[leg]] # "));
+    legs.map(str::to_owned).collect()
+}
+
+/// Two legs, and a head without a foot.
+fn animal() -> Vec<Joint> {
+    vec![
+        revolute("head_pan_joint", "base", "head", PLAIN),
+        revolute("front_left_hip", "base", "fl_thigh", PLAIN),
+        fixed("fl_thigh", "fl_toe", TIP),
+        revolute("front_right_hip", "base", "fr_thigh", PLAIN),
+        fixed("fr_thigh", "fr_toe", TIP),
+    ]
+}
+
+#[test]
+fn chains_that_are_skipped_are_no_legs() {
+    // As it is, its head has no foot.
+    refused(
+        &animal(),
+        [&[], &[], &[]],
+        &["link `head`", "leave the chain out with `--skip`"],
+    );
+    for name in ["head_pan_joint", "head", "pan", "HEAD-PAN"] {
+        let import = taken(&animal(), [&[], &[name], &[]]);
+        let expected = [
+            "F1: joint front_left_hip to link fl_toe",
+            "F2: joint front_right_hip to link fr_toe",
+        ];
+        assert_eq!(legs(&import), expected, "{name}");
+        let said: Vec<String> = import.report.iter().map(ToString::to_string).collect();
+        let line = "left out, as asked: the chains of head_pan_joint";
+        assert!(said.iter().any(|it| it == line), "{said:?}");
+    }
+    let all = ["head", "front_left", "front_right"];
+    refused(&animal(), [&[], &all, &[]], &["every chain is left out"]);
+}
+
+#[test]
+fn chains_become_legs_in_the_order_that_is_asked_for() {
+    let import = taken(&animal(), [&[], &["head"], &["front_right", "fl_toe"]]);
+    let expected = [
+        "F1: joint front_right_hip to link fr_toe",
+        "F2: joint front_left_hip to link fl_toe",
+    ];
+    assert_eq!(legs(&import), expected);
+    let order = ["h4", "h3", "h2", "h1"];
+    let import = taken(&quadruped(), [&[], &[], &order]);
+    assert_eq!(legs(&import)[0], "F1: joint h4 to link e4");
+    assert_eq!(legs(&import)[3], "F4: joint h1 to link e1");
+    refused(
+        &quadruped(),
+        [&[], &[], &["h4", "h3"]],
+        &["the order lacks the chains of h1, h2"],
+    );
+    refused(
+        &quadruped(),
+        [&[], &[], &["h4", "e4", "h2", "h1"]],
+        &["`e4` names the chain of joint `h4` for the second time"],
+    );
+}
+
+#[test]
+fn names_of_no_chain_and_of_several_are_refused_with_those_that_there_are() {
+    for chosen in [[&[][..], &["tail"], &[]], [&[], &["head"], &["tail"]]] {
+        refused(
+            &animal(),
+            chosen,
+            &[
+                "no chain is called `tail`",
+                "the first joints are head_pan_joint, front_left_hip, front_right_hip",
+            ],
+        );
+    }
+    for word in ["front", "hip"] {
+        refused(
+            &animal(),
+            [&[], &[word], &[]],
+            &["is in the names of several chains: front_left_hip, front_right_hip"],
+        );
+    }
+    // A part of a word is no word.
+    refused(
+        &animal(),
+        [&[], &["hea"], &[]],
+        &["no chain is called `hea`"],
+    );
+}
+
+#[test]
+fn a_foot_that_is_chosen_ends_its_chain() {
+    let mut two = animal();
+    two.push(fixed("fr_thigh", "lamp", TIP));
+    refused(
+        &two,
+        [&[], &["head"], &[]],
+        &["`fr_toe`", "`lamp`", "with `--foot`"],
+    );
+    let import = taken(&two, [&["fr_toe"], &["head"], &[]]);
+    assert_eq!(legs(&import)[1], "F2: joint front_right_hip to link fr_toe");
+
+    // A gripper after the foot: neither its joint nor its link is of the leg.
+    let mut grips = animal();
+    grips.push(revolute("grip", "fr_toe", "finger", PLAIN));
+    refused(
+        &grips,
+        [&[], &["head"], &[]],
+        &["link `finger` after joint `grip`"],
+    );
+    let import = taken(&grips, [&["fr_toe"], &["head"], &[]]);
+    assert_eq!(legs(&import)[1], "F2: joint front_right_hip to link fr_toe");
+    assert!(!import.toml.contains("# grip"), "{}", import.toml);
+
+    for no_foot in ["fr_tow", "base", "head"] {
+        refused(
+            &animal(),
+            [&[no_foot], &["head"], &[]],
+            &[no_foot, "ends no leg", "fl_toe, fr_toe"],
+        );
+    }
+}
