@@ -3,10 +3,10 @@
 
 use super::Vector;
 
-/// Of each kg of the robot: N/m. TITAN VIII has 200 N/mm.
-const STIFFNESS: f64 = 1e4;
+/// Of each kg of the robot: N/m. TITAN VIII has 400 N/mm.
+const STIFFNESS: f64 = 2e4;
 /// Of each kg of the robot: N·s/m.
-const DAMPING: f64 = 10.0;
+const DAMPING: f64 = 20.0;
 /// How much of what would make a step unstable stiffness and damping may be.
 const SHARE: f64 = 0.25;
 
