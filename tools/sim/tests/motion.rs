@@ -71,8 +71,9 @@ fn a_trot_that_might_topple_falls_on_neither_plant() -> Outcome {
         assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::Exit));
         let motion = run.motion().expect("it walks");
         assert_eq!((motion.falls, run.first_fall()), (0, None));
-        // 17 strokes of 40 mm; on two feet it leans, and feet slide.
-        close(motion.travel.y, 680.0, 100.0);
+        // 17 strokes of 40 mm; on two feet it leans, and feet slide: MuJoCo's go 525 mm with friction 0.9.
+        let strokes = 17.0 * 40.0;
+        assert!((500.0..strokes).contains(&motion.travel.y), "{motion:?}");
         close(motion.travel.turn, 0.0, 10.0);
         motions.push(motion);
     }
