@@ -28,6 +28,7 @@ use tipc::message::{Checking, Using};
   tipc check --fix - < walk.prg > new.prg     the program with its fixes on standard output
   tipc check --deny warnings walk.prg         exit status 1 if there is a warning
   tipc check --deny W112,W117 walk.prg        if there is one of these
+  tipc check --quiet *.prg                    nothing of the programs that are in order
   tipc check --watch walk.prg                 again after each change, until Ctrl-C
 
 A comment silences warnings: '// tip: allow(W112)' at the end of a line, on a line above a statement, or above the
@@ -51,6 +52,10 @@ pub(super) struct Check {
     /// Check again whenever a file changes
     #[arg(long, conflicts_with = "fix")]
     pub(super) watch: bool,
+
+    /// Say nothing of programs in which nothing is found
+    #[arg(long, short)]
+    quiet: bool,
 
     #[command(flatten)]
     pub(super) source: SourceArguments,
@@ -114,7 +119,7 @@ const RULE: &str = "────────";
 /// Checks each file; one that does not load makes the whole command fail.
 fn once(arguments: &Check) -> Result<Status, Error> {
     let shown = arguments.source.shown;
-    let mut total = report::Total::new(shown);
+    let mut total = report::Total::new(shown, arguments.quiet);
     let mut status = Status::Success;
     let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
@@ -125,7 +130,7 @@ fn once(arguments: &Check) -> Result<Status, Error> {
         let (given, robot) = match chosen {
             Ok(chosen) => chosen,
             Err(loaded) => {
-                report::check(&loaded, shown)?;
+                total.check(&loaded, shown)?;
                 total.add(&loaded);
                 total.report(shown)?;
                 return Ok(Status::Failure);
@@ -134,7 +139,7 @@ fn once(arguments: &Check) -> Result<Status, Error> {
         let options = source.options(robot.robot());
         let robot = robot.simulated()?;
         let loaded = match arguments.least() {
-            Some(least) => fix::fix(file, &options, least, shown)?,
+            Some(least) => fix::fix(file, &options, least, &total, shown)?,
             None => {
                 let mut loaded = input::load(file, &options);
                 reach::warn(&mut loaded, &robot);
@@ -143,7 +148,7 @@ fn once(arguments: &Check) -> Result<Status, Error> {
                 let other = given.and_then(|given| embedded::warning(file, &given));
                 loaded.add(other.into_iter().collect());
                 let loaded = fix::offered(loaded, &options, shown);
-                report::check(&loaded, shown)?;
+                total.check(&loaded, shown)?;
                 loaded
             }
         };

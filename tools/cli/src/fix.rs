@@ -2,6 +2,7 @@
 
 use super::choices::Format;
 use super::error::Error;
+use super::report::Total;
 use super::shown::Shown;
 use super::{input, output, report};
 use std::path::Path;
@@ -16,6 +17,7 @@ pub(super) fn fix(
     path: &Path,
     options: &Options,
     least: Applicability,
+    total: &Total,
     shown: Shown,
 ) -> Result<Loaded, Error> {
     let repaired = repair(input::load(path, options), options, least);
@@ -38,7 +40,7 @@ pub(super) fn fix(
         Format::Sarif => (),
     }
     let loaded = offered(loaded, options, shown);
-    report::check(&loaded, shown)?;
+    total.check(&loaded, shown)?;
     Ok(loaded)
 }
 

@@ -23,18 +23,21 @@ pub(super) struct Total {
     files: usize,
     errors: usize,
     warnings: usize,
+    /// Programs in which nothing is found are not mentioned.
+    quiet: bool,
     /// All of it, where one document is asked for.
     document: Option<Document>,
 }
 
 impl Total {
     /// Nothing yet.
-    pub(super) fn new(shown: Shown) -> Self {
+    pub(super) fn new(shown: Shown, quiet: bool) -> Self {
         let is_document = shown.message_format == Format::Sarif;
         Total {
             files: 0,
             errors: 0,
             warnings: 0,
+            quiet,
             document: is_document.then(|| Document::new(shown.lang())),
         }
     }
@@ -49,12 +52,21 @@ impl Total {
         }
     }
 
+    /// What is found in a file, to where findings go.
+    pub(super) fn check(&self, loaded: &Loaded, shown: Shown) -> Result<(), Error> {
+        match self.quiet && loaded.diagnostics.is_empty() {
+            true => Ok(()),
+            false => check(loaded, shown),
+        }
+    }
+
     /// The sum over all files: for people, if there are several; or the document.
     pub(super) fn report(self, shown: Shown) -> Result<(), Error> {
         if let Some(document) = self.document {
             return output::print(document.text());
         }
-        if self.files > 1 && shown.message_format == Format::Human {
+        let is_silent = self.quiet && self.errors + self.warnings == 0;
+        if self.files > 1 && shown.message_format == Format::Human && !is_silent {
             let total = Checking::Total {
                 files: self.files.into(),
                 errors: self.errors.into(),

@@ -236,6 +236,10 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "確実とまでは言えない修正も適用する",
     ),
     (
+        "Say nothing of programs in which nothing is found",
+        "問題のないプログラムについては何も表示しない",
+    ),
+    (
         "Check again whenever a file changes",
         "ファイルが変わるたびに検査し直す",
     ),

@@ -23,6 +23,7 @@ mod new;
 #[cfg(unix)]
 mod printable;
 mod project;
+mod quiet;
 mod readme;
 mod robot;
 mod run;
