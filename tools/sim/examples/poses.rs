@@ -1,4 +1,5 @@
-//! Writes a robot as URDF, and where its links are in 1,000 random postures: what `tests/urdf/run` has judged by others.
+//! Writes a robot as URDF and as MJCF, and where its links are in 1,000 random postures and how its feet move there: what
+//! `tests/urdf/run` has judged by others.
 //!
 //! `cargo run -p tip-sim --example poses --features urdf -- FOLDER titan8 hexapod.toml quadruped.urdf`
 
@@ -6,8 +7,9 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
-use tip_runtime::model::Range;
-use tip_sim::{Anatomy, Robot, urdf};
+use tip_runtime::kinematics::Chain;
+use tip_runtime::model::{Leg, Range};
+use tip_sim::{Anatomy, Limb, Robot, mjcf, urdf};
 
 const POSES: usize = 1000;
 
@@ -19,6 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let to = Path::new(&folder).join(name);
         let robot = load(Path::new(&robot))?;
         fs::write(to.with_extension("urdf"), urdf::export(&robot))?;
+        fs::write(to.with_extension("xml"), mjcf::export(&robot))?;
         fs::write(to.with_extension("poses"), poses(&robot.anatomy()))?;
     }
     Ok(())
@@ -35,7 +38,7 @@ fn load(robot: &Path) -> Result<Robot, Box<dyn Error>> {
 }
 
 /// A line `joint NAME DEGREES` for each joint, or `slider AXIS MM`, and a line `link NAME X Y Z` with its three axes, all of it
-/// in the robot frame in mm; a blank line after each pose.
+/// in the robot frame in mm; a line `jacobian FOOT X Y Z …` with mm/rad for each joint of a leg; a blank line after each pose.
 fn poses(anatomy: &Anatomy) -> String {
     let mut random = Random(1);
     let mut text = String::new();
@@ -67,6 +70,11 @@ fn pose(text: &mut String, anatomy: &Anatomy, random: &mut Random) -> std::fmt::
         }
         let [x, y, z] = leg.foot(&angles);
         writeln!(text, "link F{number} {x} {y} {z}")?;
+        write!(text, "jacobian F{number}")?;
+        for part in jacobian(leg, &angles).as_flattened() {
+            write!(text, " {part}")?;
+        }
+        writeln!(text)?;
     }
     if let Some(slider) = &anatomy.slider {
         let at = slider.travel.map(|range| random.of(range));
@@ -79,6 +87,31 @@ fn pose(text: &mut String, anatomy: &Anatomy, random: &mut Random) -> std::fmt::
         writeln!(text, "link floor {x} {y} {z}")?;
     }
     Ok(())
+}
+
+/// How a foot moves with each joint: mm/rad.
+fn jacobian(limb: &Limb, angles: &[f64]) -> Vec<[f64; 3]> {
+    match angles.len() {
+        1 => columns::<1>(limb, angles),
+        2 => columns::<2>(limb, angles),
+        3 => columns::<3>(limb, angles),
+        4 => columns::<4>(limb, angles),
+        5 => columns::<5>(limb, angles),
+        6 => columns::<6>(limb, angles),
+        7 => columns::<7>(limb, angles),
+        8 => columns::<8>(limb, angles),
+        _ => columns::<9>(limb, angles),
+    }
+}
+
+fn columns<const J: usize>(limb: &Limb, angles: &[f64]) -> Vec<[f64; 3]> {
+    let leg = Leg {
+        base: limb.base,
+        initial: std::array::from_fn(|joint| limb.initial[joint]),
+        joints: std::array::from_fn(|joint| limb.joints[joint]),
+    };
+    let angles = std::array::from_fn(|joint| angles[joint]);
+    Chain::<J>::new(&leg, &angles).foot_jacobian().to_vec()
 }
 
 /// Numbers that look random and are the same everywhere.

@@ -1,0 +1,128 @@
+"""Imports each published URDF file, exports what comes of it, and compares both in pinocchio: places of feet and their Jacobians."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy
+import pinocchio
+
+LIMIT = 1e-9  # of the robot's size
+POSES = 1000
+# Each file: the options of its import, and what a refusal says.
+FILES = {
+    "a1": (["--order", "FL,FR,RL,RR"], None),
+    "go1": (["--order", "FL,FR,RL,RR"], None),
+    "go2": (["--order", "FL,FR,RL,RR", "--foot", "FL_foot,FR_foot,RL_foot,RR_foot"], None),
+    "anymal_c": (["--order", "LF,RF,LH,RH"], None),
+    "solo12": ([], None),
+    "spotmicro": ([], None),
+    "trifinger_edu": (["--order", "0,120,240"], None),
+    "trifinger_pro": (["--order", "0,120,240"], None),
+    "dclaw": ([], None),
+    "leap": ([], None),
+    "allegro": ([], None),
+    "phantomx": (["--skip", "head_pan"], "nothing says where its foot is: add a link there"),
+    "barrett": ([], "nothing says where its foot is: add a link there"),
+}
+
+
+class Robot:
+    def __init__(self, path):
+        self.model = pinocchio.buildModelFromUrdf(str(path))
+        self.data = self.model.createData()
+
+    def joint(self, name):
+        joint = self.model.joints[self.model.getJointId(name)]
+        return joint.idx_q, joint.nq, joint.idx_v
+
+    def pose(self, angles):
+        """Angles by name; a joint that turns without limit has cosine and sine."""
+        configuration = pinocchio.neutral(self.model)
+        for name, angle in angles.items():
+            at, size, _ = self.joint(name)
+            configuration[at : at + size] = [angle] if size == 1 else [numpy.cos(angle), numpy.sin(angle)]
+        pinocchio.computeJointJacobians(self.model, self.data, configuration)
+        pinocchio.updateFramePlacements(self.model, self.data)
+
+    def foot(self, link, base, joints):
+        """Where a link is, and how it moves with each joint, in the frame of the base."""
+        frame = self.model.getFrameId(link)
+        base = self.data.oMf[self.model.getFrameId(base)]
+        columns = [self.joint(name)[2] for name in joints]
+        aligned = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        jacobian = pinocchio.getFrameJacobian(self.model, self.data, frame, aligned)[:3, columns]
+        place = base.actInv(self.data.oMf[frame])
+        return place.translation, base.rotation.T @ jacobian
+
+
+def legs(toml):
+    """Of each leg its joints' names and the link at its end, from the comments of a description."""
+    for part in toml.split("[[leg]] # ")[1:]:
+        end = re.match(r"F\d: joint .+ to link (.+)", part)[1]
+        yield re.findall(r"^    \{ axis = .*\}, # (.+)$", part, re.M), end
+
+
+def bases(path):
+    """The link that is the robot frame: the first one, or the one that is fixed to `world`."""
+    model = pinocchio.buildModelFromUrdf(str(path))
+    frames = [frame.name for frame in model.frames if frame.type == pinocchio.FrameType.BODY]
+    return frames[1] if frames[0] == "world" else frames[0]
+
+
+def compare(source, exported, described):
+    theirs, ours = Robot(source), Robot(exported)
+    base = bases(source)
+    random = numpy.random.default_rng(1)
+    size, apart, moved = 0.0, 0.0, 0.0
+    legs_of = list(legs(described))
+    for _ in range(POSES):
+        here, there = {}, {}
+        for number, (joints, _) in enumerate(legs_of, 1):
+            for index, name in enumerate(joints, 1):
+                here[f"J{number}{index}"] = there[name] = random.uniform(-3, 3)
+        ours.pose(here)
+        theirs.pose(there)
+        for number, (joints, end) in enumerate(legs_of, 1):
+            names = [f"J{number}{index}" for index in range(1, len(joints) + 1)]
+            place, columns = ours.foot(f"F{number}", "base_link", names)
+            at, wanted = theirs.foot(end, base, joints)
+            size = max(size, numpy.linalg.norm(at))
+            apart = max(apart, numpy.linalg.norm(place - at))
+            moved = max(moved, numpy.abs(columns - wanted).max())
+    return len(legs_of), size, apart / size, moved / size
+
+
+def main():
+    tipc, files = sys.argv[1], pathlib.Path(sys.argv[2])
+    folder = pathlib.Path(tempfile.mkdtemp())
+    failed = False
+    for name, (options, refusal) in FILES.items():
+        source = files / f"{name}.urdf"
+        if not source.exists():
+            print(f"{name}: no such file")
+            continue
+        described, exported = folder / f"{name}.toml", folder / f"{name}.urdf"
+        imported = subprocess.run(
+            [tipc, "robot", "import", source, "-o", described, *options], capture_output=True, text=True
+        )
+        if refusal or imported.returncode:
+            holds = bool(refusal) and refusal in imported.stderr and imported.returncode == 1
+            print(f"{name}: refused: {imported.stderr.strip()}")
+        else:
+            subprocess.run([tipc, "robot", "export", "--urdf", "--robot", described, "-o", exported], check=True)
+            count, size, apart, moved = compare(source, exported, described.read_text())
+            doubts = imported.stderr.count(" doubtful: ")
+            holds = max(apart, moved) <= LIMIT
+            print(
+                f"{name}: {count} legs, {POSES} poses, size {size:.3f} m, places {apart:.1e} of it, "
+                f"Jacobians {moved:.1e} of it, {doubts} doubts"
+            )
+        failed |= not holds
+    sys.exit(failed)
+
+
+if __name__ == "__main__":
+    main()
