@@ -217,3 +217,23 @@ fn a_robot_that_is_bolted_down_has_no_floor() {
     assert!(all(&model, "freejoint").is_empty());
     assert!(!text.contains("name=\"floor\""), "{text}");
 }
+
+#[test]
+fn a_link_that_weighs_nothing_leaves_its_inertia_to_the_bounds() {
+    let arm = |mass: &str| {
+        let text = format!(
+            "name = \"arm\"\n[[leg]]\nbase = [0, 0, 0]\njoint = [{{ axis = \"z\", link = [100, 0, 0], mass = {mass} }}]\n"
+        );
+        mjcf::export(&Robot::description(&text).expect("a robot"))
+    };
+    let (light, heavy) = (arm("0"), arm("0.5"));
+    let inertial = |text: &str, attribute: &str| {
+        let model = read(text);
+        let node = all(&model, "inertial")[0];
+        node.attribute(attribute).map(str::to_owned)
+    };
+    assert_eq!(inertial(&light, "diaginertia").as_deref(), Some("0 0 0"));
+    assert_eq!(inertial(&light, "fullinertia"), None);
+    assert_eq!(inertial(&heavy, "diaginertia"), None);
+    assert!(inertial(&heavy, "fullinertia").is_some());
+}

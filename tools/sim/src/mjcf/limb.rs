@@ -116,11 +116,16 @@ fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: 
     let end = metres(joint.link);
     let length = frame::length(end);
     let middle = vector(end.map(|part| part / 2.0));
-    let (mass, inertia) = (joint.mass, vector(inertia(joint.mass, end, radius)));
+    let mass = joint.mass;
+    // MuJoCo takes no full inertia of 0; its bounds stand for what weighs nothing.
+    let inertia = match mass > 0.0 {
+        true => format!("fullinertia=\"{}\"", vector(inertia(mass, end, radius))),
+        false => "diaginertia=\"0 0 0\"".to_owned(),
+    };
     let end = vector(end);
     let world = &mut parts.world;
     world.add(&format!(
-        "inertial pos=\"{middle}\" mass=\"{mass}\" fullinertia=\"{inertia}\""
+        "inertial pos=\"{middle}\" mass=\"{mass}\" {inertia}"
     ));
     let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
     if length > 0.0 {
