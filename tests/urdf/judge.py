@@ -48,7 +48,8 @@ class Pinocchio:
         aligned = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
         jacobian = pinocchio.computeFrameJacobian(self.model, self.data, self.configuration, frame, aligned)
         columns = [self.model.joints[self.model.getJointId(name)].idx_v for name in joints]
-        return base.T @ jacobian[:3, columns]
+        # Of a single joint it is no matrix.
+        return base.T @ jacobian.reshape(6, -1)[:3, columns]
 
     def place(self, joints):
         configuration = pinocchio.neutral(self.model)
