@@ -11,6 +11,9 @@ import pinocchio
 
 LIMIT = 1e-9  # of the robot's size
 POSES = 1000
+# A PhantomX's tibias end 133 mm below their joints; a fingertip of Barrett's hand is the last of its boxes.
+PHANTOMX = ",".join(f"tibia_{leg}=0.133,0,0" for leg in ("LF", "RF", "LM", "RM", "LR", "RR"))
+BARRETT = "finger_1_dist_link=-0.038,0.034,0,finger_2_dist_link=-0.038,0.034,0"
 # Each file: the options of its import, and what a refusal says.
 FILES = {
     "a1": (["--order", "FL,FR,RL,RR"], None),
@@ -24,8 +27,8 @@ FILES = {
     "dclaw": ([], None),
     "leap": ([], None),
     "allegro": ([], None),
-    "phantomx": (["--skip", "head_pan"], "nothing says where its foot is: add a link there"),
-    "barrett": ([], "nothing says where its foot is: add a link there"),
+    "phantomx": (["--skip", "head_pan", "--foot", PHANTOMX, "--order", "LF,RF,LM,RM,LR,RR"], None),
+    "barrett": (["--skip", "finger_3_med_joint", "--foot", BARRETT], None),
 }
 
 
@@ -47,15 +50,20 @@ class Robot:
         pinocchio.computeJointJacobians(self.model, self.data, configuration)
         pinocchio.updateFramePlacements(self.model, self.data)
 
-    def foot(self, link, base, joints):
-        """Where a link is, and how it moves with each joint, in the frame of the base."""
+    def foot(self, end, base, joints):
+        """Where a link or a place on it is, and how it moves with each joint, in the frame of the base."""
+        link, _, place = end.partition("=")
         frame = self.model.getFrameId(link)
+        at = [float(part) for part in place.split(",")] if place else [0, 0, 0]
         base = self.data.oMf[self.model.getFrameId(base)]
         columns = [self.joint(name)[2] for name in joints]
         aligned = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        jacobian = pinocchio.getFrameJacobian(self.model, self.data, frame, aligned)[:3, columns]
-        place = base.actInv(self.data.oMf[frame])
-        return place.translation, base.rotation.T @ jacobian
+        jacobian = pinocchio.getFrameJacobian(self.model, self.data, frame, aligned)[:, columns]
+        # What turns with the link goes round its frame.
+        arm = self.data.oMf[frame].rotation @ at
+        moves = jacobian[:3] + numpy.cross(jacobian[3:], arm, axis=0)
+        place = base.actInv(self.data.oMf[frame]).act(numpy.array(at, dtype=float))
+        return place, base.rotation.T @ moves
 
 
 def legs(toml):

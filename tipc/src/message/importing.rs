@@ -106,8 +106,8 @@ messages! {
         "joint `{joint}` on link `{link}` turns about an axis of length 0",
         "リンク `{link}` の関節 `{joint}` の回転軸の長さが0です";
     NoFoot { link: String, joint: String }
-        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: add a link there, on a fixed joint, or leave the chain out with `--skip`",
-        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。足先にfixed関節でリンクを加えるか、`--skip` でこの連鎖を除いてください";
+        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: say it with `--foot {link}=X,Y,Z`, in metres and in the frame of the link, or leave the chain out with `--skip`",
+        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。リンク座標系での位置をメートルで `--foot {link}=X,Y,Z` のように指定するか、`--skip` でこの連鎖を除いてください";
     TwoFeet { link: String, joint: String, one: String, other: String }
         "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: name the one that is the foot with `--foot`",
         "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方を `--foot` で指定してください";
@@ -129,6 +129,10 @@ messages! {
     NoSuchFoot { link: String, ends: List }
         "link `{link}` ends no leg: it is not there, on no leg, or after another foot; without it the legs end in {ends}",
         "リンク `{link}` は足先になりません。リンクがないか、脚の上にないか、別の足先より先にあります。指定しなければ足先は {ends}";
+
+    FootTwice { link: String }
+        "`--foot` names link `{link}` twice: a leg has one foot",
+        "`--foot` がリンク `{link}` を2回指定しています。足先は脚ごとに1つです";
 
     // What is reported of one that is not.
     LeftOut { chains: List }
@@ -180,8 +184,8 @@ messages! {
         "assumed: the robot is bolted down; add [body] if it walks",
         "仮定: ロボットは床に固定。歩くなら[body]を加えてください";
     Walks
-        "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it",
-        "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください";
+        "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it, or leave [body] out if it is bolted down as a hand is",
+        "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください。ハンドのように固定されているなら[body]を削除してください";
     BodyOfBox
         "the robot walks; its body is the box of link body",
         "ロボットは歩きます。胴体はリンクbodyの箱です";

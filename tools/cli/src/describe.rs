@@ -1,6 +1,7 @@
 //! `tipc robot`: descriptions of robots.
 
 mod export;
+mod foot;
 mod import;
 mod list;
 

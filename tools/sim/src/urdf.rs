@@ -36,6 +36,7 @@ mod check;
 mod choices;
 mod doubt;
 mod export;
+mod foot;
 pub mod frame;
 mod given;
 mod node;
@@ -53,6 +54,7 @@ pub(crate) mod xml;
 
 pub use choices::Choices;
 pub use export::export;
+pub use foot::Foot;
 
 use chain::Chain;
 use pose::Pose;
@@ -147,14 +149,20 @@ pub fn import_with(
     }
 }
 
-/// Every foot that is named has to end a leg.
-fn check_feet(legs: &[Chain<'_>], feet: &[String]) -> Result<(), ImportError> {
-    let ends = || legs.iter().map(|leg| leg.end);
-    match feet.iter().find(|foot| ends().all(|end| end != *foot)) {
-        None => Ok(()),
-        Some(foot) => Err(ImportError::new(Importing::NoSuchFoot {
-            link: printed(foot),
+/// Every foot that is named has to end a leg, and each leg has one.
+fn check_feet(legs: &[Chain<'_>], feet: &[Foot]) -> Result<(), ImportError> {
+    let ends = || legs.iter().map(|leg| leg.end.link.as_str());
+    if let Some(foot) = feet.iter().find(|foot| ends().all(|end| end != foot.link)) {
+        return Err(ImportError::new(Importing::NoSuchFoot {
+            link: printed(&foot.link),
             ends: List(ends().map(printed).collect()),
+        }));
+    }
+    let twice = |foot: &&Foot| feet.iter().filter(|it| it.link == foot.link).count() > 1;
+    match feet.iter().find(twice) {
+        None => Ok(()),
+        Some(foot) => Err(ImportError::new(Importing::FootTwice {
+            link: printed(&foot.link),
         })),
     }
 }

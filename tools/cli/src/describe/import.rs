@@ -1,5 +1,6 @@
 //! `tipc robot import`: a description of a URDF file.
 
+use super::foot::{Feet, feet};
 use super::{Status, output, report};
 use crate::error::Error;
 use clap::Args;
@@ -12,12 +13,13 @@ use tip_sim::urdf;
 #[derive(Debug, Args)]
 #[command(
     after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
-foot is the link at the end, on a fixed joint. A report on standard error lists what was assumed and what was dropped.
+foot is the link at the end, on a fixed joint, or what --foot says. A report on standard error lists what was assumed and what was dropped.
 A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
 
 Examples:
   tipc robot import quadruped.urdf -o quadruped.toml
   tipc robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint -o dog.toml
+  tipc robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]
@@ -26,9 +28,10 @@ pub(crate) struct Import {
     #[arg(value_name = "FILE.urdf")]
     file: PathBuf,
 
-    /// A link that is a chain's foot, where that is not the last one; several with commas between them
-    #[arg(long, value_name = "LINK", value_delimiter = ',')]
-    foot: Vec<String>,
+    /// A link that is a chain's foot, where that is not the last one; with '=X,Y,Z' a place in its frame, in m; several with commas
+    /// between them
+    #[arg(long, value_name = "LINK[=X,Y,Z]", value_parser = feet)]
+    foot: Vec<Feet>,
 
     /// Leave a chain out, such as an arm or a head; several with commas between them
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
@@ -67,7 +70,11 @@ pub(super) fn read(path: &Path, choices: &urdf::Choices) -> Option<urdf::Import>
 pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
     let choices = urdf::Choices {
-        feet: arguments.foot.clone(),
+        feet: arguments
+            .foot
+            .iter()
+            .flat_map(|feet| feet.0.clone())
+            .collect(),
         skip: arguments.skip.clone(),
         order: arguments.order.clone(),
     };

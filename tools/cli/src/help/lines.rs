@@ -130,8 +130,8 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "URDF ファイル。xacro は先に展開する",
     ),
     (
-        "A link that is a chain's foot, where that is not the last one; several with commas between them",
-        "末端のリンク以外を足先にする。複数はコンマで区切る",
+        "A link that is a chain's foot, where that is not the last one; with '=X,Y,Z' a place in its frame, in m; several with commas between them",
+        "末端のリンク以外を足先にする。'=X,Y,Z' を付けるとリンク座標系での位置 (m)。複数はコンマで区切る",
     ),
     (
         "Leave a chain out, such as an arm or a head; several with commas between them",

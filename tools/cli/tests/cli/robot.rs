@@ -196,6 +196,15 @@ fn chains_of_a_urdf_file_are_chosen() {
     assert!(none.contains("first joints are hinge"), "{none}");
     let foot = import(&["--foot", "toe"], 1).err;
     assert!(foot.contains("link `toe` ends no leg"), "{foot}");
+    let placed = import(&["--foot", "rod=0.1,0,-0.25"], 0);
+    // URDF's x is ahead, the language's y.
+    assert!(
+        placed.out.contains("link = [0, 100, -250]"),
+        "{}",
+        placed.out
+    );
+    let wrong = import(&["--foot", "rod=0.1,0"], 2).err;
+    assert!(wrong.contains("`rod=0.1,0` is not a foot"), "{wrong}");
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! One leg: a chain of joints from the body to the foot.
 
 use super::ImportError;
+use super::foot::Foot;
 use super::pose::Pose;
-use super::robot::{Joint, Kind, Link};
+use super::robot::{Joint, Kind, Link, Origin};
 use super::tree::Tree;
 use tipc::message::Importing;
 use tipc::message::phrase::JointKind;
@@ -12,9 +13,9 @@ use tipc::message::phrase::JointKind;
 #[derive(Clone, Debug)]
 pub(super) struct Chain<'a> {
     pub(super) joints: Vec<Turning<'a>>,
-    /// The link at its end.
-    pub(super) end: &'a str,
-    /// Where it ends: mm.
+    /// Where it ends, by the name of a link.
+    pub(super) end: Foot,
+    /// Where that is: mm.
     pub(super) foot: [f64; 3],
 }
 
@@ -39,7 +40,7 @@ impl<'a> Chain<'a> {
         tree: &Tree<'a>,
         first: &'a Joint,
         pose: Pose,
-        feet: &[String],
+        feet: &[Foot],
     ) -> Result<Self, ImportError> {
         let mut joints = Vec::new();
         let mut next = (first, pose);
@@ -48,7 +49,7 @@ impl<'a> Chain<'a> {
             check_kind(joint)?;
             let links = tree.rigid(&joint.child, pose);
             let movable = tree.movable(&links);
-            let chosen = links.iter().find(|(link, _)| feet.contains(&link.name));
+            let chosen = feet.iter().find_map(|foot| on(foot, &links));
             let is_last = movable.is_empty() || chosen.is_some();
             joints.push(Turning {
                 joint,
@@ -58,8 +59,7 @@ impl<'a> Chain<'a> {
                 links: links.iter().map(|(link, _)| *link).collect(),
                 merged: merged(&links).filter(|_| !is_last).collect(),
             });
-            if let Some((link, pose)) = chosen {
-                let (end, foot) = (link.name.as_str(), pose.origin());
+            if let Some((end, foot)) = chosen {
                 return Ok(Chain { joints, end, foot });
             }
             match movable.as_slice() {
@@ -84,6 +84,16 @@ impl<'a> Chain<'a> {
     pub(super) fn name(&self) -> &'a str {
         self.joints.first().map_or("", |first| &first.joint.name)
     }
+}
+
+/// A foot that is on one of these links, and where: mm.
+fn on(foot: &Foot, links: &[(&Link, Pose)]) -> Option<(Foot, [f64; 3])> {
+    let (_, pose) = links.iter().find(|(link, _)| link.name == foot.link)?;
+    let place = Origin {
+        xyz: foot.at,
+        ..Origin::default()
+    };
+    Some((foot.clone(), pose.then(&place).origin()))
 }
 
 fn merged<'a>(links: &[(&'a Link, Pose)]) -> impl Iterator<Item = &'a str> {
@@ -125,12 +135,12 @@ fn foot<'a>(
     tree: &Tree<'a>,
     last: &Joint,
     links: &[(&'a Link, Pose)],
-) -> Result<(&'a str, [f64; 3]), ImportError> {
+) -> Result<(Foot, [f64; 3]), ImportError> {
     let behind = links.iter().skip(1);
     let ends: Vec<&(&Link, Pose)> = behind.filter(|(link, _)| tree.is_leaf(link)).collect();
     let (link, joint) = (last.child.clone(), last.name.clone());
     match ends.as_slice() {
-        [(end, pose)] => Ok((&end.name, pose.origin())),
+        [(end, pose)] => Ok((Foot::from(end.name.as_str()), pose.origin())),
         [] => Err(ImportError::new(Importing::NoFoot { link, joint })),
         [(one, _), (other, _), ..] => Err(ImportError::new(Importing::TwoFeet {
             link,

@@ -1,6 +1,7 @@
 //! What is chosen about the chains of a file: which are legs, in which order, and where they end.
 
 use super::ImportError;
+use super::foot::Foot;
 use super::pose::Pose;
 use super::robot::Joint;
 use super::tree::Tree;
@@ -20,10 +21,10 @@ use tipc::message::list::List;
 /// assert!(import.toml.contains("F1: joint J21 to link F2"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Choices {
-    /// Links that are feet, where those are not the last ones.
-    pub feet: Vec<String>,
+    /// Feet that are not the last links of their chains, or not where those have their frames.
+    pub feet: Vec<Foot>,
     /// Chains that are no legs.
     pub skip: Vec<String>,
     /// The chains that become F1, F2, …; empty for the order of the file.

@@ -45,7 +45,7 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
         let what = Importing::Leg {
             number,
             joint: printed(leg.name()),
-            link: printed(leg.end),
+            link: printed(&leg.end.to_string()),
         };
         report.push(what.clone());
         let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));

@@ -1,7 +1,7 @@
 //! Which chains become legs, in which order, and where they end.
 
 use crate::robots::{Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
-use tip_sim::urdf::{Choices, Import, import_with};
+use tip_sim::urdf::{Choices, Foot, Import, import_with};
 
 fn words(words: &[&str]) -> Vec<String> {
     words.iter().copied().map(str::to_owned).collect()
@@ -10,7 +10,7 @@ fn words(words: &[&str]) -> Vec<String> {
 /// Of feet, chains to skip, and chains in order.
 fn choices([feet, skip, order]: [&[&str]; 3]) -> Choices {
     Choices {
-        feet: words(feet),
+        feet: feet.iter().copied().map(Foot::from).collect(),
         skip: words(skip),
         order: words(order),
     }
@@ -154,4 +154,52 @@ fn a_foot_that_is_chosen_ends_its_chain() {
             &[no_foot, "ends no leg", "fl_toe, fr_toe"],
         );
     }
+}
+
+/// A quadruped whose last links have no links on them, and what its feet are at.
+fn footless(feet: &[Foot]) -> Result<Import, String> {
+    let mut joints = quadruped();
+    joints.retain(|joint| !joint.child.starts_with('e'));
+    let choices = Choices {
+        feet: feet.to_vec(),
+        ..Choices::default()
+    };
+    import_with("test.urdf", &urdf(&joints), &choices).map_err(|error| error.to_string())
+}
+
+#[test]
+fn a_place_on_the_last_link_is_as_good_as_a_link_there() {
+    let whole = taken(&quadruped(), [&[], &[], &[]]);
+    let at = quadruped();
+    let at = at.iter().find(|joint| joint.child == "e1").expect("a foot");
+    let feet = ["s1", "s2", "s3", "s4"].map(|link| Foot {
+        link: link.to_owned(),
+        at: at.xyz,
+    });
+    let placed = footless(&feet).unwrap_or_else(|error| panic!("{error}"));
+    let links = |import: &Import| -> Vec<String> {
+        let lines = import.toml.lines();
+        let links = lines.filter_map(|line| Some(line.split_once("link = ")?.1));
+        links
+            .map(|link| link[..=link.find(']').expect("an end")].to_owned())
+            .collect()
+    };
+    assert_eq!(links(&placed), links(&whole));
+    assert_eq!(links(&placed).len(), 12);
+    let end = format!("to link {}", feet[0]);
+    assert!(legs(&placed)[0].ends_with(&end), "{end}");
+}
+
+#[test]
+fn a_leg_without_foot_is_refused_with_the_option_that_says_where_it_is() {
+    let error = footless(&[]).expect_err("no feet");
+    assert!(error.contains("link `s1` after joint `k1`"), "{error}");
+    assert!(error.contains("`--foot s1=X,Y,Z`"), "{error}");
+    // Three of four are not enough.
+    let feet = ["s1", "s2", "s3"].map(Foot::from);
+    let error = footless(&feet).expect_err("one is missing");
+    assert!(error.contains("`--foot s4=X,Y,Z`"), "{error}");
+    let feet = ["s1", "s2", "s3", "s4", "s2"].map(Foot::from);
+    let error = footless(&feet).expect_err("one is there twice");
+    assert!(error.contains("names link `s2` twice"), "{error}");
 }

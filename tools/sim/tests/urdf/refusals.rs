@@ -27,7 +27,7 @@ fn what_is_no_leg_is_refused_by_name() {
     );
     refused(
         &[one()],
-        &["link `one` after joint `a`", "add a link there"],
+        &["link `one` after joint `a`", "`--foot one=X,Y,Z`"],
     );
     refused(
         &[one(), foot(), fixed("one", "lamp", TIP)],
