@@ -162,7 +162,7 @@ const USUAL: [&str; 14] = [
 
 /// The scripts outside the gate, what each is asked for, and what it needs beside Cargo.
 #[cfg(target_os = "linux")]
-const NEEDS: [(&str, &[&str], &[&str]); 22] = [
+const NEEDS: [(&str, &[&str], &[&str]); 23] = [
     ("benches/builds", &["cli"], &["strip is not installed"]),
     (
         "editors/vscode/build",
@@ -253,6 +253,7 @@ const NEEDS: [(&str, &[&str], &[&str]); 22] = [
         &["cargo-mutants is not installed: cargo install cargo-mutants"],
     ),
     ("tests/readme/run", &[], &["git is not installed"]),
+    ("tests/urdf/published", &[], &["python3 is not installed"]),
     ("tests/urdf/run", &[], &["python3 is not installed"]),
     (
         "tests/vscode/install",
