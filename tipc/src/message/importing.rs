@@ -134,6 +134,16 @@ messages! {
         "`--foot` names link `{link}` twice: a leg has one foot",
         "`--foot` がリンク `{link}` を2回指定しています。足先は脚ごとに1つです";
 
+    CannotStand { height: f64, near: f64 }
+        "no posture within the limits puts all feet {height} mm below the robot frame; one was found for `--stand {near}`",
+        "全ての足先をロボット座標系の{height} mm下に置ける姿勢が、限界の中にありません。`--stand {near}` なら可能です";
+    StandsNowhere
+        "no posture within the limits has all feet equally far below the robot frame: leave `--stand` out, and set `initial`",
+        "全ての足先が同じ高さになる姿勢が、限界の中に見つかりません。`--stand` を省いて `initial` を設定してください";
+    StandIsForWalkers
+        "`--stand` is for a robot that walks, and this one is bolted down: leave it out",
+        "`--stand` は歩くロボットのための指定ですが、これは固定されたロボットです。省いてください";
+
     // What is reported of one that is not.
     LeftOut { chains: List }
         "left out, as asked: the chains of {chains}",
@@ -150,6 +160,9 @@ messages! {
     InitialPosture
         "assumed: the initial posture is the middle of the limits; set `initial`",
         "仮定: 初期姿勢は限界の中央。`initial` を設定してください";
+    Stands { height: f64 }
+        "the initial posture has all feet {height} mm below the robot frame, as asked",
+        "初期姿勢では、指定どおり全ての足先がロボット座標系の{height} mm下にあります";
     Leg { number: usize, joint: String, link: String }
         "F{number}: joint {joint} to link {link}",
         "F{number}: 関節{joint}からリンク{link}まで";

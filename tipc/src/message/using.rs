@@ -25,6 +25,9 @@ messages! {
     NotAFoot { text: String }
         "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a place in its frame, in metres, as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
+    NotAHeight { text: String }
+        "`{text}` is not a height: write a number of mm above 0, as 250",
+        "`{text}` は高さではありません。250のように0より大きいmmの値を指定してください";
     NoRobot { word: String, robots: Each }
         "no robot is called `{word}`; there are {robots}, and yours in a FILE.toml",
         "`{word}` というロボットはありません。{robots}か、自分のロボットのファイル(FILE.toml)を指定してください";

@@ -45,6 +45,7 @@ mod read;
 mod robot;
 mod schema;
 pub(crate) mod shape;
+mod stand;
 mod tree;
 mod values;
 mod version;
@@ -60,7 +61,7 @@ use chain::Chain;
 use pose::Pose;
 use std::fmt;
 use tip_runtime::command::MAX;
-use tipc::description;
+use tipc::description::{self, Description};
 use tipc::message::Importing;
 use tipc::message::list::{Faults, List};
 use tree::Tree;
@@ -106,7 +107,7 @@ pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
 /// The same, with what is chosen about the file's chains.
 ///
 /// # Errors
-/// As [`import`]; names of chains or feet that the file does not have, or that leave no leg.
+/// As [`import`]; names of chains or feet that the file does not have, or that leave no leg; a height at which it cannot stand.
 pub fn import_with(
     source_name: &str,
     text: &str,
@@ -129,18 +130,32 @@ pub fn import_with(
         .collect::<Result<Vec<_>, _>>()?;
     check_feet(&legs, &choices.feet)?;
     check_sizes(&legs)?;
-    let found = Found {
+    let mut found = Found {
         name: &robot.name,
         is_bolted_down: tree.is_bolted_down(),
         mass: base.iter().map(|(link, _)| link.mass).sum(),
         extents: body::extents(&base),
         slider: body::slider(&tree, &base),
         legs: &legs,
+        stands: None,
     };
-    let (toml, mut report) = write::description(source_name, &found);
-    report.extend(left_out);
+    let (mut import, robot) = described(source_name, &found)?;
+    if let Some(height) = choices.stand {
+        if !found.walks() {
+            return Err(ImportError::new(Importing::StandIsForWalkers));
+        }
+        found.stands = Some((height, stand::postures(&robot, height)?));
+        (import, _) = described(source_name, &found)?;
+    }
+    import.report.extend(left_out);
+    Ok(import)
+}
+
+/// The description of what was found, as text and as it is read.
+fn described(source_name: &str, found: &Found<'_>) -> Result<(Import, Description), ImportError> {
+    let (toml, report) = write::description(source_name, found);
     match description::parse(source_name, toml.as_bytes()) {
-        Ok(_) => Ok(Import { toml, report }),
+        Ok(robot) => Ok((Import { toml, report }, robot)),
         Err(loaded) => {
             let faults = loaded.diagnostics.into_iter().map(|fault| fault.reason);
             let faults = Faults(faults.collect());

@@ -3,11 +3,13 @@
 use super::foot::{Feet, feet};
 use super::{Status, output, report};
 use crate::error::Error;
+use crate::usage::Wrong;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::urdf;
+use tipc::message::Using;
 
 /// `tipc robot import`
 #[derive(Debug, Args)]
@@ -18,7 +20,7 @@ A CHAIN is named by one of its joints or links, or by what only its first joint'
 
 Examples:
   tipc robot import quadruped.urdf -o quadruped.toml
-  tipc robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint -o dog.toml
+  tipc robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
   tipc robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
 
 Exit status: 0 if the description is written, 1 otherwise."
@@ -41,9 +43,24 @@ pub(crate) struct Import {
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     order: Vec<String>,
 
+    /// Begin with all feet so many mm below the robot frame, the body level; else in the middle of the limits
+    #[arg(long, value_name = "HEIGHT", value_parser = height)]
+    stand: Option<f64>,
+
     /// Write to a file instead of standard output
     #[arg(short, long, value_name = "OUT.toml")]
     out: Option<PathBuf>,
+}
+
+/// A height in mm.
+fn height(text: &str) -> Result<f64, Wrong> {
+    let number = text.trim().parse().ok();
+    let height = number.filter(|height: &f64| height.is_finite() && *height > 0.0);
+    height.ok_or_else(|| {
+        Wrong(Using::NotAHeight {
+            text: text.to_owned(),
+        })
+    })
 }
 
 /// Whether the name of a file says that it holds URDF.
@@ -77,6 +94,7 @@ pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
             .collect(),
         skip: arguments.skip.clone(),
         order: arguments.order.clone(),
+        stand: arguments.stand,
     };
     let Some(imported) = read(path, &choices) else {
         return Ok(Status::Failure);

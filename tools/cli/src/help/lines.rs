@@ -142,6 +142,10 @@ pub(super) const LINES: &[(&str, &str)] = &[
         "F1、F2、… にする連鎖をコンマで区切って並べる。省くとファイルの順",
     ),
     (
+        "Begin with all feet so many mm below the robot frame, the body level; else in the middle of the limits",
+        "初期姿勢で、全ての足先をロボット座標系のこの高さ (mm) だけ下に置き、胴体を水平にする。省くと限界の中央",
+    ),
+    (
         "The robot of every program: a name that 'tipc robot list' shows, or a description",
         "すべてのプログラムのロボット: 'tipc robot list' が示す名前、または記述ファイル",
     ),

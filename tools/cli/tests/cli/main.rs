@@ -14,6 +14,7 @@ mod fix;
 mod fmt;
 #[cfg(unix)]
 mod guides;
+mod imported;
 mod logged;
 mod logs;
 mod lsp;

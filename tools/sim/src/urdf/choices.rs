@@ -29,6 +29,8 @@ pub struct Choices {
     pub skip: Vec<String>,
     /// The chains that become F1, F2, …; empty for the order of the file.
     pub order: Vec<String>,
+    /// How far the initial posture of a robot that walks has its feet below the robot frame: mm.
+    pub stand: Option<f64>,
 }
 
 /// The first joint of a chain, and the pose of its frame.

@@ -2,6 +2,7 @@
 
 use super::chain::{Chain, Turning};
 use super::doubt;
+use super::stand::Postures;
 use super::values::printed;
 use std::fmt::Write as _;
 use tip_runtime::model::{Range, Slider};
@@ -25,6 +26,15 @@ pub(super) struct Found<'a> {
     pub(super) extents: Option<[Range; 3]>,
     pub(super) slider: Option<Slider>,
     pub(super) legs: &'a [Chain<'a>],
+    /// How high it is to stand (mm), and in which postures.
+    pub(super) stands: Option<(f64, Postures)>,
+}
+
+impl Found<'_> {
+    /// Whether it is a robot that can stand on its legs.
+    pub(super) fn walks(&self) -> bool {
+        !self.is_bolted_down && (self.legs.len() >= 3 || self.extents.is_some())
+    }
 }
 
 /// The text, and what was assumed or dropped.
@@ -34,8 +44,13 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
         Importing::Frames,
         Importing::Dropped,
         Importing::NoSensors,
-        Importing::InitialPosture,
+        match found.stands {
+            Some((height, _)) => Importing::Stands { height },
+            None => Importing::InitialPosture,
+        },
     ];
+    let postures = found.stands.iter().flat_map(|(_, postures)| postures);
+    let mut postures = postures.map(Vec::as_slice);
     let mut text = format!(
         "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
         printed(source_name),
@@ -48,7 +63,9 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
             link: printed(&leg.end.to_string()),
         };
         report.push(what.clone());
-        let _ = write!(text, "\n[[leg]] # {what}\n{}", leg_table(leg, &mut report));
+        let initial = postures.next();
+        let table = leg_table(leg, initial, &mut report);
+        let _ = write!(text, "\n[[leg]] # {what}\n{table}");
     }
     body(&mut text, found, &mut report);
     slider(&mut text, found.slider.as_ref(), &mut report);
@@ -69,9 +86,14 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     (text, report)
 }
 
-fn leg_table(leg: &Chain<'_>, report: &mut Vec<Importing>) -> String {
+fn leg_table(leg: &Chain<'_>, initial: Option<&[f64]>, report: &mut Vec<Importing>) -> String {
     let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
-    let mut text = format!("base = {}\njoint = [\n", vector(base.map(place)));
+    let mut text = format!("base = {}\n", vector(base.map(place)));
+    if let Some(angles) = initial {
+        let angles: Vec<f64> = angles.iter().copied().map(measure).collect();
+        let _ = writeln!(text, "initial = {angles:?}");
+    }
+    text.push_str("joint = [\n");
     let behind = leg.joints.iter().skip(1).map(|next| next.at);
     for (turning, next) in leg.joints.iter().zip(behind.chain([leg.foot])) {
         let link = [0, 1, 2].map(|i| place(next[i] - turning.at[i]));
@@ -111,8 +133,7 @@ fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
 
 /// The body of a robot that can stand on its legs.
 fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
-    let can_stand = found.legs.len() >= 3 || found.extents.is_some();
-    if found.is_bolted_down || !can_stand {
+    if !found.walks() {
         report.push(Importing::BoltedDown);
         return;
     }

@@ -13,6 +13,7 @@ fn choices([feet, skip, order]: [&[&str]; 3]) -> Choices {
         feet: feet.iter().copied().map(Foot::from).collect(),
         skip: words(skip),
         order: words(order),
+        stand: None,
     }
 }
 

@@ -8,6 +8,7 @@ mod export;
 mod frames;
 mod refusals;
 mod robots;
+mod stand;
 mod xacro;
 
 use frames::place;

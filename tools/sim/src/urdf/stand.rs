@@ -1,0 +1,108 @@
+//! How a robot stands with its body as high as it is asked to.
+
+use super::ImportError;
+use super::frame::length;
+use tip_runtime::kinematics::{Chain, inverse_from};
+use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
+use tipc::description::{Description, WithModel};
+use tipc::message::Importing;
+
+/// In so many steps feet are set nearer to their first joints, until all are within reach.
+const NEARER: u8 = 8;
+/// So many heights are tried where the one that is asked for is out of reach.
+const OTHERS: u16 = 40;
+/// Knees that are as high or as far behind as others but for less are so for rounding: mm.
+const ROUNDING: f64 = 1e-6;
+
+/// The posture of each leg: deg.
+pub(super) type Postures = Vec<Vec<f64>>;
+
+/// What puts all feet `height` (mm) below the robot frame; what cannot be reached is refused with a height that can.
+pub(super) fn postures(robot: &Description, height: f64) -> Result<Postures, ImportError> {
+    let stands = robot.with_model(Stand { height });
+    stands.map_err(|near| {
+        ImportError::new(match near {
+            Some(near) => Importing::CannotStand { height, near },
+            None => Importing::StandsNowhere,
+        })
+    })
+}
+
+struct Stand {
+    height: f64,
+}
+
+impl WithModel for Stand {
+    type Output = Result<Postures, Option<f64>>;
+
+    fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Self::Output {
+        stand(model.inverse, &model.legs, self.height)
+            .ok_or_else(|| nearest(model.inverse, &model.legs, self.height))
+    }
+}
+
+/// The whole height that is nearest to another one, of those that are tried.
+#[inline(never)] // Else it is compiled for each number of legs.
+fn nearest<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Option<f64> {
+    let size = |leg: &Leg<J>| {
+        leg.joints
+            .iter()
+            .map(|joint| length(joint.link))
+            .sum::<f64>()
+    };
+    let most = legs.iter().map(size).fold(0.0, f64::max);
+    let step = (most / f64::from(OTHERS)).ceil();
+    let heights = (1..=OTHERS).map(|number| f64::from(number) * step);
+    heights
+        .filter(|other| stand(kind, legs, *other).is_some())
+        .min_by(|a, b| (a - height).abs().total_cmp(&(b - height).abs()))
+}
+
+/// With each foot where it is while all joints are at 0, or as much nearer to its first joint as is needed.
+#[inline(never)]
+fn stand<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Option<Postures> {
+    (0..=NEARER).find_map(|step| {
+        let nearer = f64::from(step) / f64::from(NEARER);
+        let postures = legs.iter().map(|leg| {
+            let straight = Chain::new(leg, &[0.0; J]).foot();
+            let along = |axis: usize| straight[axis] + nearer * (leg.base[axis] - straight[axis]);
+            posture(kind, leg, [along(0), along(1), -height])
+        });
+        postures.collect()
+    })
+}
+
+/// The posture of a foot whose last joint is the highest, or else the one farthest behind: so all legs bend alike.
+fn posture<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<Vec<f64>> {
+    let mut best: Option<(Point, [f64; J])> = None;
+    for from in starts(leg) {
+        let Some(found) = inverse_from(kind, leg, &from, foot) else {
+            continue;
+        };
+        let knee = Chain::new(leg, &found).joints().last()?;
+        if best.is_none_or(|(other, _)| is_above(knee, other)) {
+            best = Some((knee, found));
+        }
+    }
+    best.map(|(_, found)| found.to_vec())
+}
+
+/// The initial posture, and those with the last joint a quarter of its limits off either end.
+fn starts<const J: usize>(leg: &Leg<J>) -> [[f64; J]; 3] {
+    let mut starts = [leg.initial; 3];
+    let [_, low, high] = &mut starts;
+    for (start, share) in [(low, 0.25), (high, 0.75)] {
+        if let (Some(angle), Some(joint)) = (start.last_mut(), leg.joints.last()) {
+            let Range { min, max } = joint.limits;
+            *angle = min + share * (max - min);
+        }
+    }
+    starts
+}
+
+fn is_above([_, y, z]: Point, [_, other_y, other_z]: Point) -> bool {
+    match (z - other_z).abs() > ROUNDING {
+        true => z > other_z,
+        false => y < other_y - ROUNDING,
+    }
+}
