@@ -97,8 +97,16 @@ impl Body {
         body
     }
 
-    /// Lies as its angle says, to the last bit.
-    pub(super) fn align(&mut self) {
+    /// Moves on at its velocity for `time` s, to the end of a cycle, where it lies as its angle says, to
+    /// the last bit.
+    pub(super) fn arrive(&mut self, time: f64) {
+        self.centre += self.velocity * time;
+        self.angle += self.spin * time;
+        self.align();
+    }
+
+    /// Lies as its angle says.
+    fn align(&mut self) {
         let (sin, cos) = libm::sincos(self.angle);
         self.right = Vector::new(cos, sin);
     }

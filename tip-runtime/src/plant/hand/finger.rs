@@ -20,6 +20,8 @@ pub(super) struct Link {
     sense: f64,
     /// At angle 0: m.
     straight: Vector,
+    /// From its middle to its ends: m.
+    pub(super) half: f64,
     /// How far it is turned from there: its cosine and sine.
     direction: Vector,
     /// From its joint to the next one, or to the fingertip: m.
@@ -39,10 +41,12 @@ pub(super) struct Link {
 impl Link {
     fn new(joint: &Joint) -> Self {
         let ([x, y, _], [_, _, sense]) = (joint.link, joint.axis);
+        let straight = Vector::new(x, y) / 1000.0;
         Link {
             mass: joint.mass,
             sense,
-            straight: Vector::new(x, y) / 1000.0,
+            straight,
+            half: straight.norm() / 2.0,
             direction: Vector::x(),
             along: Vector::zeros(),
             start: Vector::zeros(),
@@ -51,6 +55,12 @@ impl Link {
             turn: 0.0,
             acceleration: Vector::zeros(),
         }
+    }
+
+    /// Its middle: m.
+    #[inline]
+    pub(super) fn middle(&self) -> Vector {
+        self.start + self.along / 2.0
     }
 
     /// How fast a point of it moves: m/s.
@@ -129,8 +139,17 @@ impl<const J: usize> Finger<J> {
         self.links.last().map_or(self.base, |link| link.end)
     }
 
-    /// Its links are where its angles say, to the last bit.
-    pub(super) fn align(&mut self) {
+    /// Turns on at its rates for `time` s, to the end of a cycle, where its links are as its angles say, to
+    /// the last bit.
+    pub(super) fn arrive(&mut self, time: f64) {
+        for (angle, rate) in self.angles.iter_mut().zip(&self.rates) {
+            *angle += (rate * time).to_degrees();
+        }
+        self.align();
+    }
+
+    /// Its links are where its angles say.
+    fn align(&mut self) {
         let mut angle = 0.0;
         for (link, own) in self.links.iter_mut().zip(&self.angles) {
             angle += link.sense * own;

@@ -253,13 +253,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
             self.drift(dt, dt);
         }
         self.kick(dt);
-        self.drift(dt / 2.0, dt);
-        for FingerPlant { finger, .. } in &mut self.fingers {
-            finger.align();
-        }
-        for thing in self.things.iter_mut().flatten() {
-            thing.body.align();
-        }
+        self.arrive(dt / 2.0);
         self.watch();
     }
 
@@ -282,6 +276,17 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
         for thing in self.things.iter_mut().flatten() {
             thing.body.drift(time, dt);
+        }
+        self.slider.advance(time);
+    }
+
+    /// Moves everything on for `time` s at its velocity, to the end of a cycle.
+    fn arrive(&mut self, time: f64) {
+        for FingerPlant { finger, .. } in &mut self.fingers {
+            finger.arrive(time);
+        }
+        for thing in self.things.iter_mut().flatten() {
+            thing.body.arrive(time);
         }
         self.slider.advance(time);
     }

@@ -48,12 +48,16 @@ pub(super) fn of_link(
     body: &Body,
     seam: &mut Seam,
 ) -> Option<[Option<Overlap>; 5]> {
+    let near = body.reach + SWEEP;
+    let apart = near + link.half;
+    if *seam == Seam::UNKNOWN && (body.centre - link.middle()).norm_squared() > apart * apart {
+        return None;
+    }
     let along = link.end - link.start;
     let away = body.centre - link.start;
     let share = away.dot(&along) / along.norm_squared();
     let nearest = link.start + along * share.clamp(0.0, 1.0);
     let from = nearest - body.centre;
-    let near = body.reach + SWEEP;
     let is_far = from.norm_squared() > near * near;
     let side = libm::copysign(1.0, along.perp(&away));
     let is_beside = share > 0.0 && share < 1.0;

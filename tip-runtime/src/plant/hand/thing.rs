@@ -183,6 +183,10 @@ fn press(
     is_there: impl Fn(Vector) -> bool,
     dt: f64,
 ) -> bool {
+    if surface.height(body.centre) > body.reach {
+        *bristles = [Bristle::NONE; 4];
+        return false;
+    }
     let (friction, law) = (body.friction.min(surface.friction), body.law);
     let mut touches = false;
     let feelers = body.feelers(-surface.normal);
