@@ -5,7 +5,7 @@ mod random;
 use random::Random;
 use robustness::load::examine;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
+use std::{env, fs, thread};
 use tipc::Options;
 
 impl Random {
@@ -199,16 +199,22 @@ fn mutated_programs() {
         &mut paths,
     );
     paths.sort();
+    let mut texts = Vec::new();
     for path in paths {
         let bytes = fs::read(&path).expect("a readable case");
         if bytes.len() > 4000 {
             continue;
         }
-        examine(&bytes);
-        for _ in 0..3 {
-            examine(&mutated(&bytes, &mut random));
-        }
+        texts.extend((0..3).map(|_| mutated(&bytes, &mut random)));
+        texts.push(bytes);
     }
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let share = texts.len().div_ceil(threads).max(1);
+    thread::scope(|scope| {
+        for texts in texts.chunks(share) {
+            scope.spawn(|| texts.iter().for_each(|text| examine(text)));
+        }
+    });
 }
 
 /// The text after its version line with some bytes lost, doubled or replaced.
