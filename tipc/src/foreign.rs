@@ -117,8 +117,15 @@ pub(crate) fn goes_on(first: &str, word: &str) -> bool {
     begun.zip(part).is_some_and(|(begun, part)| {
         let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
         begun.habit == part.habit || is_loop
-    }) || begins_cases(first) && find(ROWS, word).is_some_and(|row| row.habit == Habit::Break)
+    }) || ends_routine(first, word)
+        || begins_cases(first) && find(ROWS, word).is_some_and(|row| row.habit == Habit::Break)
         || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
+}
+
+/// Whether a word ends the routine that another one begins: `PROC` … `ENDPROC`.
+fn ends_routine(first: &str, word: &str) -> bool {
+    let begins = find(ROWS, first).is_some_and(|row| row.habit == Habit::Subroutine);
+    begins && find(ROWS, word).is_some_and(|row| row.habit == Habit::SubEnd)
 }
 
 /// Whether a word ends a loop in another language, whatever began it.

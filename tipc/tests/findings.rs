@@ -55,7 +55,6 @@ fn people_read_what_stands_beside_each_program() {
 fn one_mistake_is_one_error() {
     // Programs with more than one mistake.
     let several = [
-        "basic_sub.prg",
         "else_colon.prg",
         "label_and_jump_bare.prg",
         "loop_without_colon.prg",

@@ -6,7 +6,7 @@ use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
-use crate::message::{Habit, Parsing, Structuring};
+use crate::message::{Habit, Message, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
 use std::collections::HashSet;
@@ -23,7 +23,7 @@ pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnosti
         },
         open: Vec::new(),
         owed: Vec::new(),
-        foreign: unknown_words(found),
+        foreign: foreign_statements(module, found),
         found,
     };
     for index in 0..count {
@@ -59,7 +59,7 @@ struct Matcher<'a> {
     result: Blocks,
     open: Vec<Open>,
     owed: Vec<Owed>,
-    /// Where a word stands that the language lacks, which is reported.
+    /// Where statements start that are those of another language, which is reported.
     foreign: HashSet<usize>,
     found: &'a mut Vec<Diagnostic>,
 }
@@ -346,8 +346,13 @@ impl Matcher<'_> {
     /// Whether a statement is wrong in itself, which is reported.
     fn is_reported(&self, index: usize) -> bool {
         let statement = &self.module.statements[index];
-        matches!(statement.kind, StatementKind::Broken(_))
-            || self.foreign.contains(&statement.span.start)
+        matches!(statement.kind, StatementKind::Broken(_)) || self.is_foreign(index)
+    }
+
+    /// Whether a statement is one of another language, which is reported.
+    fn is_foreign(&self, index: usize) -> bool {
+        let start = self.module.statements[index].span.start;
+        self.foreign.contains(&start)
     }
 
     fn place(&self, index: usize) -> Span {
@@ -355,9 +360,18 @@ impl Matcher<'_> {
     }
 }
 
-fn unknown_words(found: &[Diagnostic]) -> HashSet<usize> {
-    let unknown = found.iter().filter(|it| it.code == Code::UnknownCommand);
-    unknown.map(|it| it.span.start).collect()
+/// Where statements start whose first word the language lacks, or that open a block as another one does.
+fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
+    let starts = found.iter().filter_map(|it| {
+        let opens = [Habit::NoColon, Habit::NoBraces].map(Message::from);
+        match opens.contains(&it.reason) {
+            true => module
+                .statement_at(it.span.start)
+                .map(|at| module.statements[at].span.start),
+            false => (it.code == Code::UnknownCommand).then_some(it.span.start),
+        }
+    });
+    starts.collect()
 }
 
 fn name_of(operand: &Operand) -> Option<&str> {

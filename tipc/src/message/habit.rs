@@ -305,8 +305,8 @@ messages! {
         "no colon opens a block",
         "ブロックの始まりにコロンは書きません";
     WriteThen
-        "an IF opens its block with THEN; WHILE and FOR need no word",
-        "IFのブロックはTHENで始めます。WHILEとFORには何も要りません";
+        "an IF opens its block with THEN and ends with ENDIF; WHILE ends with WEND, FOR with NEXT",
+        "IFのブロックはTHENで始めてENDIFで閉じます。WHILEはWEND、FORはNEXTで閉じます";
     WithoutColon { word: SmolStr }
         "write `{word}` without a colon",
         "`{word}` の後にコロンは要りません";

@@ -9,7 +9,9 @@ use crate::message::phrase::End;
 use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case};
+use crate::syntax::{
+    Condition, Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case,
+};
 use tip_runtime::command::Flag;
 
 /// The words that follow the condition of an IF.
@@ -151,15 +153,27 @@ impl Reader<'_> {
     }
 
     pub(super) fn while_statement(&mut self, keyword: Span) -> Read {
-        let condition = Box::new(self.condition()?);
+        let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
         Ok((StatementKind::While { keyword, condition }, end))
     }
 
     pub(super) fn until(&mut self, keyword: Span) -> Read {
-        let condition = Box::new(self.condition()?);
+        let condition = Box::new(self.last_condition()?);
         let end = self.end_of_condition();
         Ok((StatementKind::Until { keyword, condition }, end))
+    }
+
+    /// A condition after which nothing may stand. In `INPOS ALL` half a flag is none.
+    fn last_condition(&mut self) -> Parsed<Condition> {
+        let condition = self.condition()?;
+        match self.flag_or_command() {
+            Some(habit) => {
+                let end = End::Condition;
+                Err(self.fault_with_help(self.rest(), Parsing::NothingBehind { end }, habit))
+            }
+            None => Ok(condition),
+        }
     }
 
     fn end_of_condition(&self) -> Parsed<()> {

@@ -164,9 +164,10 @@ impl Matcher<'_> {
         let fault = Diagnostic::new(Code::Structure, end.to(second.span), reason)
             .label(self.place(innermost.first), Structuring::Open { opener })
             .help(help);
-        // `REPEAT 5` … `END REPEAT` is one mistake.
-        let counts = innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
-        self.found.extend(Some(fault).filter(|_| !counts));
+        // `SUB WALK` … `END SUB` is one mistake, and so is `REPEAT 5` … `END REPEAT`.
+        let is_one = self.is_foreign(innermost.first)
+            || innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
+        self.found.extend(Some(fault).filter(|_| !is_one));
         for open in self.open.drain(..) {
             self.result.blocks[open.block].broken = true;
         }

@@ -1,0 +1,8 @@
+3.1
+A title
+DEF_VAR N
+N = 0
+WHILE N < 3:
+    N = N + 1
+MESSAGE %N%
+END

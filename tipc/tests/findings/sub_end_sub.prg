@@ -1,0 +1,8 @@
+3.1
+A title
+CALL WALK:
+EXIT
+SUB WALK()
+ALL_STOP
+END SUB
+END
