@@ -139,8 +139,20 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     if loaded.program.is_some() {
         targets::check(arguments)?;
     }
-    // The trace first: it changes nothing before the end, and where it cannot be written no log is touched.
-    let trace = match (&arguments.trace, &loaded.program) {
+    let program = loaded.program.take();
+    let job = Job {
+        arguments,
+        loaded: &loaded,
+        inputs: &inputs,
+        process,
+    };
+    // A process that does not start leaves no file.
+    let begun = match program {
+        Some(program) => Some(job.begin(program, &robot)?),
+        None => None,
+    };
+    // Then the trace: it changes nothing before the end, and where it cannot be written no log is touched.
+    let trace = match (&arguments.trace, &begun) {
         (Some(path), Some(_)) => {
             let extras = Extras {
                 state: arguments.trace_state,
@@ -154,16 +166,8 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
         _ => None,
     };
-    match loaded.program.take() {
-        Some(program) => {
-            let job = Job {
-                arguments,
-                loaded: &loaded,
-                inputs: &inputs,
-                process,
-            };
-            job.simulate(program, robot, trace, logs)
-        }
+    match begun {
+        Some(begun) => job.simulate(begun, &robot, trace, logs),
         None => Ok(Status::Failure),
     }
 }
@@ -179,11 +183,18 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
+    /// The run before its first cycle.
+    fn begin(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
+        let run = self.start(Interpreter::new(program), robot)?;
+        run.with_events(&self.inputs.events)
+            .map_err(|refused| Error::Usage(refused.to_string()))
+    }
+
     /// Runs it, and reports how it ended.
     fn simulate(
         &self,
-        program: Program,
-        robot: Robot,
+        begun: tip_sim::Run,
+        robot: &Robot,
         mut trace: Option<Trace>,
         logs: Option<LogFiles<()>>,
     ) -> Result<Status, Error> {
@@ -191,12 +202,7 @@ impl Job<'_> {
         let screen = Screen::new(self.progress(), messages, logs);
         let anatomy = robot.anatomy();
         let options = self.arguments.source.options(robot.options().robot);
-        let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
-        let mut run = self
-            .start(Interpreter::new(program), robot)?
-            .with_events(&self.inputs.events)
-            .map_err(|refused| usage(&refused))?
-            .with_console(screen);
+        let mut run = begun.with_console(screen);
         let mut watch = Watch {
             job: self,
             trace: trace.as_mut(),
@@ -239,14 +245,14 @@ impl Job<'_> {
     }
 
     /// Puts the program on its robot.
-    fn start(&self, program: Interpreter, robot: Robot) -> Result<tip_sim::Run, Error> {
+    fn start(&self, program: Interpreter, robot: &Robot) -> Result<tip_sim::Run, Error> {
         match &self.process {
             Some(process) => {
                 let lang = self.arguments.source.shown.lang();
-                let run = tip_sim::Run::external(program, &robot, process);
+                let run = tip_sim::Run::external(program, robot, process);
                 run.map_err(|refused| Error::Failed(refused.text(lang)))
             }
-            None => tip_sim::Run::new(program, robot)
+            None => tip_sim::Run::new(program, robot.clone())
                 .map_err(|mismatch| Error::Usage(mismatch.to_string())),
         }
     }

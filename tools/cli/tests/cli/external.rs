@@ -126,8 +126,18 @@ TIP_ERR:Hardware fault plant: answer is not finite (RobotError)
 fn a_process_that_is_not_there() {
     let folder = folder("external-none");
     let outcome = folder
-        .tipc(&["run", "nod.prg", "--plant", "exec:./none x"])
+        .tipc(&[
+            "run",
+            "nod.prg",
+            "--plant",
+            "exec:./none x",
+            "--out-dir",
+            "logs",
+            "--trace",
+            "nod.trace",
+        ])
         .expect(1);
+    assert!(!folder.has("logs") && !folder.has("nod.trace"));
     assert!(
         outcome
             .err
