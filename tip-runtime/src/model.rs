@@ -51,6 +51,8 @@ pub use check::{ModelError, Place};
 #[cfg(feature = "control")]
 pub(crate) use whole::Whole;
 
+use core::fmt;
+
 /// Whose commands a robot understands (the letters T, H, G of the language reference).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Family {
@@ -60,6 +62,16 @@ pub enum Family {
     Hand,
     /// A generic robot of n joints by m legs.
     Generic,
+}
+
+impl fmt::Display for Family {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Family::Titan => "TITAN VIII",
+            Family::Hand => "Hiroshima Hand",
+            Family::Generic => "generic robots",
+        })
+    }
 }
 
 /// An interval that contains both ends.

@@ -41,7 +41,10 @@ fn describe(f: &mut fmt::Formatter<'_>, robot: Signature) -> fmt::Result {
         legs,
         joints,
     } = robot;
-    write!(f, "{robot} ({family:?}, {legs} legs of {joints} joints)")
+    write!(
+        f,
+        "{robot} (commands of {family}, {legs} legs of {joints} joints)"
+    )
 }
 
 impl core::error::Error for Mismatch {}

@@ -217,7 +217,7 @@ fn a_program_for_another_robot_is_refused_by_name() {
         .expect("another robot");
     assert_eq!(
         std::format!("{refused}"),
-        "the program was compiled for titan8 (Titan, 4 legs of 3 joints), \
-         the robot is generic (Generic, 4 legs of 3 joints)"
+        "the program was compiled for titan8 (commands of TITAN VIII, 4 legs of 3 joints), \
+         the robot is generic (commands of generic robots, 4 legs of 3 joints)"
     );
 }
