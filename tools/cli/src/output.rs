@@ -1,6 +1,7 @@
 //! Files that appear complete or not at all, and standard output that may be closed.
 
 use super::error::{Error, is_closed};
+use super::interrupt;
 use std::borrow::Cow;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
@@ -10,8 +11,11 @@ use std::time::Duration;
 use tip_runtime::printable::Printable;
 use tip_runtime::record::WholeFile;
 
-/// Gives the file at `path` a new content.
+/// Gives the file at `path` a new content. Whoever should read a pipe may never come: a signal ends the process then.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
+    if is_pipe(path) {
+        interrupt::release();
+    }
     let written = begin(path).and_then(|mut file| {
         file.write_all(content.as_ref())?;
         file.commit()

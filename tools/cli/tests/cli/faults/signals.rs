@@ -3,6 +3,7 @@
 use super::Row;
 use super::bench::{Bench, RUN};
 use super::terminal::Pty;
+use crate::support::Folder;
 use rustix::process::{Pid, Signal, kill_process};
 use std::fs;
 use std::io::Read;
@@ -50,7 +51,7 @@ pub(super) fn rows() -> Vec<Row> {
         row(
             "once, while it is blocked on a full pipe, or before a pipe that nobody reads",
             "ends within 3 s with status 130; the earlier trace and logs stay",
-            times(1, |_| stuck_once()) + times(1, |_| never_read()),
+            times(1, |_| stuck_once()) + times(1, |_| never_read()) + times(2, never_shown),
         ),
         row(
             "at a terminal, as a key",
@@ -200,13 +201,24 @@ fn stuck_once() {
 /// The trace goes to a pipe that nobody reads.
 fn never_read() {
     let bench = Bench::endless("signal-unread", WAITS);
-    let made = Command::new("mkfifo")
-        .arg(bench.folder.path("pipe"))
-        .status();
-    assert!(made.expect("mkfifo starts").success());
     let mut arguments = RUN;
     arguments[5] = "pipe";
-    let mut command = bench.folder.command(&arguments);
+    wait_for_a_reader(&bench.folder, &arguments);
+    assert_eq!(bench.texts(), bench.earlier);
+}
+
+/// A page or a plot of a run that is over goes to a pipe that nobody reads.
+fn never_shown(n: u64) {
+    let folder = Folder::new("signal-unshown").program("short.prg", "ALL_STOP\nEND");
+    let command = ["view", "plot"][n as usize];
+    wait_for_a_reader(&folder, &[command, "short.prg", "-o", "pipe"]);
+}
+
+/// Runs a command that writes to the pipe, until one signal ends it.
+fn wait_for_a_reader(folder: &Folder, arguments: &[&str]) {
+    let made = Command::new("mkfifo").arg(folder.path("pipe")).status();
+    assert!(made.expect("mkfifo starts").success());
+    let mut command = folder.command(arguments);
     let mut child = command.stdout(Stdio::null()).spawn().expect("tipc starts");
     // It catches the signal before it looks for a reader.
     sleep(Duration::from_millis(500));
@@ -214,7 +226,6 @@ fn never_read() {
     interrupt(&child);
     let status = child.wait().expect("it ends");
     assert!(matches!(status.code(), Some(130) | None), "{status}");
-    assert_eq!(bench.texts(), bench.earlier);
 }
 
 /// Whether the first thread sleeps, now and for a while.
