@@ -80,3 +80,46 @@ fn stand_up_and_sit_down_come_back() {
     rig.idle(50);
     assert!(distance(rig.foot(3), before) < 1e-6);
 }
+
+// clauses: 2.24 7.2
+#[test]
+fn a_stretched_leg_that_turns_brakes_by_its_joints_before_its_foot_sets_off() {
+    let mut rig = Rig::titan();
+    // The knee's working limit: the foot is on the border of its reach, and goes along it.
+    rig.done(Op::PtpAngle, F1, &[0.0, 0.0, 5.0]);
+    rig.cycles(Op::WaitInpos, F1, &[]);
+    rig.done(Op::OmegaControl, Target::Joint(1, 1), &[60.0]);
+    rig.idle(20);
+    let mut angles = vec![rig.commanded()[0]];
+    rig.idle(1);
+    angles.push(rig.commanded()[0]);
+    rig.done(Op::Ptp, F1, &[-391.0, 301.0, -150.0]);
+    for _ in 0..9 {
+        angles.push(rig.commanded()[0]);
+        rig.idle(1);
+    }
+    // 60 deg/s take 8.3 cycles of 20 ms at 360 deg/s²; nothing else turns meanwhile.
+    for three in angles.windows(3) {
+        let bend = three[2][0] - 2.0 * three[1][0] + three[0][0];
+        assert!((-0.144 - 1e-9..1e-9).contains(&bend), "{bend}");
+        assert_eq!(three[2][1..], three[0][1..]);
+    }
+    rig.cycles(Op::WaitInpos, F1, &[]);
+    assert!(distance(rig.foot(1), [-391.0, 301.0, -150.0]) < 2.1);
+}
+
+// clauses: 2.24 7.2
+#[test]
+fn a_foot_whose_leg_turns_sets_off_at_once_where_it_stays_within_reach() {
+    let mut rig = Rig::titan();
+    rig.done(Op::OmegaControl, Target::Joint(1, 1), &[30.0]);
+    rig.idle(10);
+    let before = rig.foot(1);
+    rig.idle(1);
+    let turning = rig.foot(1);
+    rig.done(Op::Ptp, F1, &[-391.0, 201.0, -120.0]);
+    // It goes on as fast as it went, and up as well.
+    let (after, way) = (rig.foot(1), distance(turning, before));
+    assert!((distance(after, turning) - way).abs() < 600.0 * 0.02 * 0.02 + 0.1);
+    assert!(after[2] > turning[2] + 0.01, "{after:?}");
+}

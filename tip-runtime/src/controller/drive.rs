@@ -2,6 +2,7 @@
 
 mod advance;
 mod bend;
+mod brake;
 mod guide;
 mod law;
 mod lead;
@@ -107,7 +108,8 @@ impl<const J: usize> LegDrive<J> {
             Drive::Joints(joints) => joints.iter().all(Track::is_at_rest),
             Drive::Foot(foot) => foot.is_at_rest() && self.lead.is_at_rest(),
             Drive::Third(third, joints) => {
-                third.is_at_rest() && joints.iter().skip(THIRD).all(Track::is_at_rest)
+                let joints = joints.iter().skip(THIRD);
+                third.is_at_rest() && self.lead.is_at_rest() && { joints }.all(Track::is_at_rest)
             }
         }
     }

@@ -6,7 +6,7 @@ use super::trajectory::{Goal, Track};
 use super::{ControllerView, targets};
 use crate::command::{Command, Target, Value};
 use crate::fault::Fault;
-use crate::kinematics::{self, LegPoint};
+use crate::kinematics::{self, Chain, LegPoint};
 use crate::model::{Family, Point};
 
 impl<const J: usize> ControllerView<'_, J> {
@@ -22,26 +22,42 @@ impl<const J: usize> ControllerView<'_, J> {
         let values: &[Value; 3] = command.values.try_into().map_err(|_| Fault::Domain)?;
         let inverse = self.robot.inverse;
         let leg = self.leg(n)?;
-        let track = leg.drive.point(point, leg.model, inverse);
+        let moving = leg.drive.point(point, leg.model, inverse);
+        let limits = leg.params.foot.limits();
         let stop = base == Base::Target && is_zero(values);
-        let mut lead = Lead::None;
-        let target = if stop {
-            let rest = track.rest_point(leg.params.foot.limits());
+        // Coming to rest here keeps the braking that the present motion allows.
+        let hs = command.hs || (stop && moving.goal().is_hs());
+        let mut target = if stop {
+            let rest = moving.rest_point(limits);
             nearest_place(inverse, leg.model, point, &leg.drive.angles, rest)
         } else {
             let from = match base {
                 Base::Operand => leg.place(point, inverse)?,
                 Base::Target => leg.target(point, inverse)?,
             };
-            let target = inverse.flat(resolve_from(values, from, base)?);
-            let line = (track.position(), target);
-            lead = Lead::to_place(inverse, leg.model, point, &leg.drive.angles, line);
-            self.require_reach(n, point, target)?;
-            target
+            inverse.flat(resolve_from(values, from, base)?)
         };
-        // Coming to rest here keeps the braking that the present motion allows.
-        let hs = command.hs || (stop && track.goal().is_hs());
-        self.take_point(n, point, track.towards(Goal::Point { target, hs }))?;
+        let track = moving.towards(Goal::Point { target, hs });
+        let how = (inverse, limits);
+        let lead = match leg.drive.brakes_first(point, &track, leg.model, how) {
+            Some(rates) => {
+                if stop {
+                    let angles = leg.drive.rest_angles(&rates, leg.model, &leg.params);
+                    let rest = Chain::new(leg.model, &angles).point(point);
+                    target = rest.map_or(target, |rest| inverse.flat(rest));
+                }
+                Lead::Brakes(rates)
+            }
+            None if stop => Lead::None,
+            None => {
+                let line = (track.position(), target);
+                Lead::to_place(inverse, leg.model, point, &leg.drive.angles, line)
+            }
+        };
+        if !stop {
+            self.require_reach(n, point, target)?;
+        }
+        self.take_point(n, point, moving.towards(Goal::Point { target, hs }))?;
         targets::leg_mut(&mut self.legs, n)?.drive.lead = lead;
         Ok(())
     }

@@ -9,6 +9,7 @@ mod course;
 mod tests;
 mod vector;
 
+use core::f64::consts::SQRT_2;
 use course::Course;
 
 /// A remaining time of no more than this is rounding: s.
@@ -148,6 +149,17 @@ impl<const N: usize> Track<N> {
         self.goal.target().map_or(self.position, |target| {
             Course::new(self.position, self.velocity, target).swing(self.in_force(limits))
         })
+    }
+
+    /// Where the set point is after a share of the time in which it joins the straight line to its target, at most, if
+    /// it moves away from it at first.
+    pub(crate) fn ahead(mut self, limits: Limits, share: f64) -> [f64; N] {
+        let acceleration = self.in_force(limits).acceleration;
+        if acceleration > 0.0 {
+            let braking = SQRT_2 * vector::norm(self.velocity) / acceleration;
+            self.advance(limits, (share * braking).min(UNBOUNDED), false);
+        }
+        self.position
     }
 
     /// Moves on by `dt` seconds; a held set point brakes and stays, whatever its goal.

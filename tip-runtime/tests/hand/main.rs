@@ -2,6 +2,7 @@
 #![cfg(feature = "control")]
 
 mod forces;
+mod onward;
 mod paths;
 mod positions;
 mod postures;

@@ -3,7 +3,7 @@
 //! `PATHS=10000 cargo test --release -p tip-runtime --test hand paths -- --nocapture` tries that many
 //! lines of each finger and of each third joint, and prints the counts.
 
-mod search;
+pub(crate) mod search;
 
 use crate::rig::{F1, Hand};
 use search::{Place, fingertip_goes, third_joint_goes};
@@ -18,7 +18,7 @@ const POSTURES: usize = 100;
 
 /// What became of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum End {
+pub(crate) enum End {
     Refused,
     Stopped,
     Arrived,
@@ -42,10 +42,10 @@ impl Count {
 }
 
 /// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
-struct Dice(u64);
+pub(crate) struct Dice(pub(crate) u64);
 
 impl Dice {
-    fn within(&mut self, min: f64, max: f64) -> f64 {
+    pub(crate) fn within(&mut self, min: f64, max: f64) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -54,7 +54,7 @@ impl Dice {
 }
 
 /// The hand with finger `n` at rest in a posture.
-fn resting(n: u8, start: [f64; 3]) -> Hand {
+pub(crate) fn resting(n: u8, start: [f64; 3]) -> Hand {
     let mut rig = Hand::new();
     rig.sensors.angles[usize::from(n) - 1] = start;
     rig.controller
@@ -66,7 +66,7 @@ fn resting(n: u8, start: [f64; 3]) -> Hand {
 }
 
 /// A place in the robot frame, from one in the frame of finger `n`.
-fn of_finger(n: u8, [x, y]: Place) -> [f64; 3] {
+pub(crate) fn of_finger(n: u8, [x, y]: Place) -> [f64; 3] {
     let base = hand::MODEL.legs[usize::from(n) - 1].base[0];
     [base + x * -base.signum(), y, 0.0]
 }
@@ -77,7 +77,7 @@ fn go(n: u8, target: Target, start: [f64; 3], place: Place) -> End {
 }
 
 /// What PTP of a finger's point makes of a line, from where it is.
-fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End {
+pub(crate) fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End {
     if rig.run(Op::Ptp, target, &of_finger(n, place)).is_err() {
         return End::Refused;
     }

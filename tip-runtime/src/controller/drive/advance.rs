@@ -3,7 +3,7 @@
 use super::law::{bounded, spring};
 use super::reach::{follow, name};
 use super::trial::PointOfLeg;
-use super::{Drive, LegDrive, Solved, THIRD};
+use super::{Drive, Lead, LegDrive, Solved, THIRD};
 use crate::controller::params::{JointParams, LegParams, PointParams};
 use crate::controller::targets::number;
 use crate::controller::trajectory::{Goal, Track};
@@ -101,7 +101,7 @@ impl<const J: usize> LegDrive<J> {
         result
     }
 
-    fn advance_stiff_joint(
+    pub(super) fn advance_stiff_joint(
         &mut self,
         (n, m): (u8, usize),
         track: &mut Track<1>,
@@ -160,6 +160,9 @@ impl<const J: usize> LegDrive<J> {
         if track.goal().is_soft() {
             self.advance_soft_point(point, track, leg, going);
             return Ok(());
+        }
+        if let Lead::Brakes(rates) = self.lead {
+            return self.brake(point, track, rates, (leg, going));
         }
         let before = *track;
         let limits = leg.params.foot.limits();

@@ -19,6 +19,8 @@ use crate::model::{Inverse, Leg};
 pub(in crate::controller) enum Lead<const J: usize> {
     /// Nobody: there are none, or no postures lead to the target.
     None,
+    /// Every joint for itself, as it brakes from these rates before the point sets off: deg/s.
+    Brakes([f64; J]),
     /// Postures that are yet to be found.
     Sought(Search<J>),
     /// The leg bends, and follows its line then.
@@ -103,7 +105,7 @@ impl<const J: usize> Lead<J> {
     /// Moves on by `dt` seconds, with `line` left for the point; what is held waits.
     pub(super) fn advance(&mut self, line: Line, dt: f64, held: bool) {
         match self {
-            Lead::None | Lead::Sought(_) => {}
+            Lead::None | Lead::Brakes(_) | Lead::Sought(_) => {}
             Lead::Bends(bend) => bend.advance(dt, held),
             Lead::Found(guide) => guide.advance(line, dt, held),
         }
@@ -112,7 +114,7 @@ impl<const J: usize> Lead<J> {
     pub(super) fn is_at_rest(&self) -> bool {
         match self {
             Lead::None | Lead::Sought(_) => true,
-            Lead::Bends(_) => false,
+            Lead::Brakes(_) | Lead::Bends(_) => false,
             Lead::Found(guide) => guide.is_at_rest(),
         }
     }
@@ -120,7 +122,7 @@ impl<const J: usize> Lead<J> {
     /// The posture that the joints at `angles` turn towards, for a point on `line`.
     pub(super) fn posture(&self, angles: &[f64; J], line: Line) -> Option<[f64; J]> {
         match self {
-            Lead::None => None,
+            Lead::None | Lead::Brakes(_) => None,
             Lead::Sought(_) => Some(*angles),
             Lead::Bends(bend) => Some(bend.posture(angles)),
             Lead::Found(guide) => Some(guide.posture(line.0, line.1)),
@@ -129,6 +131,6 @@ impl<const J: usize> Lead<J> {
 }
 
 /// Whether enough joints move a point for every direction, and a closed form does not decide.
-fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
+pub(super) fn has_choice<const J: usize>(inverse: Inverse, point: LegPoint) -> bool {
     !inverse.is_closed() && !has_few_joints::<J>(inverse, point)
 }

@@ -16,10 +16,10 @@ const FINENESS: usize = 2;
 const DIRECTIONS: usize = 420 * FINENESS;
 
 /// A place from the finger's base, in a frame in which every finger closes to the right: mm.
-pub(super) type Place = [f64; 2];
+pub(crate) type Place = [f64; 2];
 
 /// Where joint 3 is, and where the fingertip.
-pub(super) fn places(angles: [f64; 3]) -> [Place; 2] {
+pub(crate) fn places(angles: [f64; 3]) -> [Place; 2] {
     let (mut at, mut turned, mut found) = ([0.0, 0.0], 0.0_f64, [[0.0; 2]; 3]);
     for (m, (length, angle)) in LENGTHS.iter().zip(angles).enumerate() {
         turned += angle.to_radians();
@@ -58,7 +58,7 @@ fn sides(start: [f64; 3]) -> Vec<f64> {
 }
 
 /// Whether joint 3 can go straight from a posture to a place, without changing the side of the elbow.
-pub(super) fn third_joint_goes(start: [f64; 3], to: Place) -> bool {
+pub(crate) fn third_joint_goes(start: [f64; 3], to: Place) -> bool {
     let [from, _] = places(start);
     sides(start)
         .into_iter()
@@ -78,7 +78,7 @@ fn directions(at: Place, side: f64) -> Vec<bool> {
 
 /// Whether the fingertip can go straight from a posture to a place, without changing the side of the
 /// elbow: directions that can be had spread to their neighbours, piece by piece of the line.
-pub(super) fn fingertip_goes(start: [f64; 3], to: Place) -> bool {
+pub(crate) fn fingertip_goes(start: [f64; 3], to: Place) -> bool {
     let [_, from] = places(start);
     let direction = (start.iter().sum::<f64>() - FIRST) * FINENESS as f64;
     sides(start).into_iter().any(|side| {
