@@ -17,8 +17,10 @@
 //! assert!((on_feet + plant.belly_load() - 20.0 * 9.80665).abs() < 1e-6);
 //! ```
 
+mod bump;
 mod clash;
 mod contact;
+mod cuboid;
 mod factor;
 mod foothold;
 mod frame;
@@ -194,9 +196,10 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         })
     }
 
-    /// How much the corners of the body carry: N.
+    /// How much the body carries by itself: N.
     pub fn belly_load(&self) -> f64 {
-        self.robot.trunk.loads.iter().sum()
+        let trunk = &self.robot.trunk;
+        trunk.loads.iter().sum::<f64>() + trunk.propped
     }
 
     /// The centre of mass in the world: mm.

@@ -157,24 +157,67 @@ fn a_robot_stands_on_a_block_and_is_stopped_by_one() {
 
 #[test]
 fn a_thigh_rests_on_what_is_between_its_ends() {
-    // A post under the middle of the front left thigh, 20 mm below it; the straight leg is lowered by 20 deg.
-    let post = Block {
-        x: [-320.0, -220.0],
-        y: [150.0, 250.0],
-        height: 180.0,
-    };
-    let scene = Scene::EMPTY.with_block(post).expect("a block");
+    // A post 10 mm under the front left thigh; the straight leg is lowered by 20 deg, its foot still above the floor.
     let mut low = initial();
     low[0] = [0.0, -20.0, 5.0];
-    let [free, held] = [Scene::EMPTY, scene].map(|scene| {
+    let body = |scene: &Scene| {
+        let mut plant = titan().with_scene(scene);
+        go(&mut plant, low);
+        plant.body().position[2]
+    };
+    let free = body(&Scene::EMPTY);
+    for x in [[-320.0, -220.0], [-245.0, -225.0], [-200.0, -190.0]] {
+        let post = Block {
+            x,
+            y: [100.0, 300.0],
+            height: 190.0,
+        };
+        let scene = Scene::EMPTY.with_block(post).expect("a block");
+        let held = body(&scene);
+        assert!(held > free + 2.0, "{held} mm on {x:?}, {free} mm without");
+    }
+}
+
+#[test]
+fn a_body_stops_at_what_is_narrower_than_it() {
+    // A post 50 mm in front of the body's middle, higher than the body or not, against which it is pushed with 300 N.
+    for height in [300.0, 800.0] {
+        let post = Block {
+            x: [-30.0, 30.0],
+            y: [280.0, 340.0],
+            height,
+        };
+        let scene = Scene::EMPTY.with_block(post).expect("a block");
         let mut plant = titan().with_scene(&scene);
-        hold(&mut plant, low, 75);
-        plant.body().roll
-    });
-    assert!(
-        free.abs() < 0.1 && held > 0.5,
-        "it is propped up: {free} deg, {held} deg"
-    );
+        assert!(plant.push([0.0, 300.0, 0.0], 200));
+        hold(&mut plant, initial(), 200);
+        let place = plant.body().position[1];
+        assert!((place - 50.0).abs() < 5.0, "{place} mm");
+        assert_eq!(falls(&plant), 0);
+    }
+}
+
+#[test]
+fn a_body_rests_on_what_is_under_it() {
+    // A stone whose corners are under the belly, beams across and along, which no corner of the body meets: legs that are drawn up
+    // leave the body on it.
+    let reach = [-2000.0, 2000.0];
+    for (x, y) in [
+        ([-60.0, 60.0], [-100.0, 100.0]),
+        (reach, [-60.0, 60.0]),
+        ([-60.0, 60.0], reach),
+    ] {
+        let height = 40.0;
+        let scene = Scene::EMPTY.with_block(Block { x, y, height });
+        let mut plant = titan().with_scene(&scene.expect("a block"));
+        let begins = plant.body().position[2];
+        assert!((begins - 240.0).abs() < 1.0, "{begins} mm");
+        hold(&mut plant, [[0.0, 0.0, 60.0]; 4], 100);
+        let body = plant.body();
+        assert!((body.position[2] - 240.0).abs() < 1.0, "{body:?}");
+        assert!((plant.belly_load() / WEIGHT - 1.0).abs() < 1e-3);
+        assert!(body.pitch.abs() < 1.0 && body.roll.abs() < 1.0, "{body:?}");
+    }
 }
 
 #[test]

@@ -40,6 +40,28 @@ pub(super) struct Touch {
     pub(super) friction: f64,
 }
 
+/// What a touch faces upwards by at least to carry anything; a wall does not.
+const CARRIES: f64 = 0.25;
+
+impl Touch {
+    /// What carries of a force on it: N.
+    #[inline]
+    pub(super) fn load(&self, force: Vector) -> f64 {
+        if self.normal.z > CARRIES {
+            force.dot(&self.normal)
+        } else {
+            0.0
+        }
+    }
+
+    /// The force (N) on a place that rubs along: one whose bristle nobody keeps.
+    #[inline]
+    pub(super) fn rub(self, velocity: Vector, law: &Law, dt: f64) -> Vector {
+        let mut bare = Grip::FREE;
+        bare.force(Some(self), velocity, law, dt)
+    }
+}
+
 /// How far the bristle of a contact is bent, in the world: m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grip(Vector);

@@ -118,15 +118,20 @@ impl<const J: usize> LegBody<J> {
             let (end, velocity) = walk.end(joint);
             let place = world.frame.position + end;
             let touch = world.terrain.and_then(|terrain| terrain.touch(place));
-            let force = grip.force(touch, velocity, world.law, world.stride.dt);
-            link.force = link.force - Spatial::pushing(force, end);
-            if let Some(terrain) = blocks {
-                for (between, velocity) in walk.between(joint) {
-                    let touch = terrain.block(world.frame.position + between);
-                    let mut bare = Grip::FREE;
-                    let force = bare.force(touch, velocity, world.law, world.stride.dt);
-                    link.force = link.force - Spatial::pushing(force, between);
-                }
+            let bars = blocks.iter();
+            let bars = bars.flat_map(|terrain| terrain.bars(walk.rod(joint, world.frame)));
+            let mut bars = bars.map(|(at, touch)| (at - world.frame.position, touch));
+            // The bristle is the end's or, while that is free, of the first block that the link lies on.
+            let lying = touch.is_none().then(|| bars.next()).flatten();
+            let (at, velocity, gripped) = match lying {
+                Some((at, touch)) => (at, walk.velocity(at), Some(touch)),
+                None => (end, velocity, touch),
+            };
+            let force = grip.force(gripped, velocity, world.law, world.stride.dt);
+            link.force = link.force - Spatial::pushing(force, at);
+            for (at, touch) in bars {
+                let force = touch.rub(walk.velocity(at), world.law, world.stride.dt);
+                link.force = link.force - Spatial::pushing(force, at);
             }
             if j == J {
                 let load = touch.map_or(0.0, |touch| force.dot(&touch.normal));

@@ -87,14 +87,17 @@ impl Walk {
         }
     }
 
-    /// Three points of the link whose end has been reached: where they are, and how fast they move.
+    /// The link whose end has been reached, in the world: m.
     #[inline]
-    pub(super) fn between(&self, joint: &Joint) -> [(Vector, Vector); 3] {
-        let link = self.rotation * length(joint);
-        [0.25, 0.5, 0.75].map(|share| {
-            let back = link * -share;
-            (self.at + back, self.velocity + self.rate.cross(&back))
-        })
+    pub(super) fn rod(&self, joint: &Joint, frame: &Frame) -> [Vector; 2] {
+        let end = frame.position + self.at;
+        [end - self.rotation * length(joint), end]
+    }
+
+    /// How fast a place of that link moves: m/s.
+    #[inline]
+    pub(super) fn velocity(&self, at: Vector) -> Vector {
+        self.velocity + self.rate.cross(&(at - self.at))
     }
 
     /// Goes to the link's end: where it is, and how fast it moves.

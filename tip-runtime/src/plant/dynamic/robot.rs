@@ -1,5 +1,6 @@
 //! The robot as a whole: its equations of motion, step by step.
 
+use super::bump::climb;
 use super::clash::{clash, clearance};
 use super::contact::Law;
 use super::factor::Factor;
@@ -88,18 +89,13 @@ impl<const J: usize> Robot<[LegBody<J>]> {
     fn rise(&mut self) -> f64 {
         self.refresh();
         let frame = &self.trunk.frame;
-        let corners = self.trunk.corners().map(|corner| frame.point(corner));
-        let links = self
-            .legs
-            .iter()
-            .flat_map(|leg| (0..J).filter_map(|j| leg.link(j, frame)));
-        let ends = links.map(|[_, end]| frame.position + end);
         let terrain = &self.terrain;
-        let rises = corners
-            .into_iter()
-            .chain(ends)
-            .map(|point| terrain.rise(point));
-        rises.fold(0.0, f64::max)
+        let legs = self.legs.iter();
+        let links = legs.flat_map(|leg| (0..J).filter_map(|j| leg.link(j, frame)));
+        let links = links.map(|link| terrain.rise(link.map(|place| frame.position + place)));
+        let body = self.trunk.extent();
+        let body = body.map_or(0.0, |extent| climb(&extent, frame, terrain));
+        links.fold(body, f64::max)
     }
 
     /// Takes commands.

@@ -2,8 +2,12 @@
 
 use super::Vector;
 use super::contact::Touch;
+use super::cuboid::{Cuboid, middle};
 use crate::scene::{BLOCKS, Block, Scene};
 use nalgebra::Rotation3;
+
+/// How far down blocks go: m.
+const DEEP: f64 = 1e4;
 
 /// A floor and what stands on it, in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,43 +54,54 @@ impl Terrain {
         self.blocks.iter().any(Option::is_some)
     }
 
-    /// Where it is inside of a block: it leaves by the nearest side.
-    pub(super) fn block(&self, point: Vector) -> Option<Touch> {
-        let inside = |block: &Block| {
-            let [x, y, z] = (point * 1000.0).into();
-            let sides = [
-                (block.height - z, Vector::z()),
-                (x - block.x[0], -Vector::x()),
-                (block.x[1] - x, Vector::x()),
-                (y - block.y[0], -Vector::y()),
-                (block.y[1] - y, Vector::y()),
-            ];
-            let nearest = |best: (f64, Vector), side: (f64, Vector)| match side.0 < best.0 {
-                true => side,
-                false => best,
-            };
-            let (depth, normal) = sides
-                .into_iter()
-                .fold((f64::INFINITY, Vector::z()), nearest);
-            (depth > 0.0).then_some(Touch {
-                depth: depth / 1000.0,
-                normal,
-                friction: self.friction,
-            })
-        };
-        self.blocks.iter().flatten().find_map(inside)
+    /// What stands on the floor.
+    #[inline]
+    pub(super) fn blocks(&self) -> impl Iterator<Item = Cuboid> + '_ {
+        self.blocks.iter().flatten().map(|block| Cuboid {
+            low: Vector::new(block.x[0] / 1000.0, block.y[0] / 1000.0, -DEEP),
+            high: Vector::new(block.x[1], block.y[1], block.height) / 1000.0,
+        })
     }
 
-    /// How far a point is below the top of the block that it is in: m; 0 outside.
-    pub(super) fn rise(&self, point: Vector) -> f64 {
-        let [x, y, z] = (point * 1000.0).into();
-        let over = |block: &&Block| {
-            (block.x[0]..block.x[1]).contains(&x) && (block.y[0]..block.y[1]).contains(&y)
-        };
-        let tops = self.blocks.iter().flatten().filter(over);
-        tops.fold(0.0, |rise, block| {
-            f64::max(rise, (block.height - z) / 1000.0)
+    /// Where it is inside of a block: it leaves by the nearest side.
+    fn block(&self, point: Vector) -> Option<Touch> {
+        let (depth, normal) = self.blocks().find_map(|block| block.depth(point))?;
+        Some(self.touching(depth, normal))
+    }
+
+    /// A touch on a side that faces so.
+    #[inline]
+    pub(super) fn touching(&self, depth: f64, normal: Vector) -> Touch {
+        Touch {
+            depth,
+            normal,
+            friction: self.friction,
+        }
+    }
+
+    /// Where a rod goes through a block between its ends, which pushes it off at right angles: its middle in there.
+    pub(super) fn bars(&self, rod: [Vector; 2]) -> impl Iterator<Item = (Vector, Touch)> + '_ {
+        self.blocks().filter_map(move |block| {
+            let middle = middle(rod, block.through(rod)?);
+            let (depth, side) = block.depth(middle)?;
+            let along = (rod[1] - rod[0]).normalize();
+            let off = side - along * along.dot(&side);
+            let part = off.norm();
+            (part > 0.0).then(|| (middle, self.touching(depth * part, off / part)))
         })
+    }
+
+    /// By how much a stretch has to rise to be nowhere below the top of a block: m.
+    pub(super) fn rise(&self, stretch: [Vector; 2]) -> f64 {
+        let rises = self.blocks().filter_map(|mut block| {
+            let top = block.high.z;
+            block.high.z = DEEP;
+            let over = block.inside(stretch)?;
+            let [start, end] = stretch;
+            let lowest = over.map(|part| start.z + (end.z - start.z) * part);
+            Some(top - lowest[0].min(lowest[1]))
+        });
+        rises.fold(0.0, f64::max)
     }
 
     /// Where it is in the floor.

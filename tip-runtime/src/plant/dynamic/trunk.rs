@@ -1,7 +1,9 @@
 //! The body: a box that floats, or a frame that is bolted down.
 
 use super::Vector;
-use super::contact::Grip;
+use super::bump::bumps;
+use super::contact::{Grip, Touch};
+use super::cuboid::Cuboid;
 use super::frame::Frame;
 use super::spatial::{Inertia, Spatial};
 use super::world::{GRAVITY, Share, World};
@@ -18,6 +20,8 @@ pub(super) struct Trunk {
     grips: [Grip; 8],
     /// What each of its corners carries: N.
     pub(super) loads: [f64; 8],
+    /// What blocks under its sides and edges carry: N.
+    pub(super) propped: f64,
     pub(super) push: Push,
 }
 
@@ -57,6 +61,7 @@ impl Trunk {
             },
             grips: [Grip::FREE; 8],
             loads: [0.0; 8],
+            propped: 0.0,
             push: Push::NONE,
         }
     }
@@ -65,23 +70,18 @@ impl Trunk {
         self.model.map_or(0.0, |body| body.mass)
     }
 
+    /// Its extent in its own frame.
+    pub(super) fn extent(&self) -> Option<Cuboid> {
+        self.model.map(|Body { x, y, z, .. }| Cuboid {
+            low: Vector::new(x.min, y.min, z.min) / 1000.0,
+            high: Vector::new(x.max, y.max, z.max) / 1000.0,
+        })
+    }
+
     /// Its corners in its own frame, those of the belly first: m.
     pub(super) fn corners(&self) -> [Vector; 8] {
-        let corners = |body: Body| {
-            let (x, y, z) = (body.x, body.y, body.z);
-            [
-                [x.min, y.min, z.min],
-                [x.max, y.min, z.min],
-                [x.max, y.max, z.min],
-                [x.min, y.max, z.min],
-                [x.min, y.min, z.max],
-                [x.max, y.min, z.max],
-                [x.max, y.max, z.max],
-                [x.min, y.max, z.max],
-            ]
-            .map(|corner| Vector::from(corner) / 1000.0)
-        };
-        self.model.map_or([Vector::zeros(); 8], corners)
+        let extent = self.extent();
+        extent.map_or([Vector::zeros(); 8], |extent| extent.corners())
     }
 
     /// What it weighs, and what forces act on it.
@@ -92,20 +92,42 @@ impl Trunk {
         let Frame { rotation, rate, .. } = self.frame;
         let own = rotation * Matrix3::from_diagonal(&box_inertia(&body)) * rotation.inverse();
         let weight = Vector::new(0.0, 0.0, GRAVITY * body.mass);
+        let extent = self.extent();
         let mut force = Spatial {
             angular: rate.cross(&(own * rate)),
             linear: weight - self.push.force,
         };
-        let corners = self.corners();
-        let contacts = self.grips.iter_mut().zip(&mut self.loads);
-        for ((grip, load), corner) in contacts.zip(corners) {
-            let arm = rotation * corner;
-            let touch =
-                (world.terrain).and_then(|terrain| terrain.touch(self.frame.position + arm));
+        let corners = self.corners().map(|corner| rotation * corner);
+        let before = self.grips;
+        let mut push = |grip: &mut Grip, arm: Vector, touch: Option<Touch>| {
             let velocity = self.frame.velocity + rate.cross(&arm);
             let push = grip.force(touch, velocity, world.law, world.stride.dt);
-            *load = touch.map_or(0.0, |touch| push.dot(&touch.normal));
             force = force - Spatial::pushing(push, arm);
+            touch.map_or(0.0, |touch| touch.load(push))
+        };
+        let mut spare = [const { None }; 8];
+        let contacts = self.grips.iter_mut().zip(&mut self.loads).zip(before);
+        for ((((grip, load), before), arm), spare) in contacts.zip(corners).zip(&mut spare) {
+            let touch =
+                (world.terrain).and_then(|terrain| terrain.touch(self.frame.position + arm));
+            *load = push(grip, arm, touch);
+            *spare = touch.is_none().then_some((grip, before));
+        }
+        // Bristles of corners that touch nothing serve where the body meets blocks between its corners.
+        let mut spare = spare.into_iter().flatten();
+        self.propped = 0.0;
+        if let Some((extent, terrain)) = extent.zip(world.terrain) {
+            bumps(&extent, &self.frame, terrain, |arm, touch| {
+                let mut bare = Grip::FREE;
+                let grip = match spare.next() {
+                    Some((grip, before)) => {
+                        *grip = before;
+                        grip
+                    }
+                    None => &mut bare,
+                };
+                self.propped += push(grip, arm, Some(touch));
+            });
         }
         Share {
             inertia: Inertia::new(body.mass, Vector::zeros(), own),

@@ -85,11 +85,11 @@ impl Watch {
         let corners = trunk.corners().into_iter().zip(trunk.loads);
         let corners = corners.filter(|(_, load)| *load > 0.0);
         let corners = corners.map(|(corner, _)| flat(trunk.frame.point(corner)));
-        let lies = corners.clone().next().is_some();
+        let lies = trunk.propped > 0.0 || corners.clone().next().is_some();
         let on_feet = polygon::margin(standing.clone(), over);
         let stands = standing.clone().next().is_some() && !lies;
         let carriers = standing.chain(corners);
-        if stands || lies {
+        if carriers.clone().next().is_some() {
             self.margin = polygon::margin(carriers, over);
             self.least = self.least.min(self.margin);
         }
