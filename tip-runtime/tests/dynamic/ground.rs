@@ -1,8 +1,9 @@
 //! On the ground: rest, friction, falls.
 
-use crate::rig::{GRAVITY, falls, go, hold, loads, titan};
+use crate::rig::{GRAVITY, Numbers, falls, go, hold, loads, titan};
 use tip_runtime::kinematics::inverse;
 use tip_runtime::model::titan8;
+use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{Block, DynamicPlant, Floor, Plant, Scene};
 
 const WEIGHT: f64 = 20.0 * GRAVITY;
@@ -217,6 +218,36 @@ fn a_body_rests_on_what_is_under_it() {
         assert!((body.position[2] - 240.0).abs() < 1.0, "{body:?}");
         assert!((plant.belly_load() / WEIGHT - 1.0).abs() < 1e-3);
         assert!(body.pitch.abs() < 1.0 && body.roll.abs() < 1.0, "{body:?}");
+    }
+}
+
+#[test]
+fn nothing_is_flung_by_what_stands_around_it() {
+    let mut random = Numbers(3);
+    for round in 0..8 {
+        let mut scene = Scene::EMPTY;
+        for _ in 0..8 {
+            let [x, y, wide, deep, high] = random.some(1.0);
+            let (x, y) = (600.0 * x, 600.0 * y);
+            let block = Block {
+                x: [x, x + 110.0 + 100.0 * wide],
+                y: [y, y + 110.0 + 100.0 * deep],
+                height: 80.0 + 80.0 * high,
+            };
+            scene = scene.with_block(block).expect("a block");
+        }
+        let mut plant = titan().with_scene(&scene);
+        let top = plant.body().position[2];
+        for height in [200.0, 260.0, 180.0, 240.0] {
+            for _ in 0..10 {
+                hold(&mut plant, standing(height), 1);
+                let Twist { velocity, rate } = plant.twist();
+                let energy = plant.energy().kinetic;
+                assert!(energy < 60.0, "{round}: {velocity:?}, {rate:?}, {energy} J");
+                let z = plant.body().position[2];
+                assert!(z > 100.0 && z < top + 150.0, "{round}: {z} mm of {top} mm");
+            }
+        }
     }
 }
 
