@@ -117,7 +117,7 @@ impl Allows {
 
     /// Warnings about the comments: what they say wrong, and those that silence nothing.
     pub(crate) fn warnings(&mut self, source: &Source) -> Vec<Diagnostic> {
-        let is_judged = |code: Code| code != Code::Allow && !code.is_found_later();
+        let is_judged = |code: Code| code != Code::Allow && !is_found_later(code);
         let idle = |allow: &&Allow| !allow.silences && is_judged(allow.code);
         let idle = self.allows.iter().filter(idle).map(|allow| {
             let finding = Diagnostic::new(Code::Allow, allow.place, Allowing::SilencesNothing);
@@ -146,6 +146,14 @@ fn list(text: &str, comment: Span) -> Option<Result<Span, Span>> {
         Some((open, close)) => Ok(Span::new(open, close)),
         None => Err(comment),
     })
+}
+
+/// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
+const fn is_found_later(code: Code) -> bool {
+    matches!(
+        code,
+        Code::OutOfReach | Code::PathLeavesReach | Code::Unanswered | Code::OtherRobot
+    )
 }
 
 /// The warning of that name.

@@ -2,16 +2,21 @@
 
 mod access;
 pub mod assignment;
+#[cfg(any(feature = "build", feature = "tools"))]
 pub(crate) mod calls;
 #[cfg(feature = "tools")]
 pub mod cycles;
+#[cfg(any(feature = "build", feature = "tools"))]
 pub(crate) mod dead;
 mod flow;
 #[cfg(feature = "tools")]
 pub mod spots;
+#[cfg(any(feature = "build", feature = "tools"))]
 pub(crate) mod stuck;
+#[cfg(any(feature = "build", feature = "tools"))]
 mod walk;
 
 pub use access::assigns;
 
+#[cfg(any(feature = "build", feature = "tools"))]
 pub(crate) use flow::{Entry, always, enters};

@@ -211,14 +211,6 @@ codes! {
 }
 
 impl Code {
-    /// Whether it is found after a program is loaded, by whoever knows the robot's geometry or the crate.
-    pub(crate) const fn is_found_later(self) -> bool {
-        matches!(
-            self,
-            Code::OutOfReach | Code::PathLeavesReach | Code::Unanswered | Code::OtherRobot
-        )
-    }
-
     /// How grave a diagnostic with this code is, by the rules of an edition. So far they are alike.
     pub const fn level(self, edition: Edition) -> Level {
         match (self.kind(), edition) {

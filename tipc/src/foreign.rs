@@ -307,24 +307,10 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
     })
 }
 
-/// What a comment begins with here.
-pub(crate) const COMMENT: &str = "//";
-
 /// The mark that a comment of another language begins with.
 pub(crate) fn comment_mark(comment: &str) -> Option<&'static str> {
     let mut marks = COMMENTS.iter().copied().chain([BANG]);
     marks.find(|mark| comment.starts_with(mark))
-}
-
-/// Whether such a comment can be nothing else: `#define` and `--N` do something.
-pub(crate) fn surely_comments(comment: &str) -> bool {
-    let directives = ["define", "if", "else", "endif", "undef", "pragma"];
-    let rest = comment.trim_start_matches('#');
-    match comment_mark(comment) {
-        Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
-        Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
-        mark => mark.is_some(),
-    }
 }
 
 /// Where a comment of another language begins after a statement, if one does.

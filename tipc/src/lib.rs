@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+#[cfg(any(feature = "build", feature = "tools"))]
 mod allow;
 pub mod analysis;
 #[cfg(feature = "tools")]
@@ -14,6 +15,7 @@ pub mod description;
 pub mod diagnostic;
 pub mod embed;
 pub mod emit;
+#[cfg(feature = "tools")]
 mod fix;
 #[cfg(test)]
 pub(crate) mod fixture;
@@ -42,6 +44,7 @@ pub mod source;
 mod suggest;
 pub mod symbols;
 pub mod syntax;
+#[cfg(any(feature = "build", feature = "tools"))]
 mod warn;
 
 #[cfg(feature = "build")]

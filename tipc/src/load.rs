@@ -1,10 +1,13 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
+//!
+//! Macros show errors alone: what only warns, and fixes, are not compiled for them.
 
-use crate::allow::Allows;
+#[cfg(any(feature = "build", feature = "tools"))]
+mod doubts;
+
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
 use crate::diagnostic::Diagnostic;
-use crate::fix;
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
@@ -14,7 +17,6 @@ use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span, looks_like};
 use crate::symbols::Symbols;
 use crate::syntax::Module;
-use crate::warn::Judged;
 
 /// What a program is read and checked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,44 +71,21 @@ impl Loaded {
     }
 }
 
-impl Loaded {
-    /// Adds warnings that others found, but those that a comment silences.
-    pub fn add(&mut self, mut found: Vec<Diagnostic>) {
-        if found.is_empty() {
-            return;
-        }
-        Allows::of(&self.source, &self.module).silence(&self.source, &mut found);
-        judge(&mut found, self.module.edition);
-        self.diagnostics.append(&mut found);
-        self.diagnostics.sort_by_key(place);
-    }
-}
-
 /// Where findings stand among each other.
 fn place(finding: &Diagnostic) -> (Span, Code) {
     (finding.span, finding.code)
 }
 
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
+///
+/// With the feature `build` or `tools` it also finds what only an analysis of the program warns of, with `tools` the fixes.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let mut loaded = lowered(name, bytes, options);
-    if let Some(program) = &loaded.program {
-        let judged = Judged {
-            source: &loaded.source,
-            module: &loaded.module,
-            symbols: &loaded.symbols,
-            program,
-            robot: options.robot,
-        };
-        judged.warn(&mut loaded.diagnostics);
-    }
-    let mut allows = Allows::of(&loaded.source, &loaded.module);
-    allows.silence(&loaded.source, &mut loaded.diagnostics);
-    if loaded.program.is_some() {
-        loaded.diagnostics.extend(allows.warnings(&loaded.source));
-    }
+    #[cfg(any(feature = "build", feature = "tools"))]
+    doubts::find(&mut loaded, options.robot);
     in_order(&mut loaded.diagnostics, loaded.module.edition);
-    fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
+    #[cfg(feature = "tools")]
+    crate::fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
     loaded
 }
 

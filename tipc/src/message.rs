@@ -7,6 +7,7 @@
 #[macro_use]
 mod table;
 
+#[cfg(any(feature = "build", feature = "tools"))]
 mod allowing;
 #[cfg(feature = "build")]
 mod building;
@@ -22,6 +23,7 @@ mod debugging;
 mod describing;
 #[cfg(feature = "tools")]
 mod editing;
+#[cfg(feature = "tools")]
 mod fixing;
 #[cfg(feature = "tools")]
 mod formatting;
@@ -49,9 +51,11 @@ mod structuring;
 mod suggesting;
 #[cfg(feature = "tools")]
 mod using;
+#[cfg(any(feature = "build", feature = "tools"))]
 mod warning;
 mod word;
 
+#[cfg(any(feature = "build", feature = "tools"))]
 pub use allowing::Allowing;
 #[cfg(feature = "build")]
 pub use building::Building;
@@ -65,6 +69,7 @@ pub use debugging::Debugging;
 pub use describing::Describing;
 #[cfg(feature = "tools")]
 pub use editing::Editing;
+#[cfg(feature = "tools")]
 pub use fixing::Fixing;
 #[cfg(feature = "tools")]
 pub use formatting::Formatting;
@@ -90,6 +95,7 @@ pub use structuring::Structuring;
 pub use suggesting::Suggesting;
 #[cfg(feature = "tools")]
 pub use using::Using;
+#[cfg(any(feature = "build", feature = "tools"))]
 pub use warning::Warning;
 pub(crate) use word::Cut;
 pub use word::Text;
@@ -106,8 +112,11 @@ tables! {
     Suggesting,
     Habit,
     Instead,
+    #[cfg(feature = "tools")]
     Fixing,
+    #[cfg(any(feature = "build", feature = "tools"))]
     Warning,
+    #[cfg(any(feature = "build", feature = "tools"))]
     Allowing,
     #[cfg(feature = "robot-files")]
     Describing,

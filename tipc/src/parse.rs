@@ -19,7 +19,9 @@ mod shape;
 mod statement;
 mod wide;
 
-pub(crate) use line::{LONG_VOWEL, narrow};
+#[cfg(feature = "tools")]
+pub(crate) use line::LONG_VOWEL;
+pub(crate) use line::narrow;
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;

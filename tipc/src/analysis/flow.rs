@@ -91,6 +91,8 @@ impl Flow {
     }
 }
 
+/// What warnings ask beyond.
+#[cfg(any(feature = "build", feature = "tools"))]
 impl Flow {
     /// The first node of a step; the number of nodes for one past the last.
     pub(super) fn first(&self, step: StepId) -> NodeId {

@@ -2,12 +2,15 @@
 
 use super::site::Site;
 use crate::diagnostic::{Edit, Fix, Label};
-use crate::foreign::{self, COMMENT};
+use crate::foreign;
 use crate::language::{Keyword, keywords};
 use crate::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
 use crate::message::{Fixing, Habit, Instead, Message, Naming, Parsing};
 use crate::parse::{LONG_VOWEL, narrow};
 use crate::source::Span;
+
+/// What a comment begins with here.
+const COMMENT: &str = "//";
 
 /// What a comment of C begins and ends with.
 const OPENS: &str = "/*";
@@ -108,9 +111,20 @@ fn comment(site: &Site<'_>) -> Option<Fix> {
         }
         edits.push(without_end(site, start + mark.len(), start + at));
     }
-    match foreign::surely_comments(text) {
+    match surely_comments(text) {
         true => Some(Fix::certain(Fixing::Comment, edits)),
         false => Some(Fix::likely(Fixing::Comment, edits)),
+    }
+}
+
+/// Whether a comment of another language can be nothing else: `#define` and `--N` do something.
+fn surely_comments(comment: &str) -> bool {
+    let directives = ["define", "if", "else", "endif", "undef", "pragma"];
+    let rest = comment.trim_start_matches('#');
+    match foreign::comment_mark(comment) {
+        Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
+        Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
+        mark => mark.is_some(),
     }
 }
 
