@@ -16,7 +16,7 @@ mod usage;
 mod waiting;
 
 pub use form::{Arguments, Form, Joints, Limit, Robots, Targets, Values};
-pub use outcome::{Cycles, Failure};
+pub use outcome::{Cycles, Failure, Moves};
 
 use super::index::Index;
 use super::{Bilingual, Edition, Keyword};
@@ -43,6 +43,8 @@ pub struct Command {
     pub robots: Robots,
     /// The unit of its values, empty if they have none; `torque` is the robot's torque unit.
     pub unit: &'static str,
+    /// What it brings under control.
+    pub moves: Moves,
     /// How many control cycles it takes.
     pub cycles: Cycles,
     /// The runtime errors of its own step, besides those of its operands.
@@ -141,6 +143,7 @@ impl Command {
             form: Form::Robot(Arguments::BARE),
             robots: Robots::ALL,
             unit: "",
+            moves: Moves::Nothing,
             cycles: Cycles::One,
             failures: outcome::NONE,
             description: Bilingual::EMPTY,
@@ -206,6 +209,11 @@ impl Command {
     /// The unit of its values.
     const fn unit(self, unit: &'static str) -> Self {
         Command { unit, ..self }
+    }
+
+    /// What it brings under control.
+    const fn moves(self, moves: Moves) -> Self {
+        Command { moves, ..self }
     }
 
     /// The robots that have it.

@@ -8,6 +8,7 @@ use super::conditions::condition;
 use super::unreachable::Unreachable;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::commands::{self, Moves};
 use crate::message::Warning;
 use crate::program::{Action, Condition, Flag, Op, Step, Target};
 use crate::source::Span;
@@ -47,24 +48,10 @@ fn moves(step: &Step) -> Option<Target> {
     let Action::Command { op, target, .. } = step.action else {
         return None;
     };
-    match op {
-        Op::Ptp
-        | Op::RelPtp
-        | Op::PtpAngle
-        | Op::RelPtpAngle
-        | Op::VelControl
-        | Op::OmegaControl
-        | Op::Torque
-        | Op::Force
-        | Op::ComplianceAngle
-        | Op::RelComplianceAngle
-        | Op::CompliancePosition
-        | Op::RelCompliancePosition
-        | Op::NoCompliance => Some(target),
-        Op::InitialPosture | Op::StandUp | Op::SitDown | Op::DetectFloor | Op::DetectObject => {
-            Some(Target::All)
-        }
-        _ => None,
+    match commands::find(op.name())?.moves {
+        Moves::Nothing => None,
+        Moves::Target => Some(target),
+        Moves::Robot => Some(Target::All),
     }
 }
 

@@ -16,6 +16,17 @@ pub enum Cycles {
     Until(Bilingual),
 }
 
+/// What a command brings under control.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moves {
+    /// Nothing new.
+    Nothing,
+    /// Its target.
+    Target,
+    /// The robot, whatever its target.
+    Robot,
+}
+
 /// A runtime error, and when it happens.
 pub type Failure = (Fault, Bilingual);
 

@@ -1,6 +1,6 @@
 //! Commands of one robot alone (T.I.P. 3.1 §7-11).
 
-use super::{Arguments, Command, Limit, Robots, Targets, Values, outcome};
+use super::{Arguments, Command, Limit, Moves, Robots, Targets, Values, outcome};
 use tip_runtime::command::Op;
 
 pub(super) const ROWS: &[Command] = &[
@@ -9,6 +9,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Raises the body slowly.", "胴体をゆっくり持ち上げます。")
         .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Any))
         .unit("mm")
+        .moves(Moves::Robot)
         .only(Robots::TITAN)
         .until("all feet have arrived", "すべての足先が到着する")
         .fails(outcome::STAND),
@@ -17,6 +18,7 @@ pub(super) const ROWS: &[Command] = &[
         .does("Lowers the body slowly.", "胴体をゆっくり下げます。")
         .takes(Arguments::setting(Targets::NONE, Values::One, Limit::Any))
         .unit("mm")
+        .moves(Moves::Robot)
         .only(Robots::TITAN)
         .until("all feet have arrived", "すべての足先が到着する")
         .fails(outcome::STAND),
@@ -31,6 +33,7 @@ pub(super) const ROWS: &[Command] = &[
             Values::One,
             Limit::FloorType,
         ))
+        .moves(Moves::Robot)
         .only(Robots::NAMED)
         .until(
             "every foot or finger feels the floor (T, type 3: no longer feels it)",
@@ -48,6 +51,7 @@ pub(super) const ROWS: &[Command] = &[
             Values::One,
             Limit::ObjectType,
         ))
+        .moves(Moves::Robot)
         .only(Robots::HAND)
         .until(
             "every finger feels the object",
