@@ -1,14 +1,12 @@
 //! The help of the command line in Japanese. The English one is what the commands say of themselves.
 
-mod endings;
-mod lines;
+mod texts;
 
 use super::Arguments;
 use clap::builder::{PossibleValue, StyledStr};
 use clap::{Arg, Command, CommandFactory};
-use endings::ENDINGS;
-use lines::LINES;
 use std::fmt::Write as _;
+use texts::{endings, lines};
 use tipc::message::Lang;
 
 /// As clap has it, but for the words that it says in English only.
@@ -33,7 +31,7 @@ fn translated(command: Command, above: &str) -> Command {
         "" | "tipc" => name,
         above => format!("{above}_{name}"),
     };
-    let ending = ENDINGS.iter().find(|(command, _)| *command == path);
+    let ending = endings().find(|(command, _)| *command == path);
     let below: Vec<String> = command.get_subcommands().map(name_of).collect();
     let command = command
         .help_template(TEMPLATE)
@@ -93,8 +91,8 @@ fn option(arg: Arg) -> Arg {
 /// A sentence in Japanese; as it is where it has no row.
 fn line(english: &StyledStr) -> String {
     let english = english.to_string();
-    let row = LINES.iter().find(|(row, _)| *row == english);
-    row.map_or(english, |(_, japanese)| (*japanese).to_owned())
+    let row = lines().find(|(row, _)| *row == english);
+    row.map_or(english, |(_, japanese)| japanese.to_owned())
 }
 
 #[cfg(test)]

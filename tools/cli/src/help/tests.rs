@@ -48,14 +48,11 @@ fn sentences(commands: &[(String, Command)]) -> BTreeSet<String> {
 #[test]
 fn every_sentence_has_a_row_and_every_row_a_sentence() {
     let said = sentences(&all(Lang::English));
-    let rows: BTreeSet<String> = LINES
-        .iter()
-        .map(|(english, _)| (*english).to_owned())
-        .collect();
+    let rows: BTreeSet<String> = lines().map(|(english, _)| english.to_owned()).collect();
     let missing: Vec<_> = said.difference(&rows).collect();
     let unused: Vec<_> = rows.difference(&said).collect();
     assert_eq!((missing, unused), (Vec::new(), Vec::new()));
-    assert_eq!(rows.len(), LINES.len(), "a row stands twice");
+    assert_eq!(rows.len(), lines().count(), "a row stands twice");
 }
 
 /// The command lines of a text's examples, without what is said of them.
@@ -78,7 +75,7 @@ fn both_languages_show_the_same_examples_and_name_the_same_options() {
     let mut texts = 0;
     for (path, command) in all(Lang::English) {
         let english = command.get_after_help().map(ToString::to_string);
-        let row = ENDINGS.iter().find(|(name, _)| *name == path);
+        let row = endings().find(|(name, _)| *name == path);
         assert_eq!(english.is_some(), row.is_some(), "{path}");
         if let (Some(english), Some((_, japanese))) = (english, row) {
             assert_eq!(examples(&english), examples(japanese), "{path}");
@@ -86,7 +83,7 @@ fn both_languages_show_the_same_examples_and_name_the_same_options() {
             texts += 1;
         }
     }
-    assert_eq!(texts, ENDINGS.len());
+    assert_eq!(texts, endings().count());
 }
 
 #[test]
