@@ -62,7 +62,7 @@ impl Options {
 
 fn number(word: &str) -> Result<u64, String> {
     word.parse()
-        .map_err(|_| format!("{word} is no number of cycles"))
+        .map_err(|_| format!("{word} is not a number of cycles"))
 }
 
 #[cfg(test)]
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(parsed("--trace").unwrap_err(), "--trace needs a value");
         assert_eq!(
             parsed("--cycles many").unwrap_err(),
-            "many is no number of cycles"
+            "many is not a number of cycles"
         );
         assert!(parsed("--realtime --trace a").is_err());
     }

@@ -127,7 +127,7 @@ fn wrong_arguments(command: &Command) -> Vec<String> {
     match command.form {
         Form::Robot(arguments) => wrong_operands(arguments),
         Form::Special => {
-            vec!["a number that is no constant from 0 to 255; more than two values".to_owned()]
+            vec!["a number that is not a constant from 0 to 255; more than two values".to_owned()]
         }
         Form::Teach(targets) => {
             let into = match command.meaning {

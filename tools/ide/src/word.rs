@@ -187,7 +187,7 @@ impl Document {
         self.loaded.module.edition
     }
 
-    /// What a word is that is no name of the program.
+    /// What a word is that is not a name of the program.
     fn meaning(&self, word: &str, command: Option<&'static Command>, is_first: bool) -> What {
         let edition = self.edition();
         let upper = word.to_ascii_uppercase();

@@ -86,7 +86,7 @@ impl Claim {
             Ok(line) if line == self.heading(name).as_bytes() => writable(&path).or_else(refuse),
             Ok(_) => refuse(io::Error::new(
                 io::ErrorKind::AlreadyExists,
-                format!("it is no log of {} and would be lost", self.program),
+                format!("it is not a log of {} and would be lost", self.program),
             )),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
             Err(error) => refuse(error),

@@ -63,7 +63,7 @@ impl FromStr for Inputs {
                 "--halt" => events.push(Event::Halt.at(cycles(value)?)),
                 "--events" => events.extend(value.parse::<Events>()?),
                 "--cycles" => inputs.cycles = Some(cycles(value)?),
-                _ => return Err(EventError(format!("'{option}' is no option of a run"))),
+                _ => return Err(EventError(format!("'{option}' is not an option of a run"))),
             }
             rest = behind.trim_start();
         }
@@ -84,7 +84,7 @@ fn value(text: &str) -> (&str, &str) {
 }
 
 fn cycles(value: &str) -> Result<u64, EventError> {
-    let wrong = |_| EventError(format!("'{value}' is no number of cycles"));
+    let wrong = |_| EventError(format!("'{value}' is not a number of cycles"));
     value.parse().map_err(wrong)
 }
 
@@ -131,13 +131,13 @@ fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
     let (name, rest) = text.split_once('=').ok_or_else(|| wrong("no '='"))?;
     let (volts, cycle) = rest.split_once('@').ok_or_else(|| wrong("no '@'"))?;
     let name = name.trim().to_ascii_uppercase();
-    let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is no input")))?;
+    let port = port(&name).ok_or_else(|| wrong(&format!("'{name}' is not an input")))?;
     let number = volts.trim().parse().ok().filter(|volts| can_read(*volts));
-    let volts = number.ok_or_else(|| wrong(&format!("'{volts}' is no number of volts")))?;
+    let volts = number.ok_or_else(|| wrong(&format!("'{volts}' is not a number of volts")))?;
     let cycle = cycle
         .trim()
         .parse()
-        .map_err(|_| wrong(&format!("'{cycle}' is no cycle")))?;
+        .map_err(|_| wrong(&format!("'{cycle}' is not a cycle")))?;
     Ok(Event::Sensor(port, volts).at(cycle))
 }
 

@@ -128,7 +128,7 @@ impl FromStr for Answer {
             ["refused", reason] => Some(Answer::Refused(reason.to_owned())),
             _ => None,
         };
-        answer.ok_or_else(|| format!("'{text}' is no answer"))
+        answer.ok_or_else(|| format!("'{text}' is not an answer"))
     }
 }
 

@@ -125,6 +125,6 @@ mod tests {
     fn a_process_that_dies_or_talks_nonsense_is_named() {
         assert!(complaint("/bin/no-such-file").contains("does not start"));
         assert!(complaint("/bin/true").contains("ended (exit status: 0)"));
-        assert!(complaint("/bin/cat").contains("'' is no answer"));
+        assert!(complaint("/bin/cat").contains("'' is not an answer"));
     }
 }
