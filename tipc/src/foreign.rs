@@ -1,8 +1,10 @@
 //! Words and spellings of other languages, with what is written here in their place. It never looks at programs.
 
 mod command;
+mod word;
 
 pub(crate) use command::command;
+pub(crate) use word::{flag, is_g_code, is_speed, tells_time};
 
 use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
@@ -46,6 +48,7 @@ const ROWS: &[Row] = &[
     row("ENDWHILE END_WHILE ENDW WHEND WHILEEND WHILE_END", Means::Keyword(Keyword::Wend), Habit::Wend),
     row("ENDFOR END_FOR FOREND FOR_END", Means::Keyword(Keyword::Next), Habit::Next),
     row("ENDSUB END_SUB SUB_END ENDSUBROUTINE END_SUBROUTINE ENDPROC ENDFUNC ENDFUNCTION END_FUNCTION ENDPROCEDURE", Means::Keyword(Keyword::SubEnd), Habit::SubEnd),
+    row("REMARK COMMENT NOTE", Means::Statement, Habit::Comment),
     row("RET", Means::Statement, Habit::Return),
     row("DO", Means::Statement, Habit::Loops),
     row("BREAK LEAVE EXITFOR EXIT_FOR EXITWHILE EXIT_WHILE", Means::Statement, Habit::Break),
@@ -54,7 +57,7 @@ const ROWS: &[Row] = &[
     row("VAR DIM INT INTEGER FLOAT DOUBLE REAL NUM NUMBER LOCAL GLOBAL DEF DECLARE DEFVAR DEF_INT DEF_INTEGER DEF_FLOAT DEF_DOUBLE DEF_REAL DEF_NUM DEF_NUMBER DEF_BOOL DEF_STRING DEF_STR DEF_ARRAY DEF_VARIABLE DECL LONG BYTE UINT8_T INT16_T BOOL BOOLEAN STRING CHAR", Means::Declaration(VariableKind::Var), Habit::Declare),
     row("CONST DEFINE #DEFINE DEF_CONST CONSTANT", Means::Declaration(VariableKind::Var), Habit::Constant),
     row("POS POINT POSITION VECTOR DEFPOS DEF_POINT DEF_POSITION DEF_VECTOR DEF_COORD", Means::Declaration(VariableKind::Pos), Habit::Declare),
-    row("JOINT ANGLES DEFJOINT DEF_ANGLE DEF_ANGLES DEF_JNT", Means::Declaration(VariableKind::Joint), Habit::Declare),
+    row("JOINT ANGLES DEFJOINT DEF_AGL DEF_TRQ DEF_TORQUE DEF_ANG DEF_ANGLE DEF_ANGLES DEF_JNT", Means::Declaration(VariableKind::Joint), Habit::Declare),
     row("LET SET ASSIGN", Means::Statement, Habit::Let),
     row("SUB FUNCTION FUNC FN PROC PROCEDURE ROUTINE VOID", Means::Keyword(Keyword::Subroutine), Habit::Subroutine),
     row("JUMP JMP GO BRANCH", Means::Statement, Habit::Goto),
@@ -73,7 +76,7 @@ const ROWS: &[Row] = &[
     row("CLS CLEAR CLRSCR CLEAR_SCREEN CLEARSCREEN CLC TPERASE", Means::Statement, Habit::ClearText),
     row("PASS NOP NOOP", Means::Statement, Habit::Nothing),
     row("UNLESS", Means::Keyword(Keyword::If), Habit::WriteNot),
-    row("WHEN WHENEVER ON", Means::Statement, Habit::Ask),
+    row("WHEN WHENEVER ON IF_GOTO IF_GOSUB IF_CALL", Means::Statement, Habit::Ask),
     row("INC INCR INCREMENT DEC DECR DECREMENT", Means::Statement, Habit::Count),
     row("PINMODE SERIAL.BEGIN SERVO.ATTACH SETMODE GPIO.SETUP GPIO.SETMODE", Means::Statement, Habit::NoSetup),
     row("TRY", Means::Statement, Habit::NoCatch),
@@ -214,16 +217,10 @@ pub(crate) fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
 
-/// Whether a word names a speed; one command sets it for all the motions after it.
-pub(crate) fn is_speed(word: &str) -> bool {
-    const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
-    SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
-}
-
 /// Whether a word is a unit, which no number has.
 pub(crate) fn is_unit(word: &str) -> bool {
     const UNITS: &str =
-        "MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
+        "% MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
@@ -242,7 +239,7 @@ pub(crate) fn shows_text(word: &str) -> bool {
 
 /// The marks of comments in other languages.
 const COMMENTS: &[&str] = &[
-    "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "／／", "※", "＃", "’",
+    "#", "'", "/*", "*/", "--", "%", "(*", "\"\"\"", "\\\\", "・・", "／／", "※", "＃", "’",
 ];
 
 /// What opens a comment of several lines, and what closes it.
@@ -301,6 +298,7 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
         '≧' | '≥' => ">=",
         '≦' | '≤' => "<=",
         '、' => ",",
+        '←' => "=",
         'ﬁ' => "fi",
         'ﬂ' => "fl",
         _ => return None,

@@ -31,6 +31,11 @@ pub(crate) fn nearest<'a>(
         .map(|(_, candidate)| candidate)
 }
 
+/// Whether a word differs from another one in one letter, or in the order of two.
+pub(crate) fn is_near(word: &str, other: &str) -> bool {
+    word.len().abs_diff(other.len()) <= 1 && distance(word.as_bytes(), other.as_bytes()) == 1
+}
+
 /// Whether two names differ only in letters that look like digits: `L1` and `LI`, `NO` and `N0`.
 fn looks_like(a: &str, b: &str) -> bool {
     let shape = |byte: u8| match byte {

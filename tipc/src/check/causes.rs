@@ -1,5 +1,8 @@
 //! One mistake, one finding: what follows from another finding joins it.
 
+mod ends;
+mod names;
+
 use super::title;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
@@ -24,14 +27,21 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
     labels_without_colon(source, module, found);
     labels_after_end(source, module, found);
     parts_of_statements(found);
+    endless_loops(source, found);
+    long_texts(source, found);
     arrays_declared(source, found);
     reversed_loops(found);
     crossed_loops(source, found);
     broken_lines(source, found);
     same_text(source, module, found);
-    undeclared(source, module, found);
+    names::undeclared(source, module, found);
+    names::missing_labels(found);
+    names::declared_again(source, module, found);
+    names::with_sign(source, found);
+    names::called_loop(found);
+    names::flags(source, module, found);
     title::blame(source, module, found);
-    last_word(found);
+    ends::last_word(found);
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
@@ -50,6 +60,8 @@ fn labels_without_colon(source: &Source, module: &Module, found: &mut Vec<Diagno
         .filter(|it| it.code == Code::UnknownCommand)
     {
         let name = finding.subject.as_deref().unwrap_or_default();
+        // `L1.`
+        let name = name.trim_end_matches(['.', '-']);
         // The first word of that name is the label, so that no jump is listed twice.
         let is_alone = is_alone(module, finding.span);
         let places = is_alone.then(|| jumps.remove(name)).flatten();
@@ -58,7 +70,8 @@ fn labels_without_colon(source: &Source, module: &Module, found: &mut Vec<Diagno
         if places.is_none() && !is_jumped_to {
             continue;
         }
-        meant.insert(name.to_owned());
+        let name = name.to_owned();
+        meant.insert(name.clone());
         finding.reason = Parsing::LabelColonMissing.into();
         finding.help = Some(Parsing::WriteLabel { name: name.into() }.into());
         let places = places.into_iter().flatten();
@@ -135,7 +148,7 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
         let is_unknown = finding.code == Code::UnknownCommand;
         if let Some(first) = begun.map(|at| &mut kept[at])
             && (is_unknown && foreign::goes_on(first.subject.as_deref().unwrap_or_default(), &word)
-                || first.help == Some(Habit::Loops.into()) && is_until_alone(&finding)
+                || first.help == Some(Habit::Loops.into()) && ends_do(first, &finding)
                 || first.help == Some(Habit::FromTheTop.into()) && first.help == finding.help)
         {
             first.labels.push(label(finding.span, Habit::GoesOn));
@@ -149,10 +162,33 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
     *found = kept;
 }
 
-/// `DO` … `UNTIL A > 3`, which ends a REPEAT here.
-fn is_until_alone(finding: &Diagnostic) -> bool {
+/// `DO` … `UNTIL A > 3`, which ends a REPEAT here; `DO` … `WHILE A < 3`, which begins another loop here.
+fn ends_do(begun: &Diagnostic, finding: &Diagnostic) -> bool {
     let (opener, word) = (Keyword::Repeat, Keyword::Until);
-    finding.reason == Structuring::NothingOpen { opener, word }.into()
+    let until = Structuring::NothingOpen { opener, word };
+    let opener = Keyword::While;
+    finding.reason == until.into()
+        || begun.labels.is_empty() && finding.reason == Structuring::NotClosed { opener }.into()
+}
+
+/// `WHILE TRUE:`: that it repeats for ever is said, and so its colon does not matter.
+fn endless_loops(source: &Source, found: &mut Vec<Diagnostic>) {
+    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+    let forever = found
+        .iter()
+        .filter(|it| it.help == Some(Habit::Forever.into()));
+    let lines: HashSet<u32> = forever.map(line_of).collect();
+    found.retain(|it| it.reason != Habit::NoColon.into() || !lines.contains(&line_of(it)));
+}
+
+/// A line that is too long for its text.
+fn long_texts(source: &Source, found: &mut Vec<Diagnostic>) {
+    let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
+    let texts = found.iter().filter(|it| it.code == Code::LongString);
+    let lines: HashSet<u32> = texts.map(line_of).collect();
+    let is_long =
+        |it: &Diagnostic| matches!(it.reason, Message::Parsing(Parsing::LineTooLong { .. }));
+    found.retain(|it| !is_long(it) || !lines.contains(&line_of(it)));
 }
 
 /// `DIM A(10)`: that there are no arrays is the mistake.
@@ -305,21 +341,6 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
     *found = kept;
 }
 
-/// STOP in the place of END: that END is missing is the mistake.
-fn last_word(found: &mut Vec<Diagnostic>) {
-    let missing = found.iter().find(|it| it.code == Code::NoEnd);
-    let Some(place) = missing.map(|missing| missing.span) else {
-        return;
-    };
-    let is_end = |help: Option<&Message>| {
-        let ends = [Habit::Stop, Habit::Exit];
-        ends.into_iter().any(|end| help == Some(&end.into()))
-    };
-    let stands_for_it =
-        |it: &Diagnostic| it.code == Code::UnknownCommand && is_end(it.help.as_ref());
-    found.retain(|it| it.span != place || !stands_for_it(it));
-}
-
 /// Whether a statement at this place is this word alone.
 fn is_alone(module: &Module, place: Span) -> bool {
     let statement = module
@@ -341,47 +362,9 @@ fn is_before_command(kind: &StatementKind) -> bool {
     matches!(first, Some(OperandKind::Name(word)) if commands::find(word).is_some())
 }
 
-/// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.
-fn undeclared(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
-    let in_title = title::declared(source, module);
-    let mut first_of: HashMap<String, usize> = HashMap::new();
-    let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
-    for mut finding in found.drain(..) {
-        if finding.code != Code::UnknownVariable {
-            kept.push(finding);
-            continue;
-        }
-        let name = finding.subject.clone().unwrap_or_default();
-        if let Some(first) = first_of.get(&name).map(|at| &mut kept[*at]) {
-            first.labels.push(label(finding.span, Naming::AlsoHere));
-            if is_open(first.help.as_ref()) && is_guess(finding.help.as_ref()) {
-                first.help = finding.help;
-            }
-            continue;
-        }
-        if let Some(place) = in_title.get(&name) {
-            finding.labels.push(label(*place, Habit::TitleHere));
-            finding.help = Some(Habit::Title.into());
-        }
-        first_of.insert(name, kept.len());
-        kept.push(finding);
-    }
-    *found = kept;
-}
-
 fn label(span: Span, text: impl Into<Message>) -> Label {
     Label {
         span,
         text: text.into(),
     }
-}
-
-/// Whether a help leaves the type open.
-fn is_open(help: Option<&Message>) -> bool {
-    matches!(help, Some(Message::Naming(Naming::Declare { .. })))
-}
-
-/// Whether a help names one type.
-fn is_guess(help: Option<&Message>) -> bool {
-    matches!(help, Some(Message::Naming(Naming::DeclareAs { .. })))
 }

@@ -135,5 +135,5 @@ fn refusal(name: &Word, subroutine: bool, edition: Edition) -> Option<Diagnostic
             .help(help),
         );
     }
-    (subroutine && word == LOOP).then(|| fault(Naming::SubroutineLoop))
+    (subroutine && word == LOOP).then(|| fault(Naming::SubroutineLoop).help(Naming::ChooseAnother))
 }

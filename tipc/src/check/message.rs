@@ -29,6 +29,9 @@ impl Resolver<'_> {
                 });
                 rest = &rest[length..];
             } else {
+                if let Some(variable) = self.value_of_others(rest) {
+                    self.uses.excuse_variable(variable);
+                }
                 let length = shown(rest, first, &mut plain);
                 rest = &rest[length..];
             }
@@ -37,6 +40,14 @@ impl Resolver<'_> {
             parts.push(MessagePart::Text(plain));
         }
         parts
+    }
+
+    /// `%N`, `$N`, `{N}`, `％N％` at the start: the variable that is not shown, although it was meant to be.
+    fn value_of_others(&self, text: &str) -> Option<usize> {
+        let name = text.strip_prefix(['%', '$', '{', '％'])?;
+        let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let name = &name[..name.len() - name.trim_start_matches(is_name).len()];
+        self.names.find(&name.to_ascii_uppercase())
     }
 
     /// `%NAME%` or `%NAME.n%` at the start: the VAR, its decimals, the placeholder's length.

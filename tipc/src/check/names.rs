@@ -133,6 +133,7 @@ impl Names {
         let fault = |reason: Naming| Diagnostic::new(Code::Argument, word.span, reason);
         if !names::is_variable(name) {
             let help: Message = match name.split_once(['(', '[']) {
+                None if name.ends_with('$') => Habit::NoText.into(),
                 Some((array, _)) if names::is_variable(array) => {
                     Habit::NoArray { name: array.into() }.into()
                 }
@@ -280,9 +281,18 @@ impl Names {
         }
     }
 
+    /// `P_X` where `P.X` was meant.
+    fn meant_member(&self, name: &str) -> Option<String> {
+        let (base, member) = name.rsplit_once('_')?;
+        let variable = self.find(base)?;
+        self.member(variable, member)
+            .map(|_| format!("{base}.{member}"))
+    }
+
     fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
         let known = self.variables.iter().map(|variable| variable.name.as_str());
-        let help: Message = match nearest(name, known) {
+        let member = self.meant_member(name);
+        let help: Message = match member.as_deref().or_else(|| nearest(name, known)) {
             _ if name.starts_with(CONSTANT) => Instead::Keys.into(),
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => self.instead_of(name),
@@ -292,7 +302,14 @@ impl Names {
                     value,
                 }
                 .into(),
-                None => declare(name, guess).into(),
+                None => match digits(name).filter(|_| guess == Some(VariableKind::Var)) {
+                    Some(number) => Instead::NumberOrVariable {
+                        name: name.into(),
+                        number,
+                    }
+                    .into(),
+                    None => declare(name, guess).into(),
+                },
             },
         };
         let reason = match is_reserved(name, self.edition) {
@@ -303,6 +320,19 @@ impl Names {
             .about(name)
             .help(help)
     }
+}
+
+/// `L00`: the number, if letters were typed that look like its digits.
+fn digits(name: &str) -> Option<SmolStr> {
+    let is_letter = |c: char| matches!(c, 'O' | 'I' | 'L');
+    let is_number = name.len() > 2 && name.chars().all(|c| is_letter(c) || c.is_ascii_digit());
+    let digit = |c: char| match c {
+        'O' => '0',
+        'I' | 'L' => '1',
+        other => other,
+    };
+    let ends = name.ends_with(|c: char| c.is_ascii_digit());
+    (is_number && ends).then(|| name.chars().map(digit).collect())
 }
 
 /// The type that has a member of this name.

@@ -1,14 +1,15 @@
 //! Openers and closers (T.I.P. 3.1 §7-6, §4-2 path 4).
 
+mod counters;
 mod other;
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::language::Keyword;
-use crate::message::{Habit, Message, Parsing, Structuring};
+use crate::message::{Habit, Message, Structuring};
 use crate::source::{Source, Span};
-use crate::syntax::{Module, Operand, OperandKind, Shape, StatementKind};
+use crate::syntax::{Module, Shape, StatementKind};
 use std::collections::HashSet;
 
 /// Ties every control word to its partner and reports those without one.
@@ -201,7 +202,8 @@ impl Matcher<'_> {
             .open
             .iter()
             .rposition(fits)
-            .filter(|depth| self.open[*depth].kind == kind);
+            .filter(|depth| self.open[*depth].kind == kind)
+            .map(|depth| self.named_by_next(index).unwrap_or(depth));
         if self.closes_other(index, kind, name, reachable.is_some()) {
             self.result.around[index] = self.current();
             return None;
@@ -216,8 +218,16 @@ impl Matcher<'_> {
             }
             let (opener, closer) = (kind.opener(), kind.closer());
             let reason = Structuring::NothingOpen { opener, word: name };
-            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason)
-                .help(Structuring::Opens { opener, closer });
+            let help = match (name == closer, kind) {
+                (false, _) => {
+                    // The rest of it is no second mistake.
+                    self.owed.push(Owed { kind, fault: None });
+                    Structuring::IfFirst { word: name }
+                }
+                (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
+                _ => Structuring::Opens { opener, closer },
+            };
+            let mut fault = Diagnostic::new(Code::Structure, self.place(index), reason).help(help);
             if let Some(open) = self.open.last() {
                 let opener = open.kind.opener();
                 let text = Structuring::Open { opener };
@@ -280,10 +290,13 @@ impl Matcher<'_> {
             fault = fault.label(self.place(*nested), text);
         }
         fault = match (met, self.module.statements.last()) {
-            (Some((index, name)), _) => fault.label(
-                self.place(index),
-                Structuring::WordBefore { word: name, closer },
-            ),
+            (Some((index, name)), _) => {
+                let text = match name == closer {
+                    true => Structuring::ClosesOuter { word: name },
+                    false => Structuring::WordBefore { word: name, closer },
+                };
+                fault.label(self.place(index), text)
+            }
             (None, Some(last)) => fault.label(last.span, Structuring::EndsBefore { closer }),
             (None, None) => fault,
         };
@@ -312,34 +325,6 @@ impl Matcher<'_> {
         self.ended_too_early(source);
         while !self.open.is_empty() {
             self.leave_open(None);
-        }
-    }
-
-    fn check_counter(&mut self, opener: usize, closer: usize) {
-        let (
-            StatementKind::For { counting, .. },
-            StatementKind::Next {
-                variable: Some(named),
-                ..
-            },
-        ) = (
-            &self.module.statements[opener].kind,
-            &self.module.statements[closer].kind,
-        )
-        else {
-            return;
-        };
-        let variable = &counting.variable;
-        if name_of(variable) != name_of(named) {
-            let reason = match name_of(named) {
-                Some(name) => Structuring::NextNames { name: name.into() },
-                None => Structuring::NextNamesAnother,
-            };
-            let help = Parsing::NextNamesItsVariable;
-            let fault = Diagnostic::new(Code::Structure, named.span, reason)
-                .label(variable.span, Structuring::VariableOfFor)
-                .help(help);
-            self.found.push(fault);
         }
     }
 
@@ -372,11 +357,4 @@ fn foreign_statements(module: &Module, found: &[Diagnostic]) -> HashSet<usize> {
         }
     });
     starts.collect()
-}
-
-fn name_of(operand: &Operand) -> Option<&str> {
-    match &operand.kind {
-        OperandKind::Name(name) => Some(name),
-        _ => None,
-    }
 }

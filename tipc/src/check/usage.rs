@@ -4,6 +4,7 @@ use super::names::Names;
 use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
+use crate::language::names::LIMIT;
 use crate::message::phrase::Assign;
 use crate::message::{Message, Naming, Suggesting};
 use crate::source::{Source, Span};
@@ -26,7 +27,8 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
     });
     let meant: HashSet<String> = meant.collect();
     for (id, variable) in names.variables.iter().enumerate() {
-        if named.excused[id] || meant.contains(&variable.name) {
+        let is_refused = variable.name.len() > LIMIT;
+        if named.excused[id] || is_refused || meant.contains(&variable.name) {
             continue;
         }
         let name = &variable.name;

@@ -170,6 +170,11 @@ impl<'a> Uses<'a> {
         }
     }
 
+    /// That nothing uses the variable follows from another mistake.
+    pub(super) fn excuse_variable(&mut self, variable: VariableId) {
+        self.excuse_one(DefinitionId::of_variable(variable));
+    }
+
     fn excuse_one(&mut self, definition: DefinitionId) {
         if let Some(excused) = self.excused.get_mut(definition.index()) {
             *excused = true;

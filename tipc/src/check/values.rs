@@ -186,7 +186,11 @@ impl Resolver<'_> {
             .filter(|_| judged.iter().any(is_target))
         {
             let command = name.node.clone();
-            fault.help = Some(Habit::NoTarget { command }.into());
+            let help = match takes_target(&command) {
+                true => Habit::OneTarget { command },
+                false => Habit::NoTarget { command },
+            };
+            fault.help = Some(help.into());
         }
         let values: Vec<Argument> = values.into_iter().collect::<Option<_>>()?;
         if values.len() < count {

@@ -174,7 +174,8 @@ mistakes! {
         Naming { NoNames }
         Habit { NoInitial };
     Argument "E205-24" "a sign that stands apart", "離れた符号":
-        Parsing { SignStandsBefore BetweenArguments PlusBeforeConstants };
+        Parsing { SignStandsBefore BetweenArguments PlusBeforeConstants }
+        Habit { NoOperator };
     Argument "E205-25" "neither a number nor a name nor a member", "数値でも変数名でもメンバでもない語":
         Parsing { NoNumber NoMember ForeignInName ConstantTooLarge NoOperand }
         Naming { NoMember };

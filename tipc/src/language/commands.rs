@@ -273,7 +273,16 @@ pub fn of_joints(word: &str) -> Option<&'static str> {
 
 /// What an older version's command is called now (T.I.P. 3.1 §1-1).
 pub fn renamed(word: &str) -> Option<&'static str> {
+    let bare = word.strip_prefix("SET_").unwrap_or(word);
     let name = match word {
+        // So the tables of contents and of changes spell some names.
+        _ if bare.starts_with("T_MAX") => format!("SET_TORQUE{}", &bare[1..]),
+        _ if bare.starts_with("OMEGA_") && !bare.contains("_MAX") => {
+            let (limit, rate) = bare.rsplit_once('_')?;
+            format!("SET_{limit}_MAX_{rate}")
+        }
+        "SET_NEAR_POSITION_ANGLE" => return Some(Op::SetNearAngle.name()),
+        "SET_NEAR_POSITION_POSITION" => return Some(Op::SetNearPosition.name()),
         "SET_INPOS" => return Some(Op::SetJustPosition.name()),
         "SET_NEAR" => return Some(Op::SetNearPosition.name()),
         "COMPLIANCE" => return Some(Op::ComplianceAngle.name()),

@@ -1,6 +1,7 @@
 //! What to write in place of what stands there.
 
 use super::list::List;
+use super::say::Decimal;
 use crate::language::Keyword;
 use smol_str::SmolStr;
 
@@ -28,7 +29,26 @@ messages! {
         "this is an invisible character: delete it",
         "見えない文字が入っています。消してください";
 
+    NumberOrVariable { name: SmolStr, number: SmolStr }
+        "a number has digits only: write `{number}`; a variable needs `DEF_VAR {name}`",
+        "数値なら数字だけで `{number}` と書きます。変数なら `DEF_VAR {name}` と宣言します";
+    LargestNumber
+        "the largest number is about 1.8E308",
+        "書ける最大の数は約1.8E308です";
+    NoClock
+        "there is no clock: each step takes one control cycle, so count with `N += 1`",
+        "時計はありません。1ステップが1制御周期なので、`N += 1` で数えてください";
+    TitleInLineTwo { wanted: Decimal }
+        "write `{wanted}` alone in line 1; the title stands in line 2",
+        "1行目は `{wanted}` だけにし、題名は2行目に書いてください";
+
     // Words of the language in another place.
+    FlagHere
+        "this is the flag, not the variable",
+        "これはフラグで、変数ではありません";
+    OtherName { name: SmolStr }
+        "in motion commands `{name}` is always the flag: give the variable another name",
+        "移動系コマンドの `{name}` はいつもフラグです。変数には別の名前を付けてください";
     ReadInput { input: SmolStr }
         "read the input on the line before: `AD_IN {input} A`, and write A here",
         "入力は前の行で `AD_IN {input} A` と読み、ここにはAを書いてください";
@@ -58,6 +78,9 @@ messages! {
     OpenBlock { written: SmolStr, closer: Keyword }
         "write it without parentheses and braces: `{written}`; {closer} ends the block",
         "括弧や波括弧を付けずに `{written}` と書き、ブロックは{closer}で閉じてください";
+    NestWithoutParentheses
+        "write it without parentheses: one IF inside the other for AND; for OR, two `IF … GOTO L1:` with the same label",
+        "括弧は付けません。ANDはIFの中にIFを入れ、ORは同じラベルへの `IF … GOTO L1:` を2つ書いてください";
     Limit
         "calculate in an equation on the line before, and write its variable here",
         "計算は前の行の式で行い、ここにはその変数を書いてください";

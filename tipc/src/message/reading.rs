@@ -7,6 +7,12 @@ messages! {
     Reading;
 
     System { error: Text } "{error}", "{error}";
+    NoFile
+        "there is no such file: look at its name and its folder",
+        "このファイルはありません。名前とフォルダを確かめてください";
+    NotAllowed
+        "the file may not be read: look at its permissions",
+        "ファイルを読む権限がありません。アクセス権を確かめてください";
     Folder
         "this is a folder: name the files in it, as FOLDER/*.prg",
         "これはフォルダです。フォルダ/*.prg のように中のファイルを指定してください";
@@ -16,6 +22,9 @@ messages! {
     NotTheOtherEither { encoding: &'static str, byte: usize }
         "the file is not {encoding} either (byte {byte}); save it in one of the two encodings",
         "{encoding}でもありません({byte}バイト目)。どちらかの文字コードで保存してください";
+    OtherCharacters
+        "this is read as other characters than those that were written",
+        "書かれたものとは別の文字として読まれています";
     SaveInThatEncoding
         "save the file in that encoding, or name the right one",
         "その文字コードで保存するか、正しい文字コードを指定してください";

@@ -33,6 +33,12 @@ messages! {
     Opens { opener: Keyword, closer: Keyword }
         "{opener} opens what {closer} closes",
         "{opener}で始めて{closer}で閉じます";
+    IfFirst { word: Keyword }
+        "{word} stands between `IF condition THEN` and its ENDIF",
+        "{word}は `IF 条件式 THEN` とそのENDIFの間に書きます";
+    SubEndCloses
+        "SUBEND closes a SUBROUTINE; a part that GOSUB calls ends with RETURN",
+        "SUBENDはSUBROUTINEを閉じます。GOSUBで呼ぶ部分の終わりはRETURNです";
     Open { opener: Keyword }
         "this {opener} is open",
         "この{opener}が開いています";
@@ -51,6 +57,9 @@ messages! {
     WordBefore { word: Keyword, closer: Keyword }
         "{word} comes before {closer}",
         "{closer}より先に{word}があります";
+    ClosesOuter { word: Keyword }
+        "this {word} is that of a loop around it",
+        "この{word}は外側のループのものです";
     EndsBefore { closer: Keyword }
         "the program ends before {closer}",
         "{closer}がないままプログラムが終わっています";

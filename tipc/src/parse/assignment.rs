@@ -4,6 +4,7 @@ use super::Parser;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign;
+use crate::language::reserved::{JOINT, POSITION};
 use crate::language::{commands, names};
 use crate::lex::{Kind, Token};
 use crate::message::{Habit, Instead, Message, Parsing};
@@ -87,7 +88,16 @@ impl Parser<'_> {
             return None;
         }
         let fault = Diagnostic::new(Code::Equation, place, Parsing::OneVariableLeft);
-        self.report(fault.help(Habit::AssignEach { name }));
+        let member = upper_case(word(last));
+        let help: Message = match names {
+            // `P,X = 1`
+            [_, _] if is_member(&member) && !is_list_after(tokens, equals) => {
+                let text = format!("{name}.{member}").into();
+                Instead::Write { text }.into()
+            }
+            _ => Habit::AssignEach { name }.into(),
+        };
+        self.report(fault.help(help));
         Some(StatementKind::Broken(Shape::Plain))
     }
 
@@ -115,4 +125,16 @@ impl Parser<'_> {
         self.report_unknown(both, sign, reason, help);
         Some(StatementKind::Broken(Shape::Plain))
     }
+}
+
+/// Whether several values follow the `=`.
+fn is_list_after(tokens: &[Token], equals: usize) -> bool {
+    let after = tokens[equals + 1..].iter();
+    after.filter(|it| it.kind == Kind::Word).count() > 1
+}
+
+/// Whether a word is a member of a POS or JOINT.
+fn is_member(word: &str) -> bool {
+    let is_joint = |rest: &str| rest.len() == 1 && rest.bytes().all(|it| it.is_ascii_digit());
+    POSITION.contains(&word) || word.strip_prefix(JOINT).is_some_and(is_joint)
 }

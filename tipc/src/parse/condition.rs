@@ -197,24 +197,43 @@ impl Reader<'_> {
     }
 
     /// `IF (A == 1)`: the statement without the parentheses around its whole condition.
-    pub(super) fn condition_in_parentheses(&self) -> Option<Instead> {
+    pub(super) fn condition_in_parentheses(&self) -> Option<Message> {
         let whole = self.slice(self.whole());
         let (keyword, rest) = whole.split_once('(')?;
         let (inside, rest) = rest.rsplit_once(')')?;
         let keyword = keywords::find(keyword.trim(), Edition::default())?;
+        let mut words = inside.split_whitespace();
+        if words.any(foreign::joins_conditions) {
+            return Some(Instead::NestWithoutParentheses.into());
+        }
         let joins = |word: &str| foreign::joins_conditions(word) || foreign::negates(word);
+        let is_constant = foreign::constant(&upper_case(inside.trim())).is_some();
+        if keyword == Keyword::While && (is_constant || inside.trim() == "1") {
+            return Some(Habit::Forever.into());
+        }
+        let flag = foreign::flag(inside.trim()).map(|(flag, is_negated)| match is_negated {
+            true => format!("!{flag}"),
+            false => flag.to_owned(),
+        });
+        let inside = flag.as_deref().unwrap_or(inside);
+        let inside = inside
+            .strip_prefix('!')
+            .filter(|_| flag.is_some())
+            .unwrap_or(inside);
         if inside.contains(['(', ')', '&', '|', '!']) || inside.split(' ').any(joins) {
             return None;
         }
-        let condition = inside.trim();
+        let condition = flag.as_deref().unwrap_or(inside).trim();
         let rest = rest.trim();
         let word = keyword.word();
         let closer = match keyword {
             Keyword::If if rest.is_empty() => Keyword::EndIf,
             Keyword::While if rest.is_empty() => Keyword::Wend,
+            // `IF (A == 1) MESSAGE one`: the statement has a line of its own.
+            Keyword::If if !jumps(rest) => Keyword::EndIf,
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
                 let written = upper_case(format!("{word} {condition} {rest}").trim());
-                return Some(Instead::WithoutParentheses { written });
+                return Some(Instead::WithoutParentheses { written }.into());
             }
             _ => return None,
         };
@@ -224,7 +243,7 @@ impl Reader<'_> {
             ""
         };
         let written = upper_case(&format!("{word} {condition}{then}"));
-        Some(Instead::OpenBlock { written, closer })
+        Some(Instead::OpenBlock { written, closer }.into())
     }
 
     /// What is wrong after a condition that opens a block as in another language: `WHILE A < 3 DO`.
@@ -258,6 +277,15 @@ impl Reader<'_> {
 fn as_in_condition(mut fault: Fault) -> Fault {
     fault.help.get_or_insert_with(|| Parsing::Conditions.into());
     fault
+}
+
+/// Whether what follows a condition goes on with its IF.
+fn jumps(rest: &str) -> bool {
+    let first = rest.split([' ', '\t']).next().unwrap_or_default();
+    let words = [Keyword::Then, Keyword::Goto, Keyword::Gosub, Keyword::Call];
+    words
+        .iter()
+        .any(|word| first.eq_ignore_ascii_case(word.word()))
 }
 
 fn is_part_of_relation(token: &Token) -> bool {

@@ -256,7 +256,14 @@ impl Reader<'_> {
             0 => None,
             _ => Some(self.loop_variable_of_next()?),
         };
-        let end = self.expect_end_or(End::NextAndVariable, Instead::NextEach);
+        let help = match (self.peek().map(|next| next.kind), self.before()) {
+            (Some(Kind::Word) | None, _) | (_, None) => Instead::NextEach,
+            // `NEXT I:`, `NEXT I = I + 1`
+            (_, Some(last)) => Instead::Write {
+                text: upper_case(self.slice(keyword.to(last.span))),
+            },
+        };
+        let end = self.expect_end_or(End::NextAndVariable, help);
         Ok((StatementKind::Next { keyword, variable }, end))
     }
 

@@ -152,6 +152,13 @@ fn instead(reader: &Reader<'_>, left: &Operand, token: Token) -> Message {
     if foreign::is_unit(&word) {
         return Habit::NoUnit.into();
     }
+    if token.kind == Kind::Colon && next.is_some() {
+        return Instead::ColonSeparates.into();
+    }
+    if token.kind == Kind::Assign(None) {
+        let name = reader.first_word();
+        return Habit::AssignEach { name }.into();
+    }
     if matches!(token.kind, Kind::Relation(_)) {
         return Habit::ChooseByIf.into();
     }

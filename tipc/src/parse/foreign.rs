@@ -4,12 +4,12 @@ use super::jump::{joined, marked, spread};
 use super::shape::meant;
 use super::{Parser, narrow};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label};
+use crate::diagnostic::Diagnostic;
 use crate::foreign::{self, Means};
-use crate::language::commands::{self, COMMANDS, Meaning};
+use crate::language::commands::{self, COMMANDS};
 use crate::language::{Edition, Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
-use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Suggesting};
+use crate::message::{Commanding, Habit, Message, Naming, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Shape, StatementKind, VariableKind, Word, upper_case};
@@ -102,49 +102,11 @@ impl Parser<'_> {
         }
         self.line_number(word, tokens)
             .or_else(|| self.goes_on_declaring(word, tokens))
+            .or_else(|| self.goes_on_showing(word))
             .or_else(|| self.foreign_word(word, tokens))
             .or_else(|| self.label_in_pieces(tokens))
             .or_else(|| self.marked_label(tokens))
             .or_else(|| self.after_semicolon(word))
-    }
-
-    /// `10 PTP F1 P`: one mistake, however many lines have a number.
-    fn line_number(&mut self, word: Span, tokens: &[Token]) -> Option<StatementKind> {
-        let text = self.source.slice(word);
-        let digits = text.trim_end_matches('.');
-        let is_number = !digits.is_empty() && digits.bytes().all(|it| it.is_ascii_digit());
-        let second = self.source.slice(tokens.get(1)?.span);
-        let command = commands::find(second).filter(|_| is_number)?;
-        let shape = match command.meaning {
-            Meaning::Keyword(keyword) => meant(keyword, self.text, &tokens[1..]),
-            _ => Shape::Plain,
-        };
-        match self.numbered {
-            Some(first) => {
-                let text = Instead::NumberedToo.into();
-                self.diagnostics[first]
-                    .labels
-                    .push(Label { span: word, text });
-            }
-            None => {
-                self.numbered = Some(self.diagnostics.len());
-                let reason = Commanding::NoCommand { word: text.into() };
-                self.report_unknown(word, text, reason, Instead::NoNumbers);
-            }
-        }
-        Some(StatementKind::Broken(shape))
-    }
-
-    /// `90 END` at the end of the file: its number is reported.
-    pub(super) fn ends_with_number(&self) -> bool {
-        let last = self.module.statements.last();
-        last.filter(|_| self.numbered.is_some())
-            .is_some_and(|last| {
-                let mut words = self.source.slice(last.span).split_whitespace();
-                let is_end = |word: &str| word.eq_ignore_ascii_case(Keyword::End.word());
-                matches!(last.kind, StatementKind::Broken(_))
-                    && words.next_back().is_some_and(is_end)
-            })
     }
 
     /// `DEF_VAR A; B`: the name after the `;` was to be declared, too.
@@ -169,6 +131,19 @@ impl Parser<'_> {
             keyword: word,
             names,
         })
+    }
+
+    /// `PRINT "N="; N`: what follows the `;` was to be shown, too.
+    fn goes_on_showing(&mut self, word: Span) -> Option<StatementKind> {
+        let line = self.module.statements.iter().rev();
+        let mut line = line.take_while(|it| it.line == self.line.number);
+        let shows = |statement: Span| {
+            let row = foreign::statement(foreign::name(self.source.slice(statement)));
+            row.is_some_and(|row| matches!(row.habit, Habit::ShowText | Habit::KeyIn))
+        };
+        let is_known = foreign::statement(self.source.slice(word)).is_some();
+        let goes_on = !is_known && line.any(|it| shows(it.keyword()));
+        goes_on.then_some(StatementKind::Broken(Shape::Plain))
     }
 
     /// `MAIN-LOOP:`, `MAIN LOOP:`

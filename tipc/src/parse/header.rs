@@ -4,7 +4,7 @@ use super::reader::Parsed;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::lex::{BLANKS, split_comment};
-use crate::message::{Decimal, Habit, Message, Parsing};
+use crate::message::{Decimal, Habit, Instead, Message, Parsing};
 use crate::source::{Source, Span};
 
 /// The versions that `migrate` reads; some programs of the time of 2.1 say 4.0 (T.I.P. 3.1 §1-1).
@@ -23,9 +23,15 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
         None => Parsing::MoreThanVersion,
     };
     let is_older = version_number(word).is_some_and(|found| OLDER.contains(&found));
-    let help: Message = match is_older {
-        true => Habit::Migrate.into(),
-        false => Parsing::StartWithVersion {
+    let first = word.split(BLANKS).next().and_then(version_number);
+    let is_title_behind = first == Some(wanted);
+    let help: Message = match (is_older, is_title_behind) {
+        (true, _) => Habit::Migrate.into(),
+        (_, true) => Instead::TitleInLineTwo {
+            wanted: Decimal(wanted),
+        }
+        .into(),
+        _ => Parsing::StartWithVersion {
             wanted: Decimal(wanted),
         }
         .into(),

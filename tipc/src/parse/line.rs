@@ -170,6 +170,8 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Habit::Plain { plain });
         } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
             diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
+        } else if text == "。" && is_between_digits(before, &self.text[place.end..]) {
+            diagnostic = diagnostic.help(Habit::Plain { plain: "." });
         } else if text.chars().all(foreign::is_invisible) {
             diagnostic = diagnostic.help(Instead::Invisible);
         } else if self.is_unit(place) {
@@ -303,6 +305,11 @@ pub(crate) fn narrow(text: &str) -> String {
 /// The same characters half-width, if they are full-width letters, digits or signs.
 fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
+}
+
+/// Whether a place is inside a number.
+fn is_between_digits(before: &str, after: &str) -> bool {
+    before.ends_with(is_digit) && after.starts_with(is_digit)
 }
 
 fn is_digit(char: char) -> bool {

@@ -1,16 +1,18 @@
 //! Operands: constants, names, members, and their signs.
 
 use super::reader::{Fault, Parsed, Reader};
-use crate::foreign;
+use crate::foreign::{self, Means};
+use crate::language::Keyword;
 use crate::language::commands::{self, Meaning};
-use crate::language::{Keyword, functions};
+use crate::language::functions::{self, Operation};
 use crate::lex::{Kind, Token};
 use crate::message::list::List;
 use crate::message::{Habit, Instead, Message, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Arithmetic, Operand, OperandKind, upper_case};
+use crate::syntax::{Arithmetic, Operand, OperandKind, VariableKind, upper_case};
 use smol_str::SmolStr;
+use tip_runtime::function::Function;
 
 /// Words that end an operand list in conditions and FOR; no variable has such a name.
 const STOPS: &[Keyword] = &[
@@ -64,6 +66,8 @@ impl Reader<'_> {
             fault.help = Some(Habit::NextStatement.into());
         } else if matches!(token.kind, Kind::Assign(_)) {
             fault.help = Some(self.without_equals().into());
+        } else if self.is_equation() {
+            fault.help = Some(Parsing::WriteEquation.into());
         }
         fault
     }
@@ -110,6 +114,14 @@ impl Reader<'_> {
         let text = self.slice(token.span).into();
         let reason = Parsing::BetweenArguments { text };
         let help: Message = match token.kind {
+            // `50 mm/s`
+            Kind::Arithmetic(_)
+                if self
+                    .before()
+                    .is_some_and(|it| foreign::is_unit(self.slice(it.span))) =>
+            {
+                Habit::NoUnit.into()
+            }
             Kind::Arithmetic(_) => Habit::CalculateArgument.into(),
             Kind::Assign(_) => Habit::ArgumentNames.into(),
             _ => Parsing::SeparateArguments.into(),
@@ -121,10 +133,16 @@ impl Reader<'_> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
             Some(word) if word.kind == Kind::Word => {
+                if let Some(fault) = self.turned_update(place, word.span) {
+                    return Err(fault);
+                }
                 let (sign, word) = (self.slice(place), self.slice(word.span));
                 let text = format!("{sign}{word}").into();
                 let reason = Parsing::SignStandsBefore;
                 return Err(self.fault_with_help(place, reason, Habit::WriteSigned { text }));
+            }
+            Some(second) if matches!(second.kind, Kind::Arithmetic(_)) => {
+                return Err(self.two_signs(place, second.span));
             }
             _ => {
                 let reason = Parsing::SignStandsBefore;
@@ -159,6 +177,32 @@ impl Reader<'_> {
         }
     }
 
+    /// `N =+ 5`, where `N += 5` was meant.
+    fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
+        let equals = self.before()?;
+        let is_glued = equals.kind == Kind::Assign(None) && equals.span.end == sign.start;
+        let name = self.slice(self.whole()).split('=').next()?.trim();
+        let text = format!("{name} {}= {}", self.slice(sign), self.slice(operand));
+        let both = equals.span.to(sign);
+        let reason = Habit::NoOperator {
+            sign: self.slice(both).into(),
+        };
+        let text = upper_case(&text);
+        is_glued.then(|| self.fault_with_help(both, reason, Instead::Write { text }))
+    }
+
+    /// `--391`
+    fn two_signs(&self, first: Span, second: Span) -> Fault {
+        let both = first.to(second);
+        let operand = self.left_tokens().get(2).map(|third| third.span);
+        let operand = operand.map_or("A", |span| self.slice(span));
+        let text = format!("{}{operand}", self.slice(second)).into();
+        let reason = Habit::NoOperator {
+            sign: self.slice(both).into(),
+        };
+        self.fault_with_help(both, reason, Instead::Write { text })
+    }
+
     /// A word as constant, name or member.
     pub(super) fn value(&self, span: Span) -> Parsed<Operand> {
         let word = self.slice(span);
@@ -176,7 +220,10 @@ impl Reader<'_> {
     fn number(&self, word: &str, span: Span) -> Parsed<f64> {
         match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
-            Ok(_) => Err(self.fault(span, Parsing::ConstantTooLarge)),
+            Ok(_) => {
+                let reason = Parsing::ConstantTooLarge;
+                Err(self.fault_with_help(span, reason, Instead::LargestNumber))
+            }
             Err(_) => {
                 let reason = Parsing::NoNumber { word: word.into() };
                 Err(self.fault_with_help(span, reason, meant_by_number(word)))
@@ -220,8 +267,7 @@ impl Reader<'_> {
             [b'~', _, ..] if !self.is_equation() => Habit::WriteNot.into(),
             _ if help == Parsing::NoParentheses.into() && !is_calculation => self
                 .condition_in_parentheses()
-                .unwrap_or(Instead::NoParentheses)
-                .into(),
+                .unwrap_or_else(|| Instead::NoParentheses.into()),
             _ => help,
         };
         self.fault_with_help(place, reason, help)
@@ -278,10 +324,25 @@ fn meant_by_name(word: &str) -> Message {
     if word.starts_with('"') {
         return Habit::NoText.into();
     }
-    if let Some((name, _)) = word
+    if word.contains('^') {
+        return Habit::Power.into();
+    }
+    if let Some(inside) = word.strip_prefix('|').and_then(|it| it.strip_suffix('|')) {
+        let text = upper_case(&format!(
+            "{} {inside}",
+            Operation::Scalar(Function::Abs).word()
+        ));
+        return Instead::Write { text }.into();
+    }
+    if word.ends_with('$') {
+        return Habit::NoText.into();
+    }
+    if let Some((name, inside)) = word
         .split_once(['(', '['])
         .filter(|(name, _)| !name.is_empty())
     {
+        // `math.sin(30)`
+        let name = name.rsplit('.').next().unwrap_or(name);
         if functions::words().any(|function| function.eq_ignore_ascii_case(name)) {
             return Parsing::NoParentheses.into();
         }
@@ -294,9 +355,22 @@ fn meant_by_name(word: &str) -> Message {
             None => {}
         }
         if let Some(row) = foreign::statement(&name) {
-            return row.habit.clone().into();
+            return match row.means {
+                // `P = POS(391, 201, -150)`
+                Means::Declaration(VariableKind::Pos | VariableKind::Joint) => {
+                    Habit::EachMember.into()
+                }
+                Means::Declaration(_) => no_function(&name).1,
+                _ => row.habit.clone().into(),
+            };
         }
         if foreign::is_function(&name) || foreign::function(&name).is_some() {
+            return no_function(&name).1;
+        }
+        if foreign::tells_time(&name) {
+            return Instead::NoClock.into();
+        }
+        if inside == ")" {
             return no_function(&name).1;
         }
         return Habit::NoArray { name }.into();

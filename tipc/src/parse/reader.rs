@@ -8,6 +8,7 @@ use crate::message::phrase::End;
 use crate::message::{Habit, Message, Parsing};
 use crate::source::Span;
 use crate::syntax::{Word, upper_case};
+use smol_str::SmolStr;
 
 /// What is wrong with a statement.
 pub(super) type Fault = Box<Diagnostic>;
@@ -116,6 +117,12 @@ impl<'a> Reader<'a> {
             [first, .., last] => first.span.to(last.span),
             _ => self.here(),
         }
+    }
+
+    /// The first word of the statement, upper-cased.
+    pub(super) fn first_word(&self) -> SmolStr {
+        let first = self.tokens.first().map_or("", |it| self.slice(it.span));
+        upper_case(first)
     }
 
     /// All that is left.

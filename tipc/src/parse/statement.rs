@@ -4,7 +4,7 @@ use super::control::Read;
 use super::line::not_alone;
 use super::reader::Reader;
 use super::shape::shape;
-use super::{Flow, Parser, equation};
+use super::{Flow, Parser, equation, relation};
 use crate::code::Code;
 use crate::foreign;
 use crate::language::{Keyword, keywords};
@@ -142,7 +142,14 @@ impl Parser<'_> {
                 }
             };
         }
-        match keyword.and_then(|keyword| self.control(keyword, word, tokens)) {
+        let read = keyword.and_then(|keyword| self.control(keyword, word, tokens));
+        if let Some(Err(fault) | Ok((_, Err(fault)))) = &read
+            && let Some(tokens) = relation::meant(fault, tokens)
+        {
+            self.report((**fault).clone());
+            return self.kind(keyword, word, &tokens, reported);
+        }
+        match read {
             Some(Ok((kind, Ok(())))) => kind,
             Some(Ok((kind, Err(fault)))) => {
                 self.report(*fault);

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::BLANKS;
-use crate::message::{Commanding, Habit, Instead, Message, Structuring};
+use crate::message::{Commanding, Habit, Instead, Message, Parsing, Structuring};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
@@ -34,10 +34,15 @@ impl Matcher<'_> {
             && name == kind.closer()
             && !self.is_reported(index)
             && !self.is_reported(first);
-        if !may_be || self.comes_later(index, inner) || other_open && !self.comes_later(index, kind)
-        {
+        let is_needed = || other_open && self.later(index, kind) < self.open_of(kind);
+        if !may_be || self.later(index, inner) > 0 || is_needed() {
             return false;
         }
+        // That it is alone on its line would not help.
+        let place = self.place(index);
+        let is_alone = Message::from(Parsing::NotAlone { word: name.into() });
+        self.found
+            .retain(|it| it.reason != is_alone || it.span.start != place.start);
         self.open.pop();
         self.result.blocks[block].end = index;
         self.result.blocks[block].broken = true;
@@ -67,7 +72,7 @@ impl Matcher<'_> {
         };
         let (kind, first, block) = (open.kind, open.first, open.block);
         let is_loop = matches!(kind, BlockKind::While | BlockKind::Repeat | BlockKind::For);
-        if !is_loop || !arguments.is_empty() || self.comes_later(index, kind) {
+        if !is_loop || !arguments.is_empty() || self.later(index, kind) > 0 {
             return false;
         }
         self.open.pop();
@@ -89,19 +94,26 @@ impl Matcher<'_> {
         true
     }
 
-    /// Whether the end of a block of this kind that is open now comes after a statement.
-    fn comes_later(&self, index: usize, kind: BlockKind) -> bool {
-        let mut inside = 0;
+    /// How many blocks of this kind are open in the routine.
+    fn open_of(&self, kind: BlockKind) -> usize {
+        let open = self.open.iter().rev();
+        let open = open.take_while(|open| open.kind != BlockKind::Subroutine);
+        open.filter(|open| open.kind == kind).count()
+    }
+
+    /// How many ends of blocks of this kind that are open now come after a statement.
+    pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
+        let (mut inside, mut later) = (0, 0);
         for statement in self.module.statements[index + 1..].iter().take(FAR) {
             match statement.kind.shape() {
-                Shape::Subroutine | Shape::SubEnd => return false,
+                Shape::Subroutine | Shape::SubEnd => break,
                 shape if shape == opens(kind) => inside += 1,
-                shape if shape == closes(kind) && inside == 0 => return true,
+                shape if shape == closes(kind) && inside == 0 => later += 1,
                 shape if shape == closes(kind) => inside -= 1,
                 _ => {}
             }
         }
-        false
+        later
     }
 
     /// An END inside a block, with statements and another END after it, was to end the block, or to stop the run.

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 /// Rows that are reasons of codes which cover one kind of mistake only.
 const PLAIN: &[(&str, &str)] = &[
-    ("Reading", "System Folder"),
+    ("Reading", "System Folder NoFile NotAllowed OtherCharacters"),
     (
         "Parsing",
         "OtherVersion NoVersion MoreThanVersion ProgramEndsHere TextEndsHere TextTooLong",
@@ -55,7 +55,7 @@ const BESIDE: &[(&str, &str)] = &[
         "Structuring",
         "StillOpen CloseBefore Else ElseIsLast Opens Open StandsHere CloseWith SubroutineBefore WordBefore EndsBefore
          VariableOfFor JumpsHere DidYouMean DeclareLabel GosubCalls OwnLabel PutLoop MoveOut JumpBefore CallIt BlockStarts
-         Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub",
+         Label SubroutineStarts LeaveWith For PutJumpAbove ReturnOfGosub IfFirst SubEndCloses ClosesOuter",
     ),
     ("Suggesting", "DidYouMean"),
     (
@@ -75,7 +75,7 @@ const BESIDE: &[(&str, &str)] = &[
         "Write BlankAfter NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
          CommandFirst Keys ColonSeparates NoParentheses WithoutParentheses OpenBlock Limit Functions MemberByMember TypeLeftOut ShorterName
          Call JumpTo NoValues NoResult LeaveSubroutine Alone NextEach GotoLoop Closes
-         CountTimes",
+         CountTimes NumberOrVariable LargestNumber NoClock NestWithoutParentheses TitleInLineTwo FlagHere OtherName",
     ),
 ];
 

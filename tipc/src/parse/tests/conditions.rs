@@ -32,10 +32,22 @@ fn flags_stand_alone_or_negated() {
 
 // clauses: 5.1
 #[test]
+fn relations_of_other_languages_are_read_as_what_was_meant() {
+    let fault = "1:6: Wrong argument";
+    check("IF A = B THEN", &["if (A == B) then", fault]);
+    check("IF A != B THEN", &["if (A <> B) then", fault]);
+    check("IF A => B THEN", &["if (A >= B) then", fault]);
+    check("IF A < > B THEN", &["if (A <> B) then", fault]);
+    check("IF A LE B THEN", &["if (A <= B) then", fault]);
+    // So what is wrong after it is found as well.
+    check("IF A = B", &["broken If", fault, "1:9: Wrong argument"]);
+    // A flag is compared with nothing.
+    check("IF KB_HIT = B THEN", &["broken If", "1:11: Wrong argument"]);
+}
+
+// clauses: 5.1
+#[test]
 fn malformed_conditions_are_shown_at_their_place() {
-    wrong("A = B", 6);
-    wrong("A != B", 6);
-    wrong("A => B", 6);
     wrong("A >< B", 7);
     wrong("A ==", 9);
     wrong("== A", 4);

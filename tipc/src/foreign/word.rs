@@ -1,0 +1,33 @@
+//! Words of other languages inside statements: flags, clocks, speeds, G-code.
+
+use tip_runtime::command::Flag;
+
+/// The flag that another language asks a function for, and whether it is negated: `!kbhit()`.
+pub(crate) fn flag(text: &str) -> Option<(&'static str, bool)> {
+    const KEYS: &str = "KBHIT _KBHIT KEYPRESSED KEY_PRESSED KEYHIT KEY_HIT";
+    let (text, is_negated) = match text.strip_prefix('!') {
+        Some(rest) => (rest.trim(), true),
+        None => (text, false),
+    };
+    let name = text.strip_suffix("()").unwrap_or(text).trim();
+    let is_key = KEYS.split(' ').any(|one| one.eq_ignore_ascii_case(name));
+    is_key.then_some((Flag::KbHit.stem(), is_negated))
+}
+
+/// Whether a function tells the time.
+pub(crate) fn tells_time(name: &str) -> bool {
+    const NAMES: &str = "MILLIS MICROS TIME CLOCK TIC TOC NOW TIMER GETTICKCOUNT TICKS";
+    NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
+}
+
+/// `G0`, `M30`
+pub(crate) fn is_g_code(word: &str) -> bool {
+    let rest = word.strip_prefix(['G', 'g', 'M', 'm']).unwrap_or_default();
+    !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit())
+}
+
+/// Whether a word names a speed; one command sets it for all the motions after it.
+pub(crate) fn is_speed(word: &str) -> bool {
+    const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
+    SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
+}

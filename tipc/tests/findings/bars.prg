@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR A B
+KEY_IN B
+A = |B|
+MESSAGE %A%
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DO
+SLEEP 10
+WHILE KB_HIT
+END

@@ -1,0 +1,10 @@
+3.1
+A title
+DEF_VAR I J
+FOR I = 1 TO 3
+FOR J = 1 TO 3
+IF I == J THEN
+SLEEP I
+NEXT J
+NEXT I
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR N
+KEY_IN N
+IF_GOTO N == 1 L1:
+L1:
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+while (!kbhit()) {
+SLEEP 10
+}
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+L1.
+SLEEP 100
+GOTO L1:
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_POS P
+P,X = 1
+PTP F1 P
+END

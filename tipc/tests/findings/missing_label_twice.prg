@@ -1,0 +1,5 @@
+3.1
+A title
+GOSUB UP:
+GOSUB UP:
+END

@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR I J
+FOR I = 1 TO 3
+FOR J = 1 TO 3
+SLEEP I
+SLEEP J
+NEXT I
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+SLEEP 1e400
+SLEEP 100
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+SLEEP l00
+SLEEP 100
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+SET_OMEGA_SLOW ALL
+SLEEP 100
+END

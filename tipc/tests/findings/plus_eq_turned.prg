@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR N
+N = 1
+N =+ 5
+MESSAGE %N%
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR N M
+KEY_IN N
+M = N.^2
+MESSAGE %M%
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+REMARK this is it
+SLEEP 100
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+REPEAT
+SLEEP 100
+WEND KB_HIT
+END

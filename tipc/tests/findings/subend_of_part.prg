@@ -1,0 +1,8 @@
+3.1
+A title
+GOSUB A:
+EXIT
+A:
+SLEEP 100
+SUBEND
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+T_MAX J11 5
+SLEEP 100
+END

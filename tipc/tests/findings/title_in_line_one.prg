@@ -1,0 +1,3 @@
+3.1 my walk
+SLEEP 100
+END

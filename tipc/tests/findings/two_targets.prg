@@ -1,0 +1,4 @@
+3.1
+A title
+SET_V_MAX F1 F2 50
+END

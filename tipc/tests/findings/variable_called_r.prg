@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR R
+R = 5
+PTP F1 R 0 0
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+while True:
+    SLEEP 10
+END
