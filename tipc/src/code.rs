@@ -58,7 +58,7 @@ macro_rules! codes {
             }
 
             /// The message in a language; the classical ones are English.
-            pub(crate) const fn template_in(self, lang: Lang) -> &'static str {
+            pub const fn template_in(self, lang: Lang) -> &'static str {
                 match (self, lang) {
                     $( $( (Code::$variant, Lang::Japanese) => $japanese, )? )*
                     (_, _) => self.template(),
@@ -208,6 +208,12 @@ codes! {
     /// A constant target that the robot reaches, but not on the straight path from where the foot is.
     PathLeavesReach "W127" None, "the straight path to this target leaves the reach and stops the program when it runs",
         "この目標までの直線経路が可動範囲を外れ、実行すると緊急停止します";
+    /// A title that would be a statement of the program.
+    StatementAsTitle "W128" None, "this statement is read as the title and does not run",
+        "この文は題名として読まれ、実行されません";
+    /// A file in an encoding that programs do not have, which can be read all the same.
+    OtherEncoding "W129" None, "the file seems to be in another encoding",
+        "ファイルは別の文字コードで書かれているようです";
 }
 
 impl Code {

@@ -4,6 +4,8 @@
 
 #[cfg(any(feature = "build", feature = "tools"))]
 mod doubts;
+#[cfg(any(feature = "build", feature = "tools"))]
+mod title;
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
@@ -82,7 +84,7 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let mut loaded = lowered(name, bytes, options);
     #[cfg(any(feature = "build", feature = "tools"))]
-    doubts::find(&mut loaded, options.robot);
+    doubts::find(&mut loaded, bytes, options);
     in_order(&mut loaded.diagnostics, loaded.module.edition);
     #[cfg(feature = "tools")]
     crate::fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);

@@ -241,6 +241,7 @@ fn relative_is_said_of_each_number() {
     check("PTP_ANGLE F1 R 10 20 30", &["W120 3:14"]);
     check("PTP F1 R 10 R 0 R 0\nPTP F1 R 10 A 251 A -150", &[]);
     check("PTP F1 R 0 251 -150\nPTP F1 -391 R 10 -150", &[]);
+    check("PTP F1 R 0 0 50", &["W120 3:8"]);
     check(
         "DEF_POS P\nTEACH_POSITION F1 P\nPTP F1 R P\nPTP_ANGLE J11 R 10",
         &[],

@@ -1,22 +1,27 @@
 //! Warnings of a program that loads, and the comments that silence them.
 
-use super::{Loaded, judge, place};
+use super::{Loaded, Options, judge, place, title};
 use crate::allow::Allows;
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::robot::Robot;
+use crate::message::{Habit, Reading};
+use crate::source::{Encoding, Span, looks_like};
 use crate::warn::Judged;
 
 /// Adds what an analysis of the program warns of, and leaves out what its comments silence.
-pub(super) fn find(loaded: &mut Loaded, robot: Robot) {
+pub(super) fn find(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
     if let Some(program) = &loaded.program {
         let judged = Judged {
             source: &loaded.source,
             module: &loaded.module,
             symbols: &loaded.symbols,
             program,
-            robot,
+            robot: options.robot,
         };
         judged.warn(&mut loaded.diagnostics);
+        let encoding = other_encoding(loaded, bytes, options);
+        let title = title::warn(loaded, options);
+        loaded.diagnostics.extend(encoding.into_iter().chain(title));
     }
     let mut allows = Allows::of(&loaded.source, &loaded.module);
     allows.silence(&loaded.source, &mut loaded.diagnostics);
@@ -36,4 +41,16 @@ impl Loaded {
         self.diagnostics.append(&mut found);
         self.diagnostics.sort_by_key(place);
     }
+}
+
+/// Warns of a file that can be read, but not as what was written: in EUC-JP, say.
+fn other_encoding(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<Diagnostic> {
+    let is_forced = options.encoding != Encoding::Auto;
+    let encoding = looks_like(bytes).filter(|_| !is_forced)?;
+    let text = loaded.source.text();
+    let at = text.find(|c: char| !c.is_ascii() || c == '\u{1B}')?;
+    let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);
+    let place = Span::new(at, at + length);
+    let finding = Diagnostic::new(Code::OtherEncoding, place, Reading::OtherCharacters);
+    Some(finding.help(Habit::OtherEncoding { encoding }))
 }

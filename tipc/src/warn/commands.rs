@@ -53,7 +53,7 @@ fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Dia
     })
 }
 
-/// `R` before the first number only. `R 0` in front is how to keep one coordinate; `A` before another number shows that
+/// `R` before the first number only. `R 0` in front is how to keep one coordinate, unless 0 follows as well: `A` before another number shows that
 /// the author knows that `R` is for one.
 fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnostic> {
     let takes_marks = commands::find(name).is_some_and(|command| match command.form {
@@ -66,7 +66,8 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
         .position(|operand| is(&operand, RELATIVE))?;
     let (mark, numbers) = arguments[first..].split_first()?;
     let marked = |operand: &syntax::Operand| is(&operand, RELATIVE) || is(&operand, ABSOLUTE);
-    let stays = matches!(numbers.first()?.kind, OperandKind::Number(0.0));
+    let is_zero = |operand: &syntax::Operand| matches!(operand.kind, OperandKind::Number(0.0));
+    let stays = is_zero(numbers.first()?) && !numbers.get(1).is_some_and(is_zero);
     let is_target = |operand: &syntax::Operand| matches!(&operand.kind, OperandKind::Name(name) if name.parse::<Target>().is_ok());
     let leads = arguments[..first].last().is_some_and(is_target);
     if !takes_marks || !leads || stays || numbers.len() < 2 || numbers.iter().any(marked) {

@@ -1,5 +1,7 @@
 //! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
 
+mod wide;
+
 use super::Judged;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -8,6 +10,7 @@ use crate::message::{Message, Warning};
 use crate::program::{Variable, VariableKind};
 use crate::source::Span;
 use crate::suggest::nearest;
+use crate::symbols::{Access, DefinitionId};
 use crate::syntax::{StatementKind, upper_case};
 use smol_str::SmolStr;
 
@@ -17,6 +20,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
             found.extend(quoted(judged.source.slice(text.span), text.span));
             placeholders(judged, text.span, found);
             foreign_values(judged, text.span, found);
+            wide::warn(judged, text.span, found);
         }
     }
 }
@@ -43,7 +47,8 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
         };
         is_var(name).then(|| (at, shown, Some(upper_case(name))))
     });
-    let Some((at, length, name)) = first else {
+    let whole = || is_unread_var(judged, text).then(|| (0, text.len(), Some(upper_case(text))));
+    let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
     let span = Span::new(place.start + at, place.start + at + length);
@@ -54,6 +59,18 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
             .help(Warning::ShowValue { name }),
         None => finding.help(Warning::ShowAnyValue),
     });
+}
+
+/// `MESSAGE COUNT`: whether a text is the name of a VAR that nothing reads.
+fn is_unread_var(judged: &Judged<'_>, text: &str) -> bool {
+    let name = upper_case(text);
+    let mut vars = judged.program.variables().iter();
+    let is_var = |one: &Variable| one.kind == VariableKind::Var && one.name == *name;
+    let Some(id) = vars.position(is_var).map(DefinitionId::of_variable) else {
+        return false;
+    };
+    let mut uses = judged.symbols.uses(id);
+    uses.all(|it| matches!(it.access, Access::Define | Access::Assign))
 }
 
 /// What may stand before a percent sign that is one: `50%`, `%A%`.
@@ -76,8 +93,16 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
         let finding = Diagnostic::new(Code::QuotedMessage, place, Warning::ParenthesesShown);
         return Some(finding.help(Warning::LeaveParenthesesOut));
     }
-    let mut after = ["\"\"\"", "\"", "'"].into_iter().filter_map(|quote| {
-        let (_, after) = text.strip_prefix(quote)?.split_once(quote)?;
+    let quotes = [
+        ("\"\"\"", "\"\"\""),
+        ("\"", "\""),
+        ("'", "'"),
+        ("“", "”"),
+        ("”", "”"),
+        ("＂", "＂"),
+    ];
+    let mut after = quotes.into_iter().filter_map(|(opens, closes)| {
+        let (_, after) = text.strip_prefix(opens)?.split_once(closes)?;
         Some(after.trim_start())
     });
     let help = match after.next()? {
@@ -173,10 +198,21 @@ fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
 /// What to write for a name that is not declared.
 fn declare(variables: &[Variable], name: SmolStr) -> Warning {
     let vars = variables.iter().filter(|one| one.kind == VariableKind::Var);
-    match nearest(&name, vars.map(|one| one.name.as_str())) {
+    let mut vars = vars.map(|one| one.name.as_str());
+    if let Some(near) = vars.clone().find(|var| numbered(&name, var)) {
+        return Warning::MeantPlaceholder { near: near.into() };
+    }
+    match nearest(&name, &mut vars) {
         Some(near) => Warning::MeantPlaceholder { near: near.into() },
         None => Warning::DeclareOrLeaveOut { name },
     }
+}
+
+/// `%d01%` or `%f01%` for `VAR01`, as before version 3.0.
+fn numbered(name: &str, var: &str) -> bool {
+    let number = name.strip_prefix(['D', 'F']).unwrap_or_default();
+    let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
+    is_number && var.strip_prefix("VAR") == Some(number)
 }
 
 /// Whether a value was to be shown, and nothing says of which variable.

@@ -35,7 +35,7 @@ pages! {
     "E401" "E402" "E403" "E404" "E405" "E406" "E407" "E408"
     "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
     "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122" "W123" "W124"
-    "W125" "W126" "W127"
+    "W125" "W126" "W127" "W128" "W129"
 }
 
 #[cfg(test)]
@@ -84,7 +84,7 @@ mod tests {
         fn title(&self, lang: Lang) -> String {
             match self.mistake {
                 Some(mistake) => mistake.title(lang).to_owned(),
-                None => self.class.template().replace("{}", "…"),
+                None => self.class.template_in(lang).replace("{}", "…"),
             }
         }
 
@@ -148,6 +148,7 @@ mod tests {
         // What no text causes.
         let without = [
             "E101", "E102", "E103", "E104", "E105-06", "E306", "E405", "E406", "E407", "W125",
+            "W129",
         ];
         for (page, about) in PAGES.iter().zip(About::all()) {
             let english = blocks(page.english);

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR VAR01
+KEY_IN VAR01
+MESSAGE n=%d01%
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR N
+KEY_IN N
+MESSAGE n=％N％
+END

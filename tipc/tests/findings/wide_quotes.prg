@@ -1,0 +1,4 @@
+3.1
+A title
+MESSAGE ”こんにちは”
+END
