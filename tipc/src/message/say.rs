@@ -29,7 +29,7 @@ impl Lang {
     }
 
     /// The text in this language.
-    pub(crate) const fn pick<'a>(self, english: &'a str, japanese: &'a str) -> &'a str {
+    pub const fn pick<'a>(self, english: &'a str, japanese: &'a str) -> &'a str {
         match self {
             Lang::English => english,
             Lang::Japanese => japanese,

@@ -19,6 +19,9 @@ messages! {
     NoFile { command: String }
         "which program? `tipc {command}` needs a file, as `tipc {command} walk.prg`",
         "どのプログラムですか? `tipc {command} walk.prg` のようにファイルを指定してください";
+    NoCode { code: String, codes: Each }
+        "no finding has the code {code}; the codes are {codes}",
+        "{code}というコードはありません。コードは{codes}です";
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";

@@ -8,7 +8,8 @@ use super::{Status, output, shown};
 use clap::Args;
 use std::fmt::Write as _;
 use tipc::code::{Code, Mistake};
-use tipc::message::Lang;
+use tipc::message::list::Each;
+use tipc::message::{Lang, Using};
 
 /// `tipc explain`
 #[derive(Debug, Args)]
@@ -33,10 +34,10 @@ pub(super) fn explain(arguments: &Explain) -> Result<Status, Error> {
     let code = arguments.code.to_ascii_uppercase();
     let lang = shown::lang(arguments.lang);
     let Some(text) = page(&code, lang) else {
-        let codes: Vec<&str> = Code::ALL.iter().map(|code| code.id()).collect();
-        let codes = codes.join(", ");
-        let text = format!("no finding has the code {code}; the codes are {codes}");
-        return Err(Error::Usage(text));
+        let codes = Code::ALL.iter().map(|code| code.id().to_owned());
+        let codes = Each(codes.collect());
+        let text = Using::NoCode { code, codes };
+        return Err(Error::Usage(text.in_lang(lang).to_string()));
     };
     output::print(format!("{text}{}", related(&code, lang)))?;
     Ok(Status::Success)

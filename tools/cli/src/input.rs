@@ -95,6 +95,8 @@ fn unreadable(name: String, error: &io::Error) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
     let reason = match error.kind() {
         io::ErrorKind::IsADirectory => Reading::Folder,
+        io::ErrorKind::NotFound => Reading::NoFile,
+        io::ErrorKind::PermissionDenied => Reading::NotAllowed,
         _ => Reading::System {
             error: error.to_string().into(),
         },

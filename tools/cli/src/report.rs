@@ -157,9 +157,10 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
 fn no_snippet(diagnostic: &Diagnostic, lang: Lang) -> String {
     let file = diagnostic.subject.as_deref().unwrap_or_default();
     let (code, reason) = (diagnostic.id(), diagnostic.reason.in_lang(lang));
-    let text = format!("error[{code}]: {file}: {reason}");
+    let (error, note) = (lang.pick("error", "エラー"), lang.pick("note", "注"));
+    let text = format!("{error}[{code}]: {file}: {reason}");
     let (headline, classical) = (Printable::line(text), Printable::line(diagnostic.title()));
-    format!("{headline}\n  = note: {classical}")
+    format!("{headline}\n  = {note}: {classical}")
 }
 
 /// What came of a program, in a sentence.
