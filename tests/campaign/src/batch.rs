@@ -2,9 +2,9 @@
 
 use crate::found::{self, Failure};
 use lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
-use tip_sim::Plant;
 use std::env;
 use std::process::ExitCode;
+use tip_sim::Plant;
 use tipc::Robot;
 
 /// How often and how long each program runs.
@@ -18,6 +18,8 @@ pub struct Effort {
     pub simulated_one_in: u64,
     /// The most cycles of that.
     pub simulated_cycles: u64,
+    /// The most cycles of a run with mass beside it, of robots that walk.
+    pub heavy_cycles: u64,
 }
 
 impl Effort {
@@ -28,10 +30,17 @@ impl Effort {
             cycles,
             simulated_one_in,
             simulated_cycles,
+            heavy_cycles,
         } = self;
-        [runs, cycles, simulated_one_in, simulated_cycles]
-            .map(u64::to_string)
-            .to_vec()
+        [
+            runs,
+            cycles,
+            simulated_one_in,
+            simulated_cycles,
+            heavy_cycles,
+        ]
+        .map(u64::to_string)
+        .to_vec()
     }
 
     fn parse(arguments: &[String]) -> Option<Self> {
@@ -39,7 +48,14 @@ impl Effort {
             .iter()
             .map(|text| text.parse().ok())
             .collect::<Option<_>>()?;
-        let [runs, cycles, simulated_one_in, simulated_cycles] = numbers[..] else {
+        let [
+            runs,
+            cycles,
+            simulated_one_in,
+            simulated_cycles,
+            heavy_cycles,
+        ] = numbers[..]
+        else {
             return None;
         };
         Some(Effort {
@@ -47,7 +63,13 @@ impl Effort {
             cycles,
             simulated_one_in,
             simulated_cycles,
+            heavy_cycles,
         })
+    }
+
+    /// Whether programs of a robot run at all.
+    pub fn concerns(&self, robot: Robot) -> bool {
+        robot != Robot::Hand || self.runs > 0 || self.simulated_cycles > 0
     }
 
     /// The scripts of a program. Simulated joints take longer to compute, mass longer still.
@@ -58,9 +80,11 @@ impl Effort {
             let simulated = |number, cycles, plant| {
                 Script::random(robot, seed, self.runs + number, cycles, plant)
             };
-            scripts.push(simulated(0, self.simulated_cycles, Plant::Simulated));
+            if self.simulated_cycles > 0 {
+                scripts.push(simulated(0, self.simulated_cycles, Plant::Simulated));
+            }
             if robot != Robot::Hand {
-                scripts.push(simulated(1, self.simulated_cycles / 10, Plant::Dynamic));
+                scripts.push(simulated(1, self.heavy_cycles, Plant::Dynamic));
             }
         }
         scripts
@@ -71,7 +95,7 @@ impl Effort {
 pub fn main(subjects: &[Subject]) -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let Some(effort) = Effort::parse(&arguments) else {
-        eprintln!("usage: batch RUNS CYCLES SIMULATED_ONE_IN SIMULATED_CYCLES");
+        eprintln!("usage: batch RUNS CYCLES SIMULATED_ONE_IN SIMULATED_CYCLES HEAVY_CYCLES");
         return ExitCode::FAILURE;
     };
     let mut figures = Figures::default();

@@ -1,5 +1,5 @@
-//! `--programs N` runs programs until N are done, those of earlier calls included; `flavours --programs N` compares
-//! builds; `report` prints what is done.
+//! `--programs N` runs programs until N are done, those of earlier calls included; `mass --programs N` does so on walking
+//! robots with mass; `flavours --programs N` compares builds; `report` prints what is done, `mass report` with mass.
 
 use campaign::batch::Effort;
 use campaign::build::{Flavour, Workshop};
@@ -14,6 +14,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use std::{env, fs, io};
 
+/// Where the figures of the campaign are kept, and of that with mass.
+const FIGURES: &str = "figures";
+const HEAVY_FIGURES: &str = "figures-mass";
+
 /// How many programs are compiled at once.
 const BATCH: u64 = 1000;
 
@@ -23,6 +27,16 @@ const EFFORT: Effort = Effort {
     cycles: 8_000,
     simulated_one_in: 10,
     simulated_cycles: 1000,
+    heavy_cycles: 100,
+};
+
+/// What every program of a walking robot goes through in the campaign with mass.
+const HEAVY: Effort = Effort {
+    runs: 0,
+    cycles: 0,
+    simulated_one_in: 1,
+    simulated_cycles: 0,
+    heavy_cycles: 2000,
 };
 
 /// Every so many batches one is optimised, as users' programs are.
@@ -41,13 +55,15 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
-        ["--programs", count] => count.parse().map_err(io::Error::other).and_then(campaign),
-        ["flavours", "--programs", count] => {
-            count.parse().map_err(io::Error::other).and_then(flavours)
+        ["--programs", count] => number(count).and_then(|count| campaign(count, FIGURES, &EFFORT)),
+        ["mass", "--programs", count] => {
+            number(count).and_then(|count| campaign(count, HEAVY_FIGURES, &HEAVY))
         }
-        ["report"] => show(),
+        ["flavours", "--programs", count] => number(count).and_then(flavours),
+        ["report"] => show(FIGURES),
+        ["mass", "report"] => show(HEAVY_FIGURES),
         _ => Err(io::Error::other(
-            "usage: campaign --programs N | flavours --programs N | report",
+            "usage: campaign [mass] --programs N | flavours --programs N | [mass] report",
         )),
     };
     match done {
@@ -64,20 +80,24 @@ fn main() -> ExitCode {
     }
 }
 
-fn progress(workshop: &Workshop) -> Progress {
-    Progress(workshop.papers().join("figures"))
+fn number(text: &str) -> io::Result<u64> {
+    text.parse().map_err(io::Error::other)
 }
 
-fn show() -> io::Result<bool> {
-    let figures = progress(&Workshop::new()).sum()?;
+fn progress(workshop: &Workshop, kept: &str) -> Progress {
+    Progress(workshop.papers().join(kept))
+}
+
+fn show(kept: &str) -> io::Result<bool> {
+    let figures = progress(&Workshop::new(), kept).sum()?;
     print!("{}", report(&figures));
     Ok(figures.get("differences") == 0)
 }
 
 /// Goes through batch after batch, those done before left out.
-fn campaign(programs: u64) -> io::Result<bool> {
+fn campaign(programs: u64, kept: &str, effort: &Effort) -> io::Result<bool> {
     let workshop = Workshop::new();
-    let progress = progress(&workshop);
+    let progress = progress(&workshop, kept);
     let batches = programs.div_ceil(BATCH);
     let open: Vec<u64> = (0..batches).filter(|batch| !progress.has(*batch)).collect();
     let begin = Instant::now();
@@ -89,10 +109,11 @@ fn campaign(programs: u64) -> io::Result<bool> {
             1 => Flavour::Optimised,
             _ => Flavour::Quick,
         };
-        let specimens = specimens(batch * BATCH, BATCH.min(programs - batch * BATCH));
-        let printed = workshop.run(&specimens, flavour, &EFFORT)?;
+        let mut specimens = specimens(batch * BATCH, BATCH.min(programs - batch * BATCH));
+        specimens.retain(|specimen| effort.concerns(specimen.robot));
+        let printed = workshop.run(&specimens, flavour, effort)?;
         for (place, told) in differing(&specimens, &printed) {
-            keep(&workshop, flavour, &specimens[place], &told)?;
+            keep(&workshop, flavour, effort, &specimens[place], &told)?;
         }
         let figures = Figures::parse(&printed);
         let left = u32::try_from(open.len()).unwrap_or(u32::MAX) - done;
@@ -104,7 +125,7 @@ fn campaign(programs: u64) -> io::Result<bool> {
         );
         progress.keep(batch, &figures)?;
     }
-    show()
+    show(kept)
 }
 
 fn specimens(first: u64, count: u64) -> Vec<Specimen> {
@@ -112,8 +133,14 @@ fn specimens(first: u64, count: u64) -> Vec<Specimen> {
 }
 
 /// Shrinks a program and writes it down as a case of the language.
-fn keep(workshop: &Workshop, flavour: Flavour, specimen: &Specimen, told: &str) -> io::Result<()> {
-    let (specimen, told) = shrink(workshop, flavour, &EFFORT, specimen, told)?;
+fn keep(
+    workshop: &Workshop,
+    flavour: Flavour,
+    effort: &Effort,
+    specimen: &Specimen,
+    told: &str,
+) -> io::Result<()> {
+    let (specimen, told) = shrink(workshop, flavour, effort, specimen, told)?;
     let folder = workshop.package.join("found");
     let (first, rest) = told.split_once('\n').unwrap_or((&told, ""));
     let options = first.splitn(3, ' ').nth(2).unwrap_or_default();

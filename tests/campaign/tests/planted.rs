@@ -10,6 +10,7 @@ const EFFORT: Effort = Effort {
     cycles: 2000,
     simulated_one_in: 10,
     simulated_cycles: 100,
+    heavy_cycles: 10,
 };
 
 /// What is wrong with the code, a word that the shrunk program must keep, and the most lines that it may have.
