@@ -18,6 +18,7 @@
 //! assert_eq!(hand.motion(), None, "it is bolted down");
 //! ```
 
+mod cuboid;
 pub mod dynamic;
 pub mod hand;
 mod override_sensors;

@@ -20,7 +20,6 @@
 mod bump;
 mod clash;
 mod contact;
-mod cuboid;
 mod factor;
 mod foothold;
 mod frame;

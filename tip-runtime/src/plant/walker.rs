@@ -25,6 +25,7 @@ mod floor;
 mod ground;
 mod legs;
 mod links;
+mod obstacles;
 mod path;
 pub(super) mod polygon;
 mod servo;
@@ -46,10 +47,11 @@ use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
-use crate::scene::Floor;
+use crate::scene::{BLOCKS, Block, Floor};
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
+use obstacles::Obstacles;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,6 +108,13 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     pub fn with_floor(mut self, floor: Floor) -> Self {
         self.ground.replace(floor);
         self.settle();
+        self
+    }
+
+    /// Puts blocks on the floor. The robot goes through them; cycles in which it does are [counted](Self::unmodelled).
+    #[must_use]
+    pub fn with_blocks(mut self, blocks: [Option<Block>; BLOCKS]) -> Self {
+        self.ground.obstacles = Obstacles(blocks);
         self
     }
 

@@ -3,7 +3,7 @@
 use crate::rig::{Rig, WEIGHT, angles, high_bellied, stance};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::titan8;
-use tip_runtime::plant::{Floor, ServoDynamics, SimulatedPlant, Unmodelled};
+use tip_runtime::plant::{Block, Floor, Scene, ServoDynamics, SimulatedPlant, Unmodelled};
 
 /// Standard gravity: mm/s².
 const GRAVITY: f64 = 9806.65;
@@ -209,6 +209,36 @@ fn legs_that_go_through_each_other_or_the_floor_are_counted() {
     let mut rig = Rig::new();
     turned(&mut rig, |joints| joints[0] = [0.0, -50.0, 150.0]);
     assert_eq!(seen(&rig).crossings, 0);
+}
+
+/// In how many of ten cycles a robot that stands 50 mm above the floor is in a block.
+fn in_block(x: [f64; 2], y: [f64; 2], height: f64) -> u32 {
+    let scene = Scene::EMPTY.with_block(Block { x, y, height });
+    let plant = SimulatedPlant::new(&titan8::MODEL);
+    let mut rig = Rig::on(plant.with_blocks(scene.expect("a block").blocks));
+    rig.move_to(stance(-250.0));
+    let before = seen(&rig).crossings;
+    for _ in 0..10 {
+        rig.tell(&stance(-250.0));
+    }
+    seen(&rig).crossings - before
+}
+
+#[test]
+fn bodies_and_legs_that_go_through_blocks_are_counted() {
+    let middle = [-50.0, 50.0];
+    assert_eq!(in_block(middle, middle, 40.0), 0, "under the belly");
+    assert_eq!(in_block(middle, middle, 60.0), 10, "in the belly");
+    let across = [-2000.0, 2000.0];
+    assert_eq!(in_block(across, middle, 40.0), 0, "between the legs");
+    assert_eq!(in_block(across, middle, 60.0), 10, "through the body");
+    assert_eq!(in_block(middle, [240.0, 300.0], 900.0), 0, "ahead of it");
+    assert_eq!(in_block(middle, [220.0, 300.0], 900.0), 10, "in its front");
+    // F1 is at (-391, 201), its thigh at the height of the hip.
+    let leg = [191.0, 211.0];
+    assert_eq!(in_block([-401.0, -381.0], leg, 20.0), 10, "a foot");
+    assert_eq!(in_block([-250.0, -240.0], leg, 300.0), 10, "a thigh");
+    assert_eq!(in_block([-500.0, -450.0], leg, 300.0), 0, "beside it");
 }
 
 #[test]

@@ -41,8 +41,8 @@ messages! {
         "the feet would slip in {cycles}",
         "{cycles}で足が滑るはず";
     Crosses { cycles: Cycles }
-        "a joint in the floor or a leg in another one in {cycles}",
-        "{cycles}で関節が床の中、または脚どうしが重なり";
+        "legs or body in the floor, in a block or in each other in {cycles}",
+        "{cycles}で脚か胴体が床や障害物の中、または脚どうしが重なり";
     Hurries { cycles: Cycles }
         "commanded to turn faster than its servo can in {cycles}",
         "{cycles}でサーボの最高速度を超える指令";

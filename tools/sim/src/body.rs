@@ -160,7 +160,8 @@ impl<const L: usize, const J: usize> Sized<L, J> {
             (Some(_), Hardware::Hand(make)) => make(self.model, scene),
             (Some(Simulation::QuasiStatic), Hardware::Walker) => {
                 let plant = SimulatedPlant::new(self.model).with_floor(scene.floor);
-                Rig::new(plant.with_friction(scene.friction))
+                let plant = plant.with_friction(scene.friction);
+                Rig::new(plant.with_blocks(scene.blocks))
             }
             (Some(Simulation::Dynamic), Hardware::Walker) => {
                 Rig::new(DynamicPlant::new(self.model).with_scene(scene))

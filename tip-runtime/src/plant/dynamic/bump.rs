@@ -2,9 +2,9 @@
 
 use super::Vector;
 use super::contact::Touch;
-use super::cuboid::{Cuboid, middle};
 use super::frame::Frame;
 use super::terrain::Terrain;
+use crate::plant::cuboid::{Cuboid, middle};
 
 /// The highest that a body is lifted at first by a block that is wholly under it: m.
 const CLIMB: f64 = 1e4;

@@ -2,12 +2,12 @@
 
 use super::Vector;
 use super::contact::Touch;
-use super::cuboid::{Cuboid, middle};
+use crate::plant::cuboid::{Cuboid, middle};
 use crate::scene::{BLOCKS, Block, Scene};
 use nalgebra::Rotation3;
 
-/// How far down blocks go: m.
-const DEEP: f64 = 1e4;
+/// Higher than all blocks: m.
+const SKY: f64 = 1e4;
 
 /// A floor and what stands on it, in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,10 +57,8 @@ impl Terrain {
     /// What stands on the floor.
     #[inline]
     pub(super) fn blocks(&self) -> impl Iterator<Item = Cuboid> + '_ {
-        self.blocks.iter().flatten().map(|block| Cuboid {
-            low: Vector::new(block.x[0] / 1000.0, block.y[0] / 1000.0, -DEEP),
-            high: Vector::new(block.x[1], block.y[1], block.height) / 1000.0,
-        })
+        let blocks = self.blocks.iter().flatten();
+        blocks.map(|block| Cuboid::of_block(block, 1000.0))
     }
 
     /// Where it is inside of a block: it leaves by the nearest side.
@@ -95,7 +93,7 @@ impl Terrain {
     pub(super) fn rise(&self, stretch: [Vector; 2]) -> f64 {
         let rises = self.blocks().filter_map(|mut block| {
             let top = block.high.z;
-            block.high.z = DEEP;
+            block.high.z = SKY;
             let over = block.inside(stretch)?;
             let [start, end] = stretch;
             let lowest = over.map(|part| start.z + (end.z - start.z) * part);

@@ -3,11 +3,11 @@
 use super::Vector;
 use super::bump::bumps;
 use super::contact::{Grip, Touch};
-use super::cuboid::Cuboid;
 use super::frame::Frame;
 use super::spatial::{Inertia, Spatial};
 use super::world::{GRAVITY, Share, World};
 use crate::model::{Body, Range};
+use crate::plant::cuboid::Cuboid;
 use nalgebra::{Matrix3, Rotation3};
 
 /// The body.
@@ -72,10 +72,7 @@ impl Trunk {
 
     /// Its extent in its own frame.
     pub(super) fn extent(&self) -> Option<Cuboid> {
-        self.model.map(|Body { x, y, z, .. }| Cuboid {
-            low: Vector::new(x.min, y.min, z.min) / 1000.0,
-            high: Vector::new(x.max, y.max, z.max) / 1000.0,
-        })
+        self.model.map(|body| Cuboid::of_body(&body, 1000.0))
     }
 
     /// Its corners in its own frame, those of the belly first: m.

@@ -1,4 +1,4 @@
-//! Legs that are where another leg is, or below the floor.
+//! Legs that are where another leg is or a block, or below the floor.
 
 use super::Vector;
 use super::ground::Carrier;
@@ -7,12 +7,17 @@ use super::links::LegLinks;
 /// How thick a leg is, as a share of its length.
 const THICK: f64 = 0.04;
 
-/// How far a joint may be below the floor, which gives way a little: mm.
-const SUNK: f64 = 1.0;
+/// How far a joint may be below the floor, which gives way a little, and anything inside a block: mm.
+pub(super) const SUNK: f64 = 1.0;
 
 /// Whether a joint of a leg is below the floor.
 pub(super) fn sinks<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
     (leg.places().skip(1)).any(|joint| ground.height(joint) < -SUNK)
+}
+
+/// Whether a leg is in a block.
+pub(super) fn strikes<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
+    leg.lines().any(|line| ground.stops(line))
 }
 
 /// Whether a leg goes through another one, both of this length (mm). Their first links are part of the body.

@@ -30,6 +30,17 @@ impl Floor {
         Pose::new(self.position(body), &(self.tilt() * body.rotation()))
     }
 
+    /// A point of a body that is in the floor's frame, in the world.
+    pub(super) fn outer(&self, body: &Body, point: Vector) -> Vector {
+        self.point(body.point(point)).into()
+    }
+
+    /// A point of the world, in the frame of a body that is in the floor's.
+    pub(super) fn inner(&self, body: &Body, point: Vector) -> Vector {
+        let turned = self.tilt() * body.rotation();
+        turned.inverse() * (point - Vector::from(self.position(body)))
+    }
+
     /// Where the origin of a body of the floor's frame is, in the world.
     pub(super) fn position(&self, body: &Body) -> Point {
         self.point(body.point(Vector::zeros()))

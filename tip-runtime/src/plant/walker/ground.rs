@@ -5,12 +5,14 @@ use super::body::Body;
 use super::contacts::Contacts;
 use super::fall::{FallWatch, Polygon};
 use super::links::Mass;
+use super::obstacles::Obstacles;
 use super::sink::Sinking;
 use super::stance::Stance;
 use super::support::{self, Load, Support};
 use super::travel::Start;
 use super::unmodelled::{Doubts, Oddities};
 use crate::model;
+use crate::plant::cuboid::Cuboid;
 use crate::scene::{Floor, Scene};
 
 /// What carries the legs, whatever their number.
@@ -33,6 +35,12 @@ pub(super) trait Carrier {
     fn judge(&mut self, dt: f64);
     /// How high a point of the robot's frame is above the floor: mm. Of a robot that is bolted down everything is.
     fn height(&self, point: Vector) -> f64;
+    /// Whether there is anything but the floor.
+    fn has_blocks(&self) -> bool;
+    /// Whether a stretch of the robot's frame is in a block.
+    fn stops(&self, stretch: [Vector; 2]) -> bool;
+    /// Whether the body is in a block.
+    fn strikes(&self) -> bool;
     /// A cycle is over, in which the legs did this.
     fn close(&mut self, oddities: &Oddities);
 }
@@ -41,6 +49,7 @@ pub(super) trait Carrier {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ground<const L: usize> {
     pub(super) floor: Floor,
+    pub(super) obstacles: Obstacles,
     /// The direction of gravity in the floor's frame.
     gravity: Vector,
     /// The same in the robot's frame, as the body lies now.
@@ -69,6 +78,7 @@ impl<const L: usize> Ground<L> {
         let body = Body::standing(model.as_ref());
         Ground {
             floor: Floor::LEVEL,
+            obstacles: Obstacles(Scene::EMPTY.blocks),
             gravity: Floor::LEVEL.gravity(),
             down: Vector::zeros(),
             model,
@@ -195,6 +205,25 @@ impl<const L: usize> Carrier for Ground<L> {
         } else {
             f64::INFINITY
         }
+    }
+
+    fn has_blocks(&self) -> bool {
+        self.is_loose() && !self.obstacles.is_empty()
+    }
+
+    fn stops(&self, stretch: [Vector; 2]) -> bool {
+        let ends = stretch.map(|end| self.floor.outer(&self.body, end));
+        self.obstacles.stop(ends)
+    }
+
+    fn strikes(&self) -> bool {
+        self.model.is_some_and(|body| {
+            self.obstacles.stop_body(
+                &Cuboid::of_body(&body, 1.0),
+                |point| self.floor.inner(&self.body, point),
+                |point| self.floor.outer(&self.body, point),
+            )
+        })
     }
 
     fn close(&mut self, oddities: &Oddities) {

@@ -2,7 +2,7 @@
 //! turn.
 
 use super::Vector;
-use super::crossing::{sinks, touch};
+use super::crossing::{sinks, strikes, touch};
 use super::ground::Carrier;
 use super::links::{GRAVITY, LegLinks, Mass};
 use super::path::Path;
@@ -138,8 +138,12 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.close(&oddities);
     }
 
-    /// Whether a joint is below the floor, or a leg goes through another one.
+    /// Whether a joint is below the floor, a leg or the body in a block, or a leg in another one.
     fn cross(&self, ground: &dyn Carrier) -> bool {
+        let strikes = |leg: &LegPlant<J>| strikes(&leg.links, ground);
+        if ground.has_blocks() && (ground.strikes() || self.each.iter().any(strikes)) {
+            return true;
+        }
         let mut after = &self.each;
         while let Some((leg, others)) = after.split_first() {
             let touches = |other: &LegPlant<J>| {

@@ -24,7 +24,7 @@ pub struct Unmodelled {
     pub tips: u32,
     /// In how many cycles the friction of the floor would not have held the feet.
     pub slides: u32,
-    /// In how many cycles a joint was below the floor, or a leg went through another one.
+    /// In how many cycles a joint was below the floor, a leg or the body in a block, or a leg in another one.
     pub crossings: u32,
     /// In how many cycles a joint was commanded to turn faster than its servo can.
     pub hurries: u32,

@@ -1,8 +1,13 @@
 //! Boxes, and stretches that cross them.
 
-use super::Vector;
+use crate::model::Body;
+use crate::scene::Block;
+use nalgebra::Vector3;
 
-/// A box along the axes of its frame, by two opposite corners: m.
+/// How far down blocks go: mm.
+const DEEP: f64 = 1e7;
+
+/// A box along the axes of its frame, by two opposite corners. Whoever makes it chooses the unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cuboid {
     pub(super) low: Vector,
@@ -10,6 +15,24 @@ pub(super) struct Cuboid {
 }
 
 impl Cuboid {
+    /// A block, in a unit of so many mm.
+    #[inline]
+    pub(super) fn of_block(Block { x, y, height }: &Block, unit: f64) -> Self {
+        Cuboid {
+            low: Vector::new(x[0], y[0], -DEEP) / unit,
+            high: Vector::new(x[1], y[1], *height) / unit,
+        }
+    }
+
+    /// A body in its own frame, in a unit of so many mm.
+    #[inline]
+    pub(super) fn of_body(Body { x, y, z, .. }: &Body, unit: f64) -> Self {
+        Cuboid {
+            low: Vector::new(x.min, y.min, z.min) / unit,
+            high: Vector::new(x.max, y.max, z.max) / unit,
+        }
+    }
+
     /// Its corners, the lower four round about first.
     pub(super) fn corners(&self) -> [Vector; 8] {
         let (low, high) = (self.low, self.high);
@@ -100,6 +123,8 @@ impl Cuboid {
 pub(super) fn middle([start, end]: [Vector; 2], [from, to]: [f64; 2]) -> Vector {
     start + (end - start) * ((from + to) / 2.0)
 }
+
+type Vector = Vector3<f64>;
 
 #[cfg(test)]
 mod tests {

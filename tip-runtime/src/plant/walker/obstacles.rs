@@ -1,0 +1,46 @@
+//! Blocks: a robot without mass goes through them, which is noticed.
+
+use super::Vector;
+use super::crossing::SUNK;
+use crate::plant::cuboid::Cuboid;
+use crate::scene::{BLOCKS, Block};
+
+/// The blocks of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Obstacles(pub(super) [Option<Block>; BLOCKS]);
+
+impl Obstacles {
+    /// What of them is too deep inside to be a touch: mm.
+    fn cores(&self) -> impl Iterator<Item = Cuboid> + '_ {
+        let skin = Vector::repeat(SUNK);
+        self.0.iter().flatten().map(move |block| {
+            let Cuboid { low, high } = Cuboid::of_block(block, 1.0);
+            Cuboid {
+                low: low + skin,
+                high: high - skin,
+            }
+        })
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+
+    /// Whether a stretch is in one of them.
+    pub(super) fn stop(&self, stretch: [Vector; 2]) -> bool {
+        self.cores().any(|core| core.inside(stretch).is_some())
+    }
+
+    /// Whether a body is in one of them, whose frame `to_body` and `to_world` lead to and from.
+    pub(super) fn stop_body(
+        &self,
+        body: &Cuboid,
+        to_body: impl Fn(Vector) -> Vector,
+        to_world: impl Fn(Vector) -> Vector,
+    ) -> bool {
+        self.cores().any(|core| {
+            let meets = |edge: &[Vector; 2]| body.inside(edge.map(&to_body)).is_some();
+            core.edges().iter().any(meets)
+        }) || (body.edges().iter()).any(|edge| self.stop(edge.map(&to_world)))
+    }
+}
