@@ -96,6 +96,16 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       assert.equal(await page.locator('.chart .uplot').count(), before + 1);
     });
 
+    test('shows modes and flags', async () => {
+      const { page } = view;
+      await page.keyboard.press('End');
+      await page.click('#state-tab');
+      const modes = await page.$$eval('#modes .mode', (all) => all.map((mode) => mode.textContent));
+      assert.ok(modes.every((mode) => /^((J\d\d )?(rest|position|compliance|velocity|force)(, )?)+$/.test(mode)), modes.join());
+      assert.match(await page.textContent('#flags'), /^(none|[A-Z_]+\w*( [A-Z_]+\w*)*)$/);
+      await page.click('#source-tab');
+    });
+
     test('opens at the cycle of its address, and keeps it there', async () => {
       const linked = await open(browser, `${pages}/${name}.html`, {}, '#cycle=611');
       assert.equal(await cycle(linked.page), 611);

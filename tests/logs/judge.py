@@ -1,6 +1,7 @@
 """Reads MCAP files with PyPI's mcap and mcap-protobuf-support: each message is decoded by the schema in the file."""
 
 import csv
+import math
 import pathlib
 import struct
 import sys
@@ -14,6 +15,7 @@ MOVING = {"/tf", "/joint_states", "/scene"}
 
 def examine(path):
     counts, frames, places, last = Counter(), set(), 0, {}
+    lean = 0.0
     with path.open("rb") as file:
         reader = make_reader(file, decoder_factories=[DecoderFactory()], validate_crcs=True)
         summary = reader.get_summary()
@@ -40,6 +42,9 @@ def examine(path):
                 assert middles == ([0.0075, 0.06] if path.stem == "step" else []), middles
                 assert all(entity.frame_id == "world" for entity in blocks)
                 for entity in decoded.entities:
+                    for arrow in entity.arrows:
+                        turned = arrow.pose.orientation
+                        lean = max(lean, math.hypot(turned.x, turned.z), abs(turned.y + turned.w))
                     places += len(entity.arrows) + len(entity.cubes) + len(entity.cylinders)
                     places += sum(len(line.points) for line in entity.lines)
             else:
@@ -49,6 +54,8 @@ def examine(path):
     children = [child for _, child in frames]
     assert len(children) == len(set(children)), "a tree"
     assert {parent for parent, _ in frames} - set(children) == {"world"}, frames
+    # The ground pushes straight up in a simulation without mass. Friction leans what it pushes with mass, and fingers push as they like.
+    assert (lean > 0.1) == (path.stem in ("grasp", "step")), (path, lean)
     length = struct.unpack("<I", last["/robot_description"][4:8])[0]
     urdf = last["/robot_description"][8 : 8 + length - 1].decode()
     for child in children:

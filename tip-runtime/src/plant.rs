@@ -64,6 +64,9 @@ pub struct Limbs<const L: usize, const J: usize> {
     pub angles: [[f64; J]; L],
     /// How much of the robot each foot carries, or how hard each fingertip pushes: N. None if it is bolted down.
     pub loads: Option<[f64; L]>,
+    /// With what force the ground pushes each foot, friction included, in the world: N. None where only loads are known; those of a
+    /// hand are in [`Grasp`].
+    pub forces: Option<[[f64; 3]; L]>,
     /// What each motor gives: in the robot's torque unit, in N·m if it has none.
     pub torques: [[f64; J]; L],
 }

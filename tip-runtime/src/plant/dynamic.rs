@@ -337,10 +337,12 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {
-        let feet = self.robot.legs.each_ref().map(|leg| leg.foot.load);
+        let is_loose = self.robot.trunk.model.is_some();
+        let feet = self.robot.legs.each_ref().map(|leg| leg.foot);
         Some(Limbs {
             angles: self.angles(),
-            loads: self.robot.trunk.model.is_some().then_some(feet),
+            loads: is_loose.then_some(feet.map(|foot| foot.load)),
+            forces: is_loose.then_some(feet.map(|foot| foot.force.into())),
             torques: self.torques(),
         })
     }

@@ -178,6 +178,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         Some(Limbs {
             angles: self.angles(),
             loads: Some(self.fingertips().map(|tip| tip.force())),
+            forces: None,
             torques: self.torques(),
         })
     }

@@ -292,6 +292,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
         Some(Limbs {
             angles: self.angles(),
             loads: self.ground.is_loose().then_some(self.ground.loads.feet),
+            forces: None,
             torques: self.torques(),
         })
     }

@@ -62,6 +62,26 @@ fn on_slope(slope: f64) -> DynamicPlant<4, 3> {
 }
 
 #[test]
+fn on_a_slope_the_ground_pushes_straight_up_by_normal_force_and_friction() {
+    let mut plant = on_slope(0.2);
+    go(&mut plant, standing(250.0));
+    hold(&mut plant, standing(250.0), 50);
+    assert_eq!(plant.belly_load(), 0.0);
+    let limbs = plant.limbs().expect("legs");
+    let (forces, loads) = limbs.forces.zip(limbs.loads).expect("it walks");
+    let sum = |axis: usize| forces.iter().map(|force| force[axis]).sum::<f64>();
+    assert!((sum(2) / WEIGHT - 1.0).abs() < 1e-3, "{} N", sum(2));
+    assert!(sum(0).abs() < 1e-3 * WEIGHT && sum(1).abs() < 1e-3 * WEIGHT);
+    // The floor rises by 0.2 along y.
+    let length = libm::hypot(0.2, 1.0);
+    for ([x, y, z], load) in forces.into_iter().zip(loads) {
+        let (push, along) = ((z - 0.2 * y) / length, (y + 0.2 * z) / length);
+        assert!((push - load).abs() < 1e-9, "{push} N, {load} N");
+        assert!(libm::hypot(x, along) <= 0.5 * load + 1e-9);
+    }
+}
+
+#[test]
 fn a_slope_below_the_friction_angle_holds() {
     for slope in [0.2, 0.45, -0.45] {
         let mut plant = on_slope(slope);

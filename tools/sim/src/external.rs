@@ -354,6 +354,7 @@ impl Outside for External {
         is_known.then(|| Limbs {
             angles: legs(&self.measured.angles),
             loads: self.measured.loads.clone(),
+            forces: Vec::new(),
             torques: legs(&torques),
         })
     }

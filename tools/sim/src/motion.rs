@@ -11,6 +11,9 @@ pub struct Limbs {
     pub angles: Vec<Vec<f64>>,
     /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is bolted down.
     pub loads: Vec<f64>,
+    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known; those of a
+    /// hand are in [`Grasp`].
+    pub forces: Vec<[f64; 3]>,
     /// What each motor gives, leg by leg: in the robot's torque unit, in N·m if it has none.
     pub torques: Vec<Vec<f64>>,
 }
@@ -20,6 +23,7 @@ impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
         Limbs {
             angles: limbs.angles.iter().map(|leg| leg.to_vec()).collect(),
             loads: limbs.loads.map_or(Vec::new(), Vec::from),
+            forces: limbs.forces.map_or(Vec::new(), Vec::from),
             torques: limbs.torques.iter().map(|leg| leg.to_vec()).collect(),
         }
     }

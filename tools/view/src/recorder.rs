@@ -188,6 +188,8 @@ impl Recorder {
                 lamps: Vec::new(),
                 commands: Vec::new(),
                 contacts: Vec::new(),
+                flags: Vec::new(),
+                modes: Vec::new(),
                 falls: Vec::new(),
                 slips: Vec::new(),
                 events: Vec::new(),
@@ -224,6 +226,7 @@ impl Recorder {
         if let Some(limbs) = run.limbs() {
             frame.angles = limbs.angles;
             frame.loads = limbs.loads;
+            frame.forces = limbs.forces;
             frame.torques = limbs.torques;
         }
         if let Some(grasp) = run.grasp() {
@@ -239,6 +242,9 @@ impl Recorder {
             frame.objects = things.collect();
         }
         frame.flags = raised(run, frame.angles.len());
+        note_change(&mut self.recording.flags, cycle, &frame.flags);
+        let modes: Vec<_> = run.aims().iter().map(|aim| (aim.of, aim.mode)).collect();
+        note_change(&mut self.recording.modes, cycle, &modes);
         frame.torque_joints = torque_joints(run, &frame.angles);
         self.keep(frame);
     }
@@ -302,13 +308,7 @@ impl Recorder {
         let recording = &mut self.recording;
         let cycle = frame.cycle;
         let touch: Vec<bool> = frame.loads.iter().map(|load| *load > 0.0).collect();
-        if recording
-            .contacts
-            .last()
-            .is_none_or(|last| last.what != touch)
-        {
-            recording.contacts.push(At { cycle, what: touch });
-        }
+        note_change(&mut recording.contacts, cycle, &touch);
         let slips = self.slips.watch(&recording.robot, &frame);
         recording
             .slips
@@ -331,6 +331,14 @@ impl Recorder {
         self.recording.frames.extend(self.pending.take());
         self.recording.outcome = outcome;
         self.recording
+    }
+}
+
+/// Keeps what something is from a cycle on, if it was not that before.
+fn note_change<T: Clone + PartialEq>(list: &mut Vec<At<Vec<T>>>, cycle: u64, now: &[T]) {
+    if list.last().is_none_or(|last| last.what != now) {
+        let what = now.to_vec();
+        list.push(At { cycle, what });
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::skeleton::Skeleton;
 use std::fmt;
 use tip_runtime::command::{Flag, Target};
+use tip_runtime::controller::Mode;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
 use tip_sim::{Asked, Timed};
@@ -37,6 +38,10 @@ pub struct Recording {
     pub commands: Vec<At<Asked>>,
     /// Which feet or fingertips touched something, where that changed; the first is that of cycle 0.
     pub contacts: Vec<At<Vec<bool>>>,
+    /// The flags of conditions that were up, where that changed; the first is that of cycle 0. A trace does not say.
+    pub flags: Vec<At<Vec<Flag>>>,
+    /// How feet or joints, and a slider, were controlled, where that changed; the first is that of cycle 0. A trace does not say.
+    pub modes: Vec<At<Vec<(Target, Mode)>>>,
     /// Falls, with how far outside the centre of mass was: mm.
     pub falls: Vec<At<f64>>,
     /// Feet that slipped while they stood.
@@ -97,6 +102,9 @@ pub struct Frame {
     pub angles: Vec<Vec<f64>>,
     /// How much of the robot each foot carries, or how hard each fingertip pushes: N. Empty if it is not known.
     pub loads: Vec<f64>,
+    /// With what force the ground pushes each foot, friction included, in the world: N. Empty where only loads are known. A trace
+    /// does not say.
+    pub forces: Vec<[f64; 3]>,
     /// What each motor gives, leg by leg: in the robot's torque unit, in N·m if it has none. A trace does not say.
     pub torques: Vec<Vec<f64>>,
     /// How far inside the support polygon the centre of mass is: mm; negative outside.

@@ -2,9 +2,12 @@
 
 use std::fs;
 use std::path::Path;
+use tip_runtime::command::{Flag, Target};
+use tip_runtime::controller::Mode;
+use tip_runtime::plant::{Scene, Simulation};
 use tip_runtime::record::{JsonLines, Moved};
 use tip_sim::{Events, Interpreter, Robot, Run, tipc};
-use tip_view::{Extent, Outcome, Recording};
+use tip_view::{At, Extent, Outcome, Recording};
 use tipc::Loaded;
 
 fn example(path: &str) -> String {
@@ -256,6 +259,55 @@ fn a_trace_gives_the_recording_of_its_run() {
             (expected.cycles, expected.clock.len())
         );
     }
+}
+
+#[test]
+fn flags_and_modes_are_kept_where_they_change() {
+    // SLEEP takes cycles 0 to 4.
+    let text = "3.1\nModes\nSLEEP 100\nPTP_ANGLE J11 3\nSLEEP 100\nEND\n";
+    let recording = record(text, &titan(), "2:key F", LONG);
+    let is_hit = |at: &&At<Vec<Flag>>| at.what.contains(&Flag::KbHit);
+    let hit = recording.flags.iter().find(is_hit).expect("a key");
+    assert_eq!((recording.flags[0].cycle, hit.cycle), (0, 2));
+    let cycles: Vec<u64> = recording.modes.iter().map(|at| at.cycle).collect();
+    assert_eq!(cycles, [0, 5]);
+    let [before, after] = [0, 1].map(|at| &recording.modes[at].what);
+    assert_eq!((before.len(), after.len()), (12, 12));
+    assert!(before.iter().all(|(_, mode)| *mode == Mode::Rest));
+    assert_eq!(after[0], (Target::Joint(1, 1), Mode::Position));
+    assert_eq!(after[1..], before[1..]);
+}
+
+#[test]
+fn forces_are_known_of_a_robot_with_mass() {
+    let text = "3.1\nPushes\nPTP_ANGLE J11 5\nSLEEP 1000\nEND\n";
+    let of = |simulation| {
+        let mut scene = Scene::EMPTY;
+        scene.plant = Some(simulation);
+        let robot = titan().with_scene(&scene).expect("it walks there");
+        record(text, &robot, "", LONG).frames
+    };
+    assert!(
+        of(Simulation::QuasiStatic)
+            .iter()
+            .all(|frame| frame.forces.is_empty())
+    );
+    let frames = of(Simulation::Dynamic);
+    let feet = || {
+        frames
+            .iter()
+            .flat_map(|frame| frame.forces.iter().zip(&frame.loads))
+    };
+    assert_eq!(feet().count(), 4 * frames.len());
+    // On a level floor what stands up is what it carries.
+    assert!(feet().all(|(force, load)| force[2] == *load));
+    let across = feet().map(|([x, y, _], load)| (libm::hypot(*x, *y), *load));
+    assert!(
+        across
+            .clone()
+            .all(|(across, load)| across <= 0.5 * load + 1e-9)
+    );
+    assert!(across.into_iter().any(|(across, _)| across > 1.0));
 }
 
 #[test]

@@ -13,6 +13,8 @@ pub(super) struct Foothold {
     pub(super) place: Vector,
     /// Along the ground's normal: N.
     pub(super) load: f64,
+    /// Of the ground, friction included, in the world: N.
+    pub(super) force: Vector,
     /// Where it touched down, in the world: m.
     touchdown: Option<Vector>,
     /// For how long it has carried nothing: s.
@@ -26,16 +28,17 @@ impl Foothold {
     pub(super) const NONE: Self = Foothold {
         place: Vector::new(0.0, 0.0, 0.0),
         load: 0.0,
+        force: Vector::new(0.0, 0.0, 0.0),
         touchdown: None,
         up: 0.0,
         slip: 0.0,
     };
 
-    /// The foot is there, and has carried so much for `dt` s.
+    /// The foot is there, and has been pushed so hard by ground with a normal for `dt` s.
     #[inline]
-    pub(super) fn at(&mut self, place: Vector, load: f64, dt: f64) {
-        self.place = place;
-        self.load = load;
+    pub(super) fn at(&mut self, place: Vector, force: Vector, normal: Vector, dt: f64) {
+        let load = force.dot(&normal);
+        (self.place, self.force, self.load) = (place, force, load);
         if load > 0.0 {
             let touchdown = *self.touchdown.get_or_insert(place);
             self.slip = (place - touchdown).norm();
@@ -58,15 +61,16 @@ mod tests {
     fn a_foot_that_bounces_goes_on_slipping_and_one_that_steps_does_not() {
         let mut foot = Foothold::NONE;
         let at = |x| Vector::new(x, 0.0, 0.0);
-        foot.at(at(1.0), 5.0, 1e-3);
-        foot.at(at(1.5), 0.0, 19e-3);
-        foot.at(at(2.0), 5.0, 1e-3);
+        let up = |z| Vector::new(0.0, 0.0, z);
+        foot.at(at(1.0), up(5.0), up(1.0), 1e-3);
+        foot.at(at(1.5), up(0.0), up(1.0), 19e-3);
+        foot.at(at(2.0), up(5.0), up(1.0), 1e-3);
         assert_eq!(foot.slip, 1.0);
-        foot.at(at(2.5), 0.0, 19e-3);
-        foot.at(at(3.0), 0.0, 1e-3);
+        foot.at(at(2.5), up(0.0), up(1.0), 19e-3);
+        foot.at(at(3.0), up(0.0), up(1.0), 1e-3);
         assert_eq!(foot.slip, 0.0);
-        foot.at(at(4.0), 5.0, 1e-3);
-        foot.at(at(4.25), 5.0, 1e-3);
+        foot.at(at(4.0), up(5.0), up(1.0), 1e-3);
+        foot.at(at(4.25), up(5.0), up(1.0), 1e-3);
         assert_eq!(foot.slip, 0.25);
     }
 }

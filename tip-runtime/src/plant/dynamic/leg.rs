@@ -134,8 +134,8 @@ impl<const J: usize> LegBody<J> {
                 link.force = link.force - Spatial::pushing(force, at);
             }
             if j == J {
-                let load = touch.map_or(0.0, |touch| force.dot(&touch.normal));
-                self.foot.at(place, load, world.stride.dt);
+                let normal = touch.map_or(Vector::zeros(), |touch| touch.normal);
+                self.foot.at(place, force, normal, world.stride.dt);
             }
         }
         let mut carried = Share::NONE;

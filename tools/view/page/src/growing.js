@@ -3,7 +3,7 @@
 import { Recording } from './recording.js';
 import { countUpTo } from './search.js';
 
-const NOTHING = { outcome: { how: 'limit' }, cycles: 0, clock: [], messages: [], lamps: [], commands: [], falls: [], slips: [], events: [] };
+const NOTHING = { outcome: { how: 'limit' }, cycles: 0, clock: [], messages: [], lamps: [], commands: [], flags: [], modes: [], falls: [], slips: [], events: [] };
 const COLUMNS = ['frame', 'step.cycle', 'step', 'contact.cycle', 'contact', 'set.cycle', 'set.scalar', 'set.value'];
 
 export class GrowingRecording extends Recording {
@@ -36,6 +36,8 @@ export class GrowingRecording extends Recording {
     more.messages.forEach(add(this.messages, 'text'));
     more.lamps.forEach(add(this.lamps, 'device', 'on'));
     more.commands.forEach(add(this.commands, 'op', 'target', 'values'));
+    more.flags.forEach(add(this.flags, 'text'));
+    more.modes.forEach(add(this.modes, 'list'));
     more.falls.forEach(add(this.falls, 'margin'));
     more.slips.forEach(add(this.slips, 'leg', 'distance'));
     more.events.forEach(add(this.events, 'text'));
@@ -74,7 +76,7 @@ export class GrowingRecording extends Recording {
     this.clock.splice(0, Math.max(before, 0));
     keepLast(this.lamps, first, ({ device }) => device);
     keepLast(this.commands, first, ({ target }) => target);
-    keepLast(this.messages, first, () => 0);
+    for (const list of [this.messages, this.flags, this.modes]) keepLast(list, first, () => 0);
     for (const list of [this.falls, this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
     this.changed = 0;
   }
@@ -91,7 +93,7 @@ export class GrowingRecording extends Recording {
 
   /** Lists of entries with a cycle. */
   get listed() {
-    return [this.clock, this.messages, this.lamps, this.commands, this.falls, this.slips, this.events];
+    return [this.clock, this.messages, this.lamps, this.commands, this.flags, this.modes, this.falls, this.slips, this.events];
   }
 }
 

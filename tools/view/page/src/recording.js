@@ -26,6 +26,8 @@ export class Recording {
     this.messages = at(header.messages, 'text');
     this.lamps = at(header.lamps, 'device', 'on');
     this.commands = at(header.commands, 'op', 'target', 'values');
+    this.flags = at(header.flags, 'text');
+    this.modes = at(header.modes, 'list');
     this.falls = at(header.falls, 'margin');
     this.slips = at(header.slips, 'leg', 'distance');
     this.events = at(header.events, 'text');

@@ -28,8 +28,8 @@
 //
 //   run        {run, robot, scene, script, channels, inputs}: a run begins. All but the last two are as in a recording;
 //              `channels` names the numbers of each frame, `inputs` those that have sliders
-//   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, falls, slips,
-//              events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any more, and
+//   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, flags, modes,
+//              falls, slips, events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any more, and
 //              what was before `first` is forgotten. Lists are as in a recording, but with cycles instead of differences;
 //              `now` is a frame of the last cycle that the next update takes back, or null
 //   text       {version, by, text}: the text of the editor

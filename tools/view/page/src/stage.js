@@ -268,7 +268,7 @@ export class Stage {
     this.arrows.forEach((arrow, leg) => {
       const force = this.robot.planar
         ? new Vector3(value(`push.${leg}.0`), value(`push.${leg}.1`), value(`push.${leg}.2`))
-        : new Vector3(0, 0, value(`load.${leg}`));
+        : new Vector3(value(`force.${leg}.0`), value(`force.${leg}.1`), recording.value(`force.${leg}.2`, place) ?? value(`load.${leg}`));
       const length = (force.length() / whole) * this.size * 0.8;
       arrow.visible = this.shows.forces && length > this.size * 0.004;
       if (!arrow.visible) return;

@@ -1,7 +1,7 @@
 // How the program and the robot are: message, lamps, keys, what each leg was told last, variables; and what happened.
 
 import { clockTime, element, fixed, make } from './dom.js';
-import { countUpTo } from './search.js';
+import { countUpTo, lastUpTo } from './search.js';
 import { shown } from './source.js';
 import { whenSpoken, word } from './words.js';
 
@@ -18,11 +18,12 @@ export function state(player, plot) {
   const begin = () => {
     element('modes').replaceChildren();
     modes = recording.robot.legs.map((_, leg) => {
-      const [name, text, dot] = [make('dt'), make('dd', { textContent: '–' }), make('i', { className: 'dot' })];
+      const [name, mode, command] = [make('dt'), make('span', { className: 'mode' }), make('span')];
+      const dot = make('i', { className: 'dot' });
       dot.style.background = `var(--leg-${(leg % 9) + 1})`;
       name.append(dot, legName(recording, leg));
-      element('modes').append(name, text);
-      return text;
+      element('modes').append(name, make('dd', {}, mode, command));
+      return { mode, command };
     });
     cells = recording.script.scalars.map((name, scalar) => {
       const value = make('td');
@@ -48,10 +49,15 @@ export function state(player, plot) {
   };
   const showState = (cycle) => {
     showLamps(cycle);
-    modes.forEach((mode, leg) => {
+    const now = lastUpTo(recording.modes, cycle)?.list ?? [];
+    modes.forEach(({ mode, command }, leg) => {
       const last = lastCommand(recording.commands, leg, cycle);
-      mode.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
+      command.textContent = last ? `${last.op} ${last.target} ${rounded(last.values)}` : '–';
+      mode.textContent = inWords(now.filter(([target]) => concerns(target, leg)));
     });
+    const flags = lastUpTo(recording.flags, cycle)?.text;
+    element('flags-box').hidden = flags === undefined;
+    element('flags').textContent = flags || word('none');
     cells.forEach(({ value }, scalar) => {
       const now = recording.valueAt(scalar, cycle);
       const text = now === undefined ? '–' : shown(now);
@@ -86,6 +92,14 @@ export function state(player, plot) {
   whenSpoken(nameCells);
   whenSpoken(show);
   return { begin };
+}
+
+/** How a leg is controlled: its foot, or its joints, which share a word if they can. */
+function inWords(modes) {
+  const said = modes.map(([target, mode]) => [target, word(`mode-${mode}`)]);
+  const [first] = said;
+  if (said.length && said.every(([, mode]) => mode === first[1])) return first[1];
+  return said.map((words) => words.join(' ')).join(', ');
 }
 
 /** What a leg was commanded last until the end of a cycle. */

@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::session::Session;
-use crate::pack::header::{Ended, Robot, Scene, Script};
+use crate::pack::header::{self, Ended, Robot, Scene, Script, words};
 use crate::pack::{Channel, channels, each, event, mask, values};
 use crate::recording::{At, Frame, Recording};
 use serde::Serialize;
@@ -60,6 +60,8 @@ struct More<'a> {
     messages: Vec<(u64, &'a str)>,
     lamps: Vec<(u64, u8, bool)>,
     commands: Vec<(u64, &'static str, String, String)>,
+    flags: Vec<(u64, String)>,
+    modes: Vec<(u64, Vec<(String, &'static str)>)>,
     falls: Vec<(u64, f64)>,
     slips: Vec<(u64, usize, f64)>,
     events: Vec<(u64, String)>,
@@ -208,6 +210,12 @@ fn more(session: &Session, viewer: &mut Viewer, cut: u64) -> String {
         commands: each(span.of(&recording.commands), |cycle, asked| {
             let target = asked.target.to_string();
             (cycle, asked.op.name(), target, values(asked))
+        }),
+        flags: each(span.of(&recording.flags), |cycle, flags| {
+            (cycle, words(flags))
+        }),
+        modes: each(span.of(&recording.modes), |cycle, modes| {
+            (cycle, header::named(modes))
         }),
         falls: each(span.of(&recording.falls), |cycle, margin| (cycle, *margin)),
         slips: each(span.of(&recording.slips), |cycle, slip| {

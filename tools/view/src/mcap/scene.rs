@@ -105,10 +105,11 @@ impl<'a> Stage<'a> {
     /// Of the floor on the feet, or of the fingers on what they touch: N.
     fn forces(&self, time: u64, frame: &Frame, feet: &[Point]) -> Message {
         let (scale, forces) = match frame.pushes.is_empty() {
-            true => {
+            true if frame.forces.is_empty() => {
                 let up = frame.loads.iter().map(|load| [0.0, 0.0, *load]);
                 (METRES_PER_NEWTON, up.collect())
             }
+            true => (METRES_PER_NEWTON, frame.forces.clone()),
             false => (METRES_PER_NEWTON_OF_A_HAND, frame.pushes.clone()),
         };
         let arrows = feet.iter().zip(forces);
@@ -226,4 +227,33 @@ fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<Message> {
             .double(5, 0.5 * head)
             .message(6, &colour(ARROW)),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tip_sim::Robot;
+
+    #[test]
+    fn arrows_lean_as_forces_do_and_stand_where_only_loads_are_known() {
+        let robot = Robot::named("titan8").expect("it has a name");
+        let skeleton = Skeleton::of(&robot);
+        let stage = Stage::new(&skeleton, &Scene::EMPTY);
+        let feet = [[391.0, 201.0, 0.0]];
+        let arrows = |loads: &[f64], forces: &[[f64; 3]]| {
+            let frame = Frame {
+                loads: loads.to_vec(),
+                forces: forces.to_vec(),
+                ..Frame::default()
+            };
+            stage.forces(0, &frame, &feet)
+        };
+        let upright = arrows(&[40.0], &[]);
+        assert_eq!(arrows(&[40.0], &[[0.0, 0.0, 40.0]]), upright);
+        // 50 N, to the right and up.
+        let leaning = arrows(&[40.0], &[[30.0, 0.0, 40.0]]);
+        let expected = arrow(feet[0], [30.0, 0.0, 40.0], 0.002).expect("it is seen");
+        assert_eq!(leaning, stage.entity(0, "forces").messages(7, [expected]));
+        assert_ne!(leaning, upright);
+    }
 }

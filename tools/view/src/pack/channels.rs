@@ -42,7 +42,11 @@ fn all(first: &Frame) -> Vec<Channel> {
             frame.loads.get(leg).copied()
         }));
         for axis in 0..3 {
-            all.push(channel(format!("push.{leg}.{axis}"), move |frame| {
+            let (force, push) = (format!("force.{leg}.{axis}"), format!("push.{leg}.{axis}"));
+            all.push(channel(force, move |frame| {
+                frame.forces.get(leg).map(|force| force[axis])
+            }));
+            all.push(channel(push, move |frame| {
                 frame.pushes.get(leg).map(|push| push[axis])
             }));
         }

@@ -4,6 +4,8 @@ use super::columns::Column;
 use crate::recording::{self, Outcome, Recording};
 use crate::skeleton::Skeleton;
 use serde::Serialize;
+use tip_runtime::command::{Flag, Target};
+use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
 use tip_sim::{Asked, Timed};
@@ -18,6 +20,8 @@ pub(crate) struct Header<'a> {
     messages: Vec<(u64, &'a str)>,
     lamps: Vec<(u64, u8, bool)>,
     commands: Vec<(u64, &'static str, String, String)>,
+    flags: Vec<(u64, String)>,
+    modes: Vec<(u64, Vec<(String, &'static str)>)>,
     falls: Vec<(u64, f64)>,
     slips: Vec<(u64, usize, f64)>,
     events: Vec<(u64, String)>,
@@ -122,6 +126,8 @@ impl<'a> Header<'a> {
                     values(asked),
                 )
             }),
+            flags: each(&recording.flags, |cycle, flags| (cycle, words(flags))),
+            modes: each(&recording.modes, |cycle, modes| (cycle, named(modes))),
             falls: falls.map(|fall| (fall.cycle, fall.what)).collect(),
             slips: each(&recording.slips, |cycle, slip| {
                 (cycle, slip.leg, slip.distance)
@@ -150,6 +156,31 @@ pub(crate) fn event(timed: &Timed) -> (u64, String) {
     let text = tip_sim::Events::new(vec![timed.clone()]).to_string();
     let event = text.split_once(':').map_or(&*text, |(_, event)| event);
     (timed.cycle, event.to_owned())
+}
+
+/// Flags, with blanks between.
+pub(crate) fn words(flags: &[Flag]) -> String {
+    let words: Vec<_> = flags.iter().map(ToString::to_string).collect();
+    words.join(" ")
+}
+
+/// Each target with what its mode is called.
+pub(crate) fn named(modes: &[(Target, Mode)]) -> Vec<(String, &'static str)> {
+    let modes = modes
+        .iter()
+        .map(|(target, mode)| (target.to_string(), called(*mode)));
+    modes.collect()
+}
+
+/// As the page asks its words for it (`page/src/words.js`).
+fn called(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Rest => "rest",
+        Mode::Position => "position",
+        Mode::Compliance => "compliance",
+        Mode::Velocity => "velocity",
+        Mode::Effort => "effort",
+    }
 }
 
 pub(crate) fn values(asked: &Asked) -> String {

@@ -44,6 +44,8 @@ impl Recording {
         cut(&mut self.lamps, from);
         cut(&mut self.commands, from);
         cut(&mut self.contacts, from);
+        cut(&mut self.flags, from);
+        cut(&mut self.modes, from);
         cut(&mut self.falls, from);
         cut(&mut self.slips, from);
         self.cycles = from;
@@ -69,6 +71,8 @@ impl Recording {
         }
         keep_last(&mut self.steps, before, |_| ());
         keep_last(&mut self.contacts, before, |_| ());
+        keep_last(&mut self.flags, before, |_| ());
+        keep_last(&mut self.modes, before, |_| ());
         keep_last(&mut self.messages, before, |_| ());
         keep_last(&mut self.sets, before, |set| set.scalar);
         keep_last(&mut self.lamps, before, |lamp| lamp.0);

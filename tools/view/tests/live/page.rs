@@ -21,7 +21,9 @@ pub(crate) struct Page {
     pub(crate) scalars: Vec<String>,
 }
 
-pub(crate) const LISTS: [&str; 5] = ["steps", "sets", "messages", "events", "contacts"];
+pub(crate) const LISTS: [&str; 7] = [
+    "steps", "sets", "messages", "events", "contacts", "flags", "modes",
+];
 
 impl Page {
     pub(crate) fn look(&mut self, session: &Session) -> usize {
