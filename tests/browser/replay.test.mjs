@@ -91,6 +91,7 @@ for (const name of ['walk', 'grasp', 'hexapod']) {
       await variable.scrollIntoViewIfNeeded();
       await variable.hover();
       assert.match(await page.textContent('#tip'), /^[A-Z.0-9]+ = -?[\d.]+$/);
+      assert.match(await page.getAttribute('#tip .spark path:last-child', 'd'), /^M[\d.]+ [\d.]+V.*H148$/);
       const before = await page.locator('.chart .uplot').count();
       await variable.click();
       assert.equal(await page.locator('.chart .uplot').count(), before + 1);
@@ -157,14 +158,35 @@ test('exports frames as a ZIP that others read', async () => {
   await close();
 });
 
-test('records a video', async () => {
+/** The elements of a film (RFC 8794) with these identifiers inside: for each its identifier, and its bytes. */
+function elements(bytes, inside) {
+  const found = [];
+  for (let at = 0; at < bytes.length; ) {
+    const id = bytes.readUIntBE(at, Math.clz32(bytes[at]) - 23);
+    const begin = at + Math.clz32(bytes[at]) - 23 + 8;
+    const end = begin + Number(bytes.readBigUInt64BE(begin - 8) & 0xffffffffffffffn);
+    found.push([id, bytes.subarray(begin, end)]);
+    if (inside.includes(id)) found.push(...elements(bytes.subarray(begin, end), inside));
+    at = end;
+  }
+  return found;
+}
+
+test('films each frame, however long it takes', async () => {
   const { page, close } = await open(browser, `${pages}/walk.html`, { viewport: { width: 480, height: 640 } });
   await page.click('#export');
-  await page.fill('#export-seconds', '0.5');
+  await page.fill('#export-seconds', '0.4');
+  await page.fill('#export-rate', '10');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-video')]);
   const bytes = readFileSync(await download.path());
   // EBML (RFC 8794) is what WebM begins with.
   assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
+  const [segment, cluster, time, block] = [0x18538067, 0x1f43b675, 0xe7, 0xa3];
+  const film = elements(bytes, [segment, cluster]);
+  const blocks = film.filter(([id]) => id === block).map(([, bytes]) => bytes);
+  // 0, 0.1, 0.2, 0.3 and 0.4 s, counted from the cluster's 0.
+  assert.deepEqual(film.filter(([id]) => id === time).map(([, bytes]) => bytes.toString('hex')), ['00']);
+  assert.deepEqual(blocks.map((block) => block.readInt16BE(1)), [0, 100, 200, 300, 400]);
   await close();
 });
 

@@ -12,7 +12,7 @@ const pages = {
     script: 'src/main.js',
     styles: ['./src/style.css'],
     kinds: ['replay'],
-    allowed: ['media-src blob:'],
+    allowed: [],
     parts: { 'TIP-TITLE': 'TIP-TITLE' },
   }),
   'live.html': await page({

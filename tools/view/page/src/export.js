@@ -1,10 +1,9 @@
 // Images, videos and links.
 
 import { element, make } from './dom.js';
+import { Film } from './film.js';
 import { word } from './words.js';
 import { zip } from './zip.js';
-
-const VIDEO = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
 export function exporting(player, stage) {
   const dialog = element('export-box');
@@ -27,40 +26,42 @@ export function exporting(player, stage) {
   };
   const rate = () => Math.min(Math.max(Number(element('export-rate').value) || 25, 1), 60);
 
-  async function frames() {
+  /** Has each frame of a span shown, and what is to be done with it done. */
+  async function each(act) {
     const [from, to] = span();
-    const files = [];
     const count = Math.floor(((to - from) / 1000) * rate() * (1 / player.speed)) + 1;
     for (let n = 0; n < count && !stopped; n++) {
       player.goToTime(from + (n * 1000 * player.speed) / rate());
-      const bytes = new Uint8Array(await (await image()).arrayBuffer());
-      files.push({ name: `${stem}-${String(n).padStart(5, '0')}.png`, bytes });
+      await act(n);
       status.textContent = word('recordingNow', `${n + 1} / ${count}`);
     }
+  }
+
+  async function frames() {
+    const files = [];
+    await each(async (n) => {
+      const bytes = new Uint8Array(await (await image()).arrayBuffer());
+      files.push({ name: `${stem}-${String(n).padStart(5, '0')}.png`, bytes });
+    });
     if (!stopped) save(zip(files), `${stem}.zip`);
   }
 
   async function video() {
-    const type = window.MediaRecorder && VIDEO.find((type) => MediaRecorder.isTypeSupported(type));
-    if (!type) {
-      status.textContent = word('noVideo');
-      return;
+    stage.drawFine();
+    const film = await Film.of(stage.canvas, rate());
+    if (!film) {
+      await frames();
+      return stopped ? '' : word('noVideo');
     }
-    const [, to] = span();
-    const recorder = new MediaRecorder(stage.canvas.captureStream(rate()), { mimeType: type, videoBitsPerSecond: 8_000_000 });
-    const parts = [];
-    recorder.ondataavailable = ({ data }) => parts.push(data);
-    const over = new Promise((resolve) => (recorder.onstop = resolve));
-    recorder.start();
-    player.play();
-    while (player.playing && player.time < to && !stopped) {
-      status.textContent = word('recordingNow', `${(player.time / 1000).toFixed(1)} s`);
-      await new Promise((resolve) => setTimeout(resolve, 50));
-    }
-    player.pause();
-    recorder.stop();
-    await over;
-    if (!stopped) save(new Blob(parts, { type }), `${stem}.webm`);
+    await each(async () => {
+      stage.drawFine();
+      await film.add();
+      // The page is shown, and can be stopped.
+      await new Promise((go) => setTimeout(go));
+    });
+    if (stopped) film.discard();
+    else save(await film.end(), `${stem}.webm`);
+    return '';
   }
 
   /** One at a time, with a button to stop it. */
@@ -69,9 +70,13 @@ export function exporting(player, stage) {
     player.pause();
     dialog.classList.add('busy');
     status.textContent = '';
-    await what();
-    dialog.classList.remove('busy');
-    if (status.textContent !== word('noVideo')) status.textContent = '';
+    try {
+      status.textContent = (await what()) ?? '';
+    } catch ({ message }) {
+      status.textContent = message;
+    } finally {
+      dialog.classList.remove('busy');
+    }
   };
   const copy = (text) => async () => {
     try {

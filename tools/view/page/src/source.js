@@ -1,6 +1,7 @@
 // The program, with the line that runs.
 
 import { element, fixed, make } from './dom.js';
+import { spark } from './spark.js';
 import { whenSpoken, word } from './words.js';
 
 const NAME = /[A-Za-z_][A-Za-z0-9_]*(?:\.[A-Za-z0-9]+)?/g;
@@ -29,7 +30,8 @@ export function source(player, plot) {
     tip.hidden = !name;
     if (!name) return;
     const value = recording.valueAt(Number(name.dataset.scalar), player.cycle);
-    tip.textContent = `${recording.script.scalars[name.dataset.scalar]} = ${value === undefined ? word('unassigned') : shown(value)}`;
+    const text = `${recording.script.scalars[name.dataset.scalar]} = ${value === undefined ? word('unassigned') : shown(value)}`;
+    tip.replaceChildren(text, spark(recording, Number(name.dataset.scalar), player.cycle));
     const place = name.getBoundingClientRect();
     tip.style.left = `${Math.min(place.left, innerWidth - tip.offsetWidth - 8)}px`;
     tip.style.top = `${Math.max(place.top - tip.offsetHeight - 6, 4)}px`;

@@ -70,7 +70,7 @@ const WORDS = {
   rate: ['Frames per second', '毎秒のコマ数'],
   recordingNow: ['Recording … {0}', '記録中 … {0}'],
   stopIt: ['Stop', '中止'],
-  noVideo: ['This browser encodes no video; take the frames.', 'このブラウザは動画を作れません。連番画像をお使いください。'],
+  noVideo: ['This browser encodes no video; the frames are saved.', 'このブラウザは動画を作れません。連番画像を保存しました。'],
   noWebgl: ['This browser shows no 3-D graphics (WebGL is off). The rest of the page works.', 'このブラウザでは 3 次元表示が使えません (WebGL が無効です)。ほかの部分は使えます。'],
   endedProgram: ['{0} after {1}', '{1} 後に {0}'],
   endedLimit: ['recorded for {1}', '{1} 間を記録'],
