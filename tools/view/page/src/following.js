@@ -17,7 +17,9 @@ export class FollowingPlayer extends Player {
 
   /** There is more to see. */
   grown() {
-    this.goToTime(this.following ? this.recording.duration : this.time);
+    const go = () => this.goToTime(this.following ? this.recording.duration : this.time);
+    if (this.playing) this.glide(go);
+    else go();
   }
 
   goToTime(time) {

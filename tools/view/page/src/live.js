@@ -108,10 +108,10 @@ function build(requests, recording) {
 
   player.onMove(() => {
     stage?.show(player.time);
-    editor.light(recording.lineAt(player.cycle));
     knobs.show();
     if (!player.following) showStatus();
   });
+  player.onRest(() => editor.light(recording.lineAt(player.cycle)));
   player.onState(showStatus);
   whenSpoken(showStatus);
   whenSpoken(() => listMarks(player));

@@ -1,5 +1,8 @@
 // Where in the run one is, and going on from there.
 
+/** How often what nobody reads is shown while one glides along: ms. */
+const SELDOM = 90;
+
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 
 export class Player {
@@ -8,6 +11,7 @@ export class Player {
     this.time = recording.endOf(0);
     this.speed = 1;
     this.playing = false;
+    this.gliding = false;
     this.listeners = [];
     this.stateListeners = [];
   }
@@ -21,9 +25,31 @@ export class Player {
     this.listeners.push(listener);
   }
 
+  /** The same for what nobody reads while it flies by: every so often while one glides along, at once where one stops. */
+  onRest(listener) {
+    let [last, due] = [0, undefined];
+    const call = () => {
+      clearTimeout(due);
+      [last, due] = [performance.now(), undefined];
+      listener();
+    };
+    this.onMove(() => {
+      const left = this.gliding ? last + SELDOM - performance.now() : 0;
+      if (left <= 0) call();
+      else due ??= setTimeout(call, left);
+    });
+  }
+
   /** Calls a function whenever playing begins or ends, or the speed changes. */
   onState(listener) {
     this.stateListeners.push(listener);
+  }
+
+  /** Goes somewhere on the way to elsewhere. */
+  glide(go) {
+    this.gliding = true;
+    go();
+    this.gliding = false;
   }
 
   goToTime(time) {
@@ -86,7 +112,7 @@ export class Player {
     if (!this.playing) return;
     const passed = now - (this.last ?? now);
     this.last = now;
-    this.goToTime(this.time + passed * this.speed);
+    this.glide(() => this.goToTime(this.time + passed * this.speed));
     if (this.time >= this.recording.duration) this.pause();
     else requestAnimationFrame((next) => this.tick(next));
   }

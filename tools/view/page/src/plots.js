@@ -21,7 +21,7 @@ export class Plots {
     this.gait = element('gait');
     this.gait.addEventListener('click', (event) => this.goTo(event.offsetX));
     whenSpoken(() => this.say());
-    player.onMove(() => this.movePlayheads());
+    player.onRest(() => this.movePlayheads());
     new ResizeObserver(() => this.resize()).observe(this.box);
   }
 

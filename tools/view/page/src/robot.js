@@ -1,6 +1,6 @@
 // The robot's body and links as solids, in true proportion.
 
-import { BoxGeometry, CapsuleGeometry, CylinderGeometry, Group, Matrix4, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
+import { Bone, BoxGeometry, CapsuleGeometry, CylinderGeometry, Group, Matrix4, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 import { links, placed } from './kinematics.js';
 import { colour, legColour } from './dom.js';
@@ -19,14 +19,14 @@ export class RobotSolid extends Group {
     super();
     this.robot = robot;
     this.material = new MeshLambertMaterial({ vertexColors: true });
-    this.solids = [];
+    [this.bones, this.parts] = [[], []];
     const thick = reach(robot) * 0.042;
-    this.trunk = new Group();
-    this.trunk.matrixAutoUpdate = false;
-    this.add(this.trunk);
+    this.trunk = this.bone(this);
     if (robot.body) this.addBody(robot.body, thick);
     else this.addPalm(robot.legs, thick);
     this.links = robot.legs.map((leg, l) => leg.joints.map((joint, j) => this.addLink(leg, l, joint, j, thick)));
+    this.solid = new Solid(this.parts, this.bones, this.material);
+    this.add(this.solid);
     this.recolour();
   }
 
@@ -38,14 +38,22 @@ export class RobotSolid extends Group {
       if (!chosen.has(key)) chosen.set(key, leg === undefined ? colour(name) : legColour(leg));
       return chosen.get(key);
     };
-    for (const solid of this.solids) solid.recolour(of);
+    this.solid.recolour(of);
   }
 
-  /** One solid of all these parts, which moves as one and is drawn at once. */
-  solid(parts, parent) {
-    const made = new Solid(parts, this.material);
-    this.solids.push(made);
-    parent.add(made);
+  /** What moves as one, on what carries it. */
+  bone(parent) {
+    const bone = new Bone();
+    bone.matrixAutoUpdate = false;
+    parent.add(bone);
+    this.bones.push(bone);
+    return bone;
+  }
+
+  /** These parts move with the bone that is the newest. */
+  addParts(parts) {
+    const bone = this.bones.length - 1;
+    this.parts.push(...parts.map((part) => ({ ...part, bone })));
   }
 
   addBody({ x, y, z }, thick) {
@@ -60,7 +68,7 @@ export class RobotSolid extends Group {
       { geometry: plate.translate(middle[0], middle[1], z[1] + thick * 0.1), name: 'robot-link' },
       { geometry: nose.translate(middle[0], y[1], z[1] - size[2] * 0.2), name: 'robot-front' },
     ];
-    this.solid(parts, this.trunk);
+    this.addParts(parts);
   }
 
   /** What fingers, or the legs of a robot that is bolted down, begin on. */
@@ -73,13 +81,11 @@ export class RobotSolid extends Group {
     const size = ends.map(([min, max], axis) => max - min + (axis === up ? thick * 1.6 : thick * 3));
     const middle = ends.map(([min, max], axis) => (min + max) / 2 + (axis === up ? thick * 1.6 : 0));
     const palm = new RoundedBoxGeometry(...size, 2, thick * 0.5);
-    this.solid([{ geometry: palm.translate(...middle), name: 'robot-body' }], this.trunk);
+    this.addParts([{ geometry: palm.translate(...middle), name: 'robot-body' }]);
   }
 
   addLink(leg, l, { axis, link }, j, thick) {
-    const group = new Group();
-    group.matrixAutoUpdate = false;
-    this.trunk.add(group);
+    const bone = this.bone(this.trunk);
     const [last, length] = [j === leg.joints.length - 1, Math.hypot(...link)];
     const radius = thick * (1 - (0.45 * j) / Math.max(leg.joints.length, 1));
     const hub = new CylinderGeometry(radius * 1.28, radius * 1.28, radius * 2.5, 16);
@@ -94,8 +100,8 @@ export class RobotSolid extends Group {
         add(new CapsuleGeometry(radius * 0.8, radius, 3, 12), length - radius * 1.8, 'leg', l);
       }
     }
-    this.solid(parts, group);
-    return group;
+    this.addParts(parts);
+    return bone;
   }
 
   /** Puts it into a posture. */
@@ -104,7 +110,7 @@ export class RobotSolid extends Group {
     this.trunk.matrixWorldNeedsUpdate = true;
     this.robot.legs.forEach((leg, l) => {
       const frames = links(leg, posture.angles[l]);
-      this.links[l].forEach((group, j) => group.matrix.copy(frames[j]));
+      this.links[l].forEach((bone, j) => bone.matrix.copy(frames[j]));
     });
   }
 }

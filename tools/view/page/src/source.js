@@ -43,6 +43,21 @@ export function source(player, plot) {
       button.setAttribute('aria-label', `${word('line')} ${button.textContent}${never ? `, ${word('never')}` : ''}`);
     }
   });
+  // Every row is as high as the first. What is measured here need not be asked for in every frame, when it would have to be laid out.
+  const size = { top: 0, row: 0, shown: 0, from: 0 };
+  const measure = () => {
+    const [{ offsetTop: top, offsetHeight: row }, { clientHeight: shown, scrollTop: from }] = [rows[0], list];
+    Object.assign(size, { top, row, shown, from });
+  };
+  const intoView = () => {
+    const top = lit && size.top + size.row * (lit.value - 1);
+    if (top < size.from + 40 || top > size.from + size.shown - 60) list.scrollTop = size.from = Math.max(top - size.shown * 0.4, 0);
+  };
+  list.addEventListener('scroll', () => (size.from = list.scrollTop), { passive: true });
+  new ResizeObserver(() => {
+    measure();
+    intoView();
+  }).observe(list);
   let lit;
   const light = () => {
     const line = recording.lineAt(player.cycle);
@@ -53,10 +68,9 @@ export function source(player, plot) {
     if (!lit) return;
     lit.classList.add('lit');
     lit.setAttribute('aria-current', 'true');
-    const [top, height] = [lit.offsetTop, list.clientHeight];
-    if (top < list.scrollTop + 40 || top > list.scrollTop + height - 60) list.scrollTop = top - height * 0.4;
+    intoView();
   };
-  player.onMove(light);
+  player.onRest(light);
 }
 
 /** A value in few digits. */

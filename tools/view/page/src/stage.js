@@ -1,20 +1,16 @@
 // The robot on its floor, in three dimensions. Lengths in mm.
 
-import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group, HemisphereLight, Line,
-  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PerspectiveCamera, RingGeometry, Scene, SphereGeometry, Vector3,
-} from 'three';
+import { AmbientLight, Color, DirectionalLight, Fog, Group, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { colour, legColour } from './dom.js';
+import { colour } from './dom.js';
 import { belly, centreOfMass, feet, hull } from './kinematics.js';
-import { RobotSolid, reach, towards } from './robot.js';
+import { Marks, PLACES } from './marks.js';
+import { RobotSolid, reach } from './robot.js';
 import { Screen } from './screen.js';
 import { Surroundings } from './surroundings.js';
 
 /** How long foot trails are: ms. */
 const TRAIL = 4000;
-/** How many places a trail has at most. */
-const PLACES = 240;
 /** How long a slip stays marked: ms. */
 const MARKED = 1500;
 /** A belly so far above the floor carries as well: mm. */
@@ -54,8 +50,8 @@ export class Stage {
     // The processor has shadows to draw on the floor, and no time for those on the robot.
     if (this.screen.isSoftware) this.solid.traverse((part) => (part.receiveShadow = false));
     this.surroundings = new Surroundings(this.recording, this.size);
-    this.world.add(this.solid, this.surroundings);
-    this.makeMarks();
+    this.marks = new Marks(this.size, robot.legs.length);
+    this.world.add(this.solid, this.surroundings, this.marks);
     this.recolour();
     this.resize();
     this.resetView();
@@ -64,8 +60,9 @@ export class Stage {
   /** Forgets all that belongs to a robot. */
   clear() {
     this.sun?.dispose();
-    this.scene.traverse(({ geometry, material }) => {
+    this.scene.traverse(({ geometry, material, skeleton }) => {
       geometry?.dispose();
+      skeleton?.dispose();
       material?.map?.dispose();
       material?.dispose();
     });
@@ -85,62 +82,13 @@ export class Stage {
     this.scene.add(this.sun, this.sun.target);
   }
 
-  /** What marks are of: one program of the graphics draws them all. */
-  paint(options = {}) {
-    return new MeshBasicMaterial({ transparent: true, side: DoubleSide, ...options });
-  }
-
-  makeMarks() {
-    const line = (points, material) => {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute('position', new BufferAttribute(new Float32Array(points * 3), 3));
-      const made = new Line(geometry, material);
-      made.frustumCulled = false;
-      this.world.add(made);
-      return made;
-    };
-    this.trails = this.robot.legs.map(() => line(PLACES + 1, new LineBasicMaterial({ transparent: true, opacity: 0.85 })));
-    this.polygon = new Mesh(new BufferGeometry(), this.paint({ opacity: 0.2, depthWrite: false }));
-    this.polygon.geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * 3 * 13), 3));
-    this.polygon.frustumCulled = false;
-    this.edge = line(14, new LineBasicMaterial({ transparent: true }));
-    this.plumb = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true }));
-    this.plumb.geometry.setAttribute('position', new BufferAttribute(new Float32Array(6), 3));
-    this.plumb.frustumCulled = false;
-    this.centre = new Mesh(new SphereGeometry(this.size * 0.014, 16, 12), this.paint({ depthTest: false }));
-    this.centre.renderOrder = 2;
-    this.spot = new Mesh(new RingGeometry(this.size * 0.014, this.size * 0.021, 32), this.paint());
-    this.world.add(this.polygon, this.plumb, this.centre, this.spot);
-    this.arrows = this.robot.legs.map(() => this.makeArrow());
-    this.rings = this.robot.legs.map(() => {
-      const ring = new Mesh(new RingGeometry(this.size * 0.04, this.size * 0.05, 32), this.paint());
-      this.world.add(ring);
-      return ring;
-    });
-  }
-
-  makeArrow() {
-    const arrow = new Group();
-    const material = this.paint();
-    const thick = this.size * 0.006;
-    arrow.shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 10).translate(0, 0.5, 0), material);
-    arrow.head = new Mesh(new ConeGeometry(thick * 3, thick * 7, 14).translate(0, thick * 3.5, 0), material);
-    arrow.material = material;
-    arrow.add(arrow.shaft, arrow.head);
-    this.world.add(arrow);
-    return arrow;
-  }
-
   /** Takes the colours of the page's scheme. */
   recolour() {
     const background = new Color(colour('stage'));
     this.scene.background = background;
-    this.tints = { good: new Color(colour('good')), bad: new Color(colour('bad')) };
     this.scene.fog = new Fog(background, this.size * 5, this.size * 14);
     this.surroundings.recolour();
-    this.trails.forEach((trail, leg) => trail.material.color.set(legColour(leg)));
-    this.rings.forEach((ring) => ring.material.color.set(colour('bad')));
-    this.arrows.forEach((arrow) => arrow.material.color.set(colour('force')));
+    this.marks.recolour();
     this.solid.recolour();
     this.screen.draw();
   }
@@ -185,10 +133,12 @@ export class Stage {
     this.solid.pose(this.posture);
     this.surroundings.move(this.place, this.posture.pose);
     this.ends = feet(this.robot, this.posture);
-    this.showTrails();
-    this.showSupport();
-    this.showForces();
+    this.marks.begin();
+    if (this.shows.trails) this.showTrails();
+    if (this.shows.support && this.robot.body) this.showSupport();
+    if (this.shows.forces) this.showForces();
     this.showSlips();
+    this.marks.end();
     if (this.shows.follow && !this.robot.planar) this.follow();
     this.screen.draw();
   }
@@ -219,45 +169,17 @@ export class Stage {
     const stride = Math.ceil((last - first + 1) / PLACES);
     const frames = [];
     for (let frame = Math.ceil(first / stride) * stride; frame <= last; frame += stride) frames.push(frame);
-    this.trails.forEach((trail, leg) => {
-      trail.visible = this.shows.trails;
-      const places = trail.geometry.attributes.position;
-      frames.forEach((frame, n) => places.setXYZ(n, ...this.feetOf(frame)[leg].toArray()));
-      places.setXYZ(frames.length, ...this.ends[leg].toArray());
-      places.needsUpdate = true;
-      trail.geometry.setDrawRange(0, frames.length + 1);
-    });
+    this.ends.forEach((end, leg) => this.marks.trail(leg, [...frames.map((frame) => this.feetOf(frame)[leg].toArray()), end.toArray()]));
   }
 
   showSupport() {
-    const visible = this.shows.support && Boolean(this.robot.body);
-    [this.polygon, this.edge, this.plumb, this.centre, this.spot].forEach((mark) => (mark.visible = visible));
-    if (!visible) return;
     const ground = (x, y) => this.surroundings.ground(x, y);
     const touches = this.recording.touchesAt(this.recording.cycleAt(this.time));
     const lies = belly(this.robot, this.posture).filter(({ x, y, z }) => z - ground(x, y) < TOUCHES);
     const carrying = [...this.ends.filter((_, leg) => touches[leg]), ...lies];
     const corners = hull(carrying.map(({ x, y }) => [x, y]));
-    const raised = ([x, y]) => [x, y, ground(x, y) + 1.2];
-    const [fill, edge] = [this.polygon.geometry, this.edge.geometry];
-    let n = 0;
-    for (let corner = 1; corner + 1 < corners.length; corner++) {
-      [corners[0], corners[corner], corners[corner + 1]].forEach((at) => fill.attributes.position.setXYZ(n++, ...raised(at)));
-    }
-    fill.setDrawRange(0, n);
-    [...corners, corners[0]].forEach((at, n) => at && edge.attributes.position.setXYZ(n, ...raised(at)));
-    edge.setDrawRange(0, corners.length > 1 ? corners.length + 1 : 0);
-    fill.attributes.position.needsUpdate = edge.attributes.position.needsUpdate = true;
-    const centre = centreOfMass(this.robot, this.posture);
-    const under = ground(centre.x, centre.y) + 1.6;
-    this.centre.position.copy(centre);
-    this.spot.position.set(centre.x, centre.y, under);
-    const plumb = this.plumb.geometry.attributes.position;
-    plumb.setXYZ(0, ...centre.toArray()).setXYZ(1, centre.x, centre.y, under);
-    plumb.needsUpdate = true;
     const margin = this.recording.value('margin', this.place);
-    const tint = margin === undefined || margin >= 0 ? this.tints.good : this.tints.bad;
-    [this.polygon, this.edge, this.spot, this.plumb, this.centre].forEach((mark) => mark.material.color.set(tint));
+    this.marks.support(corners, centreOfMass(this.robot, this.posture), margin === undefined || margin >= 0, ground);
   }
 
   showForces() {
@@ -265,27 +187,20 @@ export class Stage {
     const value = (name) => recording.value(name, place) ?? 0;
     const mass = this.robot.legs.flatMap((leg) => leg.joints).reduce((sum, joint) => sum + joint.mass, this.robot.body?.mass ?? 0);
     const whole = this.robot.planar ? 8 : Math.max(mass * GRAVITY, 1);
-    this.arrows.forEach((arrow, leg) => {
+    this.ends.forEach((end, leg) => {
       const force = this.robot.planar
         ? new Vector3(value(`push.${leg}.0`), value(`push.${leg}.1`), value(`push.${leg}.2`))
         : new Vector3(value(`force.${leg}.0`), value(`force.${leg}.1`), recording.value(`force.${leg}.2`, place) ?? value(`load.${leg}`));
       const length = (force.length() / whole) * this.size * 0.8;
-      arrow.visible = this.shows.forces && length > this.size * 0.004;
-      if (!arrow.visible) return;
-      arrow.position.copy(this.ends[leg]);
-      arrow.quaternion.copy(towards(force.normalize()));
-      arrow.shaft.scale.y = length;
-      arrow.head.position.y = length;
+      if (length > this.size * 0.004) this.marks.force(end, force.normalize(), length);
     });
   }
 
   showSlips() {
     const { recording } = this;
-    this.rings.forEach((ring, leg) => {
+    this.ends.forEach((end, leg) => {
       const slip = recording.slips.find((slip) => slip.leg === leg && Math.abs(recording.endOf(slip.cycle) - this.time) < MARKED);
-      ring.visible = Boolean(slip);
-      const { x, y } = this.ends[leg];
-      ring.position.set(x, y, this.surroundings.ground(x, y) + 1.8);
+      if (slip) this.marks.slip(end, this.surroundings.ground(end.x, end.y));
     });
   }
 

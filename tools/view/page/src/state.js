@@ -39,15 +39,16 @@ export function state(player, plot) {
   const show = () => {
     const { cycle } = player;
     element('message').textContent = recording.messageAt(cycle) || '\u00A0';
-    // What nobody sees waits until its tab is chosen.
-    if (element('state-panel').classList.contains('chosen')) showState(cycle);
     const alarm = alarmAt(player);
     element('alert').hidden = !alarm;
     element('alert').textContent = alarm;
     element('now-line').textContent = recording.lineAt(cycle) ?? '–';
     showMargin(player);
   };
-  const showState = (cycle) => {
+  const showState = () => {
+    // What nobody sees waits until its tab is chosen.
+    if (!element('state-panel').classList.contains('chosen')) return;
+    const { cycle } = player;
     showLamps(cycle);
     const now = lastUpTo(recording.modes, cycle)?.list ?? [];
     modes.forEach(({ mode, command }, leg) => {
@@ -88,9 +89,11 @@ export function state(player, plot) {
   };
   begin();
   player.onMove(show);
-  document.addEventListener('tab', show);
+  player.onRest(showState);
+  document.addEventListener('tab', showState);
   whenSpoken(nameCells);
   whenSpoken(show);
+  whenSpoken(showState);
   return { begin };
 }
 

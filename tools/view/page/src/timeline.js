@@ -11,7 +11,7 @@ export function timeline(player) {
   const [slider, strip, play, speed] = ['scrub', 'strip', 'play', 'speed'].map(element);
   slider.addEventListener('input', () => {
     player.pause();
-    player.goTo(Number(slider.value));
+    player.glide(() => player.goTo(Number(slider.value)));
   });
   const buttons = { back: () => player.step(-1), forward: () => player.step(1), earlier: () => player.skip(-1), later: () => player.skip(1) };
   for (const [id, act] of Object.entries(buttons)) element(id).addEventListener('click', act);

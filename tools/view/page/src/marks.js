@@ -1,0 +1,94 @@
+// What is drawn beside the robot in every frame: trails, support polygon, centre of mass, forces, slips. Lengths in mm.
+
+import { Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3 } from 'three';
+import { Batch } from './batch.js';
+import { colour, legColour } from './dom.js';
+import { towards } from './robot.js';
+
+/** How many places a trail has at most. */
+export const PLACES = 240;
+/** Corners of a support polygon are at most so many: of nine feet and a belly. */
+const CORNERS = 13;
+/** How high above the ground marks are, each above those before: mm. */
+const LIFT = { fill: 1.2, edge: 1.4, spot: 1.6, ring: 1.8 };
+
+/** The corners of a geometry's triangles, one after the other. */
+function triangles(geometry) {
+  const { array } = geometry.toNonIndexed().attributes.position;
+  return Array.from({ length: array.length / 3 }, (_, n) => new Vector3(...array.slice(3 * n, 3 * n + 3)));
+}
+
+export class Marks extends Group {
+  /** For a robot of a size with so many legs. */
+  constructor(size, legs) {
+    super();
+    const thick = size * 0.006;
+    this.shaft = triangles(new CylinderGeometry(thick, thick, 1, 8, 1, true).translate(0, 0.5, 0));
+    this.head = triangles(new ConeGeometry(thick * 3, thick * 7, 12).translate(0, thick * 3.5, 0));
+    this.spotRing = triangles(new RingGeometry(size * 0.014, size * 0.021, 24));
+    this.slipRing = triangles(new RingGeometry(size * 0.04, size * 0.05, 24));
+    const each = this.shaft.length + this.head.length + this.slipRing.length;
+    const common = { vertexColors: true, transparent: true };
+    this.lines = new Batch(LineSegments, new LineBasicMaterial(common), 2 * (legs * PLACES + CORNERS + 1));
+    this.faces = new Batch(Mesh, new MeshBasicMaterial({ ...common, side: DoubleSide }), legs * each + this.spotRing.length + 3 * CORNERS);
+    this.centre = new Mesh(new SphereGeometry(size * 0.014, 12, 8), new MeshBasicMaterial({ transparent: true, depthTest: false }));
+    // Faces that let lines through are drawn after them, objects that let forces through after those.
+    [this.lines.shape.renderOrder, this.faces.shape.renderOrder, this.centre.renderOrder] = [0.4, 0.6, 2];
+    this.add(this.lines.shape, this.faces.shape, this.centre);
+    this.legs = legs;
+  }
+
+  /** Takes the colours of the page's scheme. */
+  recolour() {
+    const named = (name) => new Color(colour(name));
+    this.tints = { good: named('good'), bad: named('bad'), force: named('force'), legs: Array.from({ length: this.legs }, (_, leg) => new Color(legColour(leg))) };
+  }
+
+  begin() {
+    this.lines.begin();
+    this.faces.begin();
+    this.centre.visible = false;
+  }
+
+  end() {
+    this.lines.end();
+    this.faces.end();
+  }
+
+  trail(leg, places) {
+    this.lines.tint(this.tints.legs[leg], 0.85);
+    this.lines.path(places);
+  }
+
+  /** The polygon of corners [x, y], the centre of mass, and the place under it; `ground` gives the height of the floor. */
+  support(corners, centre, isGood, ground) {
+    const tint = isGood ? this.tints.good : this.tints.bad;
+    const raised = (lift) => ([x, y]) => [x, y, ground(x, y) + lift];
+    const [fill, edge] = [corners.map(raised(LIFT.fill)), corners.map(raised(LIFT.edge))];
+    this.faces.tint(tint, 0.2);
+    for (let corner = 1; corner + 1 < fill.length; corner++) [fill[0], fill[corner], fill[corner + 1]].forEach((at) => this.faces.corner(...at));
+    this.lines.tint(tint);
+    if (edge.length > 1) this.lines.path([...edge, edge[0]]);
+    const under = [centre.x, centre.y, ground(centre.x, centre.y) + LIFT.spot];
+    this.lines.path([centre.toArray(), under]);
+    this.faces.tint(tint);
+    for (const { x, y } of this.spotRing) this.faces.corner(under[0] + x, under[1] + y, under[2]);
+    this.centre.visible = true;
+    this.centre.position.copy(centre);
+    this.centre.material.color.copy(tint);
+  }
+
+  /** An arrow of a length from a place, along a unit vector. */
+  force(place, direction, length) {
+    this.faces.tint(this.tints.force);
+    const turn = towards(direction);
+    const put = (corner) => this.faces.corner(...corner.applyQuaternion(turn).add(place).toArray());
+    for (const { x, y, z } of this.shaft) put(new Vector3(x, y * length, z));
+    for (const { x, y, z } of this.head) put(new Vector3(x, y + length, z));
+  }
+
+  slip({ x, y }, ground) {
+    this.faces.tint(this.tints.bad);
+    for (const corner of this.slipRing) this.faces.corner(x + corner.x, y + corner.y, ground + LIFT.ring);
+  }
+}
