@@ -9,7 +9,7 @@ const [wasm, tipc] = process.argv.slice(2);
 const root = `${import.meta.dirname}/..`;
 const read = (path) => readFileSync(`${root}/${path}`, 'utf8');
 const { robots, examples, lessons } = JSON.parse(read('site/contents.json'));
-const { trace } = await playground(readFileSync(wasm));
+const { trace } = await playground(await WebAssembly.compile(readFileSync(wasm)));
 const hash = (text) => createHash('sha256').update(text).digest('hex').slice(0, 16);
 const filled = (text) => text && { name: text.name, ...(text.name.includes('/') ? { text: read(text.name) } : {}) };
 

@@ -1,10 +1,10 @@
 // The playground's WebAssembly (wasm/src/exports.rs).
 
-/** Of a module's bytes, its functions as JavaScript has them: texts are strings, objects go in as JSON. */
-export async function playground(bytes) {
+/** Of a compiled module, its functions as JavaScript has them: texts are strings, objects go in as JSON. */
+export async function playground(module) {
   const page = { now: () => performance.now() };
-  const { instance } = await WebAssembly.instantiate(bytes, { page });
-  const { memory, begin, room, done, open, advance, request, update, traced } = instance.exports;
+  const { exports } = await WebAssembly.instantiate(module, { page });
+  const { memory, begin, room, done, open, advance, request, update, traced } = exports;
   const place = (object) => {
     const bytes = new TextEncoder().encode(JSON.stringify(object));
     const at = room(bytes.length);

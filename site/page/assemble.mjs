@@ -35,7 +35,9 @@ mkdirSync(`${out}/hosted`, { recursive: true });
 const module = readFileSync(wasm);
 const packed = deflateRawSync(module, { level: 9 }).toString('base64');
 const one = await made(`<script type="application/octet-stream" id="module">${packed}</script>\n`, []);
-const index = await made('', ["connect-src 'self'"]);
+// The module is on its way while the script still comes.
+const ahead = '<link rel="preload" href="playground.wasm" as="fetch" type="application/wasm" crossorigin>\n';
+const index = await made(ahead, ["connect-src 'self'"]);
 writeFileSync(`${out}/playground.html`, one);
 writeFileSync(`${out}/hosted/index.html`, index);
 writeFileSync(`${out}/hosted/playground.wasm`, module);

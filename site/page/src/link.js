@@ -1,14 +1,12 @@
 // A program in the fragment of an address: deflated (RFC 1951), in base64 without padding, + and /.
 
+import { bytesOf } from '../../../tools/view/page/src/unpack.js';
+
 async function through(bytes, stream) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }
 
 export const inflated = (bytes) => through(bytes, new DecompressionStream('deflate-raw'));
-
-export function bytesOf(base64) {
-  return Uint8Array.from(atob(base64.trim().replace(/-/g, '+').replace(/_/g, '/')), (char) => char.charCodeAt(0));
-}
 
 /** The fragment of a program with its robot and its events. */
 export async function fragmentOf({ text, robot, events }) {
@@ -25,6 +23,6 @@ export async function readFragment(fragment) {
     if (fields.has(kind)) return { [kind]: Number(fields.get(kind)) };
   }
   if (!fields.has('program')) return undefined;
-  const text = new TextDecoder('utf-8', { fatal: true }).decode(await inflated(bytesOf(fields.get('program'))));
+  const text = new TextDecoder('utf-8', { fatal: true }).decode(await inflated(bytesOf(fields.get('program').replace(/-/g, '+').replace(/_/g, '/'))));
   return { text, robot: fields.get('robot') ?? '', events: fields.get('events') ?? '' };
 }

@@ -1,9 +1,15 @@
-// The bytes of the module: inside this page where that is one file, else beside it.
+// The module: inside this page where that is one file, else beside it.
 
-import { bytesOf, inflated } from './link.js';
+import { bytesOf } from '../../../tools/view/page/src/unpack.js';
+import { inflated } from './link.js';
+
+const TYPE = 'application/wasm';
 
 export async function load() {
   const inside = document.getElementById('module');
-  if (inside) return inflated(bytesOf(inside.textContent));
-  return (await fetch('playground.wasm')).arrayBuffer();
+  if (inside) return WebAssembly.compile(await inflated(bytesOf(inside.textContent)));
+  const response = await fetch('playground.wasm');
+  // As it comes, and the browser keeps what it has compiled; unless the server does not know what it is.
+  if (response.headers.get('Content-Type')?.startsWith(TYPE)) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
 }
