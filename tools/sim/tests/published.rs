@@ -20,12 +20,12 @@ fn stands(robot: &Anatomy, feet: &[Point]) {
 
 #[test]
 fn a_phantomx_stands_as_its_controller_does() {
-    // The feet 141 mm beside the first joints, those of the corners at 45 deg.
+    // The feet 141 mm beside the first joints, those of the corners at 45 deg. It lies with these 30 mm high, and rises by 90 mm.
     let r = 141.0 * 0.5_f64.sqrt();
     let right = [
-        [60.0 + r, 120.0 + r, -90.0],
-        [241.0, 0.0, -90.0],
-        [60.0 + r, -120.0 - r, -90.0],
+        [60.0 + r, 120.0 + r, -120.0],
+        [241.0, 0.0, -120.0],
+        [60.0 + r, -120.0 - r, -120.0],
     ];
     let pairs = right.map(|[x, y, z]| [[-x, y, z], [x, y, z]]);
     let robot = anatomy("phantomx");
@@ -63,9 +63,9 @@ fn quadrupeds_stand_on_feet_below_their_thighs() {
 #[test]
 fn fingers_of_a_trifinger_stand_round_its_middle() {
     let (second, third) = (51.566_f64.to_radians(), (51.566_f64 - 97.403).to_radians());
-    let x = 16.85 + 49.22 + 18.5;
-    let y = 50.5 + 160.0 * second.sin() + 162.6 * third.sin();
-    let z = 290.0 - 160.0 * second.cos() - 162.6 * third.cos();
+    let x = 16.85 + 50.15 + 19.0;
+    let y = 50.5 + 160.0 * second.sin() + 160.0 * third.sin();
+    let z = 290.0 - 160.0 * second.cos() - 160.0 * third.cos();
     let turned = |angle: f64| {
         let (sin, cos) = angle.to_radians().sin_cos();
         [cos * x - sin * y, sin * x + cos * y, z]
