@@ -16,6 +16,7 @@
 //!         y: Range::new(-60.0, 60.0),
 //!         z: Range::new(-30.0, 30.0),
 //!         mass: 1.0,
+//!         spread: None,
 //!     }),
 //!     ..Model::generic("tripod", [leg(0.0, 1.0), leg(0.96, -0.28), leg(-0.96, -0.28)])
 //! };
@@ -43,11 +44,13 @@ mod builder;
 mod check;
 pub mod generic;
 pub mod hand;
+mod spread;
 pub mod titan8;
 #[cfg(feature = "control")]
 mod whole;
 
 pub use check::{ModelError, Place};
+pub use spread::Spread;
 #[cfg(feature = "control")]
 pub(crate) use whole::Whole;
 
@@ -119,6 +122,8 @@ pub struct Joint {
     pub outer: Range,
     /// The link's mass: kg.
     pub mass: f64,
+    /// How it is spread; `None`: evenly along the link. The simulated hand takes all its links to be so.
+    pub spread: Option<Spread>,
     /// The most torque that its motor gives: N·m.
     pub torque: f64,
 }
@@ -145,6 +150,8 @@ pub struct Body {
     pub z: Range,
     /// Mass without legs: kg.
     pub mass: f64,
+    /// How it is spread; `None`: evenly in the box, its centre in the origin.
+    pub spread: Option<Spread>,
 }
 
 /// What parameter commands set, at its standard value.

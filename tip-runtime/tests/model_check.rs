@@ -1,8 +1,8 @@
 //! Descriptions in Rust, and what is found wrong with them.
 
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, TorqueUnit, generic, hand,
-    titan8,
+    Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, TorqueUnit, generic,
+    hand, titan8,
 };
 
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -23,6 +23,7 @@ const PAIR: Model<2, 2> = Model {
         y: Range::new(-10.0, 10.0),
         z: Range::new(-10.0, 10.0),
         mass: 0.0,
+        spread: None,
     }),
     forces: Some(Forces {
         unit: TorqueUnit::NewtonMetre,
@@ -109,6 +110,29 @@ fn legs_and_joints_are_named() {
         wrong(|m| m.legs[0].joints[0].mass = -0.1),
         "J11: mass must be a finite number, not below 0"
     );
+    let a_body = "must be finite, with the inertia of some rigid body";
+    for inertia in [
+        [1.0, 1.0, 2.1, 0.0, 0.0, 0.0],
+        [1.0, 1.0, 1.0, 0.9, 0.9, 0.0],
+        [-1.0, 1.0, 1.0, 0.0, 0.0, 0.0],
+        [1.0, 1.0, f64::NAN, 0.0, 0.0, 0.0],
+    ] {
+        let spread = Some(Spread {
+            centre: [0.0; 3],
+            inertia,
+        });
+        assert_eq!(
+            wrong(|m| m.legs[0].joints[1].spread = spread),
+            format!("J12: spread {a_body}")
+        );
+    }
+    for inertia in [[1.0, 1.0, 2.0, 0.0, 0.0, 0.0], [0.0; 6]] {
+        let spread = Some(Spread {
+            centre: [1.0, -2.0, 3.0],
+            inertia,
+        });
+        assert_eq!(wrong(|m| m.legs[0].joints[1].spread = spread), "nothing");
+    }
     assert_eq!(
         wrong(|m| m.legs[0].joints[0].torque = 0.0),
         "J11: torque must be a finite number above 0"

@@ -40,6 +40,7 @@ fn planar<const J: usize>(lengths: [f64; J]) -> Leg<J> {
             limits: Range::new(-90.0, 90.0),
             outer: Range::new(-95.0, 95.0),
             mass: 0.1,
+            spread: None,
             torque: 1.0,
         }),
         initial: [0.0; J],

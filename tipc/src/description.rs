@@ -33,6 +33,7 @@ mod rust;
 mod scene;
 mod section;
 mod settings;
+mod spread;
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! Descriptions in Rust: constants with a default for whatever they leave out.
 
-use super::{Inverse, Joint, Leg, Model, Point, Range, generic};
+use super::{Inverse, Joint, Leg, Model, Point, Range, Spread, generic};
 
 /// How far beyond the working limits the potentiometers measure: deg.
 const OUTER: f64 = 5.0;
@@ -17,6 +17,7 @@ impl Joint {
             limits: Range::new(-180.0, 180.0),
             outer: Range::new(-180.0 - OUTER, 180.0 + OUTER),
             mass: 0.1,
+            spread: None,
             torque: 10.0,
         }
     }
@@ -36,6 +37,15 @@ impl Joint {
     #[must_use]
     pub const fn mass(self, mass: f64) -> Self {
         Joint { mass, ..self }
+    }
+
+    /// With a mass that is spread so.
+    #[must_use]
+    pub const fn spread(self, spread: Spread) -> Self {
+        Joint {
+            spread: Some(spread),
+            ..self
+        }
     }
 
     /// With a motor of this torque: N·m.

@@ -1,6 +1,6 @@
 //! What is nonsense in a model.
 
-use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Standards};
+use super::{Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, Standards};
 use crate::command::{MAX, Target};
 use core::fmt;
 
@@ -65,6 +65,7 @@ const SLIGHT: f64 = 1e-9;
 
 const NOT_NEGATIVE: &str = "must be a finite number, not below 0";
 const POSITIVE: &str = "must be a finite number above 0";
+const A_BODY: &str = "must be finite, with the inertia of some rigid body";
 const FINITE: &str = "must be finite numbers";
 const ORDERED: &str = "must be finite, the lower end not above the upper one";
 
@@ -175,6 +176,7 @@ fn check_joint(place: Place, joint: &Joint, initial: f64) -> Result<(), ModelErr
     let inside = joint.outer.contains(joint.limits.min) && joint.outer.contains(joint.limits.max);
     check(inside, "outer", "must contain the limits")?;
     check(is_at_least_0(joint.mass), "mass", NOT_NEGATIVE)?;
+    check(is_sound(joint.spread), "spread", A_BODY)?;
     check(is_positive(joint.torque), "torque", POSITIVE)?;
     check(
         joint.limits.contains(initial),
@@ -187,7 +189,12 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     for (field, range) in [("x", body.x), ("y", body.y), ("z", body.z)] {
         require(is_ordered(range), Place::Body, field, ORDERED)?;
     }
-    require(is_at_least_0(body.mass), Place::Body, "mass", NOT_NEGATIVE)
+    require(is_at_least_0(body.mass), Place::Body, "mass", NOT_NEGATIVE)?;
+    require(is_sound(body.spread), Place::Body, "spread", A_BODY)
+}
+
+fn is_sound(spread: Option<Spread>) -> bool {
+    spread.is_none_or(|spread| spread.is_sound())
 }
 
 fn check_standards(standards: &Standards, periods: Range) -> Result<(), ModelError> {

@@ -98,6 +98,7 @@ const fn joint(side: f64, length: f64, limits: Range, mass: f64) -> Joint {
         limits,
         outer: limits.widened(5.0),
         mass,
+        spread: None,
         torque: 1.5,
     }
 }

@@ -37,6 +37,7 @@ pub const MODEL: Model<4, 3> = Model {
         y: Range::new(-230.0, 230.0),
         z: Range::new(-200.0, 50.0),
         mass: 12.0,
+        spread: None,
     }),
     standards: Standards {
         v_max: 300.0,
@@ -80,6 +81,7 @@ const fn joint(axis: [f64; 3], length: f64, max: f64, min: f64, mass: f64) -> Jo
         limits: Range::new(min, max),
         outer: Range::new(min - 5.0, max + 5.0),
         mass,
+        spread: None,
         torque: 40.0,
     }
 }

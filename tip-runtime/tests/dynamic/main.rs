@@ -6,3 +6,4 @@ mod force;
 mod ground;
 mod mass;
 mod rig;
+mod spread;

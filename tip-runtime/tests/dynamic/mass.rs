@@ -8,12 +8,12 @@ use tip_runtime::model::{Body, Joint, Leg, Model, Range, titan8};
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{DynamicPlant, Pose};
 
-type Vector = Vector3<f64>;
+pub(crate) type Vector = Vector3<f64>;
 
 /// How far things move for a difference: s.
-const DIFFERENCE: f64 = 1e-5;
+pub(crate) const DIFFERENCE: f64 = 1e-5;
 
-fn rotation(pose: &Pose) -> Rotation3<f64> {
+pub(crate) fn rotation(pose: &Pose) -> Rotation3<f64> {
     let turn = |axis, angle: f64| Rotation3::from_axis_angle(&axis, angle.to_radians());
     turn(Vector::z_axis(), pose.yaw)
         * turn(Vector::x_axis(), pose.pitch)
@@ -66,15 +66,23 @@ fn kinetic<const L: usize, const J: usize>(model: &Model<L, J>, plant: &DynamicP
             let [a, b] = [0, 1].map(|end| (after[end] - before[end]) / (2.0 * DIFFERENCE));
             mass * (a.dot(&a) + a.dot(&b) + b.dot(&b)) / 6.0
         });
+    rods.sum::<f64>() + rotors(model, plant) + body(model.body.as_ref(), plant)
+}
+
+/// Kinetic energy of the rotors: J.
+pub(crate) fn rotors<const L: usize, const J: usize>(
+    model: &Model<L, J>,
+    plant: &DynamicPlant<L, J>,
+) -> f64 {
     let torques = model
         .legs
         .iter()
         .flat_map(|leg| leg.joints.map(|joint| joint.torque));
     let rates = plant.rates().into_iter().flatten().map(f64::to_radians);
-    let rotors = torques
+    torques
         .zip(rates)
-        .map(|(torque, rate)| 7.5e-4 * torque * rate * rate / 2.0);
-    rods.sum::<f64>() + rotors.sum::<f64>() + body(model.body.as_ref(), plant)
+        .map(|(torque, rate)| 7.5e-4 * torque * rate * rate / 2.0)
+        .sum()
 }
 
 fn body<const L: usize, const J: usize>(model: Option<&Body>, plant: &DynamicPlant<L, J>) -> f64 {

@@ -159,6 +159,8 @@ keys! {
     Joint "limits", "[min, max] in deg", Some("[-180, 180]"), "the working limits";
     Joint "outer", "[min, max] in deg", Some("5 beyond the limits"), "the limits of the potentiometer, beyond which nothing may move";
     Joint "mass", "a number in kg", Some("0.1"), "the mass of the link";
+    Joint "centre", "[x, y, z] in mm", Some("the middle of the link"), "the link's centre of mass, from the joint, at angle 0";
+    Joint "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²", Some("a uniform rod's"), "the link's tensor of inertia about its centre of mass, at angle 0, along x, y and z of the robot frame; elements and signs are those of URDF";
     Joint "torque", "a number in N·m", Some("10"), "the most that the motor gives";
 
     Leg "base", "[x, y, z] in mm", None, "the first joint in the robot frame";
@@ -171,6 +173,8 @@ keys! {
     Body "y", "[min, max] in mm", None, "along y";
     Body "z", "[min, max] in mm", None, "along z; the lower end is the belly";
     Body "mass", "a number in kg", Some("1"), "the mass without legs";
+    Body "centre", "[x, y, z] in mm", Some("the origin"), "the centre of mass without legs";
+    Body "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²", Some("a uniform box's"), "the tensor of inertia without legs, about the centre of mass";
 
     Standards "v_max", "a number in mm/s", Some("300"), "`V_MAX`";
     Standards "a_max", "a number in mm/s²", Some("600"), "`A_MAX`";

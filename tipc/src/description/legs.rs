@@ -3,10 +3,11 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
+use super::spread;
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
-use tip_runtime::model::{Joint, Range};
+use tip_runtime::model::{Joint, Range, Spread};
 
 /// How far the potentiometers go beyond the working limits, unless the file says so: deg.
 const OUTER: f64 = 5.0;
@@ -96,13 +97,17 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
         section.refuse::<()>("outer", section.place_of("outer"), reason, found);
     }
     let mass = section.number("mass", Sign::NotNegative, found);
+    let mass = mass.unwrap_or(0.1);
+    let even = Spread::rod(link.unwrap_or_default(), mass);
+    let spread = spread::read(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
     Some(Joint {
         axis: axis?,
         link: link?,
         limits,
         outer,
-        mass: mass.unwrap_or(0.1),
+        mass,
+        spread,
         torque: torque.unwrap_or(10.0),
     })
 }
@@ -169,6 +174,7 @@ fn placed(joint: &Joint, turn: f64, mirror: [f64; 3]) -> Joint {
     Joint {
         axis: [0, 1, 2].map(|i| side * mirror[i] * axis[i]),
         link: [0, 1, 2].map(|i| mirror[i] * link[i]),
+        spread: joint.spread.map(|of| spread::placed(&of, turned, mirror)),
         ..*joint
     }
 }

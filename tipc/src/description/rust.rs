@@ -7,7 +7,7 @@ use crate::emit::{Options, header_of, in_comment, number};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use tip_runtime::model::{
-    Body, Forces, Inverse, Joint, Range, Slider, Standards, TorqueUnit, generic,
+    Body, Forces, Inverse, Joint, Range, Slider, Spread, Standards, TorqueUnit, generic,
 };
 
 impl Description {
@@ -84,6 +84,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         limits: point,
         outer: point,
         mass: 0.0,
+        spread: None,
         torque: 0.0,
     };
     let leg = Leg {
@@ -153,6 +154,7 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
     let (axis, link) = (numbers(&joint.axis), numbers(&joint.link));
     let (limits, outer) = (range(joint.limits, runtime), range(joint.outer, runtime));
     let (mass, torque) = (number(joint.mass), number(joint.torque));
+    let spread = spread_to_rust(joint.spread, runtime);
     quote! {
         #runtime::model::Joint {
             axis: #axis,
@@ -160,6 +162,7 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
             limits: #limits,
             outer: #outer,
             mass: #mass,
+            spread: #spread,
             torque: #torque,
         }
     }
@@ -167,8 +170,15 @@ fn joint_to_rust(joint: Joint, runtime: &TokenStream) -> TokenStream {
 
 fn body_to_rust(body: Body, runtime: &TokenStream) -> TokenStream {
     let [x, y, z] = [body.x, body.y, body.z].map(|extent| range(extent, runtime));
-    let mass = number(body.mass);
-    quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass })
+    let (mass, spread) = (number(body.mass), spread_to_rust(body.spread, runtime));
+    quote!(#runtime::model::Body { x: #x, y: #y, z: #z, mass: #mass, spread: #spread })
+}
+
+fn spread_to_rust(spread: Option<Spread>, runtime: &TokenStream) -> TokenStream {
+    optional(spread.map(|Spread { centre, inertia }| {
+        let (centre, inertia) = (numbers(&centre), numbers(&inertia));
+        quote!(#runtime::model::Spread { centre: #centre, inertia: #inertia })
+    }))
 }
 
 fn standards_to_rust(standards: Standards, runtime: &TokenStream) -> TokenStream {

@@ -3,8 +3,11 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign};
+use super::spread;
 use crate::message::Describing;
-use tip_runtime::model::{Body, Forces, Inverse, Range, Slider, Standards, TorqueUnit, generic};
+use tip_runtime::model::{
+    Body, Forces, Inverse, Range, Slider, Spread, Standards, TorqueUnit, generic,
+};
 
 /// Speeds, tolerances and sampling time; what the file leaves out is that of the generic robot.
 pub(super) fn standards(robot: Section<'_>, periods: Range, found: &mut Found) -> Standards {
@@ -74,11 +77,16 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<Body> {
     let y = section.range("y", Sign::Any, found);
     let z = section.range("z", Sign::Any, found);
     let mass = section.number("mass", Sign::Positive, found);
+    let mass = mass.unwrap_or(1.0);
+    let point = Range::new(0.0, 0.0);
+    let even = Spread::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
+    let spread = spread::read(section, even, found);
     Some(Body {
         x: x?,
         y: y?,
         z: z?,
-        mass: mass.unwrap_or(1.0),
+        mass,
+        spread,
     })
 }
 

@@ -4,7 +4,7 @@ mod faults;
 
 use super::{Description, WithModel, parse};
 use crate::robot::Robot;
-use tip_runtime::model::{Inverse, Model, Range, TorqueUnit, generic, titan8};
+use tip_runtime::model::{Inverse, Model, Range, Spread, TorqueUnit, generic, titan8};
 
 /// TITAN VIII's joints as a description draws them: a leg on the right.
 const TITAN_JOINTS: &str = r#"
@@ -121,6 +121,56 @@ fn mirrors_follow_the_turn() {
     // Turned: axis −x, link (0, 10, 3). Two mirrors are half a turn about x, which leaves the axis.
     assert_eq!(model.legs[0].joints[0].axis, [-1.0, 0.0, 0.0]);
     assert_eq!(model.legs[0].joints[0].link, [0.0, -10.0, -3.0]);
+}
+
+/// How the only link is spread, in a leg with these keys.
+fn spread(leg: &str, keys: &str) -> Spread {
+    let text = one_leg(&format!(
+        "{{ axis = \"x\", link = [0, 0, -60], mass = 2, {keys} }}"
+    ));
+    let text = text.replace("base", &format!("{leg} base"));
+    let model: Model<1, 1> = good(&text).model().unwrap();
+    model.legs[0].joints[0].spread.unwrap()
+}
+
+#[test]
+fn a_centre_and_an_inertia_are_turned_and_mirrored_with_their_link() {
+    let both = "centre = [1, 2, -30], inertia = [0.01, 0.02, 0.025, 0.001, 0.002, 0.003]";
+    let plain = spread("", both);
+    assert_eq!(plain.centre, [1.0, 2.0, -30.0]);
+    assert_eq!(plain.inertia, [0.01, 0.02, 0.025, 0.001, 0.002, 0.003]);
+    // A quarter turn: what was along x is along y, what was along y along −x.
+    let turned = spread("turn = 90,", both);
+    assert_eq!(turned.centre, [-2.0, 1.0, -30.0]);
+    assert_eq!(turned.inertia, [0.02, 0.01, 0.025, -0.001, -0.003, 0.002]);
+    let mirrored = spread("mirror = \"x\",", both);
+    assert_eq!(mirrored.centre, [-1.0, 2.0, -30.0]);
+    assert_eq!(mirrored.inertia, [0.01, 0.02, 0.025, -0.001, -0.002, 0.003]);
+}
+
+#[test]
+fn what_a_centre_or_an_inertia_leaves_out_is_that_of_a_rod_or_a_box() {
+    // 2 kg of 60 mm: 2 · 0.06² / 12.
+    let rod = spread("", "centre = [0, 0, -10]");
+    assert_eq!(rod.centre, [0.0, 0.0, -10.0]);
+    assert!((rod.inertia[0] - 0.0006).abs() < 1e-15 && rod.inertia[2] == 0.0);
+    let middle = spread("", "inertia = [1e-3, 1e-3, 1e-3, 0, 0, 0]");
+    assert_eq!(middle.centre, [0.0, 0.0, -30.0]);
+    let text = format!(
+        "{}[body]\nx = [-30, 30]\ny = [-60, 60]\nz = [0, 0]\nmass = 1\ncentre = [5, 0, 1]",
+        one_leg("{ axis = \"x\", link = [0, 0, -60] }")
+    );
+    let model: Model<1, 1> = good(&text).model().unwrap();
+    let body = model.body.unwrap().spread.unwrap();
+    // 1 kg of 60 mm by 120 mm.
+    assert_eq!(body.centre, [5.0, 0.0, 1.0]);
+    for (ours, wanted) in body
+        .inertia
+        .iter()
+        .zip([0.0012, 0.0003, 0.0015, 0.0, 0.0, 0.0])
+    {
+        assert!((ours - wanted).abs() < 1e-15, "{body:?}");
+    }
 }
 
 #[test]

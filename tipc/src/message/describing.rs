@@ -119,6 +119,9 @@ messages! {
     SamplingTimes { min: f64, max: f64 }
         "the robot accepts sampling times of {min} to {max} ms only",
         "このロボットで使えるサンプリング時間は{min}から{max} msまでです";
+    NoBodysInertia
+        "no rigid body has this inertia: none of its principal moments is below 0, or above the other two together",
+        "このような慣性テンソルの剛体はありません。主慣性モーメントは0以上で、どの1つも残り2つの和を超えません";
     NoNumberOfLamps
         "this cannot be a number of lamps",
         "これはランプの個数になりません";

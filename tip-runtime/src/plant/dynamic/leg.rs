@@ -11,7 +11,7 @@ use super::foothold::Foothold;
 use super::frame::Frame;
 use super::links::{Walk, length};
 use super::servo::{Control, Drives, Effort, Servo};
-use super::spatial::Spatial;
+use super::spatial::{Spatial, tensor};
 use super::world::{Share, World};
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
@@ -339,7 +339,7 @@ impl<const J: usize> LegBody<J> {
         self.model.joints.last().map_or(0.0, |joint| {
             let square = length(joint).norm_squared();
             if square > 0.0 {
-                joint.mass / 4.0 + drives.rotor * joint.torque / square
+                end_mass(joint) + drives.rotor * joint.torque / square
             } else {
                 joint.mass
             }
@@ -350,6 +350,25 @@ impl<const J: usize> LegBody<J> {
     pub(super) fn mass(&self) -> f64 {
         self.model.joints.iter().map(|joint| joint.mass).sum()
     }
+}
+
+/// What the end of a link that floats pushes back as at least: kg. Of a uniform rod it is a quarter.
+fn end_mass(joint: &Joint) -> f64 {
+    let Some(spread) = &joint.spread else {
+        return joint.mass / 4.0;
+    };
+    let Some(turns) = tensor(spread).try_inverse() else {
+        return joint.mass / 4.0;
+    };
+    // A push at the end moves the centre, and turns the link about it.
+    let arm = length(joint) - Vector::from(spread.centre) / 1000.0;
+    let give = |push: Vector| {
+        let moment = arm.cross(&push);
+        moment.dot(&(turns * moment))
+    };
+    // No direction gives more than all three together.
+    let most = give(Vector::x()) + give(Vector::y()) + give(Vector::z());
+    joint.mass / (1.0 + joint.mass * most)
 }
 
 /// The bit of joint `j`; none for more joints than robots have.

@@ -3,7 +3,7 @@
 use super::Vector;
 use super::frame::Frame;
 use super::servo::Servo;
-use super::spatial::{Inertia, Spatial, spread};
+use super::spatial::{Inertia, Spatial, placed, spread};
 use super::world::{GRAVITY, Share};
 use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
@@ -70,13 +70,18 @@ impl Walk {
         (axis, self.at)
     }
 
-    /// The link after the joint, a uniform rod.
+    /// The link after the joint, a uniform rod unless the model says how its mass is spread.
     #[inline]
     pub(super) fn link(&self, joint: &Joint) -> Share {
-        let link = self.rotation * length(joint);
-        let centre = self.at + link / 2.0;
-        let own = spread(link) * (joint.mass / 12.0);
-        let force = (self.acceleration_at(link / 2.0) - self.gravity) * joint.mass;
+        let (arm, own) = match &joint.spread {
+            None => {
+                let link = self.rotation * length(joint);
+                (link / 2.0, spread(link) * (joint.mass / 12.0))
+            }
+            Some(spread) => placed(spread, self.rotation),
+        };
+        let centre = self.at + arm;
+        let force = (self.acceleration_at(arm) - self.gravity) * joint.mass;
         let moment = own * self.turning + self.rate.cross(&(own * self.rate));
         Share {
             inertia: Inertia::new(joint.mass, centre, own),

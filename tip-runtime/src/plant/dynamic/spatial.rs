@@ -2,8 +2,9 @@
 //! axes of the world (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 2). In m, kg, s, rad and N.
 
 use super::Vector;
+use crate::model::Spread;
 use core::ops::{Add, AddAssign, Sub};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Rotation3};
 
 /// Six numbers: of a motion turn (rad/s) and velocity at the origin (m/s), of a force moment about the origin (N·m) and
 /// force (N), of a momentum likewise.
@@ -167,6 +168,22 @@ impl AddAssign for Inertia {
         self.moment += other.moment;
         self.turning += other.turning;
     }
+}
+
+/// Where a mass is whose frame is turned so (m), and its inertia about there (kg·m²).
+#[inline]
+pub(super) fn placed(spread: &Spread, turned: Rotation3<f64>) -> (Vector, Matrix3<f64>) {
+    (
+        turned * (Vector::from(spread.centre) / 1000.0),
+        turned * tensor(spread) * turned.inverse(),
+    )
+}
+
+/// The inertia about its centre in its own frame: kg·m².
+#[inline]
+pub(super) fn tensor(spread: &Spread) -> Matrix3<f64> {
+    let [xx, yy, zz, xy, xz, yz] = spread.inertia;
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
 /// The inertia of 1 kg at `place` about the origin.

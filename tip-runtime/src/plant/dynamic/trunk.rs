@@ -4,7 +4,7 @@ use super::Vector;
 use super::bump::bumps;
 use super::contact::{Grip, Touch};
 use super::frame::Frame;
-use super::spatial::{Inertia, Spatial};
+use super::spatial::{Inertia, Spatial, placed};
 use super::world::{GRAVITY, Share, World};
 use crate::model::{Body, Range};
 use crate::plant::cuboid::Cuboid;
@@ -87,13 +87,29 @@ impl Trunk {
             return Share::NONE;
         };
         let Frame { rotation, rate, .. } = self.frame;
-        let own = rotation * Matrix3::from_diagonal(&box_inertia(&body)) * rotation.inverse();
         let weight = Vector::new(0.0, 0.0, GRAVITY * body.mass);
-        let extent = self.extent();
-        let mut force = Spatial {
-            angular: rate.cross(&(own * rate)),
-            linear: weight - self.push.force,
+        let (centre, own, mut force) = match &body.spread {
+            None => {
+                let own =
+                    rotation * Matrix3::from_diagonal(&box_inertia(&body)) * rotation.inverse();
+                let force = Spatial {
+                    angular: rate.cross(&(own * rate)),
+                    linear: weight,
+                };
+                (Vector::zeros(), own, force)
+            }
+            Some(spread) => {
+                let (centre, own) = placed(spread, rotation);
+                let pull = weight + rate.cross(&rate.cross(&centre)) * body.mass;
+                let force = Spatial {
+                    angular: rate.cross(&(own * rate)) + centre.cross(&pull),
+                    linear: pull,
+                };
+                (centre, own, force)
+            }
         };
+        force.linear -= self.push.force;
+        let extent = self.extent();
         let corners = self.corners().map(|corner| rotation * corner);
         let before = self.grips;
         let mut push = |grip: &mut Grip, arm: Vector, touch: Option<Touch>| {
@@ -127,7 +143,7 @@ impl Trunk {
             });
         }
         Share {
-            inertia: Inertia::new(body.mass, Vector::zeros(), own),
+            inertia: Inertia::new(body.mass, centre, own),
             force,
         }
     }

@@ -23,8 +23,8 @@ pub(super) trait Carrier {
     fn down(&self) -> Vector;
     /// Whether nothing moves while the legs do not.
     fn is_at_rest(&self) -> bool;
-    /// The body without legs: kg.
-    fn body_mass(&self) -> f64;
+    /// The body without legs: kg; and that times its centre in the robot's frame: kg·mm.
+    fn body_mass(&self) -> (f64, Vector);
     /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
     fn feet(&mut self) -> &mut [Vector];
     /// Lets the body come to rest on its contacts within `dt` s, and takes stance feet along.
@@ -138,8 +138,13 @@ impl<const L: usize> Carrier for Ground<L> {
         self.at_rest
     }
 
-    fn body_mass(&self) -> f64 {
-        self.model.map_or(0.0, |body| body.mass)
+    fn body_mass(&self) -> (f64, Vector) {
+        let Some(body) = self.model else {
+            return (0.0, Vector::zeros());
+        };
+        let centre = body.spread.map(|spread| Vector::from(spread.centre));
+        let moment = centre.map_or(Vector::zeros(), |centre| centre * body.mass);
+        (body.mass, moment)
     }
 
     fn feet(&mut self) -> &mut [Vector] {

@@ -218,10 +218,9 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         }
     }
 
-    /// Adds up body (kg) and links.
-    fn mass(&self, body: f64) -> Mass {
-        let mut mass = body;
-        let mut moment = Vector::zeros();
+    /// Adds up body (kg, kg·mm) and links.
+    fn mass(&self, body: (f64, Vector)) -> Mass {
+        let (mut mass, mut moment) = body;
         for leg in &self.each {
             for (joint, centre) in leg.model.joints.iter().zip(&leg.links.centres) {
                 mass += joint.mass;

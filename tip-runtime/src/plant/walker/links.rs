@@ -14,7 +14,7 @@ pub(super) struct LegLinks<const J: usize> {
     angles: [f64; J],
     joints: [Vector; J],
     axes: [Vector; J],
-    /// The middle of each link, where its mass is taken to be.
+    /// The centre of mass of each link.
     pub(super) centres: [Vector; J],
     pub(super) foot: Vector,
 }
@@ -67,7 +67,10 @@ impl<const J: usize> LegLinks<J> {
             let own_axis = Unit::new_unchecked(own_axis);
             turned *= Rotation3::from_axis_angle(&own_axis, angle.to_radians());
             let link = turned * Vector::from(joint.link);
-            *centre = at + link / 2.0;
+            *centre = match joint.spread {
+                None => at + link / 2.0,
+                Some(spread) => at + turned * Vector::from(spread.centre),
+            };
             at += link;
         }
         self.foot = at;

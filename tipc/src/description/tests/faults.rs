@@ -324,3 +324,24 @@ fn bytes_that_are_no_text() {
     assert_eq!(loaded.diagnostics.len(), 1);
     assert_eq!(loaded.diagnostics[0].code, Code::Format);
 }
+
+#[test]
+fn an_inertia_that_no_body_has() {
+    let help = "`inertia` is [xx, yy, zz, xy, xz, yz] in kg·m²";
+    let reason = "no rigid body has this inertia: none of its principal moments is below 0, or above the other two together";
+    for elements in ["1, 1, 3, 0, 0, 0", "-1, 1, 1, 0, 0, 0", "1, 1, 1, 1, 1, 1"] {
+        only(
+            &with_joint(&format!("inertia = [{elements}]")),
+            &format!("3:52: {reason} ({help})"),
+        );
+    }
+    only(
+        &with_joint("inertia = [1, 1, 1]"),
+        &format!("3:52: 6 numbers belong here, and there are 3 ({help})"),
+    );
+    let body = "[body]\nx = [-1, 1]\ny = [-1, 1]\nz = [-1, 1]\n";
+    only(
+        &with(&format!("{body}inertia = [1, 1, 3, 0, 0, 0]")),
+        &format!("8:11: {reason} ({help})"),
+    );
+}

@@ -36,17 +36,21 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning) 
     }
 }
 
-/// A uniform box, whose mass the simulation takes to be at the origin.
+/// A box, its mass at the origin unless the model says more.
 fn trunk(parts: &mut Parts, body: &Body) {
     let ranges = [body.x, body.y, body.z];
     let half = ranges.map(|range| (range.max - range.min) / 2000.0);
     let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
     let [xx, yy, zz] = half.map(|half| half * half);
     let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
-    let (inertia, half, middle) = (vector(inertia), vector(half.map(f64::abs)), vector(middle));
-    let mass = body.mass;
+    let (half, middle) = (vector(half.map(f64::abs)), vector(middle));
+    let (centre, inertia) = match &body.spread {
+        None => ([0.0; 3], format!("diaginertia=\"{}\"", vector(inertia))),
+        Some(spread) => (spread.centre, full(spread.inertia)),
+    };
+    let (centre, mass) = (vector(metres(centre)), body.mass);
     parts.world.add(&format!(
-        "inertial pos=\"0 0 0\" mass=\"{mass}\" diaginertia=\"{inertia}\""
+        "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     parts.world.add(&format!(
         "geom name=\"{BODY}\" type=\"box\" size=\"{half}\" pos=\"{middle}\""
@@ -115,17 +119,19 @@ fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
 fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: bool) {
     let end = metres(joint.link);
     let length = frame::length(end);
-    let middle = vector(end.map(|part| part / 2.0));
     let mass = joint.mass;
+    let centre = joint.spread.map(|spread| metres(spread.centre));
+    let centre = vector(centre.unwrap_or(end.map(|part| part / 2.0)));
     // MuJoCo takes no full inertia of 0; its bounds stand for what weighs nothing.
-    let inertia = match mass > 0.0 {
-        true => format!("fullinertia=\"{}\"", vector(inertia(mass, end, radius))),
-        false => "diaginertia=\"0 0 0\"".to_owned(),
+    let inertia = match (mass > 0.0, &joint.spread) {
+        (false, _) => "diaginertia=\"0 0 0\"".to_owned(),
+        (true, Some(spread)) => full(spread.inertia),
+        (true, None) => full(inertia(mass, end, radius)),
     };
     let end = vector(end);
     let world = &mut parts.world;
     world.add(&format!(
-        "inertial pos=\"{middle}\" mass=\"{mass}\" {inertia}"
+        "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
     if length > 0.0 {
@@ -136,6 +142,11 @@ fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: 
         false => format!("type=\"sphere\" pos=\"{end}\" size=\"{SKIN}\""),
     };
     world.add(&format!("geom name=\"{touching}\" {shape}"));
+}
+
+/// xx, yy, zz, xy, xz and yz of a tensor.
+fn full(inertia: [f64; 6]) -> String {
+    format!("fullinertia=\"{}\"", vector(inertia))
 }
 
 /// xx, yy, zz, xy, xz and yz of a rod (kg, m) that ends at a point, about its middle.

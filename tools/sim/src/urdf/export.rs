@@ -5,7 +5,7 @@ use super::shape::{Shape, Solid};
 use super::xml;
 use crate::body::{Anatomy, Limb};
 use crate::robot::Robot;
-use tip_runtime::model::{Body, Inverse, Joint, Point, Slider};
+use tip_runtime::model::{Body, Inverse, Joint, Point, Slider, Spread};
 
 /// How much thicker a joint is drawn than its link.
 const KNUCKLE: f64 = 1.3;
@@ -20,7 +20,7 @@ const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 <!-- Made by `tipc robot export`. m, rad, kg, N·m; x forward, y left, z up (REP 103).
      J11 to Jnm are the joints of the language, with its signs and zeros; link11 to linknm what they carry; F1 to Fn the feet
      or fingertips. While all joints are at 0 all frames are parallel to base_link, the robot frame.
-     Thickness of links and looks are not of the model; masses are spread evenly along the links. -->
+     Thickness of links and looks are not of the model; a mass of which it says no more is spread evenly along its link. -->
 "#;
 
 /// A robot as URDF: its frames, limits, masses and inertias, drawn by boxes, cylinders and spheres. A robot that walks has
@@ -112,8 +112,7 @@ impl Writer {
         let solid = Solid {
             mass: body.mass,
             shapes: vec![Shape::block(ranges, "body")],
-            // The simulation takes its mass to be at the origin.
-            centre: Some([0.0; 3]),
+            spread: Some(body.spread.unwrap_or(Spread::block(ranges, body.mass))),
         };
         self.link(BODY, &solid);
         self.fixed(&Hinge {
@@ -185,7 +184,7 @@ impl Writer {
         Solid {
             mass: joint.mass,
             shapes: rod.into_iter().chain([ball]).collect(),
-            centre: None,
+            spread: joint.spread,
         }
     }
 

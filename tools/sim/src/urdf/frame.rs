@@ -72,6 +72,12 @@ pub fn direction([right, forward, up]: [f64; 3]) -> [f64; 3] {
     [forward, -right, up]
 }
 
+/// The elements xx, yy, zz, xy, xz and yz of a tensor of the robot frame in URDF's.
+pub(crate) fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 6] {
+    // Adding 0 makes of −0 a plain 0.
+    [yy, xx, zz, -xy, yz, -xz].map(|element| element + 0.0)
+}
+
 /// What holds every first joint, and `more` (mm) on each side of them.
 pub(crate) fn around(legs: &[Limb], more: f64) -> [Range; 3] {
     [0, 1, 2].map(|axis| {

@@ -3,7 +3,7 @@
 use super::frame::{self, length};
 use super::xml;
 use std::fmt::Write as _;
-use tip_runtime::model::{Point, Range};
+use tip_runtime::model::{Point, Range, Spread};
 
 /// A link of the file.
 #[derive(Default)]
@@ -12,8 +12,8 @@ pub(super) struct Solid {
     pub(super) mass: f64,
     /// The first one has the mass.
     pub(super) shapes: Vec<Shape>,
-    /// Where the mass is, unless it is in the middle of that shape: mm.
-    pub(super) centre: Option<Point>,
+    /// How the mass is spread, if not evenly in that shape.
+    pub(super) spread: Option<Spread>,
 }
 
 /// A body of even density.
@@ -46,12 +46,21 @@ impl Solid {
         let mut text = format!("<link name=\"{name}\">\n");
         // Writing to a String cannot fail.
         if let (Some(first), true) = (self.shapes.first(), self.mass > 0.0) {
+            let (origin, inertia) = match &self.spread {
+                Some(spread) => (
+                    origin(spread.centre, [0.0; 3]),
+                    tensor(frame::tensor(spread.inertia)),
+                ),
+                None => {
+                    let [x, y, z] = first.moments(self.mass);
+                    let even = tensor([x, y, z, 0.0, 0.0, 0.0]);
+                    (origin(first.at, first.turned()), even)
+                }
+            };
+            let mass = self.mass;
             let _ = writeln!(
                 text,
-                "  <inertial>{}<mass value=\"{}\"/>{}</inertial>",
-                origin(self.centre.unwrap_or(first.at), first.turned()),
-                self.mass,
-                inertia(first.moments(self.mass))
+                "  <inertial>{origin}<mass value=\"{mass}\"/>{inertia}</inertial>"
             );
         }
         for shape in &self.shapes {
@@ -75,8 +84,11 @@ fn origin(at: Point, turned: [f64; 3]) -> String {
     format!("<origin xyz=\"{at}\" rpy=\"{turned}\"/>")
 }
 
-fn inertia([x, y, z]: [f64; 3]) -> String {
-    format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>")
+/// A tensor of inertia along the axes of the element's origin.
+fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> String {
+    format!(
+        "<inertia ixx=\"{xx}\" ixy=\"{xy}\" ixz=\"{xz}\" iyy=\"{yy}\" iyz=\"{yz}\" izz=\"{zz}\"/>"
+    )
 }
 
 impl Shape {

@@ -125,6 +125,7 @@ fn a_sled_with_a_slider_in_every_direction_returns() {
             y: Range::new(-150.0, 140.0),
             z: Range::new(-180.0, 40.0),
             mass: 4.0,
+            spread: None,
         }),
         slider: Some(tip_runtime::model::Slider {
             initial: [1.0, 2.0, 3.0],

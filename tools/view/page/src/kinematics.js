@@ -42,14 +42,15 @@ export function belly({ body }, { pose }) {
   return corners.map((corner) => corner.applyMatrix4(frame));
 }
 
-/** Where the centre of mass is in the world; links have theirs in their middles. */
+/** Where the centre of mass is in the world; what says no more has its own in the middle of a link, or in the body's origin. */
 export function centreOfMass(robot, { pose, angles }) {
-  const sum = new Vector3();
   let mass = robot.body?.mass ?? 0;
+  const sum = new Vector3(...(robot.body?.centre ?? [0, 0, 0])).multiplyScalar(mass);
   robot.legs.forEach((leg, l) => {
-    const frames = links(leg, angles[l]).map(origin);
+    const frames = links(leg, angles[l]);
     leg.joints.forEach((joint, j) => {
-      sum.addScaledVector(frames[j].clone().add(frames[j + 1]), joint.mass / 2);
+      const centre = joint.centre ?? joint.link.map((part) => part / 2);
+      sum.addScaledVector(new Vector3(...centre).applyMatrix4(frames[j]), joint.mass);
       mass += joint.mass;
     });
   });

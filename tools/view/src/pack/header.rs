@@ -44,6 +44,8 @@ struct Body {
     y: [f64; 2],
     z: [f64; 2],
     mass: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    centre: Option<[f64; 3]>,
 }
 
 #[derive(Serialize)]
@@ -58,6 +60,8 @@ struct Joint {
     axis: [f64; 3],
     link: [f64; 3],
     mass: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    centre: Option<[f64; 3]>,
 }
 
 #[derive(Serialize)]
@@ -223,6 +227,7 @@ impl<'a> Robot<'a> {
                 y: ends(body.y),
                 z: ends(body.z),
                 mass: body.mass,
+                centre: body.spread.map(|spread| spread.centre),
             }),
             legs: robot.legs.iter().map(Leg::of).collect(),
             planar: robot.is_planar,
@@ -237,6 +242,7 @@ impl<'a> Leg<'a> {
             axis: joint.axis,
             link: joint.link,
             mass: joint.mass,
+            centre: joint.spread.map(|spread| spread.centre),
         });
         Leg {
             base: limb.base,
