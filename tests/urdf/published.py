@@ -1,4 +1,5 @@
-"""Imports each published URDF file, exports what comes of it, and compares both in pinocchio: places of feet and their Jacobians."""
+"""Imports each published URDF file, exports what comes of it, and compares both in pinocchio: places of feet, their Jacobians, and
+the mass matrix of the legs where the file's inertias are kept."""
 
 import pathlib
 import re
@@ -47,8 +48,16 @@ class Robot:
         for name, angle in angles.items():
             at, size, _ = self.joint(name)
             configuration[at : at + size] = [angle] if size == 1 else [numpy.cos(angle), numpy.sin(angle)]
+        self.configuration = configuration
         pinocchio.computeJointJacobians(self.model, self.data, configuration)
         pinocchio.updateFramePlacements(self.model, self.data)
+
+    def mass(self, joints):
+        """How hard joints are to turn, one by the other; the base does not move."""
+        matrix = pinocchio.crba(self.model, self.data, self.configuration)
+        matrix = numpy.triu(matrix) + numpy.triu(matrix, 1).T
+        rows = [self.joint(name)[2] for name in joints]
+        return matrix[numpy.ix_(rows, rows)]
 
     def foot(self, end, base, joints):
         """Where a link or a place on it is, and how it moves with each joint, in the frame of the base."""
@@ -84,7 +93,7 @@ def compare(source, exported, described):
     theirs, ours = Robot(source), Robot(exported)
     base = bases(source)
     random = numpy.random.default_rng(1)
-    size, apart, moved = 0.0, 0.0, 0.0
+    size, apart, moved, most, heavier = 0.0, 0.0, 0.0, 0.0, 0.0
     legs_of = list(legs(described))
     for _ in range(POSES):
         here, there = {}, {}
@@ -100,7 +109,10 @@ def compare(source, exported, described):
             size = max(size, numpy.linalg.norm(at))
             apart = max(apart, numpy.linalg.norm(place - at))
             moved = max(moved, numpy.abs(columns - wanted).max())
-    return len(legs_of), size, apart / size, moved / size
+            mass = theirs.mass(joints)
+            most = max(most, mass.max())
+            heavier = max(heavier, numpy.abs(ours.mass(names) - mass).max())
+    return len(legs_of), size, apart / size, moved / size, heavier / most
 
 
 def main():
@@ -121,12 +133,15 @@ def main():
             print(f"{name}: refused: {imported.stderr.strip()}")
         else:
             subprocess.run([tipc, "robot", "export", "--urdf", "--robot", described, "-o", exported], check=True)
-            count, size, apart, moved = compare(source, exported, described.read_text())
+            count, size, apart, moved, heavier = compare(source, exported, described.read_text())
             doubts = imported.stderr.count(" doubtful: ")
-            holds = max(apart, moved) <= LIMIT
+            # Without inertias that can be, uniform rods have taken their place.
+            is_kept = not re.search(r"taken to be a uniform rod|carry 0 kg", imported.stderr)
+            holds = max(apart, moved, heavier if is_kept else 0) <= LIMIT
+            masses = f"{heavier:.1e} of it" if is_kept else "not kept"
             print(
                 f"{name}: {count} legs, {POSES} poses, size {size:.3f} m, places {apart:.1e} of it, "
-                f"Jacobians {moved:.1e} of it, {doubts} doubts"
+                f"Jacobians {moved:.1e} of it, mass matrix {masses}, {doubts} doubts"
             )
         failed |= not holds
     sys.exit(failed)

@@ -152,8 +152,8 @@ messages! {
         "frames: x forward and y left (REP 103) became x right and y forward",
         "座標系: x前・y左(REP 103)を、x右・y前に変えました";
     Dropped
-        "dropped: inertia tensors, centres of mass, geometry, damping, friction, safety limits",
-        "読み捨てたもの: 慣性テンソル、重心、形状、減衰、摩擦、安全限界";
+        "dropped: geometry, damping, friction, safety limits",
+        "読み捨てたもの: 形状、減衰、摩擦、安全限界";
     NoSensors
         "assumed: no torque sensors; add [forces] if there are some",
         "仮定: トルクセンサなし。あれば[forces]を加えてください";
@@ -188,8 +188,11 @@ messages! {
         "doubtful: these joints carry 0 kg; set `mass`, or the plant with mass moves motors only: {joints}",
         "要確認: 次の関節の先の質量が0 kgです。`mass` を設定しないと、質量を持つプラントではモータだけが動きます: {joints}";
     NoInertia { links: List }
-        "doubtful: these links have a mass, and an inertia of 0 about some axis: {links}",
-        "要確認: 次のリンクには質量がありますが、慣性モーメントが0の軸があります: {links}";
+        "doubtful: these links have a mass, and an inertia of 0 about some axis; what moves with them is taken to be a uniform rod or box: {links}",
+        "要確認: 次のリンクには質量がありますが、慣性モーメントが0の軸があります。一体で動く部分は一様な棒か箱とみなします: {links}";
+    DoubtfulInertia { links: List }
+        "doubtful: the inertia of these links is that of no rigid body, or of one larger than the robot; what moves with them is taken to be a uniform rod or box: {links}",
+        "要確認: 次のリンクの慣性テンソルは、どんな剛体にもないか、ロボットより大きな剛体のものです。一体で動く部分は一様な棒か箱とみなします: {links}";
     TookIn { link: String, merged: List }
         "link {link} took in the links fixed to it: {merged}",
         "リンク{link}に、固定されたリンクをまとめました: {merged}";

@@ -1,8 +1,8 @@
 //! Robots from URDF files, and as URDF files. [`import`] makes of each serial chain of revolute joints a leg of a
 //! description; [`export`] writes any robot.
 //!
-//! What URDF says of the kinematics survives to the last digit that is written; what the language has no use for is dropped, and
-//! what it needs and URDF lacks is assumed. The report lists both.
+//! What URDF says of the kinematics survives to the last digit that is written, and so do centres of mass and inertias that a body can
+//! have; what the language has no use for is dropped, and what it needs and URDF lacks is assumed. The report lists both.
 //!
 //! ```
 //! let urdf = r#"<robot name="pendulum">
@@ -49,6 +49,7 @@ mod stand;
 mod tree;
 mod values;
 mod version;
+mod weight;
 mod write;
 mod xacro;
 pub(crate) mod xml;
@@ -133,7 +134,7 @@ pub fn import_with(
     let mut found = Found {
         name: &robot.name,
         is_bolted_down: tree.is_bolted_down(),
-        mass: base.iter().map(|(link, _)| link.mass).sum(),
+        base: &base,
         extents: body::extents(&base),
         slider: body::slider(&tree, &base),
         legs: &legs,

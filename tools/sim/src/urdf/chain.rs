@@ -2,6 +2,7 @@
 
 use super::ImportError;
 use super::foot::Foot;
+use super::frame::length;
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Origin};
 use super::tree::Tree;
@@ -26,10 +27,8 @@ pub(super) struct Turning<'a> {
     pub(super) axis: [f64; 3],
     /// Where it is: mm.
     pub(super) at: [f64; 3],
-    /// kg.
-    pub(super) mass: f64,
     /// The links that it carries up to the next joint.
-    pub(super) links: Vec<&'a Link>,
+    pub(super) links: Vec<(&'a Link, Pose)>,
     /// Links that fixed joints hold to the one after this joint, without those of the foot.
     pub(super) merged: Vec<&'a str>,
 }
@@ -55,9 +54,8 @@ impl<'a> Chain<'a> {
                 joint,
                 axis: pose.direction(joint.axis),
                 at: pose.origin(),
-                mass: links.iter().map(|(link, _)| link.mass).sum(),
-                links: links.iter().map(|(link, _)| *link).collect(),
                 merged: merged(&links).filter(|_| !is_last).collect(),
+                links: links.clone(),
             });
             if let Some((end, foot)) = chosen {
                 return Ok(Chain { joints, end, foot });
@@ -78,6 +76,18 @@ impl<'a> Chain<'a> {
                 }
             }
         }
+    }
+
+    /// From the robot frame to its foot, along its links: mm.
+    pub(super) fn reach(&self) -> f64 {
+        let places = self.joints.iter().map(|turning| turning.at);
+        let mut from = [0.0; 3];
+        let mut reach = 0.0;
+        for place in places.chain([self.foot]) {
+            reach += length([0, 1, 2].map(|axis| place[axis] - from[axis]));
+            from = place;
+        }
+        reach
     }
 
     /// What errors and comments call the leg.

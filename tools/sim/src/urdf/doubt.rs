@@ -1,8 +1,10 @@
 //! What a file says for want of knowing it: placeholders, and nothing where there must be something.
 
 use super::chain::{Chain, Turning};
+use super::pose::Pose;
 use super::robot::{Joint, Kind, Link};
 use super::values::printed;
+use super::weight;
 use std::f64::consts::PI;
 use tipc::message::Importing;
 use tipc::message::list::List;
@@ -34,15 +36,17 @@ pub(super) fn is_no_velocity(velocity: f64) -> bool {
     !(velocity > 0.0 && velocity < FAST)
 }
 
-/// What has to be assumed or looked at, a line for each kind.
-pub(super) fn of(legs: &[Chain<'_>]) -> Vec<Importing> {
+/// What has to be assumed or looked at, a line for each kind. No link is larger than `reach`: mm.
+pub(super) fn of(legs: &[Chain<'_>], base: &[(&Link, Pose)], reach: f64) -> Vec<Importing> {
     let joints = |is: fn(&Turning<'_>) -> bool| {
         let all = legs.iter().flat_map(|leg| &leg.joints);
         some(all.filter(|turning| is(turning)).map(|it| &it.joint.name))
     };
-    let all = legs.iter().flat_map(|leg| &leg.joints);
-    let links = all.flat_map(|turning| &turning.links);
-    let flat = some(links.filter(|link| is_flat(link)).map(|link| &link.name));
+    let links = |is: &dyn Fn(&Link) -> bool| {
+        let all = legs.iter().flat_map(|leg| &leg.joints);
+        let all = base.iter().chain(all.flat_map(|turning| &turning.links));
+        some(all.filter(|(link, _)| is(link)).map(|(link, _)| &link.name))
+    };
     [
         joints(|it| ends(it.joint).is_none()).map(|joints| Importing::TurnsAllRound { joints }),
         joints(|it| effort(it.joint).is_none()).map(|joints| Importing::Motor { joints }),
@@ -52,8 +56,10 @@ pub(super) fn of(legs: &[Chain<'_>]) -> Vec<Importing> {
             .map(|joints| Importing::DoubtfulEffort { joints }),
         joints(|it| is_no_velocity(it.joint.limit.velocity))
             .map(|joints| Importing::DoubtfulVelocity { joints }),
-        joints(|it| it.mass <= 0.0).map(|joints| Importing::NoMass { joints }),
-        flat.map(|links| Importing::NoInertia { links }),
+        joints(|it| weight::mass(&it.links) <= 0.0).map(|joints| Importing::NoMass { joints }),
+        links(&weight::is_flat).map(|links| Importing::NoInertia { links }),
+        links(&|link| weight::is_doubtful(link, reach))
+            .map(|links| Importing::DoubtfulInertia { links }),
     ]
     .into_iter()
     .flatten()
@@ -62,11 +68,6 @@ pub(super) fn of(legs: &[Chain<'_>]) -> Vec<Importing> {
 
 fn is_turn([lower, upper]: [f64; 2]) -> bool {
     lower <= -HALF_TURN && upper >= HALF_TURN
-}
-
-/// Whether a link weighs something and turns as if it were nothing.
-fn is_flat(link: &Link) -> bool {
-    link.mass > 0.0 && link.moments.iter().any(|moment| *moment <= 0.0)
 }
 
 /// The names, if there are any.

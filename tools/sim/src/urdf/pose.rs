@@ -34,6 +34,15 @@ impl Pose {
             .map(|[a, b, c]| a * inner[0] + b * inner[1] + c * inner[2])
     }
 
+    /// The elements xx, yy, zz, xy, xz and yz of a tensor of this frame, as the outer one sees it.
+    pub(super) fn tensor(&self, [xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 6] {
+        // Rows are turned, and then, since the tensor is symmetric, columns.
+        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| self.direction(row));
+        let column = |axis: usize| self.direction(rows.map(|row| row[axis]));
+        let [x, y, z] = [column(0), column(1), column(2)];
+        [x[0], y[1], z[2], x[1], x[2], y[2]]
+    }
+
     /// The origin: mm.
     pub(super) fn origin(&self) -> [f64; 3] {
         self.at.map(|metres| metres * 1000.0)

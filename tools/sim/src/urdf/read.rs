@@ -48,13 +48,16 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
 fn link(node: Node<'_, '_>, version: Version) -> Link {
     let inertial = elements(node, "inertial").next();
     let within = |name| inertial.and_then(|inertial| elements(inertial, name).next());
-    let moment = |name| within("inertia").and_then(|inertia| value(inertia, name));
+    let element = |name| within("inertia").and_then(|inertia| value(inertia, name));
+    let centre = within("origin").map(|node| origin_of(node, version));
     Link {
         name: string(node, "name"),
         mass: within("mass")
             .and_then(|mass| value(mass, "value"))
             .unwrap_or_default(),
-        moments: ["ixx", "iyy", "izz"].map(|name| moment(name).unwrap_or_default()),
+        centre: centre.unwrap_or_default(),
+        inertia: ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
+            .map(|name| element(name).unwrap_or_default()),
         boxes: elements(node, "visual")
             .filter_map(|visual| boxed(visual, version))
             .collect(),

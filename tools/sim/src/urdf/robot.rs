@@ -15,8 +15,10 @@ pub(super) struct Link {
     pub(super) name: String,
     /// kg; 0 without `<inertial>`.
     pub(super) mass: f64,
-    /// Of inertia, about its own axes: kg·m²; 0 without `<inertial>`.
-    pub(super) moments: [f64; 3],
+    /// Where its centre of mass is, and how the axes of its inertia are turned.
+    pub(super) centre: Origin,
+    /// The elements xx, yy, zz, xy, xz and yz of its tensor of inertia: kg·m²; 0 without `<inertial>`.
+    pub(super) inertia: [f64; 6],
     /// Where its boxes are, and their sizes in m.
     pub(super) boxes: Vec<(Origin, [f64; 3])>,
 }

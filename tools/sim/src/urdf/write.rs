@@ -2,10 +2,13 @@
 
 use super::chain::{Chain, Turning};
 use super::doubt;
+use super::pose::Pose;
+use super::robot::Link;
 use super::stand::Postures;
 use super::values::printed;
+use super::weight;
 use std::fmt::Write as _;
-use tip_runtime::model::{Range, Slider};
+use tip_runtime::model::{Range, Slider, Spread};
 use tipc::Robot;
 use tipc::message::Importing;
 use tipc::message::list::List;
@@ -20,8 +23,8 @@ pub(super) struct Found<'a> {
     pub(super) name: &'a str,
     /// Whether it says so.
     pub(super) is_bolted_down: bool,
-    /// Of all that stays with the base: kg.
-    pub(super) mass: f64,
+    /// All that stays with the base.
+    pub(super) base: &'a [(&'a Link, Pose)],
     /// Of the body, if it says: mm.
     pub(super) extents: Option<[Range; 3]>,
     pub(super) slider: Option<Slider>,
@@ -34,6 +37,11 @@ impl Found<'_> {
     /// Whether it is a robot that can stand on its legs.
     pub(super) fn walks(&self) -> bool {
         !self.is_bolted_down && (self.legs.len() >= 3 || self.extents.is_some())
+    }
+
+    /// How far any part of it is from the robot frame, at most: mm.
+    fn reach(&self) -> f64 {
+        self.legs.iter().map(Chain::reach).fold(0.0, f64::max)
     }
 }
 
@@ -64,12 +72,12 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
         };
         report.push(what.clone());
         let initial = postures.next();
-        let table = leg_table(leg, initial, &mut report);
+        let table = leg_table(leg, initial, found.reach(), &mut report);
         let _ = write!(text, "\n[[leg]] # {what}\n{table}");
     }
     body(&mut text, found, &mut report);
     slider(&mut text, found.slider.as_ref(), &mut report);
-    report.extend(doubt::of(legs));
+    report.extend(doubt::of(legs, found.base, found.reach()));
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let velocities = joints.map(|turning| turning.joint.limit.velocity);
     let slowest = velocities
@@ -86,7 +94,12 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     (text, report)
 }
 
-fn leg_table(leg: &Chain<'_>, initial: Option<&[f64]>, report: &mut Vec<Importing>) -> String {
+fn leg_table(
+    leg: &Chain<'_>,
+    initial: Option<&[f64]>,
+    reach: f64,
+    report: &mut Vec<Importing>,
+) -> String {
     let base = leg.joints.first().map_or([0.0; 3], |first| first.at);
     let mut text = format!("base = {}\n", vector(base.map(place)));
     if let Some(angles) = initial {
@@ -102,7 +115,7 @@ fn leg_table(leg: &Chain<'_>, initial: Option<&[f64]>, report: &mut Vec<Importin
             "    {{ axis = {}, link = {}{} }}, # {}",
             vector(direction(turning.axis)),
             vector(link),
-            settings(turning, report),
+            settings(turning, reach, report),
             printed(&turning.joint.name)
         );
     }
@@ -110,14 +123,18 @@ fn leg_table(leg: &Chain<'_>, initial: Option<&[f64]>, report: &mut Vec<Importin
 }
 
 /// Limits, mass and torque of a joint, as far as the file knows them.
-fn settings(turning: &Turning<'_>, report: &mut Vec<Importing>) -> String {
+fn settings(turning: &Turning<'_>, reach: f64, report: &mut Vec<Importing>) -> String {
     let joint = turning.joint;
     let mut text = String::new();
     if let Some(ends) = doubt::ends(joint) {
         let ends = ends.map(|end| measure(end.to_degrees()));
         let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
     }
-    let _ = write!(text, ", mass = {}", measure(turning.mass));
+    let _ = write!(text, ", mass = {}", measure(weight::mass(&turning.links)));
+    if let Some(spread) = weight::spread(&turning.links, turning.at, reach) {
+        let [centre, inertia] = spread_of(&spread);
+        let _ = write!(text, ", centre = {centre}, inertia = {inertia}");
+    }
     if let Some(effort) = doubt::effort(joint) {
         let _ = write!(text, ", torque = {}", measure(effort));
     }
@@ -146,11 +163,25 @@ fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
     for (axis, range) in ["x", "y", "z"].into_iter().zip(extents) {
         let _ = writeln!(text, "{axis} = {}", interval(range));
     }
-    if found.mass > 0.0 {
-        let _ = writeln!(text, "mass = {}", measure(found.mass));
+    let mass = weight::mass(found.base);
+    if mass > 0.0 {
+        let _ = writeln!(text, "mass = {}", measure(mass));
     } else {
         report.push(Importing::BodyMass);
     }
+    if let Some(spread) = weight::spread(found.base, [0.0; 3], found.reach()) {
+        let [centre, inertia] = spread_of(&spread);
+        let _ = writeln!(text, "centre = {centre}\ninertia = {inertia}");
+    }
+}
+
+/// A centre of mass, and a tensor.
+fn spread_of(spread: &Spread) -> [String; 2] {
+    let inertia = spread.inertia.map(|element| element.to_string());
+    [
+        vector(spread.centre.map(measure)),
+        format!("[{}]", inertia.join(", ")),
+    ]
 }
 
 /// A box around the first joints.

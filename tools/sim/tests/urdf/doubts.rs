@@ -84,7 +84,7 @@ fn masses_and_inertias_of_nothing_are_doubted() {
         "carry 0 kg; set `mass`, or the plant with mass moves motors only: a",
     );
     doubted(
-        &sound.replacen("iyy=\"1\"", "iyy=\"0\"", 1),
-        "an inertia of 0 about some axis: one",
+        &sound.replacen("iyy=\"0.01\"", "iyy=\"0\"", 1),
+        "an inertia of 0 about some axis; what moves with them is taken to be a uniform rod or box: one",
     );
 }

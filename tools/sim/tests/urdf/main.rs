@@ -9,6 +9,7 @@ mod frames;
 mod refusals;
 mod robots;
 mod stand;
+mod weights;
 mod xacro;
 
 use frames::place;

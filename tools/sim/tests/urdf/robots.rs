@@ -81,7 +81,7 @@ pub(crate) fn urdf(joints: &[Joint]) -> String {
             [joint.xyz, joint.rpy, joint.axis].map(|[x, y, z]| format!("{x} {y} {z}"));
         write!(
             text,
-            "<link name=\"{child}\"><inertial><mass value=\"{mass}\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>
+            "<link name=\"{child}\"><inertial><mass value=\"{mass}\"/><inertia ixx=\"0.01\" ixy=\"0\" ixz=\"0\" iyy=\"0.01\" iyz=\"0\" izz=\"0.01\"/></inertial></link>
 <joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/>
 <origin xyz=\"{xyz}\" rpy=\"{rpy}\"/><axis xyz=\"{axis}\"/><limit lower=\"-1.5\" upper=\"2\" effort=\"7\" velocity=\"3\"/></joint>\n"
         )
