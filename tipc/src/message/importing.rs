@@ -12,6 +12,12 @@ messages! {
     NoUrdf { error: Text }
         "this is not URDF: {error}",
         "URDFとして読めません: {error}";
+    NotARobot { element: String }
+        "the root element is `{element}`, and that of URDF is `robot`: convert the file first, if it is SDF or MJCF",
+        "ルート要素が `{element}` ですが、URDFでは `robot` です。SDFやMJCFなら、先に変換してください";
+    NoLink
+        "the robot has no link: write one, as `<link name=\"base\"/>`, and joints that turn on it",
+        "リンクがありません。`<link name=\"base\"/>` のように書き、その上に回転する関節を置いてください";
     TooDeep { element: String, most: u32 }
         "element `{element}` is nested deeper than {most} levels: no robot needs that",
         "要素 `{element}` の入れ子が{most}段を超えています。ロボットにそこまでの深さは要りません";
@@ -63,9 +69,9 @@ messages! {
     NoTurningJoint { link: String }
         "no joint turns on link `{link}`: a robot needs one chain of revolute joints at least",
         "リンク `{link}` に回転する関節がありません。回転関節の連鎖が少なくとも1本必要です";
-    NoRobot { faults: Faults }
-        "its numbers describe no robot: {faults}",
-        "この数値ではロボットになりません: {faults}";
+    NoRobot { line: String, faults: Faults }
+        "its numbers describe no robot, in m, kg, rad and N·m as URDF has them: {faults}; see what comes of them: `{line}`",
+        "URDFの単位 (m、kg、rad、N·m) で読むと、この数値ではロボットになりません: {faults}。変換結果: `{line}`";
     TooManyChains { chains: usize, most: usize }
         "{chains} chains begin on the body, and a robot has {most} legs at most: leave out those that are no legs with `--skip`",
         "胴体から{chains}本の連鎖が出ていますが、脚は{most}本までです。脚でない連鎖は `--skip` で除いてください";
@@ -106,11 +112,11 @@ messages! {
         "joint `{joint}` on link `{link}` turns about an axis of length 0",
         "リンク `{link}` の関節 `{joint}` の回転軸の長さが0です";
     NoFoot { link: String, joint: String }
-        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: say it with `--foot {link}=X,Y,Z`, in metres and in the frame of the link, or leave the chain out with `--skip`",
-        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。リンク座標系での位置をメートルで `--foot {link}=X,Y,Z` のように指定するか、`--skip` でこの連鎖を除いてください";
+        "link `{link}` after joint `{joint}` is the last of its leg, and nothing says where its foot is: say it with `--foot {link}=X,Y,Z`, in metres and in the frame of the link, or leave the chain out with `--skip {joint}`",
+        "関節 `{joint}` の先のリンク `{link}` が脚の最後ですが、足先の位置が分かりません。リンク座標系での位置をメートルで `--foot {link}=X,Y,Z` のように指定するか、`--skip {joint}` でこの連鎖を除いてください";
     TwoFeet { link: String, joint: String, one: String, other: String }
-        "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: name the one that is the foot with `--foot`",
-        "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方を `--foot` で指定してください";
+        "link `{link}` after joint `{joint}` ends in the links `{one}` and `{other}`: name the one that is the foot with `--foot`, or leave the chain out with `--skip {joint}`",
+        "関節 `{joint}` の先のリンク `{link}` が `{one}` と `{other}` の2つで終わっています。足先の方を `--foot` で指定するか、`--skip {joint}` でこの連鎖を除いてください";
     NoChain { word: String, chains: List }
         "no chain is called `{word}`: name a chain by one of its joints or links, or by what only its first joint's name has; the first joints are {chains}",
         "`{word}` という連鎖はありません。連鎖の関節かリンクの名前、または第1関節の名前だけにある語で指定してください。第1関節は {chains}";

@@ -94,6 +94,11 @@ impl ImportError {
     fn new(message: Importing) -> Self {
         ImportError(message)
     }
+
+    /// What it says, as data; [`Importing::in_lang`] gives its text in a language.
+    pub fn message(&self) -> &Importing {
+        &self.0
+    }
 }
 
 /// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
@@ -158,9 +163,16 @@ fn described(source_name: &str, found: &Found<'_>) -> Result<(Import, Descriptio
     match description::parse(source_name, toml.as_bytes()) {
         Ok(robot) => Ok((Import { toml, report }, robot)),
         Err(loaded) => {
-            let faults = loaded.diagnostics.into_iter().map(|fault| fault.reason);
-            let faults = Faults(faults.collect());
-            Err(ImportError::new(Importing::NoRobot { faults }))
+            // Those after the first are like it, or follow from it.
+            let first = loaded.diagnostics.into_iter().next();
+            let line = first.as_ref().map_or(0, |fault| {
+                loaded.source.line_column(fault.span.start).0 as usize
+            });
+            let line = toml.lines().nth(line.saturating_sub(1));
+            Err(ImportError::new(Importing::NoRobot {
+                line: line.unwrap_or_default().trim().to_owned(),
+                faults: Faults(first.into_iter().map(|fault| fault.reason).collect()),
+            }))
         }
     }
 }

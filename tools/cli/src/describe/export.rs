@@ -115,7 +115,8 @@ fn robot(arguments: &Export) -> Result<Option<Robot>, Error> {
             }
         },
         Model::Urdf(path) => {
-            let Some(imported) = import::read(path, &urdf::Choices::default()) else {
+            let choices = urdf::Choices::default();
+            let Some(imported) = import::read(path, &choices, arguments.shown.lang()) else {
                 return Ok(None);
             };
             let robot = Robot::description(&imported.toml);

@@ -2,14 +2,17 @@
 
 use super::foot::{Feet, feet};
 use super::{Status, output, report};
+use crate::choices::LangName;
 use crate::error::Error;
+use crate::shown;
 use crate::usage::Wrong;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::urdf;
-use tipc::message::Using;
+use tipc::message::running::Weight;
+use tipc::message::{Lang, Using};
 
 /// `tipc robot import`
 #[derive(Debug, Args)]
@@ -50,6 +53,10 @@ pub(crate) struct Import {
     /// Write to a file instead of standard output
     #[arg(short, long, value_name = "OUT.toml")]
     out: Option<PathBuf>,
+
+    /// The language of the report and of errors, if not that of the locale
+    #[arg(long, value_enum, value_name = "en|ja")]
+    lang: Option<LangName>,
 }
 
 /// A height in mm.
@@ -69,16 +76,18 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 }
 
 /// The description that a URDF file makes; why there is none goes to standard error.
-pub(super) fn read(path: &Path, choices: &urdf::Choices) -> Option<urdf::Import> {
+pub(super) fn read(path: &Path, choices: &urdf::Choices, lang: Lang) -> Option<urdf::Import> {
     let read = fs::read(path).map_err(|reason| reason.to_string());
     let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let imported = text.and_then(|text| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        urdf::import_with(&name, &text, choices).map_err(|reason| reason.to_string())
+        let imported = urdf::import_with(&name, &text, choices);
+        imported.map_err(|refused| refused.message().in_lang(lang).to_string())
     });
     let complain = |reason: &String| {
+        let error = Weight::Error.in_lang(lang);
         let (name, reason) = (Printable::line(path.display()), Printable::line(reason));
-        report::complain(&format!("error: {name}: {reason}\n"));
+        report::complain(&format!("{error}: {name}: {reason}\n"));
     };
     imported.inspect_err(complain).ok()
 }
@@ -96,7 +105,8 @@ pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
         order: arguments.order.clone(),
         stand: arguments.stand,
     };
-    let Some(imported) = read(path, &choices) else {
+    let lang = shown::lang(arguments.lang);
+    let Some(imported) = read(path, &choices, lang) else {
         return Ok(Status::Failure);
     };
     match &arguments.out {
@@ -108,6 +118,7 @@ pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
     }
     let name = Printable::line(path.display());
     for line in &imported.report {
+        let line = line.in_lang(lang);
         report::complain(&format!("{name}: {}\n", Printable::line(line)));
     }
     Ok(Status::Success)

@@ -25,7 +25,7 @@ impl Given<'_, '_> {
         match self.attribute.value {
             Value::Text => None,
             Value::JointKind => Kind::from_word(text).is_none().then(|| self.unknown_kind()),
-            Value::Numbers(count) => self.miscounted(count),
+            Value::Numbers(count) => self.miscounted(count).or_else(|| self.infinite(count)),
             Value::Lengths(count) => self.miscounted(count).or_else(|| {
                 let is_length = |number: f64| number.is_finite() && number > 0.0;
                 (is_1_2 && !numbers(text).all(is_length)).then(|| self.no_length())
@@ -48,6 +48,15 @@ impl Given<'_, '_> {
             1 => number(text).is_none().then(|| self.no_number()),
             _ => (numbers(text).count() != count).then(|| self.no_numbers(count)),
         }
+    }
+
+    /// A number that is none, or has no end.
+    fn infinite(&self, count: usize) -> Option<Importing> {
+        let is_infinite = numbers(self.found.value()).any(|number| !number.is_finite());
+        is_infinite.then(|| match count {
+            1 => self.no_number(),
+            _ => self.no_numbers(count),
+        })
     }
 
     fn is_nan(&self, matters: bool) -> Option<Importing> {

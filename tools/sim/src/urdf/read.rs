@@ -32,6 +32,11 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
     check::depth(&document)?;
     xacro::refuse(&document)?;
     let node = document.root_element();
+    if !node.has_tag_name(ROBOT.name) {
+        return Err(ImportError::new(Importing::NotARobot {
+            element: node.tag_name().name().to_owned(),
+        }));
+    }
     let version = Version::from_attribute(node.attribute("version"));
     check::element(node, &ROBOT, version)?;
     Ok(Robot {

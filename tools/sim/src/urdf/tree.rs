@@ -46,6 +46,9 @@ impl<'a> Tree<'a> {
             .collect();
         let root = match roots.as_slice() {
             [root] => root,
+            [] if links.is_empty() => {
+                return Err(ImportError::new(Importing::NoLink));
+            }
             [] => {
                 return Err(ImportError::new(Importing::NoBase));
             }

@@ -144,6 +144,46 @@ fn text_that_is_no_urdf_is_refused() {
     }
 }
 
+#[track_caller]
+fn says(text: &str, part: &str) {
+    let error = import("bad.urdf", text).expect_err("it is refused");
+    assert!(error.to_string().contains(part), "{error}");
+}
+
+#[test]
+fn other_files_and_robots_of_nothing_are_named() {
+    says("<sdf version=\"1.9\"/>", "the root element is `sdf`");
+    says("<robot name=\"a\"/>", "the robot has no link");
+    let circle = [
+        revolute("a", "two", "one", PLAIN),
+        revolute("b", "one", "two", PLAIN),
+    ];
+    let text = urdf(&circle).replace("<link name=\"base\"/>", "");
+    says(&text, "no link is the base");
+}
+
+#[test]
+fn numbers_that_are_none_are_shown_where_they_are() {
+    let whole = urdf(ARM);
+    let [origin, mass] = ["xyz=\"0.25 0 0.05\"", "value=\"2\""];
+    for bad in ["nan", "inf", "-inf", "1e999"] {
+        let text = whole.replace(origin, &format!("xyz=\"0.25 {bad} 0.05\""));
+        says(&text, "attribute `xyz` of element `origin` is `0.25");
+        let text = whole.replace(mass, &format!("value=\"{bad}\""));
+        says(
+            &text,
+            &format!("element `mass` is `{bad}`, which is not a number"),
+        );
+    }
+    // What is no robot's is shown with what came of it.
+    let text = whole.replace(mass, "value=\"-20\"");
+    says(
+        &text,
+        "it cannot be below 0; see what comes of them: `{ axis = ",
+    );
+    says(&text, "mass = -17, torque = 7 }, # shoulder`");
+}
+
 /// A reader that calls itself for each level overflows its stack.
 #[test]
 fn elements_nested_without_end_are_refused() {
