@@ -232,6 +232,26 @@ fn the_japanese_pages_have_the_same_blocks() {
     }
 }
 
+/// Both front pages list the same examples, each of them with a page of its own.
+#[test]
+fn the_front_pages_list_the_same_examples() {
+    let listed = |page: &str| -> Vec<String> {
+        let text = read(page);
+        let rows = text.lines().filter_map(|line| {
+            let (name, rest) = line.strip_prefix("| [`")?.split_once("`](examples/")?;
+            rest.starts_with(&format!("{name})"))
+                .then(|| name.to_owned())
+        });
+        rows.collect()
+    };
+    let examples = listed("README.md");
+    assert!(examples.len() > 8, "{examples:?}");
+    assert_eq!(listed("README.ja.md"), examples);
+    for example in examples {
+        read(&format!("examples/{example}/README.md"));
+    }
+}
+
 #[test]
 fn left_out_lines_are_any_and_others_are_not() {
     let matches = |expected: &str, printed: &str| {
