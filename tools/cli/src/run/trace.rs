@@ -3,8 +3,9 @@
 use super::super::error::{Error, is_closed};
 use super::super::interrupt;
 use super::super::output;
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Path, PathBuf};
+use tip_runtime::printable::acts;
 use tip_runtime::record::{Ending, JsonLines, Moved, Sink, Stream, WholeFile};
 use tip_sim::Run;
 
@@ -32,21 +33,29 @@ pub(super) struct Extras {
 /// Where it goes.
 enum Output {
     Standard(Stdout),
+    Terminal(Terminal),
     File(WholeFile),
+}
+
+/// A terminal, on which nothing of a record may act: the same JSON, with escapes in place of such characters.
+struct Terminal {
+    out: Stdout,
+    /// The record so far: a piece of it may end inside a character.
+    record: Vec<u8>,
 }
 
 impl Trace {
     /// Begins a trace.
     pub(super) fn begin(path: &Path, extras: Extras) -> Result<Self, Error> {
         let out = if path.as_os_str() == STANDARD_OUTPUT {
-            Output::Standard(io::stdout())
+            Output::standard()
         } else {
             let file = output::begin(path).map_err(|error| Error::cannot_write(path, error))?;
             interrupt::discards(file.part());
             Output::File(file)
         };
         let (takes_standard_output, is_straight) = match &out {
-            Output::Standard(_) => (true, true),
+            Output::Standard(_) | Output::Terminal(_) => (true, true),
             Output::File(file) => (false, file.part().is_none()),
         };
         let lines = JsonLines::new(Stream::new(BufWriter::new(out)), extras.state);
@@ -114,9 +123,20 @@ impl Trace {
 }
 
 impl Output {
+    fn standard() -> Self {
+        let out = io::stdout();
+        match out.is_terminal() {
+            true => Output::Terminal(Terminal {
+                out,
+                record: Vec::new(),
+            }),
+            false => Output::Standard(out),
+        }
+    }
+
     fn close(self) -> io::Result<()> {
         match self {
-            Output::Standard(_) => Ok(()),
+            Output::Standard(_) | Output::Terminal(_) => Ok(()),
             Output::File(file) => file.commit(),
         }
     }
@@ -126,6 +146,7 @@ impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Output::Standard(out) => out.write(bytes),
+            Output::Terminal(terminal) => terminal.write(bytes),
             Output::File(file) => file.write(bytes),
         }
     }
@@ -133,7 +154,38 @@ impl Write for Output {
     fn flush(&mut self) -> io::Result<()> {
         match self {
             Output::Standard(out) => out.flush(),
+            Output::Terminal(terminal) => terminal.flush(),
             Output::File(file) => file.flush(),
         }
     }
+}
+
+impl Write for Terminal {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        for byte in bytes {
+            self.record.push(*byte);
+            if *byte == b'\n' {
+                let record = escaped(&String::from_utf8_lossy(&self.record));
+                self.record.clear();
+                self.out.write_all(record.as_bytes())?;
+            }
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// JSON with `\u202e` and its like in place of what acts, which is part of a string there.
+fn escaped(record: &str) -> String {
+    let mut escaped = String::with_capacity(record.len());
+    for c in record.chars() {
+        match acts(c) && c != '\n' {
+            true => escaped += &format!("\\u{:04x}", u32::from(c)),
+            false => escaped.push(c),
+        }
+    }
+    escaped
 }

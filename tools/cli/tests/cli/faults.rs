@@ -4,7 +4,7 @@ mod bench;
 mod files;
 mod parts;
 mod signals;
-mod terminal;
+pub(crate) mod terminal;
 
 use std::path::Path;
 use std::{env, fs};

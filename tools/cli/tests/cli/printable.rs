@@ -105,3 +105,47 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
         require_printable(&outcome.err, "");
     }
 }
+
+/// A pipe gets every byte; on a terminal none of them acts.
+#[cfg(target_os = "linux")]
+#[test]
+fn data_has_escapes_on_a_terminal_alone() {
+    use crate::faults::terminal::Pty;
+    use serde_json::Value;
+    use std::process::Stdio;
+
+    let text = "3.1\nt\nMESSAGE  a\u{1b}[31m\u{202e}b\u{9b}c\nEND\n";
+    let folder = Folder::new("printable-terminal").file("p.prg", text);
+    let on_terminal = |arguments: &[&str]| {
+        let terminal = Pty::new();
+        let status = folder
+            .command(arguments)
+            .stdout(terminal.input())
+            .stderr(Stdio::null())
+            .status();
+        status.expect("tipc starts");
+        terminal.shown().replace("\r\n", "\n")
+    };
+    for arguments in [
+        &["migrate", "p.prg"][..],
+        &["emit", "formal", "p.prg"],
+        &["fmt", "--diff", "p.prg"],
+        &["run", "p.prg", "--trace", "-"],
+    ] {
+        let piped = folder.tipc(arguments).out;
+        assert!(piped.contains("\u{202e}b\u{9b}c"), "{arguments:?}: {piped}");
+        let shown = on_terminal(arguments);
+        require_printable(&shown, "");
+        assert_eq!(shown.lines().count(), piped.lines().count(), "{shown}");
+    }
+    // A trace is JSON there, too.
+    let trace = ["run", "p.prg", "--trace", "-"];
+    let records = |text: &str| -> Vec<Value> {
+        let records = text.lines().map(serde_json::from_str);
+        records.collect::<Result<_, _>>().expect("JSON")
+    };
+    assert_eq!(
+        records(&on_terminal(&trace)),
+        records(&folder.tipc(&trace).out)
+    );
+}
