@@ -18,6 +18,7 @@ mod reader;
 mod relation;
 mod routine;
 mod shape;
+mod signs;
 mod statement;
 mod wide;
 

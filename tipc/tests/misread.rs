@@ -41,6 +41,7 @@ fn a_title_that_would_be_a_statement_was_forgotten() {
         "Exit",
         "Stop: a test",
         "REM a walk",
+        "End of the walk",
         "Message of the day",
         "Sleep and walk",
         "force control of the hand",

@@ -53,6 +53,8 @@ struct Owed {
     kind: BlockKind,
     /// The diagnostic of the construct, if it was cut off.
     fault: Option<usize>,
+    /// Whether other branches may come as well.
+    branches: bool,
 }
 
 struct Matcher<'a> {
@@ -93,6 +95,7 @@ impl Matcher<'_> {
         self.owed.push(Owed {
             kind: BlockKind::If,
             fault: None,
+            branches: true,
         });
     }
 
@@ -221,7 +224,11 @@ impl Matcher<'_> {
             let help = match (name == closer, kind) {
                 (false, _) => {
                     // The rest of it is no second mistake.
-                    self.owed.push(Owed { kind, fault: None });
+                    self.owed.push(Owed {
+                        kind,
+                        fault: None,
+                        branches: name == Keyword::ElseIf,
+                    });
                     Structuring::IfFirst { word: name }
                 }
                 (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
@@ -246,10 +253,12 @@ impl Matcher<'_> {
 
     /// Whether a construct that was cut off waits for this word. It closes only that.
     fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
-        let Some(at) = self.owed.iter().rposition(|owed| owed.kind == kind) else {
+        let is_closer = name == kind.closer();
+        let waits = |owed: &Owed| owed.kind == kind && (is_closer || owed.branches);
+        let Some(at) = self.owed.iter().rposition(waits) else {
             return false;
         };
-        if name == kind.closer() {
+        if is_closer {
             let owed = self.owed.remove(at);
             let label = Label {
                 span: self.place(index),
@@ -275,6 +284,7 @@ impl Matcher<'_> {
             return self.owed.push(Owed {
                 kind: open.kind,
                 fault: None,
+                branches: true,
             });
         }
         let reason = Structuring::NotClosed { opener };
@@ -304,6 +314,7 @@ impl Matcher<'_> {
             self.owed.push(Owed {
                 kind: open.kind,
                 fault: Some(self.found.len()),
+                branches: true,
             });
         }
         self.found.push(fault);

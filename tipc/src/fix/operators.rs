@@ -53,6 +53,14 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
             Some(certain(site, place, sign))
         }
+        // `N =+ 5`
+        (Message::Habit(Habit::NoOperator { sign }), Some(Message::Instead(_)))
+            if matches!(sign.as_str(), "=+" | "=-") =>
+        {
+            let turned: String = sign.chars().rev().collect();
+            let fix = certain(site, site.span(), &turned);
+            Some(Fix::likely(fix.title, fix.edits))
+        }
         (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
             Some(certain(site, site.span(), "="))
         }

@@ -132,8 +132,12 @@ fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
 
 /// The name that is near to the one that stands there.
 fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
-    let is_variable = matches!(site.reason(), Message::Naming(Naming::NotDeclared { .. }));
-    match is_variable {
+    let is_name = matches!(
+        site.reason(),
+        Message::Naming(Naming::NotDeclared { .. })
+            | Message::Structuring(Structuring::NoSuchLabel { .. })
+    );
+    match is_name {
         true => Some(everywhere(site, near)),
         false => Some(likely(site, site.span(), near)),
     }

@@ -42,10 +42,10 @@ fn is_statement(loaded: &Loaded, tokens: &[Token]) -> bool {
     if matches!(tokens.get(1), Some(next) if matches!(next.kind, Kind::Assign(_))) {
         return true;
     }
-    // Texts follow these.
+    // Anything may follow these.
     let is_text = |meaning| {
-        let (rem, message) = (Keyword::Rem, Keyword::Message);
-        meaning == Meaning::Keyword(rem) || meaning == Meaning::Keyword(message)
+        let words = [Keyword::Rem, Keyword::Message, Keyword::End];
+        words.map(Meaning::Keyword).contains(&meaning)
     };
     let command = commands::find(word).filter(|command| !is_text(command.meaning));
     command.is_some() && (tokens.len() > 1 || word.contains('_'))

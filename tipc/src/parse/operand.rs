@@ -141,9 +141,11 @@ impl Reader<'_> {
                 let reason = Parsing::SignStandsBefore;
                 return Err(self.fault_with_help(place, reason, Habit::WriteSigned { text }));
             }
-            Some(second) if matches!(second.kind, Kind::Arithmetic(_)) => {
-                return Err(self.two_signs(place, second.span));
-            }
+            Some(Token {
+                kind: Kind::Arithmetic(_),
+                span,
+                ..
+            }) if self.left() > 2 => return Err(self.two_signs(place, span)),
             _ => {
                 let reason = Parsing::SignStandsBefore;
                 return Err(self.fault(place, reason));
@@ -175,32 +177,6 @@ impl Reader<'_> {
                 Parsing::LeavePlusOut,
             )),
         }
-    }
-
-    /// `N =+ 5`, where `N += 5` was meant.
-    fn turned_update(&self, sign: Span, operand: Span) -> Option<Fault> {
-        let equals = self.before()?;
-        let is_glued = equals.kind == Kind::Assign(None) && equals.span.end == sign.start;
-        let name = self.slice(self.whole()).split('=').next()?.trim();
-        let text = format!("{name} {}= {}", self.slice(sign), self.slice(operand));
-        let both = equals.span.to(sign);
-        let reason = Habit::NoOperator {
-            sign: self.slice(both).into(),
-        };
-        let text = upper_case(&text);
-        is_glued.then(|| self.fault_with_help(both, reason, Instead::Write { text }))
-    }
-
-    /// `--391`
-    fn two_signs(&self, first: Span, second: Span) -> Fault {
-        let both = first.to(second);
-        let operand = self.left_tokens().get(2).map(|third| third.span);
-        let operand = operand.map_or("A", |span| self.slice(span));
-        let text = format!("{}{operand}", self.slice(second)).into();
-        let reason = Habit::NoOperator {
-            sign: self.slice(both).into(),
-        };
-        self.fault_with_help(both, reason, Instead::Write { text })
     }
 
     /// A word as constant, name or member.

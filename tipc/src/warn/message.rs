@@ -210,7 +210,9 @@ fn declare(variables: &[Variable], name: SmolStr) -> Warning {
 
 /// `%d01%` or `%f01%` for `VAR01`, as before version 3.0.
 fn numbered(name: &str, var: &str) -> bool {
-    let number = name.strip_prefix(['D', 'F']).unwrap_or_default();
+    let number = name
+        .strip_prefix(|kind: char| "DF".contains(kind))
+        .unwrap_or_default();
     let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
     is_number && var.strip_prefix("VAR") == Some(number)
 }

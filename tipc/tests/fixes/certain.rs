@@ -190,6 +190,7 @@ fn words_that_stand_alone() {
 fn labels_and_their_colons() {
     check_certain("L1: REM\nGOTO L1", "L1: REM\nGOTO L1:");
     check_certain("L1: REM\nGOTO L1 :", "L1: REM\nGOTO L1:");
+    check_certain("L1.\nREM\nGOTO L1:", "L1:\nREM\nGOTO L1:");
     check_certain("START\nGOTO START:", "START:\nGOTO START:");
     check_certain("LOOP\nGOTO LOOP", "LOOP:\nGOTO LOOP:");
     check_certain(

@@ -11,6 +11,18 @@ fn misspelled_words() {
         ("IF KB_HTI THEN\nENDIF", "IF KB_HIT THEN\nENDIF"),
         ("START: REM\nGOTO STRAT:", "START: REM\nGOTO START:"),
         (
+            "START: REM\nIF KB_HIT GOTO STRAT:\nGOTO STRAT:",
+            "START: REM\nIF KB_HIT GOTO START:\nGOTO START:",
+        ),
+        (
+            "DEF_POS P\nTEACH_POSITION F1 P\nP_X = 1\nPTP F1 P",
+            "DEF_POS P\nTEACH_POSITION F1 P\nP.X = 1\nPTP F1 P",
+        ),
+        (
+            "DEF_VAR N\nN = 40\nN =+ 5\nSLEEP N",
+            "DEF_VAR N\nN = 40\nN += 5\nSLEEP N",
+        ),
+        (
             "DEF_VAR STRIDE\nSTRIDE = 1\nSLEEP STRID\nSTRIDE = STRIDE + -STRID",
             "DEF_VAR STRIDE\nSTRIDE = 1\nSLEEP STRIDE\nSTRIDE = STRIDE + -STRIDE",
         ),

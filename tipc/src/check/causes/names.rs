@@ -4,7 +4,7 @@ use super::label;
 use crate::check::title;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
-use crate::message::{Habit, Instead, Message, Naming, Parsing, Structuring};
+use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::Module;
 use std::collections::{HashMap, HashSet};
@@ -153,7 +153,8 @@ pub(super) fn flags(source: &Source, module: &Module, found: &mut Vec<Diagnostic
             _ => continue,
         };
         let is_there = |it: &&mut Diagnostic| {
-            it.code == Code::Argument && statement(it.span) == statement(used)
+            let is_few = matches!(it.reason, Message::Commanding(Commanding::TooFew { .. }));
+            is_few && it.span != used && statement(it.span) == statement(used)
         };
         if let Some(fault) = found.iter_mut().find(is_there) {
             let name = source.slice(used).to_ascii_uppercase().into();
