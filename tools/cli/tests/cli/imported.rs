@@ -91,3 +91,29 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
         assert!(!folder.has("out.toml"));
     }
 }
+
+#[test]
+fn imports_speak_japanese() {
+    let folder = Folder::new("import-japanese")
+        .file("pendulum.urdf", URDF)
+        .file("sdf.urdf", "<sdf/>");
+    let import = |file: &str, status| {
+        let words = ["robot", "import", file, "--lang", "ja"];
+        folder.tipc(&words).expect(status)
+    };
+    let report = import("pendulum.urdf", 0);
+    assert!(
+        report.err.contains("F1: 関節hingeからリンクtipまで"),
+        "{}",
+        report.err
+    );
+    let refused = import("sdf.urdf", 1).err;
+    assert!(
+        refused.starts_with("エラー: sdf.urdf: ルート要素が `sdf` ですが"),
+        "{refused}"
+    );
+    let exported = folder.tipc(&[
+        "robot", "export", "--urdf", "--robot", "sdf.urdf", "--lang", "ja",
+    ]);
+    assert!(exported.expect(1).err.starts_with("エラー: sdf.urdf"));
+}
