@@ -62,7 +62,7 @@ pub use goal::Move;
 pub use hits::{Hits, NotHits};
 pub use progress::Progress;
 pub use refused::Refused;
-pub use seen::{Frame, Variable};
+pub use seen::{Frame, Variable, control};
 pub use stop::{By, Reason, Stop};
 
 use crate::event::Timed;

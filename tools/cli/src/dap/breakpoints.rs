@@ -8,7 +8,7 @@ use super::session::{Answer, Debuggee, Host, Session};
 use super::shown;
 use serde_json::{Value, json};
 use tip_sim::debug::{Placed, Refused, When};
-use tipc::message::Lang;
+use tipc::message::{Debugging, Lang};
 
 /// Which kind of breakpoints a client replaces together.
 #[derive(Clone, Copy)]
@@ -20,22 +20,17 @@ pub(super) enum Kind {
 
 impl<H: Host> Session<H> {
     pub(super) fn set_breakpoints(&mut self, wanted: SetBreakpoints) -> Answer {
+        let path = wanted.source.path.as_deref();
+        let program = &self.debuggee()?.path;
+        if path.is_some_and(|path| !same(path, program)) {
+            return self.of_another_file(&wanted.breakpoints);
+        }
         self.clear(Kind::Line)?;
         let (lang, base) = (self.lang(), self.first_line());
         let first_column = self.first_column();
         let debuggee = self.debuggee()?;
-        let is_other = wanted
-            .source
-            .path
-            .as_deref()
-            .is_some_and(|path| !same(path, &debuggee.path));
         let mut answers = Vec::new();
         for one in &wanted.breakpoints {
-            if is_other {
-                let reason = "this file is not the program that is debugged";
-                answers.push(unverified(reason.to_owned(), Some(one.line)));
-                continue;
-            }
             let when = When {
                 condition: text(&one.condition),
                 hits: text(&one.hit_condition),
@@ -47,6 +42,15 @@ impl<H: Host> Session<H> {
             answers.push(answer(placed, lang, Some(line)));
         }
         self.keep(Kind::Line, answers)
+    }
+
+    /// Breakpoints of a file that does not run: those of the program stay.
+    fn of_another_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
+        let reason = self.text(Debugging::OtherFile);
+        let answers = wanted
+            .iter()
+            .map(|one| unverified(reason.clone(), Some(one.line)));
+        Ok(Some(json!({ "breakpoints": values(answers) })))
     }
 
     pub(super) fn set_function_breakpoints(&mut self, wanted: SetFunctionBreakpoints) -> Answer {
@@ -91,19 +95,18 @@ impl<H: Host> Session<H> {
                 "canPersist": true,
             }),
             false => {
-                json!({ "dataId": null, "description": "only variables of the program are watched" })
+                json!({ "dataId": null, "description": self.text(Debugging::OnlyVariables) })
             }
         }))
     }
 
     pub(super) fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
         self.clear(Kind::Watch)?;
-        let lang = self.lang();
+        let (lang, reason) = (self.lang(), self.text(Debugging::WatchHasNoCondition));
         let debuggee = self.debuggee()?;
         let watch = |one: &super::message::DataBreakpoint| {
             if text(&one.condition).or(text(&one.hit_condition)).is_some() {
-                let reason = "a watch has no condition; a breakpoint on a line has";
-                return unverified(reason.to_owned(), None);
+                return unverified(reason.clone(), None);
             }
             match debuggee.debugger.watch(&one.data_id) {
                 Ok(id) => Breakpoint {
@@ -132,11 +135,7 @@ impl<H: Host> Session<H> {
     fn keep(&mut self, kind: Kind, answers: Vec<Breakpoint>) -> Answer {
         let ids = answers.iter().filter_map(|one| one.id);
         self.placed[kind as usize] = ids.collect();
-        let breakpoints: Vec<Value> = answers
-            .iter()
-            .filter_map(|one| serde_json::to_value(one).ok())
-            .collect();
-        Ok(Some(json!({ "breakpoints": breakpoints })))
+        Ok(Some(json!({ "breakpoints": values(answers) })))
     }
 
     /// The number of the first column, as the client counts.
@@ -179,6 +178,13 @@ fn answer(placed: Result<Placed, Refused>, lang: Lang, line: Option<i64>) -> Bre
         },
         Err(refused) => unverified(refused.text(lang), line),
     }
+}
+
+fn values(answers: impl IntoIterator<Item = Breakpoint>) -> Vec<Value> {
+    let answers = answers.into_iter();
+    answers
+        .filter_map(|one| serde_json::to_value(one).ok())
+        .collect()
 }
 
 fn unverified(message: String, line: Option<i64>) -> Breakpoint {

@@ -18,15 +18,19 @@ impl<H: Host> Session<H> {
             Ok(value) => value,
             Err(_) => match debugger.evaluate(&asked.value) {
                 Ok(Value::Number(value)) => value,
-                Ok(Value::Truth(_)) => return Err("this is not a number".to_owned()),
+                Ok(Value::Truth(_)) => {
+                    let text = asked.value.trim().to_owned().into();
+                    return Err(self.text(Debugging::Truth { text }));
+                }
                 Err(refused) => return Err(refused.text(self.lang())),
             },
         };
         let name = asked.name.trim().to_ascii_uppercase();
         self.change(Event::Set(name.clone(), value), Discard::Nothing)?;
+        let lang = self.lang();
         let debugger = &self.standing()?.debugger;
         let value = debugger.value(&name).ok().flatten();
-        Ok(Some(json!({ "value": shown::number(value) })))
+        Ok(Some(json!({ "value": shown::number(value, lang) })))
     }
 
     /// Makes something happen. In the past it is refused at first; asking for the same again confirms it.
@@ -71,12 +75,12 @@ impl<H: Host> Session<H> {
         let variables = debugger.variables();
         if let Some((place, variable)) = (0..).zip(&variables).find(|(_, it)| it.name == name) {
             return Ok(Some(json!({
-                "result": shown::value(variable),
+                "result": shown::value(variable, lang),
                 "variablesReference": shown::reference(place, variable),
             })));
         }
         let result = match debugger.value(text) {
-            Ok(value) => shown::number(value),
+            Ok(value) => shown::number(value, lang),
             Err(_) => match debugger.evaluate(text) {
                 Ok(Value::Number(value)) => value.to_string(),
                 Ok(Value::Truth(truth)) => truth.to_string(),

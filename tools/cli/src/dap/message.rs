@@ -86,7 +86,7 @@ pub(crate) struct Capabilities {
 #[derive(Debug, Serialize)]
 pub(crate) struct Filter {
     pub(crate) filter: &'static str,
-    pub(crate) label: &'static str,
+    pub(crate) label: String,
     pub(crate) default: bool,
 }
 
@@ -207,7 +207,7 @@ pub(crate) struct StackFrame {
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Scope {
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) presentation_hint: Option<&'static str>,
     pub(crate) variables_reference: i64,

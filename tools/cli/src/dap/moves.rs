@@ -3,7 +3,10 @@
 use super::message::Step;
 use super::session::{Answer, Host, Session, THREAD, read};
 use serde_json::{Value, json};
+use tip_runtime::program::End;
 use tip_sim::debug::{Move, Progress, Reason};
+use tipc::language::Keyword;
+use tipc::message::Debugging;
 
 /// What a client calls a long search.
 const PROGRESS: &str = "search";
@@ -129,9 +132,10 @@ impl<H: Host> Session<H> {
         let percentage = progress.done.saturating_mul(100) / of;
         if !self.has_progress {
             self.has_progress = true;
+            let title = self.text(Debugging::Searches);
             self.event(
                 "progressStart",
-                Some(json!({ "progressId": PROGRESS, "title": "Searching", "cancellable": true, "percentage": 0 })),
+                Some(json!({ "progressId": PROGRESS, "title": title, "cancellable": true, "percentage": 0 })),
             );
             self.percentage = 0;
         }
@@ -161,9 +165,7 @@ impl<H: Host> Session<H> {
         self.told_end = is_end.then_some(stop.at);
         let by_name = |id: &u32| self.placed[1].contains(id);
         match &stop.reason {
-            Reason::Start => {
-                self.stopped_because("entry", Some("at the beginning of the run".to_owned()))
-            }
+            Reason::Start => self.stopped_because("entry", Some(self.text(Debugging::Start))),
             Reason::Step => self.stopped_because("step", None),
             Reason::There => self.stopped_because("goto", None),
             Reason::Breakpoint(id) => {
@@ -176,17 +178,21 @@ impl<H: Host> Session<H> {
             }
             Reason::Watch { id, .. } => self.stopped_at("data breakpoint", None, Some(*id)),
             Reason::Fall(fall) => {
-                let text = format!("the robot falls in cycle {}", fall.cycle);
+                let text = self.text(Debugging::FellIn {
+                    cycle: count(fall.cycle),
+                });
                 self.stopped_because("exception", Some(text));
             }
             Reason::Fault(emergency) => {
                 self.stopped_because("exception", Some(emergency.to_string()));
             }
             Reason::Ended(end) => {
-                let text = format!(
-                    "the program is over ({})",
-                    format!("{end:?}").to_uppercase()
-                );
+                let end = match end {
+                    End::End => Keyword::End,
+                    End::Exit => Keyword::Exit,
+                };
+                let word = end.word();
+                let text = self.text(Debugging::EndedBy { word });
                 self.stopped_because("pause", Some(text));
             }
             _ => self.stopped_because("pause", None),
@@ -211,20 +217,27 @@ impl<H: Host> Session<H> {
 
     /// What happened, where an emergency or a fall stopped it.
     pub(super) fn exception_info(&mut self) -> Answer {
+        let lang = self.lang();
         let debuggee = self.standing()?;
         let (id, text) = match &debuggee.debugger.stop().reason {
             Reason::Fault(emergency) => (emergency.fault.kind().to_string(), emergency.to_string()),
-            Reason::Fall(fall) => (
-                "fall".to_owned(),
-                format!(
-                    "the robot falls in cycle {}, {:.1} mm outside of its feet",
-                    fall.cycle, -fall.margin
-                ),
-            ),
-            _ => return Err("nothing happened here".to_owned()),
+            Reason::Fall(fall) => {
+                let outside = format!("{:.1}", -fall.margin).into();
+                let fell = Debugging::FellBy {
+                    cycle: count(fall.cycle),
+                    outside,
+                };
+                ("fall".to_owned(), fell.in_lang(lang).to_string())
+            }
+            _ => return Err(self.text(Debugging::NothingHappened)),
         };
         Ok(Some(
             json!({ "exceptionId": id, "description": text, "breakMode": "always" }),
         ))
     }
+}
+
+/// A cycle as messages count.
+fn count(cycle: u64) -> usize {
+    usize::try_from(cycle).unwrap_or(usize::MAX)
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use tip_sim::debug::{Debugger, Move, Work};
-use tipc::message::Lang;
+use tipc::message::{Debugging, Lang};
 use tipc::source::Source;
 
 /// The one thread of a program.
@@ -130,10 +130,10 @@ impl<H: Host> Session<H> {
         match command {
             "initialize" => {
                 self.client = read(arguments)?;
-                body(&capabilities())
+                body(&self.capabilities())
             }
             "launch" => self.start(read(arguments)?),
-            "attach" => Err("a program is launched; there is none to attach to".to_owned()),
+            "attach" => Err(self.text(Debugging::NothingToAttach)),
             "configurationDone" | "cancel" => Ok(None),
             "disconnect" | "terminate" => {
                 self.is_over = command == "disconnect";
@@ -174,15 +174,43 @@ impl<H: Host> Session<H> {
         }
     }
 
+    fn capabilities(&self) -> Capabilities {
+        Capabilities {
+            supports_configuration_done_request: true,
+            supports_function_breakpoints: true,
+            supports_conditional_breakpoints: true,
+            supports_hit_conditional_breakpoints: true,
+            supports_log_points: true,
+            supports_evaluate_for_hovers: true,
+            supports_step_back: true,
+            supports_set_variable: true,
+            supports_exception_info_request: true,
+            supports_data_breakpoints: true,
+            supports_stepping_granularity: true,
+            supports_terminate_request: true,
+            supports_cancel_request: true,
+            exception_breakpoint_filters: vec![Filter {
+                filter: "fall",
+                label: self.text(Debugging::FallsStop),
+                default: false,
+            }],
+        }
+    }
+
     fn start(&mut self, launch: Launch) -> Answer {
         if self.debuggee.is_some() {
-            return Err("a program is being debugged already".to_owned());
+            return Err(self.text(Debugging::AlreadyDebugged));
         }
         let mut debuggee = self.host.launch(&launch, self.lang())?;
         debuggee.debugger.stop_at_fall(launch.stop_on_fall);
         self.debuggee = Some(debuggee);
         self.launch = launch;
         Ok(None)
+    }
+
+    /// A message in the language of the client.
+    pub(super) fn text(&self, message: Debugging) -> String {
+        message.in_lang(self.lang()).to_string()
     }
 
     /// The language of messages.
@@ -207,15 +235,17 @@ impl<H: Host> Session<H> {
     }
 
     pub(super) fn debuggee(&mut self) -> Result<&mut Debuggee, String> {
-        let debuggee = self.debuggee.as_mut();
-        debuggee.ok_or_else(|| "no program is being debugged".to_owned())
+        let lang = self.lang();
+        let nothing = || Debugging::NothingDebugged.in_lang(lang).to_string();
+        self.debuggee.as_mut().ok_or_else(nothing)
     }
 
     /// The same where it stands; what moves is nowhere.
     pub(super) fn standing(&mut self) -> Result<&mut Debuggee, String> {
+        let running = self.text(Debugging::IsRunning);
         let debuggee = self.debuggee()?;
         match debuggee.debugger.is_going() {
-            true => Err("the program is running".to_owned()),
+            true => Err(running),
             false => Ok(debuggee),
         }
     }
@@ -273,27 +303,4 @@ pub(super) fn body(of: &impl Serialize) -> Answer {
     serde_json::to_value(of)
         .map(Some)
         .map_err(|error| error.to_string())
-}
-
-fn capabilities() -> Capabilities {
-    Capabilities {
-        supports_configuration_done_request: true,
-        supports_function_breakpoints: true,
-        supports_conditional_breakpoints: true,
-        supports_hit_conditional_breakpoints: true,
-        supports_log_points: true,
-        supports_evaluate_for_hovers: true,
-        supports_step_back: true,
-        supports_set_variable: true,
-        supports_exception_info_request: true,
-        supports_data_breakpoints: true,
-        supports_stepping_granularity: true,
-        supports_terminate_request: true,
-        supports_cancel_request: true,
-        exception_breakpoint_filters: vec![Filter {
-            filter: "fall",
-            label: "Falls of the robot",
-            default: false,
-        }],
-    }
 }

@@ -3,8 +3,9 @@
 use super::message::{Scope, SourceFile, StackFrame, StackTrace, Variable, Variables};
 use super::session::{Answer, Host, Session, THREAD};
 use serde_json::{Value, json};
-use tip_runtime::controller::{Aim, Mode};
-use tip_sim::debug::{self, Debugger};
+use tip_runtime::controller::Aim;
+use tip_sim::debug::{self, Debugger, control};
+use tipc::message::{Debugging, Lang};
 use tipc::program::VariableKind;
 use tipc::source::Source;
 
@@ -58,15 +59,15 @@ impl<H: Host> Session<H> {
     pub(super) fn scopes(&mut self) -> Answer {
         self.standing()?;
         let scope = |name, variables_reference, presentation_hint| Scope {
-            name,
+            name: self.text(name),
             presentation_hint,
             variables_reference,
             expensive: false,
         };
         let scopes = [
-            scope("Variables", PROGRAM, Some("locals")),
-            scope("Robot", ROBOT, None),
-            scope("Legs", LEGS, None),
+            scope(Debugging::Variables, PROGRAM, Some("locals")),
+            scope(Debugging::Robot, ROBOT, None),
+            scope(Debugging::Legs, LEGS, None),
         ];
         let scopes: Vec<Value> = scopes
             .iter()
@@ -76,15 +77,23 @@ impl<H: Host> Session<H> {
     }
 
     pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
+        let lang = self.lang();
+        let no_such_list = self.text(Debugging::NoSuchList);
         let debugger = &self.standing()?.debugger;
         let all = match asked.variables_reference {
             PROGRAM => (0..)
                 .zip(debugger.variables())
-                .map(|(place, it)| variable(place, &it))
+                .map(|(place, it)| variable(place, &it, lang))
                 .collect(),
-            ROBOT => robot(debugger),
-            LEGS => debugger.run().aims().iter().map(aim).collect(),
-            reference => members(debugger, reference.saturating_sub(MEMBERS))?,
+            ROBOT => robot(debugger, lang),
+            LEGS => {
+                let aims = debugger.run().aims();
+                aims.iter().map(|it| aim(it, lang)).collect()
+            }
+            reference => {
+                let place = reference.saturating_sub(MEMBERS);
+                members(debugger, place, lang).ok_or(no_such_list)?
+            }
         };
         let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
         let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
@@ -107,8 +116,9 @@ pub(super) fn reference(place: i64, variable: &debug::Variable) -> i64 {
 }
 
 /// A variable's value, or the values of its members.
-pub(super) fn value(variable: &debug::Variable) -> String {
-    let mut scalars = variable.scalars.iter().map(|(_, value)| number(*value));
+pub(super) fn value(variable: &debug::Variable, lang: Lang) -> String {
+    let scalars = variable.scalars.iter();
+    let mut scalars = scalars.map(|(_, value)| number(*value, lang));
     match variable.kind {
         VariableKind::Var => scalars.next().unwrap_or_default(),
         VariableKind::Pos | VariableKind::Joint => {
@@ -117,14 +127,15 @@ pub(super) fn value(variable: &debug::Variable) -> String {
     }
 }
 
-pub(super) fn number(value: Option<f64>) -> String {
-    value.map_or("unassigned".to_owned(), |value| format!("{value}"))
+pub(super) fn number(value: Option<f64>, lang: Lang) -> String {
+    let unassigned = || Debugging::Unassigned.in_lang(lang).to_string();
+    value.map_or_else(unassigned, |value| value.to_string())
 }
 
-fn variable(place: i64, it: &debug::Variable) -> Variable {
+fn variable(place: i64, it: &debug::Variable, lang: Lang) -> Variable {
     Variable {
         name: it.name.clone(),
-        value: value(it),
+        value: value(it, lang),
         kind: Some(match it.kind {
             VariableKind::Var => "VAR",
             VariableKind::Pos => "POS",
@@ -135,24 +146,22 @@ fn variable(place: i64, it: &debug::Variable) -> Variable {
     }
 }
 
-fn members(debugger: &Debugger, place: i64) -> Result<Vec<Variable>, String> {
+fn members(debugger: &Debugger, place: i64, lang: Lang) -> Option<Vec<Variable>> {
     let variables = debugger.variables();
-    let place = usize::try_from(place).ok();
-    let variable = place.and_then(|place| variables.get(place));
-    let variable = variable.ok_or_else(|| "there is no such list of variables".to_owned())?;
+    let variable = variables.get(usize::try_from(place).ok()?)?;
     let member = |(name, value): &(String, Option<f64>)| Variable {
         name: name.clone(),
-        value: number(*value),
+        value: number(*value, lang),
         kind: None,
         evaluate_name: Some(name.clone()),
         variables_reference: 0,
     };
-    Ok(variable.scalars.iter().map(member).collect())
+    Some(variable.scalars.iter().map(member).collect())
 }
 
-fn plain(name: &str, value: String) -> Variable {
+fn plain(name: String, value: String) -> Variable {
     Variable {
-        name: name.to_owned(),
+        name,
         value,
         kind: None,
         evaluate_name: None,
@@ -161,32 +170,31 @@ fn plain(name: &str, value: String) -> Variable {
 }
 
 /// The time, and how the robot is.
-fn robot(debugger: &Debugger) -> Vec<Variable> {
+fn robot(debugger: &Debugger, lang: Lang) -> Vec<Variable> {
+    let plain = |name: Debugging, value| plain(name.in_lang(lang).to_string(), value);
     let run = debugger.run();
     let mut shown = vec![
-        plain("cycle", debugger.now().to_string()),
-        plain("time", format!("{} ms", run.time())),
+        plain(Debugging::Cycle, debugger.now().to_string()),
+        plain(Debugging::Time, format!("{} ms", run.time())),
     ];
     if let Some(motion) = run.motion() {
         let pose = motion.pose;
         let [x, y, z] = pose.position;
-        shown.push(plain("position", format!("({x:.1}, {y:.1}, {z:.1}) mm")));
+        let place = format!("({x:.1}, {y:.1}, {z:.1}) mm");
+        shown.push(plain(Debugging::Pose, place));
         let (roll, pitch, yaw) = (pose.roll, pose.pitch, pose.yaw);
-        shown.push(plain(
-            "roll, pitch, yaw",
-            format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg"),
-        ));
-        shown.push(plain("falls", motion.falls.to_string()));
+        let lean = format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg");
+        shown.push(plain(Debugging::Lean, lean));
+        shown.push(plain(Debugging::Falls, motion.falls.to_string()));
     }
     if let Some(limbs) = run.limbs() {
         for (leg, angles) in (1..).zip(&limbs.angles) {
-            shown.push(plain(
-                &format!("angles of leg {leg}"),
-                format!("{} deg", list(angles)),
-            ));
+            let angles = format!("{} deg", list(angles));
+            shown.push(plain(Debugging::Angles { leg }, angles));
         }
         if !limbs.loads.is_empty() {
-            shown.push(plain("loads", format!("{} N", list(&limbs.loads))));
+            let loads = format!("{} N", list(&limbs.loads));
+            shown.push(plain(Debugging::Loads, loads));
         }
     }
     shown
@@ -197,20 +205,15 @@ fn list(values: &[f64]) -> String {
     format!("({})", values.join(", "))
 }
 
-fn aim(aim: &Aim) -> Variable {
-    let mode = match aim.mode {
-        Mode::Rest => "at rest",
-        Mode::Position => "position",
-        Mode::Compliance => "compliance",
-        Mode::Velocity => "velocity",
-        Mode::Effort => "effort",
-    };
+fn aim(aim: &Aim, lang: Lang) -> Variable {
+    let mode = control(aim.mode);
+    let mode = mode.in_lang(lang);
     let goal = match aim.goal() {
         [] => String::new(),
         [one] => format!(" {one}"),
         several => format!(" {}", list(several)),
     };
-    plain(&aim.of.to_string(), format!("{mode}{goal}"))
+    plain(aim.of.to_string(), format!("{mode}{goal}"))
 }
 
 /// A column in UTF-16 code units of one in characters; both from 1.

@@ -1,10 +1,10 @@
 //! `tipc dap`: sessions as an editor has them, and messages that no editor sends.
 
+mod client;
+
 use crate::support::Folder;
+pub(crate) use client::Client;
 use serde_json::{Value, json};
-use std::collections::VecDeque;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 const PROGRAM: &str = "3.1
 歩く
@@ -18,157 +18,6 @@ TEACH_POS F1 P
 SLEEP 100
 END
 ";
-
-/// An adapter, and what it has sent that nobody has read.
-pub(crate) struct Client {
-    adapter: Child,
-    input: Option<ChildStdin>,
-    output: BufReader<ChildStdout>,
-    events: VecDeque<Value>,
-    seq: i64,
-}
-
-impl Client {
-    pub(crate) fn new() -> Self {
-        let mut adapter = Command::new(env!("CARGO_BIN_EXE_tipc"))
-            .arg("dap")
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .expect("tipc runs");
-        let output = BufReader::new(adapter.stdout.take().expect("it is a pipe"));
-        Client {
-            input: adapter.stdin.take(),
-            output,
-            adapter,
-            events: VecDeque::new(),
-            seq: 0,
-        }
-    }
-
-    /// A program that stands before its first step.
-    fn launched(program: &str, more: Value) -> Self {
-        let mut client = Client::new();
-        let capabilities = client.ask("initialize", json!({ "adapterID": "tip" }));
-        assert_eq!(capabilities["supportsStepBack"], true);
-        assert_eq!(capabilities["supportsLogPoints"], true);
-        let mut launch = json!({ "program": program, "stopOnEntry": true });
-        for (name, value) in more.as_object().into_iter().flatten() {
-            launch[name] = value.clone();
-        }
-        client.ask("launch", launch);
-        client.event("initialized");
-        client
-    }
-
-    fn begin(&mut self) -> Value {
-        self.ask("configurationDone", Value::Null);
-        self.event("stopped")
-    }
-
-    fn raw(&mut self, bytes: &[u8]) {
-        let input = self.input.as_mut().expect("it is open");
-        input.write_all(bytes).expect("it listens");
-        input.flush().expect("it listens");
-    }
-
-    fn send(&mut self, message: &str) {
-        self.raw(format!("Content-Length: {}\r\n\r\n{message}", message.len()).as_bytes());
-    }
-
-    fn read(&mut self) -> Value {
-        let mut length = 0;
-        loop {
-            let mut line = String::new();
-            self.output.read_line(&mut line).expect("it answers");
-            assert!(!line.is_empty(), "the adapter has gone");
-            match line.trim().strip_prefix("Content-Length: ") {
-                Some(number) => length = number.parse().expect("a length"),
-                None => break,
-            }
-        }
-        let mut message = vec![0; length];
-        self.output.read_exact(&mut message).expect("it answers");
-        serde_json::from_slice(&message).expect("JSON")
-    }
-
-    /// The answer to the next request; events are kept.
-    fn response(&mut self) -> Value {
-        loop {
-            let message = self.read();
-            match message["type"].as_str() {
-                Some("response") => return message,
-                _ => self.events.push_back(message),
-            }
-        }
-    }
-
-    fn request(&mut self, command: &str, arguments: Value) -> Value {
-        self.seq += 1;
-        let request = json!({ "seq": self.seq, "type": "request", "command": command, "arguments": arguments });
-        self.send(&request.to_string());
-        let response = self.response();
-        assert_eq!(
-            (&response["request_seq"], &response["command"]),
-            (&json!(self.seq), &json!(command))
-        );
-        response
-    }
-
-    pub(crate) fn ask(&mut self, command: &str, arguments: Value) -> Value {
-        let response = self.request(command, arguments);
-        assert_eq!(response["success"], true, "{response}");
-        response["body"].clone()
-    }
-
-    pub(crate) fn refusal(&mut self, command: &str, arguments: Value) -> String {
-        let response = self.request(command, arguments);
-        assert_eq!(response["success"], false, "{response}");
-        response["message"].as_str().expect("a reason").to_owned()
-    }
-
-    /// The next event of a name; others stay to be asked for.
-    fn event(&mut self, name: &str) -> Value {
-        loop {
-            let mut events = self.events.iter();
-            if let Some(place) = events.position(|event| event["event"] == name) {
-                let event = self.events.remove(place).expect("it is there");
-                return event["body"].clone();
-            }
-            let message = self.read();
-            self.events.push_back(message);
-        }
-    }
-
-    /// Moves, and says why it stands and on which line and column.
-    fn go(&mut self, command: &str, arguments: Value) -> (String, i64, i64) {
-        self.ask(command, arguments);
-        let stopped = self.event("stopped");
-        let frames = self.ask("stackTrace", json!({ "threadId": 1 }));
-        let place = |of: &str| frames["stackFrames"][0][of].as_i64().expect("a number");
-        let reason = stopped["reason"].as_str().expect("a reason").to_owned();
-        (reason, place("line"), place("column"))
-    }
-
-    fn value(&mut self, expression: &str) -> String {
-        let body = self.ask(
-            "evaluate",
-            json!({ "expression": expression, "context": "watch" }),
-        );
-        body["result"].as_str().expect("a text").to_owned()
-    }
-}
-
-impl Drop for Client {
-    fn drop(&mut self) {
-        // The adapter ends when nobody is there any more.
-        self.input = None;
-        let status = self.adapter.wait().expect("it ends");
-        if !std::thread::panicking() {
-            assert!(status.success(), "{status}");
-        }
-    }
-}
 
 fn thread() -> Value {
     json!({ "threadId": 1 })
@@ -227,6 +76,51 @@ fn a_session_goes_forwards_and_back() {
     // What the program says comes once.
     assert_eq!(client.event("output")["output"], "あ 1\n");
     client.ask("disconnect", Value::Null);
+}
+
+#[test]
+fn breakpoints_of_another_file_leave_those_of_the_program() {
+    let (_folder, path) = folder("dap-files");
+    let mut client = Client::launched(&path, Value::Null);
+    let set = |path: &str, line: u32| json!({ "source": { "path": path }, "breakpoints": [{ "line": line }] });
+    client.ask("setBreakpoints", set(&path, 8));
+    // An editor sends the breakpoints of each file that is open.
+    let other = path.replace("walk.prg", "turn.prg");
+    let placed = client.ask("setBreakpoints", set(&other, 7));
+    assert_eq!(placed["breakpoints"][0]["verified"], false);
+    client.begin();
+    assert_eq!(client.go("continue", thread()).1, 8);
+}
+
+#[test]
+fn everything_is_said_in_the_language_of_the_client() {
+    let (_folder, path) = folder("dap-language");
+    let mut client = Client::new();
+    let known = client.ask("initialize", json!({ "adapterID": "tip", "locale": "ja" }));
+    let filter = &known["exceptionBreakpointFilters"][0];
+    assert_eq!(filter["label"], "ロボットの転倒");
+    let nothing = client.refusal("threads-of", Value::Null);
+    assert!(nothing.contains("threads-of"), "{nothing}");
+    let nothing = client.refusal("continue", thread());
+    assert_eq!(nothing, "デバッグ中のプログラムがありません");
+    client.ask("launch", json!({ "program": path, "stopOnEntry": true }));
+    client.begin();
+    let scopes = client.ask("scopes", json!({ "frameId": 1 }));
+    let scopes = scopes["scopes"].as_array().expect("a list");
+    let names: Vec<_> = scopes.iter().map(|scope| scope["name"].clone()).collect();
+    assert_eq!(names, ["変数", "ロボット", "制御モードと目標"]);
+    for (reference, name, value) in [(1, "N", "未代入"), (2, "時刻", "0 ms"), (3, "J11", "停止")]
+    {
+        let all = client.ask("variables", json!({ "variablesReference": reference }));
+        let all = all["variables"].as_array().expect("a list");
+        let one = all.iter().find(|one| one["name"] == name);
+        assert_eq!(one.expect("it is shown")["value"], value, "{name}");
+    }
+    client.ask("continue", thread());
+    assert_eq!(
+        client.event("stopped")["text"],
+        "プログラムは終了しました(END)"
+    );
 }
 
 #[test]

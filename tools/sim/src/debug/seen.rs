@@ -1,6 +1,8 @@
 //! What a debugger shows where it stands.
 
 use super::Debugger;
+use tip_runtime::controller::Mode;
+use tipc::message::Debugging;
 use tipc::program::{Action, VariableKind};
 
 /// A variable with its members.
@@ -25,6 +27,17 @@ pub struct Frame {
     pub line: u32,
     /// Its column in characters, from 1.
     pub column: u32,
+}
+
+/// What a way of controlling a leg or joint is called.
+pub fn control(mode: Mode) -> Debugging {
+    match mode {
+        Mode::Rest => Debugging::AtRest,
+        Mode::Position => Debugging::Position,
+        Mode::Compliance => Debugging::Compliance,
+        Mode::Velocity => Debugging::Velocity,
+        Mode::Effort => Debugging::Effort,
+    }
 }
 
 impl Debugger {
