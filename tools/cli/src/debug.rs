@@ -7,6 +7,7 @@ mod figure;
 mod keys;
 mod panes;
 mod question;
+mod variables;
 mod words;
 
 #[cfg(test)]
@@ -34,9 +35,9 @@ use tip_sim::debug::Debugger;
 
 Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
 l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
-breakpoint, B one with a condition, w watches a variable: R then finds who set it last. i makes
-something happen, such as 'key F', 'VR1=8' or 'N = 5'; e shows what an expression comes to.
-Esc interrupts, q ends.")]
+breakpoint, B one with a condition and a count of passes, f stops before each command, label or
+routine of a name. w watches a variable, W goes back to who set one last. i makes something happen,
+such as 'key F', 'VR1=8' or 'N = 5'; e shows what an expression comes to. Esc interrupts, q ends.")]
 pub(super) struct Debug {
     /// The program
     pub(super) file: PathBuf,

@@ -2,7 +2,8 @@
 
 use super::question::Question;
 use std::collections::BTreeMap;
-use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, When, Work};
+use tip_runtime::plant::Scene;
+use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, Variable, When, Work};
 use tip_sim::{Event, Robot};
 use tip_view::Skeleton;
 use tipc::message::{Debugging, Lang};
@@ -13,11 +14,21 @@ pub(crate) struct App {
     pub(crate) debugger: Debugger,
     pub(crate) source: Source,
     pub(crate) skeleton: Skeleton,
+    /// What surrounds the robot.
+    pub(crate) scene: Scene,
     pub(crate) lang: Lang,
     /// The line that keys are for, from 1.
     pub(crate) cursor: u32,
     /// Breakpoints by their lines.
     pub(crate) breakpoints: BTreeMap<u32, u32>,
+    /// Breakpoints by the names that they are for.
+    pub(crate) named: BTreeMap<String, u32>,
+    /// The name that is watched.
+    pub(crate) watched: Option<String>,
+    /// The variables before the last movement.
+    pub(crate) before: Vec<Variable>,
+    /// Which part of the variables is shown, where all of them are too many.
+    pub(crate) page: usize,
     /// What is asked, and what has been typed.
     pub(crate) question: Option<(Question, String)>,
     /// What was answered last.
@@ -34,8 +45,13 @@ impl App {
             debugger,
             source,
             skeleton: Skeleton::of(robot),
+            scene: *robot.scene(),
             lang,
             breakpoints: BTreeMap::new(),
+            named: BTreeMap::new(),
+            watched: None,
+            before: Vec::new(),
+            page: 0,
             question: None,
             answer: None,
             progress: None,
@@ -63,6 +79,7 @@ impl App {
     pub(crate) fn go(&mut self, movement: Move) {
         self.answer = None;
         self.progress = None;
+        self.before = self.debugger.variables();
         self.debugger.start(movement);
         if !self.is_going() {
             self.cursor = self.debugger.line();

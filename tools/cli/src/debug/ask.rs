@@ -22,14 +22,22 @@ impl App {
             Question::Event => self.make_happen(text),
             Question::Expression => self.show_value(text),
             Question::Watch => self.watch(text),
+            Question::Who => {
+                self.watch(text);
+                if self.watched.is_some() {
+                    self.go(Move::ReverseContinue);
+                }
+            }
             Question::Cycle => match text.parse() {
                 Ok(cycle) => self.go(Move::To(cycle)),
                 Err(_) => self.answer = Some(self.say(Debugging::NotANumber { text: word(text) })),
             },
-            Question::Condition => self.place(&When {
-                condition: (!text.is_empty()).then_some(text),
-                hits: None,
+            Question::Condition => self.ask(Question::Passes(text.to_owned())),
+            Question::Passes(condition) => self.place(&When {
+                condition: said(&condition),
+                hits: said(text),
             }),
+            Question::Name => self.stop_before(text),
             Question::Discard(..) => {}
         }
     }
@@ -65,19 +73,45 @@ impl App {
         self.answer = Some(self.say(Debugging::Comes { text, value }));
     }
 
+    /// Stops before every step of a name, or no more.
+    fn stop_before(&mut self, name: &str) {
+        let upper = name.trim_end_matches(':').to_ascii_uppercase();
+        let name = word(&upper);
+        if let Some(id) = self.named.remove(&upper) {
+            self.debugger.remove_breakpoint(id);
+            self.answer = Some(self.say(Debugging::StopsNoMore { name }));
+            return;
+        }
+        match self.debugger.break_at_name(&upper, &When::default()) {
+            Ok(placed) => {
+                self.named.insert(upper, placed.id);
+                self.answer = Some(self.say(Debugging::StopsBefore { name }));
+            }
+            Err(refused) => self.refuse(&refused),
+        }
+    }
+
     fn watch(&mut self, name: &str) {
         self.debugger.unwatch_all();
+        self.watched = None;
         if name.is_empty() {
             return;
         }
         match self.debugger.watch(name) {
             Ok(_) => {
-                let name = word(&name.to_ascii_uppercase());
+                let upper = name.to_ascii_uppercase();
+                let name = word(&upper);
+                self.watched = Some(upper);
                 self.answer = Some(self.say(Debugging::Watches { name }));
             }
             Err(refused) => self.refuse(&refused),
         }
     }
+}
+
+/// A text, unless it says nothing.
+fn said(text: &str) -> Option<&str> {
+    (!text.is_empty()).then_some(text)
 }
 
 fn word(text: &str) -> Text {

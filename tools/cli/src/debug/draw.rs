@@ -1,7 +1,7 @@
 //! The screen.
 
 use super::app::App;
-use super::{figure, panes, words};
+use super::{figure, panes, variables, words};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Modifier, Style};
@@ -40,16 +40,19 @@ pub(crate) fn draw(app: &App, frame: &mut Frame<'_>) {
 /// Variables, calls, legs and the robot.
 fn side(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let calls = u16::try_from(app.debugger.frames().len()).unwrap_or(u16::MAX);
-    let [variables, calls, legs, robot] = Layout::vertical([
+    let legs = panes::legs(app);
+    let height = u16::try_from(legs.len()).unwrap_or(u16::MAX);
+    let [variables, calls, aims, robot] = Layout::vertical([
         Constraint::Fill(3),
         Constraint::Length(calls.min(area.height / 5) + 1),
-        Constraint::Length(area.height / 4),
+        Constraint::Length(height.min(area.height / 4) + 1),
         Constraint::Length(area.height * 2 / 5),
     ])
     .areas(area);
-    panes::variables(app, frame, variables);
+    variables::variables(app, frame, variables);
     panes::calls(app, frame, calls);
-    panes::legs(app, frame, legs);
+    let block = panes::block(app.say(Debugging::Legs));
+    frame.render_widget(Paragraph::new(legs).block(block), aims);
     figure::robot(app, frame, robot);
 }
 

@@ -8,29 +8,59 @@ use ratatui::style::Color;
 use ratatui::symbols::Marker;
 use ratatui::widgets::canvas::{Canvas, Circle, Line};
 use tip_runtime::model::Point;
+use tip_runtime::plant::{ObjectState, Shape};
 use tip_view::robot_frame;
 use tipc::message::Debugging;
 
 /// Around the robot: mm.
 const MARGIN: f64 = 80.0;
 
-/// How far the view of a hand moves at once: mm.
+/// Around a hand, which is smaller: mm.
+const HAND_MARGIN: f64 = 30.0;
+
+/// How far the view of a hand moves at once, and in which steps views grow: mm.
 const STEP: f64 = 50.0;
 
-/// How a foot or the centre of an object is drawn: mm.
+/// How a foot is drawn: mm.
 const DOT: f64 = 14.0;
+
+/// Corners of what is round.
+const CORNERS: u16 = 24;
 
 /// A plane to look at: which axes go to the right and up.
 #[derive(Clone, Copy)]
 struct View {
     right: usize,
     up: usize,
+    is_from_side: bool,
+}
+
+impl View {
+    const fn from_above(right: usize, up: usize) -> Self {
+        View {
+            right,
+            up,
+            is_from_side: false,
+        }
+    }
+
+    const fn from_side(right: usize, up: usize) -> Self {
+        View {
+            right,
+            up,
+            is_from_side: true,
+        }
+    }
 }
 
 /// Everything that is drawn: mm, in the world.
 struct Figure {
     legs: Vec<Vec<Point>>,
-    objects: Vec<Point>,
+    /// The corners of each object.
+    objects: Vec<Vec<Point>>,
+    /// How high the floor under the middle is; what a hand stands over moves.
+    floor: Option<f64>,
+    is_planar: bool,
     /// Where the view is centred.
     centre: Point,
 }
@@ -44,8 +74,8 @@ pub(super) fn robot(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let figure = Figure::of(app);
     let (from_above, from_side) = match app.skeleton.is_planar {
         // A hand's fingers move in a plane whose height is y.
-        true => (View { right: 0, up: 2 }, View { right: 0, up: 1 }),
-        false => (View { right: 0, up: 1 }, View { right: 1, up: 2 }),
+        true => (View::from_above(0, 2), View::from_side(0, 1)),
+        false => (View::from_above(0, 1), View::from_side(1, 2)),
     };
     figure.draw(frame, above, from_above, app.say(Debugging::Above));
     figure.draw(frame, side, from_side, app.say(Debugging::Side));
@@ -69,16 +99,27 @@ impl Figure {
                 let points = app.skeleton.points(leg, angles);
                 points.into_iter().map(in_world).collect()
             });
-        let objects = run.grasp().map_or(Vec::new(), |grasp| grasp.objects);
         let legs: Vec<Vec<Point>> = legs.collect();
-        let centre = match app.skeleton.is_planar {
-            true => middle(&legs),
-            false => in_world([0.0; 3]),
+        let is_planar = app.skeleton.is_planar;
+        let grasp = run.grasp();
+        let floor = match (is_planar, &grasp) {
+            (true, None) => None,
+            (true, Some(grasp)) => Some(grasp.slider[1] + app.scene.floor.height),
+            (false, _) => Some(app.scene.floor.height),
         };
+        let states = grasp.map_or(Vec::new(), |grasp| grasp.objects);
+        let objects = app.scene.objects.iter().flatten().zip(&states);
         Figure {
+            objects: objects
+                .map(|(object, state)| outline(&object.shape, state))
+                .collect(),
+            centre: match is_planar {
+                true => middle(&legs),
+                false => in_world([0.0; 3]),
+            },
             legs,
-            objects: objects.iter().map(|object| object.position).collect(),
-            centre,
+            floor,
+            is_planar,
         }
     }
 
@@ -95,9 +136,10 @@ impl Figure {
             let away = |axis: usize| (point[axis] - self.centre[axis]).abs();
             away(view.right).max(away(view.up))
         };
-        let points = self.legs.iter().flatten().chain(&self.objects);
-        let most = points.map(far).fold(100.0, f64::max) + MARGIN;
-        (most / 100.0).ceil() * 100.0
+        let points = self.legs.iter().chain(&self.objects).flatten();
+        let margin = if self.is_planar { HAND_MARGIN } else { MARGIN };
+        let most = points.map(far).fold(100.0, f64::max) + margin;
+        (most / STEP).ceil() * STEP
     }
 
     fn draw(&self, frame: &mut Frame<'_>, area: Rect, view: View, title: String) {
@@ -123,12 +165,12 @@ impl Figure {
                     y2: to[view.up],
                     color,
                 };
-                if view.up == 2 && view.right == 1 {
+                if let Some(floor) = self.floor.filter(|_| view.is_from_side) {
                     context.draw(&Line {
                         x1: x - half_x,
-                        y1: 0.0,
+                        y1: floor,
                         x2: x + half_x,
-                        y2: 0.0,
+                        y2: floor,
                         color: Color::DarkGray,
                     });
                 }
@@ -147,7 +189,9 @@ impl Figure {
                     }
                 }
                 for object in &self.objects {
-                    context.draw(&dot(object, view, Color::Green));
+                    for (from, to) in object.iter().zip(object.iter().cycle().skip(1)) {
+                        context.draw(&line(from, to, Color::Green));
+                    }
                 }
             });
         frame.render_widget(canvas, area);
@@ -164,6 +208,28 @@ fn middle(legs: &[Vec<Point>]) -> Point {
         );
         ((low + high) / 2.0 / STEP).round() * STEP
     })
+}
+
+/// The corners of an object in its plane: mm.
+fn outline(shape: &Shape, state: &ObjectState) -> Vec<Point> {
+    let corners: Vec<[f64; 2]> = match *shape {
+        Shape::Disc { radius } => (0..CORNERS)
+            .map(|corner| {
+                let turn = 360.0 * f64::from(corner) / f64::from(CORNERS);
+                let (sin, cos) = turn.to_radians().sin_cos();
+                [radius * cos, radius * sin]
+            })
+            .collect(),
+        Shape::Box { width, height } => {
+            let (x, y) = (width / 2.0, height / 2.0);
+            vec![[-x, -y], [x, -y], [x, y], [-x, y]]
+        }
+    };
+    let (sin, cos) = state.angle.to_radians().sin_cos();
+    let [x, y, z] = state.position;
+    let placed =
+        |[along, up]: [f64; 2]| [x + along * cos - up * sin, y + along * sin + up * cos, z];
+    corners.into_iter().map(placed).collect()
 }
 
 fn dot(point: &Point, view: View, color: Color) -> Circle {

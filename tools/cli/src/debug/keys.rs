@@ -56,6 +56,7 @@ fn command(app: &mut App, code: KeyCode) {
         KeyCode::Char(char) => letter(app, char.to_ascii_lowercase(), char.is_ascii_uppercase()),
         KeyCode::Up => app.move_cursor(-1),
         KeyCode::Down => app.move_cursor(1),
+        KeyCode::Tab => app.page = app.page.wrapping_add(1),
         KeyCode::PageUp => app.move_cursor(-PAGE),
         KeyCode::PageDown => app.move_cursor(PAGE),
         _ => {}
@@ -81,7 +82,9 @@ fn letter(app: &mut App, letter: char, is_capital: bool) {
         ('l', true) => app.go(Move::LineBack(line)),
         ('b', false) => app.toggle(),
         ('b', true) => app.ask(Question::Condition),
+        ('f', false) => app.ask(Question::Name),
         ('w', false) => app.ask(Question::Watch),
+        ('w', true) => app.ask(Question::Who),
         ('i', false) => app.ask(Question::Event),
         ('e', false) => app.ask(Question::Expression),
         ('g', false) => app.ask(Question::Cycle),

@@ -1,18 +1,17 @@
 //! The program, and what it does, as text.
 
 use super::app::App;
-use super::words;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
+use std::collections::BTreeSet;
 use tip_runtime::command::Target;
 use tip_runtime::controller::Aim;
 use tip_runtime::printable::Printable;
-use tip_sim::debug::Variable;
+use tip_sim::debug::control;
 use tipc::message::Debugging;
-use tipc::program::VariableKind;
 
 /// A list with a title; of lines that do not fit, the first ones are shown.
 pub(super) fn block(title: String) -> Block<'static> {
@@ -29,14 +28,15 @@ pub(super) fn source(app: &App, frame: &mut Frame<'_>, area: Rect) {
         .min((last + 1).saturating_sub(height))
         .max(1);
     let here = app.debugger.line();
+    let marked: BTreeSet<u32> = app
+        .debugger
+        .breakpoint_lines()
+        .map(|(line, _)| line)
+        .collect();
     let lines = (first..=last).take(area.height.into()).map(|number| {
         let text = Printable::line(app.source.line_text(number)).to_string();
         let is_here = number == here;
-        let mark = if app.breakpoints.contains_key(&number) {
-            "●"
-        } else {
-            " "
-        };
+        let mark = if marked.contains(&number) { "●" } else { " " };
         let arrow = if is_here { "▶" } else { " " };
         let mut style = Style::new();
         if is_here {
@@ -71,32 +71,6 @@ pub(super) fn messages(app: &App, frame: &mut Frame<'_>, area: Rect) {
     frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
 }
 
-pub(super) fn variables(app: &App, frame: &mut Frame<'_>, area: Rect) {
-    let shown = app.debugger.variables();
-    let lines = shown
-        .iter()
-        .map(|variable| Line::from(variable_text(app, variable)));
-    let block = block(app.say(Debugging::Variables));
-    frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()).block(block), area);
-}
-
-fn variable_text(app: &App, variable: &Variable) -> String {
-    let unassigned = || app.say(Debugging::Unassigned);
-    let number =
-        |value: &Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.2}"));
-    let value = match variable.kind {
-        VariableKind::Var => {
-            let value = variable.scalars.first().and_then(|(_, value)| *value);
-            value.map_or_else(unassigned, short)
-        }
-        VariableKind::Pos | VariableKind::Joint => {
-            let members = variable.scalars.iter().map(|(_, value)| number(value));
-            members.collect::<Vec<_>>().join(" ")
-        }
-    };
-    format!("{} {value}", variable.name)
-}
-
 pub(super) fn calls(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let lines = app.debugger.frames().into_iter().map(|call| {
         let name = call.name.unwrap_or_else(|| app.say(Debugging::MainProgram));
@@ -107,7 +81,7 @@ pub(super) fn calls(app: &App, frame: &mut Frame<'_>, area: Rect) {
 }
 
 /// What each foot or joint is to do, a line for each leg.
-pub(super) fn legs(app: &App, frame: &mut Frame<'_>, area: Rect) {
+pub(super) fn legs(app: &App) -> Vec<Line<'static>> {
     let aims = app.debugger.run().aims();
     let legs = (1..=app.skeleton.legs.len()).map(|leg| {
         let is_own = |aim: &&Aim| leg_of(aim.of).is_some_and(|of| usize::from(of) == leg);
@@ -116,9 +90,7 @@ pub(super) fn legs(app: &App, frame: &mut Frame<'_>, area: Rect) {
     });
     let others: Vec<&Aim> = aims.iter().filter(|aim| leg_of(aim.of).is_none()).collect();
     let others = (!others.is_empty()).then(|| Line::from(aims_text(app, &others)));
-    let block = block(app.say(Debugging::Legs));
-    let lines: Vec<Line<'_>> = legs.chain(others).collect();
-    frame.render_widget(Paragraph::new(lines).block(block), area);
+    legs.chain(others).collect()
 }
 
 /// The joints of a leg that are all controlled in one way share its name.
@@ -127,7 +99,7 @@ fn aims_text(app: &App, aims: &[&Aim]) -> String {
         let numbers = aim.goal().iter().map(|value| format!("{value:.0}"));
         numbers.collect::<Vec<_>>().join(" ")
     };
-    let mode = |aim: &Aim| app.say(words::mode(aim.mode));
+    let mode = |aim: &Aim| app.say(control(aim.mode));
     match aims {
         [] => String::new(),
         [first, .., last] if aims.iter().all(|aim| aim.mode == first.mode) => {
@@ -141,14 +113,6 @@ fn aims_text(app: &App, aims: &[&Aim]) -> String {
                 .map(|aim| format!("{} {} {}", aim.of, mode(aim), goal(aim)));
             parts.collect::<Vec<_>>().join(", ")
         }
-    }
-}
-
-/// A number for a narrow list: whole numbers as they are, others to a thousandth.
-fn short(value: f64) -> String {
-    match value.fract() == 0.0 {
-        true => value.to_string(),
-        false => format!("{value:.3}"),
     }
 }
 

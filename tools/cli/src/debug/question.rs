@@ -9,8 +9,14 @@ pub(crate) enum Question {
     Event,
     Expression,
     Watch,
+    /// Whose last assignment to go back to.
+    Who,
     Cycle,
     Condition,
+    /// Which passes of a breakpoint with this condition.
+    Passes(String),
+    /// What to stop before.
+    Name,
     /// Whether so many cycles may be discarded for an event.
     Discard(Event, u64),
 }
@@ -22,8 +28,11 @@ impl Question {
             Question::Event => Debugging::AskEvent,
             Question::Expression => Debugging::AskExpression,
             Question::Watch => Debugging::AskWatch,
+            Question::Who => Debugging::AskWho,
             Question::Cycle => Debugging::AskCycle,
             Question::Condition => Debugging::AskCondition { line },
+            Question::Passes(_) => Debugging::AskPasses,
+            Question::Name => Debugging::AskName,
             Question::Discard(_, cycles) => Debugging::AskDiscard {
                 count: usize::try_from(*cycles).unwrap_or(usize::MAX),
             },

@@ -28,8 +28,12 @@ END
 ";
 
 fn app(robot: &str, lang: Lang) -> App {
+    app_of(robot, PROGRAM, lang)
+}
+
+fn app_of(robot: &str, text: &str, lang: Lang) -> App {
     let robot = Robot::named(robot).expect("it has a name");
-    let mut loaded = tipc::load("walk.prg", PROGRAM.as_bytes(), &robot.options());
+    let mut loaded = tipc::load("walk.prg", text.as_bytes(), &robot.options());
     let program = loaded.program.take().expect("it is right");
     let debugger = Debugger::new(program, &robot).expect("it is for this robot");
     App::new(debugger, loaded.source, &robot, lang)
@@ -90,7 +94,7 @@ fn keys_go_forwards_and_back() {
 fn breakpoints_watches_and_values_are_asked_for() {
     let mut app = app("titan8", Lang::English);
     app.cursor = 13;
-    press(&mut app, "BN >= 3\nr");
+    press(&mut app, "BN >= 3\n\nr");
     assert_eq!(
         (app.debugger.line(), app.debugger.value("N")),
         (13, Ok(Some(3.0)))
@@ -105,6 +109,12 @@ fn breakpoints_watches_and_values_are_asked_for() {
         (app.debugger.line(), app.debugger.value("N")),
         (13, Ok(Some(2.0)))
     );
+    press(&mut app, "W p\n");
+    assert_eq!(
+        (app.debugger.line(), app.debugger.value("N")),
+        (14, Ok(Some(2.0)))
+    );
+    assert!(screen(&app, 80, 24).contains("assignedbyline14"));
     press(&mut app, "wHEIGHT\n");
     assert!(app.answer.is_some());
     // A question that is not answered changes nothing.
@@ -112,6 +122,65 @@ fn breakpoints_watches_and_values_are_asked_for() {
     assert_eq!(app.question, None);
     press(&mut app, "gx\n");
     assert_eq!(app.answer.as_deref(), Some("`x` is not a cycle"));
+}
+
+#[test]
+fn a_breakpoint_stops_at_the_passes_that_count() {
+    let mut app = app("titan8", Lang::English);
+    app.cursor = 13;
+    // Among the turns with N of 1 to 4 the second is that with 2.
+    press(&mut app, "BN >= 1\n2\nr");
+    assert_eq!(app.debugger.value("N"), Ok(Some(2.0)));
+    press(&mut app, "r");
+    assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
+    // A count that is none is said so, and the breakpoint stays as it was.
+    app.cursor = 13;
+    press(&mut app, "B\noften\n");
+    assert!(app.answer.as_deref().is_some_and(|it| it.contains("often")));
+    press(&mut app, "R");
+    assert_eq!(app.debugger.value("N"), Ok(Some(2.0)));
+}
+
+#[test]
+fn a_name_stops_before_each_of_its_steps_until_it_is_given_again() {
+    let mut app = app("titan8", Lang::English);
+    press(&mut app, "fptp\nr");
+    assert_eq!(
+        (app.debugger.line(), app.debugger.value("N")),
+        (9, Ok(Some(1.0)))
+    );
+    // Line 9 is marked, wherever the program stands.
+    assert!(screen(&app, 80, 24).contains("●▶9"));
+    press(&mut app, "r");
+    assert_eq!(
+        (app.debugger.line(), app.debugger.value("N")),
+        (9, Ok(Some(2.0)))
+    );
+    press(&mut app, "fPTP\nr");
+    assert!(matches!(app.debugger.stop().reason, Reason::Ended(_)));
+    press(&mut app, "fdance\n");
+    assert!(app.answer.as_deref().is_some_and(|it| it.contains("DANCE")));
+}
+
+#[test]
+fn every_variable_can_be_seen_however_many_there_are() {
+    let names: Vec<String> = (10..70).map(|number| format!("V{number}")).collect();
+    let text = format!("3.1\nmany\nDEF_VAR {}\nV69 = 7\nEND\n", names.join(", "));
+    let mut app = app_of("titan8", &text, Lang::English);
+    press(&mut app, "n");
+    let mut seen = String::new();
+    for page in 1..=7 {
+        let shown = screen(&app, 80, 24);
+        assert!(shown.contains("(Tab)"), "page {page} in\n{shown}");
+        seen += &shown;
+        keys::press(&mut app, KeyEvent::new(KeyCode::Tab, KeyModifiers::NONE));
+    }
+    for name in &names {
+        assert!(seen.contains(name.as_str()), "{name} in\n{seen}");
+    }
+    assert!(seen.contains("V697"), "{seen}");
+    // With room for all of them there are no pages.
+    assert!(!screen(&app, 200, 80).contains("(Tab)"));
 }
 
 #[test]

@@ -1,7 +1,6 @@
-//! What is said of a stop and of a mode.
+//! What is said of a stop.
 
 use super::app::App;
-use tip_runtime::controller::Mode;
 use tip_sim::debug::{By, Reason};
 use tipc::message::Debugging;
 
@@ -32,15 +31,4 @@ pub(crate) fn state(app: &App) -> String {
         Reason::Change => Debugging::Changed,
         _ => Debugging::Interrupted,
     })
-}
-
-/// How something is controlled.
-pub(crate) fn mode(mode: Mode) -> Debugging {
-    match mode {
-        Mode::Rest => Debugging::AtRest,
-        Mode::Position => Debugging::Position,
-        Mode::Compliance => Debugging::Compliance,
-        Mode::Velocity => Debugging::Velocity,
-        Mode::Effort => Debugging::Effort,
-    }
 }
