@@ -2,7 +2,8 @@
 -- nvim --headless -u NONE -c 'luafile session.lua', with TIPC, SESSION, FILE and LOG in the environment.
 local util = vim.lsp.util
 local session = vim.json.decode(table.concat(vim.fn.readfile(vim.env.SESSION), "\n"))
-local encoding = "utf-16"
+-- What its columns count: from version 0.10 on it would rather have bytes.
+local encoding
 local lines = {}
 
 local function log(...)
@@ -22,13 +23,17 @@ local function text()
   return table.concat(buffer_lines(), "⏎") .. "⏎"
 end
 
+local function byte(line, column)
+  return encoding == "utf-8" and column or vim.str_byteindex(line, column, true)
+end
+
 local function slice(range)
   local line = buffer_lines()[range.start.line + 1] or ""
   if range.start.line ~= range["end"].line then
     error("a range of several lines")
   end
-  local from = vim.str_byteindex(line, range.start.character, true)
-  local to = vim.str_byteindex(line, range["end"].character, true)
+  local from = byte(line, range.start.character)
+  local to = byte(line, range["end"].character)
   return line:sub(from + 1, to)
 end
 
@@ -66,12 +71,13 @@ local function main()
   vim.o.fileformats = "unix,dos"
   vim.cmd("edit " .. vim.fn.fnameescape(vim.env.FILE))
   local id = vim.lsp.start_client({
-    name = "tipc", cmd = { vim.env.TIPC, "lsp" }, offset_encoding = encoding, flags = { debounce_text_changes = 0 },
+    name = "tipc", cmd = { vim.env.TIPC, "lsp" }, flags = { debounce_text_changes = 0 },
     get_language_id = function() return "tip" end,
   })
   vim.lsp.buf_attach_client(0, id)
   vim.wait(5000, function() return judged ~= nil end, 5)
   local client = vim.lsp.get_client_by_id(id)
+  encoding = client.offset_encoding
   local legend = client.server_capabilities.semanticTokensProvider.legend.tokenTypes
   local document = { uri = vim.uri_from_bufnr(0) }
 
@@ -157,7 +163,7 @@ local function main()
   end
   function steps.format()
     local edits = ask("formatting", { options = { tabSize = 2, insertSpaces = true } })
-    util.apply_text_edits(edits, 0, encoding)
+    util.apply_text_edits(edits, vim.api.nvim_get_current_buf(), encoding)
     local after = { codes() }
     log("formatted", text(), unpack(after))
   end

@@ -8,7 +8,7 @@ import * as tasks from './tasks.js';
 let server;
 
 export async function activate(context) {
-  server = new Server(context);
+  server = new Server();
   context.subscriptions.push(
     vscode.commands.registerCommand('tip.restart', () => server.restart()),
     vscode.workspace.onDidChangeConfiguration((event) => {

@@ -4,18 +4,13 @@ import { LanguageClient } from 'vscode-languageclient/node';
 import { tipc } from './tipc.js';
 
 export class Server {
-  constructor(context) {
-    this.watcher = vscode.workspace.createFileSystemWatcher('**/*.toml');
-    context.subscriptions.push(this.watcher);
-  }
-
   async start() {
     const command = await tipc();
     if (command === undefined) return;
     const options = {
       documentSelector: ['file', 'untitled'].map((scheme) => ({ scheme, language: 'tip' })),
       initializationOptions: { robot: vscode.workspace.getConfiguration('tip').get('robot') },
-      synchronize: { configurationSection: 'tip', fileEvents: this.watcher },
+      synchronize: { configurationSection: 'tip' },
     };
     this.client = new LanguageClient('tip', 'T.I.P.', { command, args: ['lsp'] }, options);
     await this.client.start();

@@ -36,7 +36,7 @@ use tipc::{Options, Robot};
 struct Nowhere;
 
 impl Surroundings for Nowhere {
-    fn robot(&mut self, _: Option<&Path>, asked: Option<&str>) -> Rc<Chosen> {
+    fn robot(&mut self, _: Option<&Path>, asked: Option<&str>, _: Lang) -> Rc<Chosen> {
         let robot = asked.and_then(Robot::from_name);
         Rc::new(Chosen {
             options: Options {

@@ -69,14 +69,14 @@ messages! {
         "{cycles} cycles, {ms} ms",
         "{cycles}周期、{ms} ms";
     AndWaits { length: Box<Message> }
-        "{length}, and waits",
+        "{length}, plus waits",
         "{length}と待ち時間";
     OneTurn { length: Box<Message> }
-        "a turn: {length}",
-        "1回: {length}";
+        "each turn: {length}",
+        "1回あたり{length}";
     Turns { turns: String, length: Box<Message> }
-        "{turns} turns: {length}",
-        "{turns}回: {length}";
+        "{turns} turns, {length}",
+        "{turns}回繰り返し、{length}";
     NeverRuns
         "never runs",
         "実行されません";

@@ -1,7 +1,7 @@
 //! Fixes of findings, tried before they are offered.
 
 use crate::Document;
-use crate::format::difference;
+use crate::format::by_lines;
 use tipc::diagnostic::{Applicability, Edit};
 use tipc::message::{Editing, Message};
 use tipc::repair::{confirm, repair};
@@ -54,12 +54,11 @@ impl Document {
         if repaired.applied.is_empty() {
             return None;
         }
-        let (before, after) = (self.loaded.source.text(), repaired.loaded.source.text());
         Some(Action {
             title: Editing::FixAll.into(),
             finding: None,
             is_certain: true,
-            edits: difference(before, after),
+            edits: by_lines(&self.loaded.source, &repaired.loaded.source),
         })
     }
 }

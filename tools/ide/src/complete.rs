@@ -7,12 +7,13 @@ use crate::targets::{robot_flags, robot_inputs, targets};
 use crate::template::template;
 use crate::{Document, Offer, OfferKind};
 use place::Place;
-use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Targets, Values};
+use tip_runtime::command::Teach;
+use tipc::language::commands::{Arguments, COMMANDS, Command, Form, Meaning, Targets, Values};
 use tipc::language::functions::FUNCTIONS;
-use tipc::language::reserved::{JOINT, Kind, POSITION, RESERVED, VAR_KEY, motion_flags};
+use tipc::language::reserved::{JOINT, Kind, LOOP, POSITION, RESERVED, VAR_KEY, motion_flags};
 use tipc::language::{Bilingual, Keyword};
 use tipc::source::Span;
-use tipc::symbols::DefinitionKind;
+use tipc::symbols::{Definition, DefinitionKind};
 use tipc::syntax::VariableKind;
 
 /// The types of variables.
@@ -24,7 +25,7 @@ impl Document {
         let Some((place, span)) = self.place(offset) else {
             return Vec::new();
         };
-        let mut offers = self.offers(&place);
+        let mut offers = self.offers(&place, span.start);
         for offer in &mut offers {
             offer.span = span;
         }
@@ -45,7 +46,7 @@ impl Document {
         (offers, are_all)
     }
 
-    fn offers(&self, place: &Place) -> Vec<Offer> {
+    fn offers(&self, place: &Place, at: usize) -> Vec<Offer> {
         match place {
             Place::Version => {
                 let version = self.loaded.module.edition.to_string();
@@ -53,7 +54,7 @@ impl Document {
             }
             Place::Start => self.starts(),
             Place::Member(name) => self.members(name),
-            Place::Label(keyword) => self.labels(*keyword),
+            Place::Label(keyword) => self.labels(*keyword, at),
             Place::Declaration => Vec::new(),
             Place::Condition(keyword) => self.condition(*keyword),
             Place::Counting(particle) => {
@@ -61,7 +62,7 @@ impl Document {
                 offers.extend(particle.map(keyword_offer));
                 offers
             }
-            Place::Counter | Place::Placeholder => self.variables(SCALARS),
+            Place::Counter | Place::Placeholder => self.variables(&[VariableKind::Var]),
             Place::Right => {
                 let mut offers = self.variables(SCALARS);
                 offers.extend(functions());
@@ -128,16 +129,30 @@ impl Document {
         offers.collect()
     }
 
-    /// Where a jump can lead, with its colon.
-    fn labels(&self, keyword: Keyword) -> Vec<Offer> {
+    /// Where a jump at a place can lead, with its colon.
+    fn labels(&self, keyword: Keyword, at: usize) -> Vec<Offer> {
         let definitions = self.loaded.symbols.definitions().iter();
-        let fits = |kind: DefinitionKind| match kind {
+        let subroutines = self.subroutines();
+        let around = |at: usize| {
+            let after = subroutines.partition_point(|inside| inside.start < at);
+            let last = after.checked_sub(1)?;
+            (at <= subroutines[last].end).then_some(last)
+        };
+        let here = around(at);
+        let fits = |it: &Definition| match it.kind {
             DefinitionKind::Variable(_) => false,
-            DefinitionKind::Label => keyword != Keyword::Call,
+            DefinitionKind::Label => {
+                let there = it.place.and_then(|place| around(place.start));
+                match keyword {
+                    Keyword::Goto => there == here,
+                    Keyword::Gosub => it.name != LOOP && (there.is_none() || there == here),
+                    _ => false,
+                }
+            }
             DefinitionKind::Subroutine => keyword != Keyword::Goto,
         };
         let mut names: Vec<&str> = definitions
-            .filter(|it| fits(it.kind))
+            .filter(|it| fits(it))
             .map(|it| it.name.as_str())
             .collect();
         names.dedup();
@@ -172,14 +187,19 @@ impl Document {
         match (command.form, written) {
             (Form::Robot(arguments), _) => self.robot_arguments(arguments, written),
             (Form::Teach(of), 0) => self.target_offers(of),
-            (Form::Teach(_) | Form::KeyIn, _) => self.variables(SCALARS),
+            (Form::Teach(_), _) => match command.meaning {
+                Meaning::Teach(Teach::Angle | Teach::Torque) => {
+                    self.variables(&[VariableKind::Var, VariableKind::Joint])
+                }
+                _ => self.variables(&[VariableKind::Pos]),
+            },
             (Form::AdIn, 0) => {
                 let inputs = robot_inputs(self.robot()).into_iter();
                 inputs
                     .map(|(name, description)| Offer::new(name, OfferKind::Target, description))
                     .collect()
             }
-            (Form::AdIn | Form::Special, _) => self.variables(&[VariableKind::Var]),
+            (Form::KeyIn | Form::AdIn | Form::Special, _) => self.variables(&[VariableKind::Var]),
             (Form::Words(_), _) => Vec::new(),
         }
     }
@@ -230,7 +250,7 @@ fn has_letters(word: &str, letters: &str) -> bool {
 
 fn command_offer(row: &Command, document: &Document) -> Offer {
     let kind = match row.meaning {
-        tipc::language::commands::Meaning::Keyword(_) => OfferKind::Keyword,
+        Meaning::Keyword(_) => OfferKind::Keyword,
         _ => OfferKind::Command,
     };
     let robot = document.robot();

@@ -26,7 +26,7 @@ impl Document {
 }
 
 /// A change for each line that differs; lines are neither joined nor parted.
-fn by_lines(before: &Source, after: &Source) -> Vec<Edit> {
+pub(crate) fn by_lines(before: &Source, after: &Source) -> Vec<Edit> {
     if before.line_count() != after.line_count() {
         return difference(before.text(), after.text());
     }
@@ -44,7 +44,7 @@ fn by_lines(before: &Source, after: &Source) -> Vec<Edit> {
 }
 
 /// One change that turns a text into another: what is between their common beginning and end. A line end is not cut.
-pub(crate) fn difference(before: &str, after: &str) -> Vec<Edit> {
+fn difference(before: &str, after: &str) -> Vec<Edit> {
     if before == after {
         return Vec::new();
     }

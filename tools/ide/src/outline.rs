@@ -78,6 +78,25 @@ impl Document {
         found
     }
 
+    /// What is inside each SUBROUTINE, in order.
+    pub(crate) fn subroutines(&self) -> Vec<Span> {
+        let mut inside: Vec<Span> = Vec::new();
+        let mut start = None;
+        for statement in self.statements() {
+            match statement.kind.shape() {
+                Shape::Subroutine => start = Some(statement.span.end),
+                Shape::SubEnd => {
+                    let start = start.take();
+                    inside.extend(start.map(|start| Span::new(start, statement.span.start)));
+                }
+                _ => {}
+            }
+        }
+        let end = self.loaded.source.text().len();
+        inside.extend(start.map(|start| Span::new(start, end)));
+        inside
+    }
+
     fn end_of_subroutine(&self, name: Span) -> usize {
         let statements = self.statements();
         let first = statements.partition_point(|it| it.span.end < name.end);

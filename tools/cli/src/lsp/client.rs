@@ -14,6 +14,8 @@ pub(crate) struct Client {
     pub(crate) has_snippets: bool,
     pub(crate) has_related: bool,
     pub(crate) has_pages: bool,
+    /// It says when files change, if it is asked to.
+    pub(crate) can_watch: bool,
     /// The robot of its options.
     pub(crate) robot: Option<String>,
 }
@@ -47,6 +49,7 @@ impl Client {
             has_snippets: can("textDocument/completion/completionItem/snippetSupport"),
             has_related: can(&format!("{publish}/relatedInformation")),
             has_pages: can(&format!("{publish}/codeDescriptionSupport")),
+            can_watch: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
             robot: params.get("initializationOptions").and_then(robot),
         }
     }

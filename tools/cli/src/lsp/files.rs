@@ -3,6 +3,7 @@
 use super::surroundings::{Chosen, Surroundings};
 use crate::choices::EncodingName;
 use crate::robot::RobotChoice;
+use crate::usage::Wrong;
 use crate::{embedded, explain, project};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -33,31 +34,36 @@ impl Files {
     }
 
     /// The choice, from the strongest to the weakest.
-    fn choice(&self, path: Option<&Path>, asked: Option<&str>) -> Result<RobotChoice, String> {
+    fn choice(
+        &self,
+        path: Option<&Path>,
+        asked: Option<&str>,
+        lang: Lang,
+    ) -> Result<RobotChoice, String> {
         if let Some(choice) = &self.robot {
             return Ok(choice.clone());
         }
         if let Some(asked) = asked {
-            let choice: RobotChoice = asked.parse().map_err(|wrong| format!("{wrong}"))?;
+            let choice: RobotChoice = asked.parse().map_err(|wrong: Wrong| wrong.text(lang))?;
             return Ok(choice.beside(path));
         }
         let given = path.map_or(Ok(None), project::of);
-        let given = given.map_err(|loaded| first_finding(&loaded))?;
+        let given = given.map_err(|loaded| first_finding(&loaded, lang))?;
         Ok(given.and_then(|given| given.robot).unwrap_or_default())
     }
 }
 
 impl Surroundings for Files {
-    fn robot(&mut self, path: Option<&Path>, asked: Option<&str>) -> Rc<Chosen> {
-        let (choice, complaint) = match self.choice(path, asked) {
+    fn robot(&mut self, path: Option<&Path>, asked: Option<&str>, lang: Lang) -> Rc<Chosen> {
+        let (choice, complaint) = match self.choice(path, asked, lang) {
             Ok(choice) => (choice, None),
             Err(complaint) => (RobotChoice::default(), Some(complaint)),
         };
-        let key = format!("{choice:?} {complaint:?}");
+        let key = format!("{choice:?} {complaint:?} {lang:?}");
         if let Some(chosen) = self.known.get(&key) {
             return Rc::clone(chosen);
         }
-        let chosen = Rc::new(chosen(&choice, complaint));
+        let chosen = Rc::new(chosen(&choice, complaint, lang));
         self.known.insert(key, Rc::clone(&chosen));
         chosen
     }
@@ -90,7 +96,7 @@ impl Surroundings for Files {
 }
 
 /// The robot, or the standard one and why.
-fn chosen(choice: &RobotChoice, complaint: Option<String>) -> Chosen {
+fn chosen(choice: &RobotChoice, complaint: Option<String>, lang: Lang) -> Chosen {
     match choice.load() {
         Ok(robot) => Chosen {
             options: Options {
@@ -101,17 +107,17 @@ fn chosen(choice: &RobotChoice, complaint: Option<String>) -> Chosen {
             complaint,
         },
         Err(loaded) => Chosen {
-            complaint: Some(first_finding(&loaded)),
-            ..chosen(&RobotChoice::default(), None)
+            complaint: Some(first_finding(&loaded, lang)),
+            ..chosen(&RobotChoice::default(), None, lang)
         },
     }
 }
 
 /// The first finding about a file, in a line.
-fn first_finding(loaded: &Loaded) -> String {
+fn first_finding(loaded: &Loaded, lang: Lang) -> String {
     let first = loaded.diagnostics.first();
     first.map_or_else(String::new, |first| {
-        let line = render::short(&loaded.source, first, Lang::English);
+        let line = render::short(&loaded.source, first, lang);
         line.trim_end().to_owned()
     })
 }

@@ -14,9 +14,10 @@ pub(crate) struct Places<'a> {
 impl Places<'_> {
     pub(crate) fn position(self, offset: usize) -> Position {
         let place = self.source.position(offset, self.unit);
+        let line = place.line - 1;
         Position {
-            line: place.line - 1,
-            character: place.column - 1,
+            line,
+            character: place.column - 1 + self.mark(line),
         }
     }
 
@@ -29,9 +30,10 @@ impl Places<'_> {
 
     /// The byte at a position; a column after its line is the line's end.
     pub(crate) fn offset(self, position: Position) -> usize {
+        let column = position.character.saturating_sub(self.mark(position.line));
         let place = source::Position {
             line: position.line.saturating_add(1),
-            column: position.character.saturating_add(1),
+            column: column.saturating_add(1),
         };
         self.source.offset(place, self.unit)
     }
@@ -40,6 +42,15 @@ impl Places<'_> {
     pub(crate) fn span(self, range: Range) -> Span {
         let start = self.offset(range.start);
         Span::new(start, self.offset(range.end).max(start))
+    }
+
+    /// How many columns of a line stand before its text: most editors keep a mark of UTF-8 to themselves.
+    fn mark(self, line: u32) -> u32 {
+        match (line, self.source.mark().len(), self.unit) {
+            (1.., ..) | (_, 0, _) => 0,
+            (_, bytes, Unit::Byte | Unit::Utf8) => bytes as u32,
+            (_, _, Unit::Utf16 | Unit::Character) => 1,
+        }
     }
 
     pub(crate) fn edits(self, edits: &[Edit]) -> Vec<TextEdit> {

@@ -85,7 +85,7 @@ impl<S: Surroundings> Server<S> {
                 }]
             }
             Message::Notification(notification) => self.notification(notification),
-            // Nothing is asked of the editor.
+            // Whether the editor watches files changes nothing here.
             Message::Response(_) => Vec::new(),
         }
     }
@@ -149,6 +149,9 @@ impl<S: Surroundings> Server<S> {
         let Some(client) = &self.client else {
             return Vec::new();
         };
+        if method == "initialized" {
+            return client.can_watch.then(watch).into_iter().collect();
+        }
         let unit = client.unit;
         // Nobody waits for the answer to a bad one.
         match method.as_str() {
@@ -202,7 +205,7 @@ impl<S: Surroundings> Server<S> {
         let client = self.client.as_ref()?;
         let (path, robot) = (path(uri), client.robot.as_deref());
         let around = &mut self.around;
-        let chosen = around.robot(path.as_deref(), robot);
+        let chosen = around.robot(path.as_deref(), robot, client.lang);
         let open = self.open.get_mut(uri)?;
         let other = || around.other_robot(path.as_deref()?, robot);
         let asked = Asked {
@@ -249,6 +252,16 @@ fn publish(
         diagnostics,
     };
     Notification::new("textDocument/publishDiagnostics".to_owned(), params).into()
+}
+
+/// Asks the editor to say when a `tip.toml` or a description changes.
+fn watch() -> Message {
+    let watched = json!({ "watchers": [{ "globPattern": "**/*.toml" }] });
+    let method = "workspace/didChangeWatchedFiles";
+    let registrations = json!([{ "id": "toml", "method": method, "registerOptions": watched }]);
+    let params = json!({ "registrations": registrations });
+    let id = "watch".to_owned().into();
+    Request::new(id, "client/registerCapability".to_owned(), params).into()
 }
 
 /// The file of an address, if it is one.

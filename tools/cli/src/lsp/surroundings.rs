@@ -8,8 +8,8 @@ use tipc::message::Lang;
 
 /// What a server asks of the machine that it runs on.
 pub(crate) trait Surroundings {
-    /// The robot of a file, if it is one; `asked` is what the editor's settings name.
-    fn robot(&mut self, path: Option<&Path>, asked: Option<&str>) -> Rc<Chosen>;
+    /// The robot of a file, if it is one; `asked` is what the editor's settings name. Complaints are in this language.
+    fn robot(&mut self, path: Option<&Path>, asked: Option<&str>, lang: Lang) -> Rc<Chosen>;
 
     /// The warning that the crate around a file compiles it for another robot; `asked` is what the editor's settings name.
     fn other_robot(&mut self, path: &Path, asked: Option<&str>) -> Option<Diagnostic>;

@@ -168,6 +168,51 @@ fn the_robot_is_that_of_the_settings() {
 }
 
 #[test]
+fn a_broken_tip_toml_is_complained_of_until_the_editor_says_that_it_has_changed() {
+    let text = "3.1\nTitle\nDEF_VAR T\nTEACH_TORQUE J11 T\nSLEEP T\nEND\n";
+    let folder = Folder::new("lsp-toml")
+        .file("tip.toml", "robot = 3\n")
+        .file("walk.prg", text);
+    let uri = format!("file://{}", folder.path("walk.prg").display());
+    let workspace = json!({ "didChangeWatchedFiles": { "dynamicRegistration": true } });
+    let more = json!({ "locale": "ja" });
+    let mut editor = Editor::with(&folder, ENCODINGS[1], workspace, more);
+    let asked = editor.receive();
+    assert_eq!(asked["method"], "client/registerCapability");
+    let wanted = &asked["params"]["registrations"][0];
+    assert_eq!(wanted["method"], "workspace/didChangeWatchedFiles");
+    let answer = json!({ "jsonrpc": "2.0", "id": asked["id"], "result": null });
+    editor.send(answer.to_string().as_bytes());
+    let item = json!({ "uri": uri, "languageId": "tip", "version": 0, "text": text });
+    editor.tell("textDocument/didOpen", json!({ "textDocument": item }));
+    let found = editor.receive()["params"]["diagnostics"].take();
+    assert_eq!(found[0]["code"], "E204-02");
+    let said = editor.receive()["params"]["message"].take();
+    let said = said.as_str().expect("a text");
+    assert!(said.contains("tip.toml:1:9") && !said.is_ascii(), "{said}");
+    let folder = folder.file("tip.toml", "robot = \"hand\"\n");
+    let uri = format!("file://{}", folder.path("tip.toml").display());
+    let changes = json!({ "changes": [{ "uri": uri, "type": 2 }] });
+    editor.tell("workspace/didChangeWatchedFiles", changes);
+    assert_eq!(editor.receive()["params"]["diagnostics"], json!([]));
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
+fn a_mark_before_the_text_has_a_column_if_the_editor_sends_it() {
+    let folder = Folder::new("lsp-mark");
+    for encoding in ENCODINGS {
+        let mut editor = Editor::start(&folder, encoding, Value::Null);
+        let found = editor.open("\u{FEFF}4.0\nTitle\nSLEP 1\nEND\n");
+        let slices: Vec<_> = found.iter().map(|it| editor.slice(&it["range"])).collect();
+        assert_eq!(slices, ["4.0"], "{encoding:?}");
+        let found = editor.open("\u{FEFF}3.1\nTitle\nSLEP 1\nEND\n");
+        assert_eq!(editor.slice(&found[0]["range"]), "SLEP", "{encoding:?}");
+        assert_eq!(editor.end(), 0);
+    }
+}
+
+#[test]
 fn the_encoding_is_that_of_the_nearest_tip_toml() {
     let said = "[[programs]]\nfiles = \"old/*\"\nencoding = \"shift_jis\"\n";
     let folder = Folder::new("lsp-encoding")

@@ -104,6 +104,41 @@ fn jumps_lead_to_labels() {
 }
 
 #[test]
+fn jumps_into_a_subroutine_and_calls_of_loop_are_not_offered() {
+    let program = |main: &str, inside: &str| {
+        format!("LOOP:\n{main}\nEXIT\nSUBROUTINE LIFT:\nIN:\n{inside}\nSUBEND\nEND\n")
+    };
+    check(&program("GOTO $0", ""), &["LOOP"], &["IN", "LIFT"]);
+    check(&program("GOSUB $0", ""), &["LIFT"], &["IN", "LOOP"]);
+    check(&program("", "GOTO $0"), &["IN"], &["LOOP", "LIFT"]);
+    check(
+        &program("", "IF KB_HIT GOSUB $0"),
+        &["IN", "LIFT"],
+        &["LOOP"],
+    );
+}
+
+#[test]
+fn variables_are_those_of_the_types_that_fit() {
+    let program =
+        |statement: &str| format!("DEF_VAR A\nDEF_POS P\nDEF_JOINT Q\n{statement}\nEND\n");
+    for only in [
+        "FOR $0",
+        "NEXT $0",
+        "MESSAGE %$0",
+        "KEY_IN $0",
+        "AD_IN VR1 $0",
+    ] {
+        check(&program(only), &["A"], &["P", "Q"]);
+    }
+    check(&program("TEACH_POSITION F1 $0"), &["P"], &["A", "Q"]);
+    check(&program("TEACH_ANGLE J11 $0"), &["A", "Q"], &["P"]);
+    // Members are numbers.
+    check(&program("A = $0"), &["A", "P", "Q"], &[]);
+    check(&program("IF $0"), &["A", "P", "Q"], &[]);
+}
+
+#[test]
 fn members_are_those_of_the_type_on_the_robot() {
     check("DEF_POS P\nP.$0\nEND\n", &["X", "Y", "Z"], &["J1"]);
     check("DEF_JOINT Q\nQ.$0\nEND\n", &["J1", "J3"], &["J4", "X"]);

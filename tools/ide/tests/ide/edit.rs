@@ -170,6 +170,8 @@ fn all_certain_fixes_are_one_change() {
     let fixed = "wait\nIF KB_HIT THEN\nREM\nENDIF\nEND\n";
     // What cannot be put right stays.
     assert_eq!(changed(&document, &action.edits), fixed);
+    // Lines between them are left alone.
+    assert_eq!(action.edits.len(), 2);
     let (document, _) = cursor("REM\nEND\n$0");
     assert_eq!(document.fix_all(), None);
 }

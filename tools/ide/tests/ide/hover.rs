@@ -92,7 +92,7 @@ fn a_loop_counts_its_variable_and_its_cycles() {
     );
     check(
         "DEF_VAR N\nF$0OR N = 1 TO 5\nREM\nNEXT\nEND\n",
-        &["- step 0", "- 5 turns: a turn: 2 cycles, 40 ms"],
+        &["- step 0", "- 5 turns, each turn: 2 cycles, 40 ms"],
     );
 }
 
@@ -113,7 +113,7 @@ fn a_label_shows_who_leads_there_and_how_long_it_takes() {
 fn a_sampling_time_of_the_program_leaves_milliseconds_open() {
     check(
         "DEF_VAR N\nSET_SAMPLING_TIME 10\nF$0OR N = 1 TO 5\nREM\nNEXT\nEND\n",
-        &["- 5 turns: a turn: 2 cycles"],
+        &["- 5 turns, each turn: 2 cycles"],
     );
 }
 

@@ -18,7 +18,7 @@ fn hints(statements: &str) -> Vec<(u32, String)> {
 fn loops_show_their_turns() {
     let found = hints("DEF_VAR N\nFOR N = 1 TO 3\nREM\nNEXT\nWHILE KB_HIT\nWEND\nEND\n$0");
     let expected = [
-        (4, "3 turns: a turn: 2 cycles, 40 ms".to_owned()),
+        (4, "3 turns, each turn: 2 cycles, 40 ms".to_owned()),
         (7, "a turn: 2 cycles, 40 ms".to_owned()),
     ];
     assert_eq!(found, expected);
@@ -29,7 +29,7 @@ fn a_loop_that_waits_says_so() {
     let found = hints("WHILE !KB_HIT\nWAIT_INPOS ALL\nWEND\nEND\n$0");
     assert_eq!(
         found,
-        [(3, "a turn: 3 cycles, 60 ms, and waits".to_owned())]
+        [(3, "each turn: 3 cycles, 60 ms, plus waits".to_owned())]
     );
 }
 

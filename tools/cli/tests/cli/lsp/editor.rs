@@ -42,6 +42,12 @@ pub(super) struct Editor {
 
 impl Editor {
     pub(super) fn start(folder: &Folder, encoding: Encoding, options: Value) -> Self {
+        let more = json!({ "initializationOptions": options });
+        Editor::with(folder, encoding, json!({}), more)
+    }
+
+    /// One that can more in its workspace, and says more of itself.
+    pub(super) fn with(folder: &Folder, encoding: Encoding, workspace: Value, more: Value) -> Self {
         let mut process = Command::new(env!("CARGO_BIN_EXE_tipc"))
             .args(["lsp", "--stdio"])
             .env("XDG_CACHE_HOME", folder.path("cache"))
@@ -60,13 +66,16 @@ impl Editor {
         };
         let capabilities = json!({
             "general": { "positionEncodings": [encoding.name] },
+            "workspace": workspace,
             "textDocument": {
                 "publishDiagnostics": { "relatedInformation": true, "codeDescriptionSupport": true },
             },
         });
-        let params = json!({
-            "processId": null, "rootUri": null, "capabilities": capabilities, "initializationOptions": options,
-        });
+        let mut params =
+            json!({ "processId": null, "rootUri": null, "capabilities": capabilities });
+        for (name, value) in more.as_object().into_iter().flatten() {
+            params[name] = value.clone();
+        }
         let answer = editor.ask("initialize", params).expect("it begins");
         assert_eq!(answer["capabilities"]["positionEncoding"], encoding.name);
         editor.tell("initialized", json!({}));
