@@ -1,6 +1,7 @@
 //! The one table of every key of a description, a scene or `tip.toml`. Unknown keys, suggestions, help texts and the table in docs/robots.md come from it.
 
 use crate::code::Code;
+use crate::language::Bilingual;
 use crate::message::phrase::Table;
 
 /// A table of the file.
@@ -120,111 +121,113 @@ pub struct Key {
     /// Its name.
     pub name: &'static str,
     /// How its value is written.
-    pub form: &'static str,
+    pub form: Bilingual,
     /// What it is without the key; `None` if it is required.
     pub default: Option<&'static str>,
     /// What it says.
-    pub meaning: &'static str,
+    pub meaning: Bilingual,
 }
 
 macro_rules! keys {
-    ($( $part:ident $name:literal, $form:literal, $default:expr, $meaning:literal; )*) => {
+    ($(
+        $part:ident $name:literal, $form:literal / $form_ja:literal, $default:expr, $meaning:literal / $meaning_ja:literal;
+    )*) => {
         /// Every key.
         pub const KEYS: &[Key] = &[$( Key {
             part: Part::$part,
             name: $name,
-            form: $form,
+            form: Bilingual { english: $form, japanese: $form_ja },
             default: $default,
-            meaning: $meaning,
+            meaning: Bilingual { english: $meaning, japanese: $meaning_ja },
         }, )*];
     };
 }
 
 keys! {
-    Robot "name", "a text", None, "what programs, messages and traces call the robot: letters, digits, blanks, `-`, `_`, `.`";
-    Robot "joint", "a list of [[joint]] tables", Some("none"), "the joints of every leg that has none of its own, from base to foot";
-    Robot "leg", "a list of [[leg]] tables", None, "the legs, F1 first: 1 to 9, each with the same number of joints";
-    Robot "initial", "[deg, …], a number for each joint", Some("the middle of each joint's limits"), "the initial posture of every leg that has none of its own";
-    Robot "inverse", "\"yaw-pitch-pitch\", \"roll-pitch-pitch\", \"planar\" or \"least-squares\"", Some("the first of the four that fits the legs"), "how joint angles follow from a foot's position";
-    Robot "body", "a [body] table", Some("none: the robot is bolted down"), "the body of a robot that walks";
-    Robot "standards", "a [standards] table", Some("the values below"), "what parameter commands set, at its standard value";
-    Robot "forces", "a [forces] table", Some("none: no command of torque, force or compliance"), "that the robot senses and gives torques";
-    Robot "slider", "a [slider] table", Some("none: no `FLOOR`"), "a slider that carries the floor";
-    Robot "periods", "[min, max] in ms", Some("[1, 1000]"), "the sampling times that it accepts";
-    Robot "contact", "a number in V", Some("0.25"), "the reading of a sole from which its foot stands on something";
-    Robot "lamps", "a whole number, 0 to 255", Some("16"), "how many lamps and relays it has";
+    Robot "name", "a text" / "文字列", None, "what programs, messages and traces call the robot: letters, digits, blanks, `-`, `_`, `.`" / "プログラム、メッセージ、トレースで使うロボットの名前(英数字、空白、`-`、`_`、`.`)";
+    Robot "joint", "a list of [[joint]] tables" / "[[joint]]表の並び", Some("none"), "the joints of every leg that has none of its own, from base to foot" / "独自の関節を持たない全ての脚の関節(根元から足先の順)";
+    Robot "leg", "a list of [[leg]] tables" / "[[leg]]表の並び", None, "the legs, F1 first: 1 to 9, each with the same number of joints" / "脚(F1から順に1本から9本まで。関節数はすべて同じ)";
+    Robot "initial", "[deg, …], a number for each joint" / "[deg, …](関節ごとに1つの数値)", Some("the middle of each joint's limits"), "the initial posture of every leg that has none of its own" / "独自の初期姿勢を持たない全ての脚の初期姿勢";
+    Robot "inverse", "\"yaw-pitch-pitch\", \"roll-pitch-pitch\", \"planar\" or \"least-squares\"" / "\"yaw-pitch-pitch\"、\"roll-pitch-pitch\"、\"planar\"、\"least-squares\" のいずれか", Some("the first of the four that fits the legs"), "how joint angles follow from a foot's position" / "足先の位置から関節角度を求める方法";
+    Robot "body", "a [body] table" / "[body]表", Some("none: the robot is bolted down"), "the body of a robot that walks" / "歩行ロボットの胴体";
+    Robot "standards", "a [standards] table" / "[standards]表", Some("the values below"), "what parameter commands set, at its standard value" / "パラメータ設定コマンドの標準値";
+    Robot "forces", "a [forces] table" / "[forces]表", Some("none: no command of torque, force or compliance"), "that the robot senses and gives torques" / "ロボットがトルクを計測し、発生できること";
+    Robot "slider", "a [slider] table" / "[slider]表", Some("none: no `FLOOR`"), "a slider that carries the floor" / "床を載せて動くスライダ";
+    Robot "periods", "[min, max] in ms" / "ms単位の[最小, 最大]", Some("[1, 1000]"), "the sampling times that it accepts" / "受け付けるサンプリング時間";
+    Robot "contact", "a number in V" / "V単位の数値", Some("0.25"), "the reading of a sole from which its foot stands on something" / "足裏センサがこの値以上なら接地とみなす";
+    Robot "lamps", "a whole number, 0 to 255" / "0から255までの整数", Some("16"), "how many lamps and relays it has" / "ランプとリレーの数";
 
-    Joint "axis", "\"x\", \"-y\", … or [x, y, z]", None, "the axis of the joint, right-handed, in the frame of the link before";
-    Joint "link", "[x, y, z] in mm", None, "from this joint to the next, or to the foot, at angle 0";
-    Joint "limits", "[min, max] in deg", Some("[-180, 180]"), "the working limits";
-    Joint "outer", "[min, max] in deg", Some("5 beyond the limits"), "the limits of the potentiometer, beyond which nothing may move";
-    Joint "mass", "a number in kg", Some("0.1"), "the mass of the link";
-    Joint "centre", "[x, y, z] in mm", Some("the middle of the link"), "the link's centre of mass, from the joint, at angle 0";
-    Joint "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²", Some("a uniform rod's"), "the link's tensor of inertia about its centre of mass, at angle 0, along x, y and z of the robot frame; elements and signs are those of URDF";
-    Joint "torque", "a number in N·m", Some("10"), "the most that the motor gives";
+    Joint "axis", "\"x\", \"-y\", … or [x, y, z]" / "\"x\"、\"-y\" など、または [x, y, z]", None, "the axis of the joint, right-handed, in the frame of the link before" / "前のリンクの座標系で表した関節の軸(右ねじの向き)";
+    Joint "link", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "from this joint to the next, or to the foot, at angle 0" / "角度0のときの、この関節から次の関節(または足先)までのベクトル";
+    Joint "limits", "[min, max] in deg" / "度単位の[最小, 最大]", Some("[-180, 180]"), "the working limits" / "可動範囲";
+    Joint "outer", "[min, max] in deg" / "度単位の[最小, 最大]", Some("5 beyond the limits"), "the limits of the potentiometer, beyond which nothing may move" / "ポテンショメータの限界(これを超えて動いてはならない)";
+    Joint "mass", "a number in kg" / "kg単位の数値", Some("0.1"), "the mass of the link" / "リンクの質量";
+    Joint "centre", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the middle of the link"), "the link's centre of mass, from the joint, at angle 0" / "角度0のときの、関節から見たリンクの重心";
+    Joint "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²" / "kg·m²単位の[xx, yy, zz, xy, xz, yz]", Some("a uniform rod's"), "the link's tensor of inertia about its centre of mass, at angle 0, along x, y and z of the robot frame; elements and signs are those of URDF" / "角度0のときの、重心まわりのリンクの慣性テンソル(ロボット座標系のx、y、z軸。要素と符号はURDFと同じ)";
+    Joint "torque", "a number in N·m" / "N·m単位の数値", Some("10"), "the most that the motor gives" / "モータの最大トルク";
 
-    Leg "base", "[x, y, z] in mm", None, "the first joint in the robot frame";
-    Leg "turn", "a number in deg", Some("0"), "turns the joints about z, counterclockwise seen from above";
-    Leg "mirror", "letters of \"x\", \"y\", \"z\"", Some("\"\""), "then mirrors them: \"x\" makes a right leg a left one; equal angles are mirrored postures";
-    Leg "initial", "[deg, …], a number for each joint", Some("that of the robot"), "the initial posture";
-    Leg "joint", "a list of [[leg.joint]] tables", Some("the [[joint]] tables of the robot"), "the joints of this leg, from base to foot";
+    Leg "base", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "the first joint in the robot frame" / "ロボット座標系での最初の関節の位置";
+    Leg "turn", "a number in deg" / "度単位の数値", Some("0"), "turns the joints about z, counterclockwise seen from above" / "関節全体をz軸まわりに回す角度(上から見て反時計回り)";
+    Leg "mirror", "letters of \"x\", \"y\", \"z\"" / "\"x\"、\"y\"、\"z\" を組み合わせた文字列", Some("\"\""), "then mirrors them: \"x\" makes a right leg a left one; equal angles are mirrored postures" / "その後の鏡映(\"x\" で右脚が左脚になる。同じ角度は鏡映の姿勢になる)";
+    Leg "initial", "[deg, …], a number for each joint" / "[deg, …](関節ごとに1つの数値)", Some("that of the robot"), "the initial posture" / "初期姿勢";
+    Leg "joint", "a list of [[leg.joint]] tables" / "[[leg.joint]]表の並び", Some("the [[joint]] tables of the robot"), "the joints of this leg, from base to foot" / "この脚の関節(根元から足先の順)";
 
-    Body "x", "[min, max] in mm", None, "the extent of the body along x";
-    Body "y", "[min, max] in mm", None, "along y";
-    Body "z", "[min, max] in mm", None, "along z; the lower end is the belly";
-    Body "mass", "a number in kg", Some("1"), "the mass without legs";
-    Body "centre", "[x, y, z] in mm", Some("the origin"), "the centre of mass without legs";
-    Body "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²", Some("a uniform box's"), "the tensor of inertia without legs, about the centre of mass";
+    Body "x", "[min, max] in mm" / "mm単位の[最小, 最大]", None, "the extent of the body along x" / "x方向の胴体の範囲";
+    Body "y", "[min, max] in mm" / "mm単位の[最小, 最大]", None, "along y" / "y方向";
+    Body "z", "[min, max] in mm" / "mm単位の[最小, 最大]", None, "along z; the lower end is the belly" / "z方向(下端が腹)";
+    Body "mass", "a number in kg" / "kg単位の数値", Some("1"), "the mass without legs" / "脚を除いた質量";
+    Body "centre", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the origin"), "the centre of mass without legs" / "脚を除いた重心";
+    Body "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²" / "kg·m²単位の[xx, yy, zz, xy, xz, yz]", Some("a uniform box's"), "the tensor of inertia without legs, about the centre of mass" / "脚を除いた、重心まわりの慣性テンソル";
 
-    Standards "v_max", "a number in mm/s", Some("300"), "`V_MAX`";
-    Standards "a_max", "a number in mm/s²", Some("600"), "`A_MAX`";
-    Standards "omega_max", "a number in deg/s", Some("90"), "`OMEGA_MAX`";
-    Standards "omega_dot_max", "a number in deg/s²", Some("360"), "`OMEGA_DOT_MAX`";
-    Standards "just_position", "a number in mm", Some("2"), "`JUST_POSITION`";
-    Standards "just_angle", "a number in deg", Some("1"), "`JUST_ANGLE`";
-    Standards "near_position", "a number in mm", Some("10"), "`NEAR_POSITION`";
-    Standards "near_angle", "a number in deg", Some("5"), "`NEAR_ANGLE`";
-    Standards "period", "a number in ms", Some("20"), "the sampling time";
+    Standards "v_max", "a number in mm/s" / "mm/s単位の数値", Some("300"), "`V_MAX`" / "`V_MAX`";
+    Standards "a_max", "a number in mm/s²" / "mm/s²単位の数値", Some("600"), "`A_MAX`" / "`A_MAX`";
+    Standards "omega_max", "a number in deg/s" / "deg/s単位の数値", Some("90"), "`OMEGA_MAX`" / "`OMEGA_MAX`";
+    Standards "omega_dot_max", "a number in deg/s²" / "deg/s²単位の数値", Some("360"), "`OMEGA_DOT_MAX`" / "`OMEGA_DOT_MAX`";
+    Standards "just_position", "a number in mm" / "mm単位の数値", Some("2"), "`JUST_POSITION`" / "`JUST_POSITION`";
+    Standards "just_angle", "a number in deg" / "度単位の数値", Some("1"), "`JUST_ANGLE`" / "`JUST_ANGLE`";
+    Standards "near_position", "a number in mm" / "mm単位の数値", Some("10"), "`NEAR_POSITION`" / "`NEAR_POSITION`";
+    Standards "near_angle", "a number in deg" / "度単位の数値", Some("5"), "`NEAR_ANGLE`" / "`NEAR_ANGLE`";
+    Standards "period", "a number in ms" / "ms単位の数値", Some("20"), "the sampling time" / "サンプリング時間";
 
-    Forces "unit", "\"N·m\" or \"mN·m\"", Some("\"N·m\""), "the unit of every torque that is commanded or sensed";
-    Forces "torque_max", "a torque, a number", Some("the torque of the strongest joint"), "`TORQUE_MAX`";
-    Forces "angle_stiffness", "torque per deg, a number", Some("2 N·m/deg"), "`ANGLE_STIFFNESS`";
-    Forces "position_stiffness", "a number in N/mm", Some("1"), "`POSITION_STIFFNESS`, along each axis";
+    Forces "unit", "\"N·m\" or \"mN·m\"" / "\"N·m\" または \"mN·m\"", Some("\"N·m\""), "the unit of every torque that is commanded or sensed" / "指令および計測されるトルクの単位";
+    Forces "torque_max", "a torque, a number" / "トルクの数値", Some("the torque of the strongest joint"), "`TORQUE_MAX`" / "`TORQUE_MAX`";
+    Forces "angle_stiffness", "torque per deg, a number" / "1度あたりのトルクの数値", Some("2 N·m/deg"), "`ANGLE_STIFFNESS`" / "`ANGLE_STIFFNESS`";
+    Forces "position_stiffness", "a number in N/mm" / "N/mm単位の数値", Some("1"), "`POSITION_STIFFNESS`, along each axis" / "各軸方向の `POSITION_STIFFNESS`";
 
-    Slider "initial", "[x, y, z] in mm", None, "where it stands at first";
-    Slider "x", "[min, max] in mm", Some("it stays"), "how far it goes along x";
-    Slider "y", "[min, max] in mm", Some("it stays"), "along y";
-    Slider "z", "[min, max] in mm", Some("it stays"), "along z";
+    Slider "initial", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "where it stands at first" / "最初の位置";
+    Slider "x", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "how far it goes along x" / "x方向に動く範囲";
+    Slider "y", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "along y" / "y方向";
+    Slider "z", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "along z" / "z方向";
 
-    Scene "plant", "\"quasi-static\" or \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins";
-    Scene "floor", "a [floor] table", Some("level, friction 0.5"), "what carries the objects, or a walking robot";
-    Scene "object", "a list of [[object]] tables", Some("none"), "what a hand may grasp: 4 at most";
+    Scene "plant", "\"quasi-static\" or \"dynamic\"" / "\"quasi-static\" または \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins" / "歩行ロボットのシミュレーション方法(`--plant` オプションが優先)";
+    Scene "floor", "a [floor] table" / "[floor]表", Some("level, friction 0.5"), "what carries the objects, or a walking robot" / "物体や歩行ロボットを載せる床";
+    Scene "object", "a list of [[object]] tables" / "[[object]]表の並び", Some("none"), "what a hand may grasp: 4 at most" / "ハンドが把持する物体(4個まで)";
 
-    Scene "block", "a list of [[block]] tables", Some("none"), "steps and obstacles for a walking robot with mass: 8 at most; with one it has mass, unless `plant` says otherwise";
+    Scene "block", "a list of [[block]] tables" / "[[block]]表の並び", Some("none"), "steps and obstacles for a walking robot with mass: 8 at most; with one it has mass, unless `plant` says otherwise" / "質量のある歩行ロボット用の段差と障害物(8個まで。1個でもあれば、`plant` で指定しない限り質量ありになる)";
 
-    Floor "height", "a number in mm", Some("0"), "above the slider of a hand";
-    Floor "slope", "[x, y], mm for each mm", Some("[0, 0]"), "how it rises; under a hand along x only";
-    Floor "friction", "a number", Some("0.5"), "its coefficient of friction; feet of quasi-static robots do not slip";
+    Floor "height", "a number in mm" / "mm単位の数値", Some("0"), "above the slider of a hand" / "ハンドのスライダからの高さ";
+    Floor "slope", "[x, y], mm for each mm" / "1 mmあたりのmmで表した[x, y]", Some("[0, 0]"), "how it rises; under a hand along x only" / "傾き(ハンドではx方向のみ)";
+    Floor "friction", "a number" / "数値", Some("0.5"), "its coefficient of friction; feet of quasi-static robots do not slip" / "摩擦係数(質量なしの歩行ロボットの足は滑らない)";
 
-    Object "size", "[width, height] in mm", Some("`radius` must be there"), "that it is a box, or an upright cylinder";
-    Object "radius", "a number in mm", Some("`size` must be there"), "that it is a disc: a cylinder that lies along z";
-    Object "mass", "a number in kg, 0.001 or more", None, "its mass";
-    Object "friction", "a number", Some("0.5"), "its coefficient of friction; where two things touch the smaller one counts";
-    Object "x", "a number in mm", Some("0"), "where its centre is at first";
-    Object "y", "a number in mm", Some("it stands on the floor"), "where its centre is at first";
-    Object "angle", "a number in deg", Some("0"), "how far it is turned at first, from x to y";
+    Object "size", "[width, height] in mm" / "mm単位の[幅, 高さ]", Some("`radius` must be there"), "that it is a box, or an upright cylinder" / "直方体または直立した円柱であること";
+    Object "radius", "a number in mm" / "mm単位の数値", Some("`size` must be there"), "that it is a disc: a cylinder that lies along z" / "円板(z方向に寝た円柱)であること";
+    Object "mass", "a number in kg, 0.001 or more" / "kg単位の数値(0.001以上)", None, "its mass" / "質量";
+    Object "friction", "a number" / "数値", Some("0.5"), "its coefficient of friction; where two things touch the smaller one counts" / "摩擦係数(接触する2つのうち小さい方が効く)";
+    Object "x", "a number in mm" / "mm単位の数値", Some("0"), "where its centre is at first" / "最初の中心の位置";
+    Object "y", "a number in mm" / "mm単位の数値", Some("it stands on the floor"), "where its centre is at first" / "最初の中心の位置";
+    Object "angle", "a number in deg" / "度単位の数値", Some("0"), "how far it is turned at first, from x to y" / "最初の回転角(xからyへ)";
 
-    Block "x", "[min, max] in mm", None, "from where to where it goes along x, in the world";
-    Block "y", "[min, max] in mm", None, "along y";
-    Block "height", "a number in mm", None, "its upper side, above the world's origin";
+    Block "x", "[min, max] in mm" / "mm単位の[最小, 最大]", None, "from where to where it goes along x, in the world" / "世界座標系でのx方向の範囲";
+    Block "y", "[min, max] in mm" / "mm単位の[最小, 最大]", None, "along y" / "y方向";
+    Block "height", "a number in mm" / "mm単位の数値", None, "its upper side, above the world's origin" / "世界座標の原点から測った上面の高さ";
 
-    Project "robot", "a robot's name, or a description's \"FILE.toml\"", Some("titan8"), "the robot of the programs in this folder and below";
-    Project "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"", Some("auto"), "how their files spell text";
-    Project "scene", "\"cylinder\", or a scene's \"FILE.toml\"", Some("a level floor"), "what surrounds the robot when they run";
-    Project "programs", "a list of [[programs]] tables", Some("none"), "programs with settings of their own; of several that mean a program the last one counts";
+    Project "robot", "a robot's name, or a description's \"FILE.toml\"" / "ロボットの名前、または記述ファイルのパス \"FILE.toml\"", Some("titan8"), "the robot of the programs in this folder and below" / "このフォルダ以下のプログラムのロボット";
+    Project "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"" / "\"auto\"、\"utf-8\"、\"shift_jis\" のいずれか", Some("auto"), "how their files spell text" / "ファイルの文字コード";
+    Project "scene", "\"cylinder\", or a scene's \"FILE.toml\"" / "\"cylinder\"、または環境ファイルのパス \"FILE.toml\"", Some("a level floor"), "what surrounds the robot when they run" / "実行時のロボットの周囲";
+    Project "programs", "a list of [[programs]] tables" / "[[programs]]表の並び", Some("none"), "programs with settings of their own; of several that mean a program the last one counts" / "独自の設定を持つプログラム(複数が当てはまるときは最後のものが有効)";
 
-    Programs "files", "a pattern: `*` is any name, `**` any folders", None, "which programs, by their paths from this folder on";
-    Programs "robot", "a robot's name, or a description's \"FILE.toml\"", Some("that of all programs"), "their robot";
-    Programs "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"", Some("that of all programs"), "how their files spell text";
-    Programs "scene", "\"cylinder\", or a scene's \"FILE.toml\"", Some("that of all programs"), "what surrounds the robot when they run";
+    Programs "files", "a pattern: `*` is any name, `**` any folders" / "パターン(`*` は任意の名前、`**` は任意のフォルダ)", None, "which programs, by their paths from this folder on" / "このフォルダからのパスで表したプログラムの範囲";
+    Programs "robot", "a robot's name, or a description's \"FILE.toml\"" / "ロボットの名前、または記述ファイルのパス \"FILE.toml\"", Some("that of all programs"), "their robot" / "そのロボット";
+    Programs "encoding", "\"auto\", \"utf-8\" or \"shift_jis\"" / "\"auto\"、\"utf-8\"、\"shift_jis\" のいずれか", Some("that of all programs"), "how their files spell text" / "ファイルの文字コード";
+    Programs "scene", "\"cylinder\", or a scene's \"FILE.toml\"" / "\"cylinder\"、または環境ファイルのパス \"FILE.toml\"", Some("that of all programs"), "what surrounds the robot when they run" / "実行時のロボットの周囲";
 }

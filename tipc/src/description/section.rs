@@ -2,6 +2,7 @@
 
 use super::keys::Part;
 use crate::diagnostic::Diagnostic;
+use crate::language::Bilingual;
 use crate::message::list::List;
 use crate::message::phrase::Kind;
 use crate::message::{Describing, Message, Suggesting};
@@ -109,7 +110,7 @@ impl<'a> Section<'a> {
         reason: impl Into<Message>,
         found: &mut Found,
     ) -> Option<T> {
-        let form = self.part.key(key).map(|key| key.form).unwrap_or_default();
+        let form = self.part.key(key).map_or(Bilingual::EMPTY, |key| key.form);
         let key = key.to_owned();
         found.push(fault(
             self.part,

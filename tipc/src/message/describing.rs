@@ -4,6 +4,7 @@ use super::Text;
 use super::list::List;
 use super::phrase::{Joints, Kind, Table};
 use super::say::Letter;
+use crate::language::Bilingual;
 
 messages! {
     /// What the reader of descriptions and scenes says.
@@ -12,17 +13,17 @@ messages! {
     // Any table of the file.
     NotToml { error: Text } "{error}", "{error}";
     DescriptionsAreToml
-        "descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`",
-        "記述はTOML形式です: `key = value`、`[table]`、`[[one of many tables]]`";
+        "the file is TOML: `key = value`, `[table]`, `[[one of many tables]]`",
+        "ファイルはTOML形式です: `key = value`、`[table]`、`[[one of many tables]]`";
     Lacks { table: Table, key: &'static str }
         "{table} lacks `{key}`",
         "{table}に `{key}` がありません";
-    KeyMeans { key: &'static str, form: &'static str, meaning: &'static str }
+    KeyMeans { key: &'static str, form: Bilingual, meaning: Bilingual }
         "`{key}` is {form}: {meaning}",
-        "`{key}` の形は{form}です: {meaning}";
-    KeyIs { key: String, form: &'static str }
+        "`{key}` には{form}を書きます。意味は「{meaning}」です";
+    KeyIs { key: String, form: Bilingual }
         "`{key}` is {form}",
-        "`{key}` の形は{form}です";
+        "`{key}` には{form}を書きます";
     NoKey { table: Table, key: String }
         "{table} has no key `{key}`",
         "{table}に `{key}` というキーはありません";

@@ -26,7 +26,7 @@ fn keys(parts: &[Part]) -> String {
         };
         for key in part.keys() {
             let default = key.default.unwrap_or("must be there");
-            let (name, form, meaning) = (key.name, key.form, key.meaning);
+            let (name, form, meaning) = (key.name, key.form.english, key.meaning.english);
             let _ = writeln!(
                 table,
                 "| {place} | `{name}` | {form} | {default} | {meaning} |"

@@ -310,7 +310,7 @@ v_max = -1";
 
 #[test]
 fn text_that_is_no_toml() {
-    let help = "(descriptions are TOML: `key = value`, `[table]`, `[[one of many tables]]`)";
+    let help = "(the file is TOML: `key = value`, `[table]`, `[[one of many tables]]`)";
     let told = faults("name = \"test\"\nlamps = = 3 4\nperiods = 1 2\n");
     assert_eq!(told.len(), 2, "one for each line: {told:?}");
     for (line, fault) in ["2:", "3:"].iter().zip(&told) {
