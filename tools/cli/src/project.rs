@@ -77,12 +77,13 @@ impl SourceArguments {
     /// # Errors
     /// What is wrong with it.
     pub(super) fn complete(&mut self, program: &Path) -> Result<Option<Given>, Box<Loaded>> {
-        let given = of(program)?;
-        if let Some(given) = &given {
-            self.robot = self.robot.take().or_else(|| given.robot.clone());
-            self.encoding = self.encoding.or(given.encoding);
+        let mut given = of(program)?;
+        if let Some(given) = &mut given {
+            given.scene = given.scene_for(self.robot.as_ref()).cloned();
+            complete(&mut self.robot, &mut given.robot);
+            complete(&mut self.encoding, &mut given.encoding);
         }
-        Ok(given)
+        Ok(given.filter(Given::is_something))
     }
 
     /// The same for a run, which has surroundings.
@@ -94,11 +95,19 @@ impl SourceArguments {
         program: &Path,
         inputs: &mut InputArguments,
     ) -> Result<Option<Given>, Box<Loaded>> {
-        let given = self.complete(program)?;
-        if let Some(given) = &given {
-            inputs.scene = inputs.scene.take().or_else(|| given.scene.clone());
+        let mut given = self.complete(program)?;
+        if let Some(given) = &mut given {
+            complete(&mut inputs.scene, &mut given.scene);
         }
-        Ok(given)
+        Ok(given.filter(Given::is_something))
+    }
+}
+
+/// Takes what an option leaves open; what the option says is not given.
+fn complete<T: Clone>(option: &mut Option<T>, given: &mut Option<T>) {
+    match option {
+        Some(_) => *given = None,
+        None => option.clone_from(given),
     }
 }
 
@@ -106,6 +115,13 @@ impl Given {
     /// The file that gives it.
     pub(super) fn file(&self) -> &Path {
         &self.file
+    }
+
+    /// The scene, unless an option names another robot than the one that it is around.
+    pub(super) fn scene_for(&self, option: Option<&RobotChoice>) -> Option<&SceneChoice> {
+        let both = self.robot.as_ref().zip(option);
+        let is_other = both.is_some_and(|(own, option)| own != option);
+        self.scene.as_ref().filter(|_| !is_other)
     }
 
     fn is_something(&self) -> bool {

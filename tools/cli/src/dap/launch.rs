@@ -60,17 +60,21 @@ fn robot(
     given: Option<&Given>,
     lang: Lang,
 ) -> Result<Robot, String> {
-    let choice = match &launch.robot {
-        None => given.and_then(|it| it.robot.clone()).unwrap_or_default(),
-        Some(name) => match name.parse().map_err(|wrong: Wrong| wrong.text(lang))? {
-            RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
-            named => named,
-        },
+    let named = match &launch.robot {
+        None => None,
+        Some(name) => Some(
+            match name.parse().map_err(|wrong: Wrong| wrong.text(lang))? {
+                RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
+                named => named,
+            },
+        ),
     };
+    let given_scene = given.and_then(|it| it.scene_for(named.as_ref()));
+    let choice = named.or_else(|| given?.robot.clone()).unwrap_or_default();
     let robot = choice.load().map_err(|loaded| findings(&loaded, lang))?;
     let robot = robot.simulated().map_err(|error| error.to_string())?;
     let asked = launch.scene.as_deref().map(str::parse).transpose()?;
-    let mut scene = match asked.or_else(|| given?.scene.clone()) {
+    let mut scene = match asked.or_else(|| given_scene.cloned()) {
         None => Scene::EMPTY,
         Some(SceneChoice::Named(scene)) => *scene,
         Some(SceneChoice::File(path)) => {

@@ -55,6 +55,7 @@ fn a_run_names_it() {
             "[[programs]]\nfiles = \"grasp*.prg\"\nrobot = \"hand\"\nscene = \"cylinder\"\n",
         )
         .program("grasp1.prg", HAND)
+        .program("grasp2.prg", "END")
         .program("rise.prg", "END");
     let outcome = folder.tipc(&["run", "grasp1.prg"]).expect(0);
     assert_eq!(
@@ -62,6 +63,14 @@ fn a_run_names_it() {
         Some("tip.toml: robot hand, scene cylinder"),
         "{outcome:#?}"
     );
+    // What an option says is not taken from it, and a scene is there for its robot.
+    let hand = ["run", "--robot", "hand", "grasp1.prg"];
+    let outcome = folder.tipc(&hand).expect(0);
+    let first = outcome.err.lines().next();
+    assert_eq!(first, Some("tip.toml: scene cylinder"), "{outcome:#?}");
+    let walker = ["run", "--robot", "titan8", "grasp2.prg"];
+    let outcome = folder.tipc(&walker).expect(0);
+    assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
     let outcome = folder.tipc(&["run", "--quiet", "grasp1.prg"]).expect(0);
     assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
     // Nothing is said where nothing is given.
@@ -112,10 +121,9 @@ fn a_broken_one_is_an_error_at_its_place() {
         assert!(said.contains(place), "{command}: {outcome:#?}");
     }
     let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
-    assert!(
-        outcome.err.contains("`robot` にこの値は使えません"),
-        "{outcome:#?}"
-    );
+    for said in ["`robot` にこの値は使えません", "`robot` にはロボットの名前"] {
+        assert!(outcome.err.contains(said), "{outcome:#?}");
+    }
     let help = "`robot` is a robot's name, or a description's";
     let outcome = folder.tipc(&["run", "grasp.prg"]).expect(1);
     assert!(outcome.err.contains(help), "{outcome:#?}");
