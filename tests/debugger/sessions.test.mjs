@@ -36,18 +36,21 @@ writeFileSync(program, PROGRAM);
 const failing = join(folder, 'failing.prg');
 writeFileSync(failing, '3.1\nfails\nDEF_VAR A, B\nA = 0\nB = 1 / A\nEND\n');
 
+const endless = join(folder, 'endless.prg');
+writeFileSync(endless, '3.1\nendless\nDEF_VAR N\nN = 0\nL:\nN += 1\nGOTO L:\nEND\n');
+
 let client;
-let wrong;
+let sent;
 
 beforeEach(async () => {
-  wrong = [];
+  sent = [];
   client = new DebugClient(process.env.TIPC, 'dap', 'tip');
   // The client runs an adapter as a script of node; this one is a program.
   const { spawn } = require('node:child_process');
   const adapter = spawn(process.env.TIPC, ['dap'], { stdio: ['pipe', 'pipe', 'inherit'] });
   const dispatch = client.dispatch.bind(client);
   client.dispatch = (body) => {
-    wrong.push(...judge(JSON.parse(body)));
+    sent.push(body);
     dispatch(body);
   };
   client.connect(adapter.stdout, adapter.stdin);
@@ -56,7 +59,8 @@ beforeEach(async () => {
 
 afterEach(async () => {
   client.adapter.kill();
-  assert.deepEqual(wrong, [], 'every message is as the protocol has it');
+  // Afterwards: the schema of each kind of message takes a while to make, and the client does not wait.
+  assert.deepEqual(sent.flatMap((body) => judge(JSON.parse(body))), [], 'every message is as the protocol has it');
 });
 
 const stop = () => client.waitForEvent('stopped');
@@ -199,6 +203,32 @@ test('a run is paused', async () => {
   });
   // It waits for a key that nobody presses.
   assert.equal(reason, 'pause');
+});
+
+test('a long search says how far it is, and is given up', async () => {
+  const said = { adapterID: 'tip', pathFormat: 'path', linesStartAt1: true, columnsStartAt1: true };
+  await client.initializeRequest({ ...said, supportsProgressReporting: true });
+  await Promise.all([client.waitForEvent('initialized'), client.launchRequest({ program: endless, stopOnEntry: true })]);
+  await Promise.all([stop(), client.configurationDoneRequest()]);
+  await move(() => value('to 30000', 'repl'));
+  const breakpoints = [{ line: 6, condition: 'N < 0' }];
+  await client.setBreakpointsRequest({ source: { path: endless }, breakpoints });
+  const stopped = stop();
+  const ended = client.waitForEvent('progressEnd');
+  const [begun] = await Promise.all([client.waitForEvent('progressStart'), client.reverseContinueRequest({ threadId: 1 })]);
+  assert.ok(begun.body.cancellable);
+  const { progressId } = begun.body;
+  await client.customRequest('cancel', { progressId });
+  assert.equal((await ended).body.progressId, progressId);
+  assert.equal((await stopped).body.reason, 'pause');
+  assert.equal(await value('CYCLE'), '30000');
+});
+
+test('breakpoints of another file leave those of the program', async () => {
+  await launch({}, [{ line: 9 }]);
+  const other = await client.setBreakpointsRequest({ source: { path: failing }, breakpoints: [{ line: 5 }] });
+  assert.deepEqual(other.body.breakpoints.map((one) => one.verified), [false]);
+  assert.equal((await move(() => client.continueRequest({ threadId: 1 }))).line, 9);
 });
 
 test('what is wrong is answered', async () => {

@@ -1,6 +1,7 @@
 //! How long it takes to go back in a run of ten minutes.
 //!
-//! `cargo run --release -p tip-sim --example back`, and for a program of your own `-- ROBOT PROGRAM.prg`; a hand has its cylinder.
+//! `cargo run --release -p tip-sim --example back` goes back with TITAN VIII and with the hand on its cylinder; `-- ROBOT PROGRAM.prg` with a
+//! program of your own.
 
 use std::env;
 use std::error::Error;
@@ -30,10 +31,44 @@ GOTO L:
 END
 ";
 
+/// The hand takes hold of its cylinder and lets it go, again and again.
+const GRASP: &str = "3.1
+grasp
+DEF_POS TIP
+DEF_VAR GRIP
+PTP FLOOR 0 -155 0
+PTP_ANGLE F1 -50 0 20
+PTP_ANGLE F2 -50 0 20
+PTP_ANGLE F3 -50 0 20
+WAIT_INPOS ALL
+DETECT_FLOOR ALL 1
+TEACH_POSITION F1 TIP
+GRIP = TIP.Y
+GRIP += 40
+L:
+PTP F1 -85 GRIP 0
+PTP F2 85 GRIP 0
+PTP F3 85 GRIP 0
+SLEEP 500
+PTP F1 -56 GRIP 0
+PTP F2 56 GRIP 0
+PTP F3 56 GRIP 0
+SLEEP 500
+TORQUE J11 200
+TORQUE J21 100
+TORQUE J31 100
+SLEEP 700
+GOTO L:
+END
+";
+
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match &arguments[..] {
-        [] => measure("titan8", MARCH),
+        [] => {
+            measure("titan8", MARCH)?;
+            measure("hand", GRASP)
+        }
         [robot, program] => measure(robot, &fs::read_to_string(program)?),
         _ => Err("usage: back [ROBOT PROGRAM.prg]".into()),
     }
@@ -55,7 +90,7 @@ fn measure(robot: &str, text: &str) -> Result<(), Box<dyn Error>> {
     println!("{}: {} cycles in {run:.2?}", robot.name(), stop.at);
     step_back(&mut debugger, stop.at);
     line_breakpoint(&mut debugger, stop.at)?;
-    condition(&mut debugger, stop.at)
+    condition(&mut debugger, stop.at, run)
 }
 
 /// A step back from places all over the run.
@@ -94,7 +129,7 @@ fn line_breakpoint(debugger: &mut Debugger, last: u64) -> Result<(), Box<dyn Err
 }
 
 /// A condition that never holds is asked at every step, all the way back.
-fn condition(debugger: &mut Debugger, last: u64) -> Result<(), Box<dyn Error>> {
+fn condition(debugger: &mut Debugger, last: u64, run: Duration) -> Result<(), Box<dyn Error>> {
     let when = When {
         condition: Some("CYCLE < 0"),
         hits: None,
@@ -112,9 +147,8 @@ fn condition(debugger: &mut Debugger, last: u64) -> Result<(), Box<dyn Error>> {
     let started = Instant::now();
     let stop = debugger.go(Move::ReverseContinue);
     assert_eq!(stop.reason, Reason::Start);
-    println!(
-        "  reverse continue on conditions: {:.2?}",
-        started.elapsed()
-    );
+    let back = started.elapsed();
+    let share = back.as_secs_f64() / run.as_secs_f64();
+    println!("  reverse continue on conditions: {back:.2?}, {share:.2} of the run");
     Ok(())
 }
