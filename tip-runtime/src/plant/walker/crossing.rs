@@ -3,12 +3,10 @@
 use super::Vector;
 use super::ground::Carrier;
 use super::links::LegLinks;
+use super::obstacles::SUNK;
 
 /// How thick a leg is, as a share of its length.
 const THICK: f64 = 0.04;
-
-/// How far a joint may be below the floor, which gives way a little, and anything inside a block: mm.
-pub(super) const SUNK: f64 = 1.0;
 
 /// Whether a joint of a leg is below the floor.
 pub(super) fn sinks<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {

@@ -1,9 +1,11 @@
 //! Blocks: a robot without mass goes through them, which is noticed.
 
 use super::Vector;
-use super::crossing::SUNK;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{BLOCKS, Block};
+
+/// How far a joint may be below the floor, which gives way a little, and anything inside a block: mm.
+pub(super) const SUNK: f64 = 1.0;
 
 /// The blocks of a scene.
 #[derive(Clone, Copy, Debug)]
