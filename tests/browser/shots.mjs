@@ -16,7 +16,8 @@ for (const [name, cycle] of Object.entries(MOMENTS)) {
         if (wanted.length && !wanted.some((part) => file.includes(part))) continue;
         const size = { width: Number(width), height };
         const view = await open(browser, `${process.env.PAGES}/${name}.html`, { viewport: size, colorScheme: scheme, locale }, `#cycle=${cycle}`);
-        await view.page.waitForTimeout(150);
+        // At rest all pixels are drawn.
+        await view.page.waitForTimeout(900);
         await view.page.screenshot({ path: `${folder}/${file}` });
         await view.close();
         console.log(`${folder}/${file}`);

@@ -165,16 +165,25 @@ fn described(source_name: &str, found: &Found<'_>) -> Result<(Import, Descriptio
         Err(loaded) => {
             // Those after the first are like it, or follow from it.
             let first = loaded.diagnostics.into_iter().next();
-            let line = first.as_ref().map_or(0, |fault| {
-                loaded.source.line_column(fault.span.start).0 as usize
-            });
-            let line = toml.lines().nth(line.saturating_sub(1));
+            let place = first.as_ref().map_or(0, |fault| fault.span.start);
             Err(ImportError::new(Importing::NoRobot {
-                line: line.unwrap_or_default().trim().to_owned(),
+                line: rest_of_line(&toml, place).to_owned(),
                 faults: Faults(first.into_iter().map(|fault| fault.reason).collect()),
             }))
         }
     }
+}
+
+/// A line from the key on whose value is at `place`: lines are long, and long words are cut.
+fn rest_of_line(toml: &str, place: usize) -> &str {
+    let (before, after) = toml.split_at_checked(place).unwrap_or((toml, ""));
+    let line = before.rfind('\n').map_or(0, |end| end + 1);
+    let key = before[line..]
+        .rfind(" = ")
+        .map_or("", |end| &before[line..][..end]);
+    let start = line + key.rfind([' ', '{']).map_or(0, |blank| blank + 1);
+    let end = place + after.find('\n').unwrap_or(after.len());
+    toml[start..end].trim()
 }
 
 /// Every foot that is named has to end a leg, and each leg has one.

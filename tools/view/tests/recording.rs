@@ -301,13 +301,13 @@ fn forces_are_known_of_a_robot_with_mass() {
     assert_eq!(feet().count(), 4 * frames.len());
     // On a level floor what stands up is what it carries.
     assert!(feet().all(|(force, load)| force[2] == *load));
-    let across = feet().map(|([x, y, _], load)| (libm::hypot(*x, *y), *load));
+    let mut across = feet().map(|([x, y, _], load)| (libm::hypot(*x, *y), *load));
     assert!(
         across
             .clone()
             .all(|(across, load)| across <= 0.5 * load + 1e-9)
     );
-    assert!(across.into_iter().any(|(across, _)| across > 1.0));
+    assert!(across.any(|(across, _)| across > 1.0));
 }
 
 #[test]

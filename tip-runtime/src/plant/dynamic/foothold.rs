@@ -15,8 +15,8 @@ pub(super) struct Foothold {
     pub(super) load: f64,
     /// Of the ground, friction included, in the world: N.
     pub(super) force: Vector,
-    /// Where it touched down, in the world: m.
-    touchdown: Option<Vector>,
+    /// Where it touched down, in the world: m. It counts until the foot has been up for so long that it stepped.
+    touchdown: Vector,
     /// For how long it has carried nothing: s.
     up: f64,
     /// How far from there it has slipped: m.
@@ -29,8 +29,8 @@ impl Foothold {
         place: Vector::new(0.0, 0.0, 0.0),
         load: 0.0,
         force: Vector::new(0.0, 0.0, 0.0),
-        touchdown: None,
-        up: 0.0,
+        touchdown: Vector::new(0.0, 0.0, 0.0),
+        up: f64::INFINITY,
         slip: 0.0,
     };
 
@@ -40,14 +40,15 @@ impl Foothold {
         let load = force.dot(&normal);
         (self.place, self.force, self.load) = (place, force, load);
         if load > 0.0 {
-            let touchdown = *self.touchdown.get_or_insert(place);
-            self.slip = (place - touchdown).norm();
+            if self.up >= BOUNCE {
+                self.touchdown = place;
+            }
+            self.slip = (place - self.touchdown).norm();
             self.up = 0.0;
             return;
         }
         self.up += dt;
         if self.up >= BOUNCE {
-            self.touchdown = None;
             self.slip = 0.0;
         }
     }

@@ -134,7 +134,9 @@ impl<const J: usize> LegBody<J> {
                 link.force = link.force - Spatial::pushing(force, at);
             }
             if j == J {
-                let normal = touch.map_or(Vector::zeros(), |touch| touch.normal);
+                // A link that lies on a block pushes elsewhere than with its foot.
+                let none = (Vector::zeros(), Vector::zeros());
+                let (force, normal) = touch.map_or(none, |touch| (force, touch.normal));
                 self.foot.at(place, force, normal, world.stride.dt);
             }
         }

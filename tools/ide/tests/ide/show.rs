@@ -19,7 +19,7 @@ fn loops_show_their_turns() {
     let found = hints("DEF_VAR N\nFOR N = 1 TO 3\nREM\nNEXT\nWHILE KB_HIT\nWEND\nEND\n$0");
     let expected = [
         (4, "3 turns, each turn: 2 cycles, 40 ms".to_owned()),
-        (7, "a turn: 2 cycles, 40 ms".to_owned()),
+        (7, "each turn: 2 cycles, 40 ms".to_owned()),
     ];
     assert_eq!(found, expected);
 }

@@ -179,9 +179,8 @@ fn numbers_that_are_none_are_shown_where_they_are() {
     let text = whole.replace(mass, "value=\"-20\"");
     says(
         &text,
-        "it cannot be below 0; see what comes of them: `{ axis = ",
+        "it cannot be below 0; see what comes of them: `mass = -17, torque = 7 }, # shoulder`",
     );
-    says(&text, "mass = -17, torque = 7 }, # shoulder`");
 }
 
 /// A reader that calls itself for each level overflows its stack.
