@@ -157,6 +157,8 @@ async def main(tipc: str, path: str, encoding: str) -> None:
     with open(path, encoding="utf-8") as file:
         session = json.load(file)
     client = make_test_lsp_client()
+    # The server asks to be told when a tip.toml changes; here none does.
+    client.feature("client/registerCapability")(lambda params: None)
     await client.start_io(tipc, "lsp")
     # What Visual Studio Code says of itself, but for the encoding.
     capabilities = client_capabilities("visual-studio-code")
