@@ -90,6 +90,13 @@ fn values_in_full_width_signs_or_by_their_bare_name_are_not_shown() {
     }
     assert_eq!(shown("n"), ["W124 5:9"]);
     assert_eq!(shown("”%N%”"), ["W111 5:9"]);
+    // What a text does not show is still read without a value, or used by nothing.
+    let unassigned = "3.1\nA title\nDEF_VAR B\nSLEEP B\nMESSAGE %B\nEND\n";
+    check(unassigned, &["E301 4:7"]);
+    check(
+        "3.1\nA title\nDEF_VAR B\nMESSAGE %A% %B\nSLEP 1\nEND\n",
+        &["W101 3:9", "E204 5:1"],
+    );
     // Percentages, and a text that is the name of a variable with another use.
     for text in ["%N%％", "50％から60％まで %N%", "「%N%」"] {
         assert_eq!(shown(text), [""; 0], "{text}");

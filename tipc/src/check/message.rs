@@ -30,7 +30,7 @@ impl Resolver<'_> {
                 rest = &rest[length..];
             } else {
                 if let Some(variable) = self.value_of_others(rest) {
-                    self.uses.excuse_variable(variable);
+                    self.uses.was_to_be_shown(variable);
                 }
                 let length = shown(rest, first, &mut plain);
                 rest = &rest[length..];

@@ -42,7 +42,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
                 let reason = Naming::NothingUses;
                 Some(Diagnostic::new(Code::Unused, declared, reason).about(name))
             }
-            (None, true, Some(declared)) if !named.dumped => {
+            (None, true, Some(declared)) if !named.dumped && !named.to_be_shown[id] => {
                 let reason = Naming::NothingReads;
                 Some(Diagnostic::new(Code::NeverRead, declared, reason).about(name))
             }

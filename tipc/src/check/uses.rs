@@ -19,6 +19,7 @@ pub(super) struct Uses<'a> {
     /// The next variable and the next label to be defined.
     next: (VariableId, usize),
     excused: Vec<bool>,
+    to_be_shown: Vec<bool>,
     dumped: bool,
 }
 
@@ -27,6 +28,8 @@ pub(super) struct Named {
     pub(super) symbols: Symbols,
     /// The variables that a broken statement names: nothing can be said of them.
     pub(super) excused: Vec<bool>,
+    /// The variables that a MESSAGE was to show, and does not: that nothing reads them follows from it.
+    pub(super) to_be_shown: Vec<bool>,
     /// OUTPUT_VARIABLES reads them all.
     pub(super) dumped: bool,
 }
@@ -40,6 +43,7 @@ impl<'a> Uses<'a> {
             first: 0,
             next: (1, 0),
             excused: vec![false; names.variables.len()],
+            to_be_shown: vec![false; names.variables.len()],
             dumped: false,
         }
     }
@@ -54,6 +58,7 @@ impl<'a> Uses<'a> {
         Named {
             symbols: Symbols::new(definitions(self.names, self.labels), self.all),
             excused: self.excused,
+            to_be_shown: self.to_be_shown,
             dumped: self.dumped,
         }
     }
@@ -170,9 +175,9 @@ impl<'a> Uses<'a> {
         }
     }
 
-    /// That nothing uses the variable follows from another mistake.
-    pub(super) fn excuse_variable(&mut self, variable: VariableId) {
-        self.excuse_one(DefinitionId::of_variable(variable));
+    /// A MESSAGE was to show the variable, and does not.
+    pub(super) fn was_to_be_shown(&mut self, variable: VariableId) {
+        self.to_be_shown[variable] = true;
     }
 
     fn excuse_one(&mut self, definition: DefinitionId) {
