@@ -39,7 +39,7 @@ messages! {
         "there is no clock: each step takes one control cycle, so count with `N += 1`",
         "時計はありません。1ステップが1制御周期なので、`N += 1` で数えてください";
     TitleInLineTwo { wanted: Decimal }
-        "write `{wanted}` alone in line 1; the title stands in line 2",
+        "write `{wanted}` alone on line 1; the title goes on line 2",
         "1行目は `{wanted}` だけにし、題名は2行目に書いてください";
 
     // Words of the language in another place.
