@@ -216,7 +216,7 @@ fn what_is_spread_evenly_moves_as_what_says_nothing() {
 
 #[test]
 fn a_body_that_is_heavier_in_front_loads_the_front_feet() {
-    // 12 kg, 50 mm before the middle; feet are 201 mm before and behind it.
+    // 12 kg, 50 mm ahead of the middle; feet are 201 mm ahead of it and as far to its rear.
     let mut model = even();
     if let Some(spread) = model.body.as_mut().and_then(|body| body.spread.as_mut()) {
         spread.centre = [0.0, 50.0, 0.0];

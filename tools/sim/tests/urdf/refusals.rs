@@ -175,7 +175,7 @@ fn numbers_that_are_none_are_shown_where_they_are() {
             &format!("element `mass` is `{bad}`, which is not a number"),
         );
     }
-    // What is no robot's is shown with what came of it.
+    // A number that no robot can have is shown as it was converted.
     let text = whole.replace(mass, "value=\"-20\"");
     says(
         &text,
