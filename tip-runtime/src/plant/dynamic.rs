@@ -287,16 +287,12 @@ impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
         self.lamps = outputs.lamps;
         self.robot.period = outputs.period;
-        let robot = self.robot_mut();
-        robot.obey(&outputs.joints);
-        robot.cycle();
+        self.robot_mut().obey(&outputs.joints);
         Ok(())
     }
 
     fn stop(&mut self, _why: &Fault) {
-        let robot = self.robot_mut();
-        robot.hold();
-        robot.cycle();
+        self.robot_mut().hold();
     }
 }
 

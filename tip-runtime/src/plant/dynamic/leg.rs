@@ -74,11 +74,12 @@ impl<const J: usize> LegBody<J> {
     }
 
     pub(super) fn obey(&mut self, commands: &[JointCommand; J], unit: f64) {
-        for (j, (servo, command)) in self.servos.iter_mut().zip(commands).enumerate() {
-            match servo.obey(*command, unit) {
-                Some(Control::Torque) => self.by_torque |= bit(j),
-                Some(Control::Angle) => self.by_torque &= !bit(j),
-                None => {}
+        let before: [Control; J] = self.controls();
+        let servos = self.servos.iter_mut().zip(before);
+        for (j, ((servo, before), command)) in servos.zip(commands).enumerate() {
+            match servo.obey(before, *command, unit) {
+                Control::Torque => self.by_torque |= bit(j),
+                Control::Angle => self.by_torque &= !bit(j),
             }
         }
     }
@@ -93,6 +94,11 @@ impl<const J: usize> LegBody<J> {
     pub(super) fn hold(&mut self) {
         self.by_torque = 0;
         self.servos.iter_mut().for_each(Servo::hold);
+    }
+
+    /// What each joint is commanded by.
+    fn controls(&self) -> [Control; J] {
+        core::array::from_fn(|j| self.control(j))
     }
 
     /// What joint `j` is commanded by.
@@ -154,12 +160,18 @@ impl<const J: usize> LegBody<J> {
     }
 
     /// Lets every motor aim; `left` steps of the cycle are left.
-    pub(super) fn aim(&mut self, world: &World<'_>, left: f64) {
+    pub(super) fn aim(
+        &mut self,
+        world: &World<'_>,
+        commands: Option<&[JointCommand; J]>,
+        left: f64,
+    ) {
         self.spent = 0;
-        let controls: [Control; J] = core::array::from_fn(|j| self.control(j));
+        let controls = self.controls();
         let joints = self.servos.iter_mut().zip(&self.model.joints);
-        for ((servo, joint), control) in joints.zip(controls) {
-            servo.aim(control, joint, world.drives, world.stride, left);
+        for (j, ((servo, joint), control)) in joints.zip(controls).enumerate() {
+            let command = commands.and_then(|commands| commands.get(j)).copied();
+            servo.aim(control, command, joint, world.drives, world.stride, left);
         }
     }
 

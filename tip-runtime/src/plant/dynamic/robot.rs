@@ -98,33 +98,33 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         links.fold(body, f64::max)
     }
 
-    /// Takes commands.
+    /// Moves for a control cycle as commanded.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn obey(&mut self, commands: &[[JointCommand; J]]) {
         for (leg, commands) in self.legs.iter_mut().zip(commands) {
             leg.obey(commands, self.unit);
         }
+        self.cycle(commands);
     }
 
-    /// Holds every joint.
+    /// Holds every joint for a control cycle.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn hold(&mut self) {
         for leg in &mut self.legs {
             leg.hold();
         }
+        self.cycle(&[]);
     }
 
-    /// Moves for a control cycle.
-    // Out of line, or it would be copied for each number of legs.
-    #[inline(never)]
-    pub(super) fn cycle(&mut self) {
+    /// Moves for a control cycle; legs without commands are held.
+    fn cycle(&mut self, commands: &[[JointCommand; J]]) {
         let time = self.period / 1000.0;
         let steps = libm::ceil(time / LONGEST).clamp(1.0, MOST) as u32;
         let stride = Stride::of(time / f64::from(steps), &self.drives.servos);
         for left in (1..=steps).rev() {
-            self.step(&stride, f64::from(left));
+            self.step(&stride, commands, f64::from(left));
         }
         self.trunk.push.tire();
         self.look(self.period);
@@ -132,7 +132,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
     }
 
     /// Moves for one of the steps that are `left` of a cycle (semi-implicit Euler method).
-    fn step(&mut self, stride: &Stride, left: f64) {
+    fn step(&mut self, stride: &Stride, commands: &[[JointCommand; J]], left: f64) {
         let frame = self.trunk.frame;
         let clearance = self.clearance;
         let Robot {
@@ -153,9 +153,9 @@ impl<const J: usize> Robot<[LegBody<J>]> {
             stride,
         };
         let mut share = trunk.place(&world);
-        for leg in legs.iter_mut() {
+        for (i, leg) in legs.iter_mut().enumerate() {
             share.add(leg.place(&world));
-            leg.aim(&world, left);
+            leg.aim(&world, commands.get(i), left);
             watch.slipped(leg.foot.slip);
         }
         clash(legs, &frame, law, clearance);

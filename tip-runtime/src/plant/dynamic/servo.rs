@@ -81,10 +81,8 @@ pub(super) struct Servo {
     pub(super) angle: f64,
     /// rad/s.
     pub(super) rate: f64,
-    /// What is commanded: rad, or N·m.
+    /// What is commanded now: an angle between the command before and this one (rad), or a torque (N·m).
     order: f64,
-    /// Between the command before and this one: rad.
-    target: f64,
     /// After lag and limit of speed: rad.
     setpoint: f64,
     /// What the motor gives: N·m.
@@ -99,48 +97,59 @@ impl Servo {
             angle,
             rate: 0.0,
             order: angle,
-            target: angle,
             setpoint: angle,
             torque: 0.0,
         }
     }
 
-    /// Takes a command; `unit` is how many of the robot's torque unit one N·m is. A command that is not a number
-    /// changes nothing.
-    pub(super) fn obey(&mut self, command: JointCommand, unit: f64) -> Option<Control> {
-        let (control, order) = match command {
-            JointCommand::Angle { angle, .. } => (Control::Angle, angle.to_radians()),
-            JointCommand::Torque(torque) => (Control::Torque, torque / unit),
-        };
-        order.is_finite().then(|| {
-            self.order = order;
-            control
-        })
+    /// Takes a command, and says what the joint is commanded by from now on; `unit` is how many of the robot's torque unit
+    /// one N·m is. A command that is not a number changes nothing.
+    pub(super) fn obey(&mut self, before: Control, command: JointCommand, unit: f64) -> Control {
+        match command {
+            JointCommand::Torque(torque) if (torque / unit).is_finite() => {
+                self.order = torque / unit;
+                Control::Torque
+            }
+            JointCommand::Angle { angle, .. } if angle.is_finite() => {
+                if before == Control::Torque {
+                    self.order = self.setpoint;
+                }
+                Control::Angle
+            }
+            _ => before,
+        }
+    }
+
+    /// Where a command wants the joint at the end of the cycle: rad.
+    fn goal(&self, command: Option<JointCommand>) -> f64 {
+        match command {
+            Some(JointCommand::Angle { angle, .. }) if angle.is_finite() => angle.to_radians(),
+            _ => self.order,
+        }
     }
 
     /// Holds the joint where it is to be now, from now on by angle.
     pub(super) const fn hold(&mut self) {
-        self.target = self.setpoint;
         self.order = self.setpoint;
     }
 
     /// Moves the set point on by one of `left` steps of a cycle, and lets the motor draw the joint there, or give the
-    /// torque that it is commanded.
+    /// torque that it is commanded. The command is the one [obeyed](Self::obey) before; without it the joint is held.
     #[inline]
     pub(super) fn aim(
         &mut self,
         control: Control,
+        command: Option<JointCommand>,
         joint: &Joint,
         drives: &Drives,
         stride: &Stride,
         left: f64,
     ) {
         let Stride { dt, share, speed } = *stride;
-        let torque = self.order;
         self.torque = match control {
             Control::Angle => {
-                self.target += (self.order - self.target) / left;
-                let gap = (self.target - self.setpoint) * share;
+                self.order += (self.goal(command) - self.order) / left;
+                let gap = (self.order - self.setpoint) * share;
                 let turn = within(gap, speed * dt);
                 self.setpoint += turn;
                 let behind = self.setpoint - self.angle - dt * self.rate;
@@ -148,7 +157,7 @@ impl Servo {
                 (drives.stiffness * behind + drives.damping * slower) * joint.torque
             }
             Control::Torque => {
-                self.target = self.angle;
+                let torque = self.order;
                 self.setpoint = self.angle;
                 let brake = speed.copysign(torque) - self.rate;
                 let torque = match self.is_too_fast(torque, speed) {
