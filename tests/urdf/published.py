@@ -10,9 +10,7 @@ import tempfile
 import numpy
 import pinocchio
 
-LIMIT = 1e-9  # of the robot's size
-# Of the greatest element: descriptions give masses to the milligram, and centres of mass to the nanometre.
-MASSES = 1e-5
+LIMIT = 1e-9  # of the robot's size; of a mass matrix's greatest element
 POSES = 1000
 # A PhantomX's tibias end 133 mm below their joints; a fingertip of Barrett's hand is the last of its boxes.
 PHANTOMX = ",".join(f"tibia_{leg}=0.133,0,0" for leg in ("LF", "RF", "LM", "RM", "LR", "RR"))
@@ -139,7 +137,7 @@ def main():
             doubts = imported.stderr.count(" doubtful: ")
             # Without inertias that can be, uniform rods have taken their place.
             is_kept = not re.search(r"taken to be a uniform rod|carry 0 kg", imported.stderr)
-            holds = max(apart, moved) <= LIMIT and (heavier <= MASSES or not is_kept)
+            holds = max(apart, moved) <= LIMIT and (heavier <= LIMIT or not is_kept)
             masses = f"{heavier:.1e} of it" if is_kept else "not kept"
             print(
                 f"{name}: {count} legs, {POSES} poses, size {size:.3f} m, places {apart:.1e} of it, "

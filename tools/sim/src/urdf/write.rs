@@ -130,7 +130,7 @@ fn settings(turning: &Turning<'_>, reach: f64, report: &mut Vec<Importing>) -> S
         let ends = ends.map(|end| measure(end.to_degrees()));
         let _ = write!(text, ", limits = [{}, {}]", ends[0], ends[1]);
     }
-    let _ = write!(text, ", mass = {}", measure(weight::mass(&turning.links)));
+    let _ = write!(text, ", mass = {}", to(1e12, weight::mass(&turning.links)));
     if let Some(spread) = weight::spread(&turning.links, turning.at, reach) {
         let [centre, inertia] = spread_of(&spread);
         let _ = write!(text, ", centre = {centre}, inertia = {inertia}");
@@ -165,7 +165,7 @@ fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
     }
     let mass = weight::mass(found.base);
     if mass > 0.0 {
-        let _ = writeln!(text, "mass = {}", measure(mass));
+        let _ = writeln!(text, "mass = {}", to(1e12, mass));
     } else {
         report.push(Importing::BodyMass);
     }
@@ -179,7 +179,7 @@ fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
 fn spread_of(spread: &Spread) -> [String; 2] {
     let inertia = spread.inertia.map(|element| element.to_string());
     [
-        vector(spread.centre.map(measure)),
+        vector(spread.centre.map(place)),
         format!("[{}]", inertia.join(", ")),
     ]
 }
@@ -216,19 +216,24 @@ fn interval(range: Range) -> String {
 
 /// A measure without the dust that changes of units and frames leave: to a millionth.
 fn measure(value: f64) -> f64 {
-    // Adding 0 makes of −0 a plain 0.
-    (value * 1e6).round() / 1e6 + 0.0
+    to(1e6, value)
 }
 
 /// A length (mm) without that dust, and fine enough for what lies in one line to stay there: closed forms ask for that.
 fn place(value: f64) -> f64 {
-    (value * 1e9).round() / 1e9 + 0.0
+    to(1e9, value)
 }
 
 /// A unit vector, to the twelfth digit.
 fn direction(axis: [f64; 3]) -> [f64; 3] {
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
-    axis.map(|part| (part / length * 1e12).round() / 1e12 + 0.0)
+    axis.map(|part| to(1e12, part / length))
+}
+
+/// A value to so many parts of its unit.
+fn to(parts: f64, value: f64) -> f64 {
+    // Adding 0 makes of −0 a plain 0.
+    (value * parts).round() / parts + 0.0
 }
 
 fn vector([x, y, z]: [f64; 3]) -> String {
