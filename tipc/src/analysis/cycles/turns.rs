@@ -8,9 +8,8 @@ use super::graph::{Graph, Limits};
 use super::loops::{Body, Loops};
 use super::{Part, Span, Steps};
 use crate::analysis::flow::{Flow, NodeId};
-use std::collections::BTreeMap;
 
-/// A loop that is found.
+/// A loop, by its head.
 struct Found {
     steps: Steps,
     /// What it costs to leave it, if its head is the only way in.
@@ -20,13 +19,13 @@ struct Found {
 /// The turns in the order of their heads.
 pub(super) fn turns(flow: &Flow, graph: &Graph) -> Vec<Part> {
     let mut loops = graph.loops();
-    let mut found: BTreeMap<NodeId, Found> = BTreeMap::new();
+    let mut found: Vec<Option<Found>> = flow.nodes().iter().map(|_| None).collect();
     let mut parts = Vec::new();
     for head in loops.heads() {
         let body = loops.body(head);
         let (one, part) = turn(flow, graph, (&loops, head, &body), &found);
         parts.extend(part);
-        found.insert(head, one);
+        found[head] = Some(one);
     }
     parts.reverse();
     parts
@@ -36,13 +35,13 @@ fn turn(
     flow: &Flow,
     graph: &Graph,
     (loops, head, body): (&Loops, NodeId, &Body),
-    found: &BTreeMap<NodeId, Found>,
+    found: &[Option<Found>],
 ) -> (Found, Option<Part>) {
     let (nodes, is_closed) = match body {
         Body::Closed(nodes) => (nodes, true),
         Body::Open(nodes) => (nodes, false),
     };
-    let left = |id: NodeId| found.get(&id)?.left.as_deref();
+    let left = |id: NodeId| found[id].as_ref()?.left.as_deref();
     let limits = Limits {
         stops: &|id| id == head || !loops.holds(head, id),
         opens: &|counted| counted.nodes.contains(&head),
@@ -62,7 +61,7 @@ fn turn(
         .map(|id| Steps::one(flow.nodes()[*id].step))
         .collect();
     let inner = nodes.iter().filter(|id| is_closed && **id != head);
-    let inner = inner.filter_map(|id| found.get(id).filter(|one| one.left.is_some()));
+    let inner = inner.filter_map(|id| found[*id].as_ref().filter(|one| one.left.is_some()));
     let steps = Steps::all(own.iter().chain(inner.map(|one| &one.steps)));
     let part = turn.map(|cycles| Part {
         span: Span::Turn {
