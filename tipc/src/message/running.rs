@@ -70,9 +70,9 @@ messages! {
     NoKeys
         "keys: none, standard input is not a terminal; --keys and --events press them",
         "キー: 標準入力が端末ではないため使えません。--keysと--eventsで押せます";
-    Walks { y: String, margin: String, falls: String }
-        "{y} mm forward, margin {margin} mm, falls {falls}",
-        "前へ{y} mm、余裕{margin} mm、転倒{falls}回";
+    Walks { y: String, along: Along, margin: String, falls: String }
+        "{y} mm {along}, margin {margin} mm, falls {falls}",
+        "{along}{y} mm、余裕{margin} mm、転倒{falls}回";
     Lifts { value: String }
         "lift {value} mm",
         "持上{value} mm";

@@ -194,8 +194,10 @@ pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
     let mut text = format!("{} s", seconds(run.time()));
     // Writing to a String cannot fail.
     if let Some(motion) = run.motion() {
+        let (y, along) = sense(motion.travel.y, Along::Forward, Along::Backward);
         let walks = Running::Walks {
-            y: tenths(motion.travel.y),
+            y,
+            along,
             margin: tenths(motion.margin),
             falls: motion.falls.to_string(),
         };
