@@ -21,11 +21,12 @@ impl App {
         match question {
             Question::Event => self.make_happen(text),
             Question::Expression => self.show_value(text),
-            Question::Watch => self.watch(text),
-            Question::Who => {
+            Question::Watch => {
                 self.watch(text);
-                if self.watched.is_some() {
-                    self.go(Move::ReverseContinue);
+            }
+            Question::Who => {
+                if let Some(watch) = self.watch(text) {
+                    self.go(Move::SetBack(watch));
                 }
             }
             Question::Cycle => match text.parse() {
@@ -91,20 +92,25 @@ impl App {
         }
     }
 
-    fn watch(&mut self, name: &str) {
+    /// Watches a variable in the place of any other; without a name none.
+    fn watch(&mut self, name: &str) -> Option<u32> {
         self.debugger.unwatch_all();
         self.watched = None;
         if name.is_empty() {
-            return;
+            return None;
         }
         match self.debugger.watch(name) {
-            Ok(_) => {
+            Ok(id) => {
                 let upper = name.to_ascii_uppercase();
                 let name = word(&upper);
                 self.watched = Some(upper);
                 self.answer = Some(self.say(Debugging::Watches { name }));
+                Some(id)
             }
-            Err(refused) => self.refuse(&refused),
+            Err(refused) => {
+                self.refuse(&refused);
+                None
+            }
         }
     }
 }

@@ -117,6 +117,10 @@ impl Debugger {
     }
 
     fn found(&self, at: u64, goal: Goal, origin: &Origin) -> Found {
+        if let Goal::Set(watch) = goal {
+            let found = self.set_at(at, Some(watch));
+            return found.map_or(Found::Nothing, Found::Stops);
+        }
         let step = self.history.step(at);
         let known = match self.history.enters(at) {
             true => self.breakpoints.known(step, at),
@@ -125,8 +129,7 @@ impl Debugger {
         if let Known::Stops(id) = known {
             return Found::Stops(Reason::Breakpoint(id));
         }
-        let assigned = self.watches.assigned(at, &self.history, &self.program);
-        if let Some(watch) = assigned.or_else(|| self.watches.set(at, &self.run.events)) {
+        if let Some(watch) = self.set_at(at, None) {
             return Found::Stops(watch);
         }
         if let Some(fall) = self.fall.filter(|fall| fall.cycle == at)
@@ -139,6 +142,12 @@ impl Debugger {
             Known::Asks => Found::Asks,
             _ => Found::Nothing,
         }
+    }
+
+    /// What is assigned between a position and the next one, if a watch is on it: that watch, or any.
+    fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
+        let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
+        assigned.or_else(|| self.watches.set(at, watch, &self.run.events))
     }
 
     /// Runs a stretch again up to its last condition; says whether it came there.

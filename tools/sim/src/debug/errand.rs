@@ -51,7 +51,7 @@ impl Debugger {
         let unknown = self
             .breakpoints
             .count_known(&self.history, self.now + u64::from(!is_back));
-        let unknown = unknown.filter(|_| !matches!(goal, Goal::At(_)));
+        let unknown = unknown.filter(|_| goal.stops_early());
         if !is_back && self.now == 0 {
             self.log_here();
         }

@@ -45,8 +45,8 @@ impl Debugger {
         {
             return Some(Reason::Breakpoint(id));
         }
-        let assigned = self.watches.assigned(last, &self.history, &self.program);
-        let set = || self.watches.set(self.now, &self.run.events);
+        let assigned = (self.watches).assigned(last, None, &self.history, &self.program);
+        let set = || self.watches.set(self.now, None, &self.run.events);
         if let Some(watch) = assigned.or_else(set) {
             return Some(watch);
         }

@@ -4,8 +4,8 @@ use super::Debugger;
 use super::history::History;
 use super::stop::Reason;
 
-/// A movement through a run. Every one but those to a cycle, and those of a cycle, stops at breakpoints, watches and falls on its
-/// way.
+/// A movement through a run. Every one but those to a cycle, those of a cycle and [`SetBack`](Move::SetBack) stops at breakpoints,
+/// watches and falls on its path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Move {
     /// One control cycle.
@@ -34,6 +34,8 @@ pub enum Move {
     ReverseContinue,
     /// Back to a step of a line.
     LineBack(u32),
+    /// Back to who last set what the watch of this number is on, past everything else.
+    SetBack(u32),
 }
 
 impl Move {
@@ -52,7 +54,8 @@ impl Move {
             | Move::OverBack
             | Move::OutBack
             | Move::ReverseContinue
-            | Move::LineBack(_) => true,
+            | Move::LineBack(_)
+            | Move::SetBack(_) => true,
         }
     }
 }
@@ -70,6 +73,8 @@ pub(super) enum Goal {
     Out,
     /// A step of this line.
     Line(u32),
+    /// An assignment that this watch is on.
+    Set(u32),
     /// Nothing of its own.
     Nowhere,
 }
@@ -92,6 +97,7 @@ impl Goal {
             Move::Over | Move::OverBack => Goal::Over,
             Move::Out | Move::OutBack => Goal::Out,
             Move::Line(line) | Move::LineBack(line) => Goal::Line(line),
+            Move::SetBack(watch) => Goal::Set(watch),
             Move::Continue | Move::ReverseContinue => Goal::Nowhere,
         }
     }
@@ -100,8 +106,13 @@ impl Goal {
     pub(super) fn reason(self) -> Reason {
         match self {
             Goal::Step | Goal::Over | Goal::Out => Reason::Step,
-            Goal::At(_) | Goal::Line(_) | Goal::Nowhere => Reason::There,
+            Goal::At(_) | Goal::Line(_) | Goal::Set(_) | Goal::Nowhere => Reason::There,
         }
+    }
+
+    /// Whether breakpoints and the like count on the path to it.
+    pub(super) fn stops_early(self) -> bool {
+        !matches!(self, Goal::At(_) | Goal::Set(_))
     }
 
     /// Whether a run that has come forward from an origin is there.
@@ -116,7 +127,7 @@ impl Goal {
                 debugger.history.step(debugger.now - 1) != step
                     && debugger.run.program().line(step) == line
             }
-            Goal::Nowhere => false,
+            Goal::Set(_) | Goal::Nowhere => false,
         }
     }
 
@@ -136,7 +147,7 @@ impl Goal {
             Goal::Line(line) => {
                 history.enters(at) && debugger.run.program().line(history.step(at)) == line
             }
-            Goal::Nowhere => false,
+            Goal::Set(_) | Goal::Nowhere => false,
         }
     }
 }

@@ -23,11 +23,17 @@ struct Watch {
 pub(super) struct Watches(Vec<Watch>);
 
 impl Watches {
-    /// What the step of a cycle assigns. Only KEY_IN may assign nothing: it waits.
-    pub(super) fn assigned(&self, at: u64, history: &History, program: &Program) -> Option<Reason> {
+    /// What the step of a cycle assigns, if the watch `only`, or any, is on it. Only KEY_IN may assign nothing: it waits.
+    pub(super) fn assigned(
+        &self,
+        at: u64,
+        only: Option<u32>,
+        history: &History,
+        program: &Program,
+    ) -> Option<Reason> {
         let step = history.step(at);
         let assigns = |watch: &&Watch| watch.steps.get(step as usize).copied().unwrap_or(false);
-        let watch = self.0.iter().find(assigns)?;
+        let watch = self.those(only).find(assigns)?;
         let action = program.steps().get(step as usize).map(|step| &step.action);
         let waits = matches!(action, Some(Action::KeyIn { .. })) && history.step(at + 1) == step;
         let assigns = !waits && !history.fails(at);
@@ -37,8 +43,8 @@ impl Watches {
         })
     }
 
-    /// What events assign before the step of a cycle.
-    pub(super) fn set(&self, at: u64, events: &Events) -> Option<Reason> {
+    /// What events assign before the step of a cycle, if the watch `only`, or any, is on it.
+    pub(super) fn set(&self, at: u64, only: Option<u32>, events: &Events) -> Option<Reason> {
         if self.0.is_empty() {
             return None;
         }
@@ -46,13 +52,19 @@ impl Watches {
         let first = all.partition_point(|event| event.cycle < at);
         let here = all.iter().skip(first).take_while(|event| event.cycle == at);
         let watch = here.into_iter().find_map(|timed| match &timed.event {
-            Event::Set(name, _) => self.0.iter().find(|watch| watch.names.contains(name)),
+            Event::Set(name, _) => (self.those(only)).find(|watch| watch.names.contains(name)),
             _ => None,
         })?;
         Some(Reason::Watch {
             id: watch.id,
             by: By::Event,
         })
+    }
+
+    /// One watch, or all.
+    fn those(&self, only: Option<u32>) -> impl Iterator<Item = &Watch> {
+        let is_meant = move |watch: &&Watch| only.is_none_or(|id| watch.id == id);
+        self.0.iter().filter(is_meant)
     }
 }
 

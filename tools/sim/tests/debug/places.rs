@@ -288,6 +288,30 @@ fn a_watch_finds_who_set_a_variable_last() -> Outcome {
 }
 
 #[test]
+fn who_set_it_last_is_found_past_breakpoints_and_other_watches() -> Outcome {
+    let mut debugger = debugger(WATCHED, &titan())?;
+    let when = When::default();
+    let sleep = debugger.break_at_line(7, &when)?.id;
+    let turns = debugger.watch("B")?;
+    let set_once = debugger.watch("A")?;
+    while debugger.line() != 12 {
+        debugger.go(Move::Step);
+    }
+    let stop = debugger.go(Move::SetBack(set_once));
+    assert!(matches!(stop.reason, Reason::Watch { id, by: By::Step(_) } if id == set_once));
+    assert_eq!(debugger.line(), 5);
+    // Nothing set it before; a watch that is no more has nothing to find.
+    assert_eq!(debugger.go(Move::SetBack(set_once)).reason, Reason::Start);
+    assert!(debugger.unwatch(set_once) && debugger.unwatch(turns));
+    assert_eq!(
+        debugger.go(Move::Continue).reason,
+        Reason::Breakpoint(sleep)
+    );
+    assert_eq!(debugger.go(Move::SetBack(set_once)).reason, Reason::Start);
+    Ok(())
+}
+
+#[test]
 fn loops_and_members_are_watched() -> Outcome {
     let mut debugger = debugger(WATCHED, &titan())?;
     debugger.watch("B")?;
