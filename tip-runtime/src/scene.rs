@@ -161,9 +161,12 @@ impl Scene {
         scene
     };
 
+    /// The scenes that have a name.
+    pub const NAMES: &'static [&'static str] = &["cylinder"];
+
     /// The scene with this name, as `--scene` takes it.
     pub fn by_name(name: &str) -> Option<Self> {
-        (name == "cylinder").then_some(Scene::CYLINDER)
+        (Scene::NAMES.contains(&name)).then_some(Scene::CYLINDER)
     }
 
     /// Puts one more block into the scene.

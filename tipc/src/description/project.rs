@@ -72,20 +72,21 @@ pub fn parse_project(name: &str, bytes: &[u8]) -> Result<Project, Box<Loaded>> {
 }
 
 fn said(section: Section<'_>, found: &mut Found) -> Said {
-    let is_robot = |name: &str| Robot::from_name(name).is_some() || published::find(name).is_some();
-    let is_scene = |name: &str| Scene::by_name(name).is_some();
+    let robots = Robot::ALL.iter().map(|robot| robot.name());
+    let robots = robots.chain(published::ALL.iter().map(|robot| robot.name));
+    let scenes = Scene::NAMES.iter().copied();
     let words = [
         ("auto", Encoding::Auto),
         ("utf-8", Encoding::Utf8),
         ("shift_jis", Encoding::ShiftJis),
     ];
     Said {
-        robot: named(section, "robot", is_robot, found),
+        robot: named(section, "robot", robots, found),
         encoding: match section.has("encoding") {
             true => section.choice("encoding", &words, found),
             false => None,
         },
-        scene: named(section, "scene", is_scene, found),
+        scene: named(section, "scene", scenes, found),
     }
 }
 
@@ -93,20 +94,14 @@ fn said(section: Section<'_>, found: &mut Found) -> Said {
 fn named(
     section: Section<'_>,
     key: &str,
-    is_known: impl Fn(&str) -> bool,
+    known: impl Iterator<Item = &'static str> + Clone,
     found: &mut Found,
 ) -> Option<String> {
     let (place, text) = section.text(key, found)?;
-    if is_known(text) || text.ends_with(".toml") {
+    if known.clone().any(|name| name == text) || text.ends_with(".toml") {
         return Some(text.to_owned());
     }
-    let key_name = key.to_owned();
-    section.refuse(
-        key,
-        place,
-        Describing::CannotBeThis { key: key_name },
-        found,
-    )
+    section.refuse_word(key, (place, text), known, found)
 }
 
 impl Project {
@@ -216,6 +211,27 @@ mod tests {
                 "tip.toml:3:12: error[E408]: `encoding` cannot be this (TIP_ERR:Wrong tip.toml)",
             ],
         );
+        let help = |text: &str| {
+            let loaded = parse_project("tip.toml", text.as_bytes()).expect_err("it is wrong");
+            let first = loaded.diagnostics.iter().next();
+            let help = first.and_then(|found| found.help.as_ref());
+            help.map(|help| help.in_lang(crate::message::Lang::English).to_string())
+        };
+        for (text, near) in [
+            ("robot = \"Titan9\"", "titan8"),
+            ("robot = \"phantom\"", "phantomx"),
+            ("scene = \"cilinder\"", "cylinder"),
+            ("encoding = \"utf8\"", "utf-8"),
+        ] {
+            assert_eq!(
+                help(text),
+                Some(format!("did you mean `{near}`?")),
+                "{text}"
+            );
+        }
+        // Nothing is near to this one.
+        let forms = "`robot` is a robot's name, or a description's \"FILE.toml\"";
+        assert_eq!(help("robot = \"rover\"").as_deref(), Some(forms));
         check(
             "robot = \"titan9\"\nscene = 5\n[[programs]]\nfiles = \"a**\"\n",
             &[

@@ -197,12 +197,29 @@ impl<'a> Section<'a> {
         match words.iter().find(|(word, _)| *word == text) {
             Some((_, meant)) => Some(*meant),
             None => {
-                let reason = Describing::CannotBeThis {
-                    key: key.to_owned(),
-                };
-                self.refuse(key, place, reason, found)
+                let known = words.iter().map(|(word, _)| *word);
+                self.refuse_word(key, (place, text), known, found)
             }
         }
+    }
+
+    /// Refuses a word, and says which of the known ones it may mean, if it is near one.
+    pub(super) fn refuse_word<'w, T>(
+        self,
+        key: &str,
+        (place, word): (Span, &str),
+        known: impl IntoIterator<Item = &'w str>,
+        found: &mut Found,
+    ) -> Option<T> {
+        let reason = Describing::CannotBeThis {
+            key: key.to_owned(),
+        };
+        let Some(near) = nearest(&word.to_lowercase(), known) else {
+            return self.refuse(key, place, reason, found);
+        };
+        let help = Suggesting::DidYouMean { near: near.into() };
+        found.push(fault(self.part, place, reason, help));
+        None
     }
 
     /// Whether the key is there at all.
