@@ -1,5 +1,5 @@
-"""Imports each published URDF file, exports what comes of it, and compares both in pinocchio: places of feet, their Jacobians, and
-the mass matrix of the legs where the file's inertias are kept."""
+"""Imports each published URDF file, exports what comes of it, and compares both in pinocchio: places of feet, their Jacobians, the
+mass matrix of the legs where the file's inertias are kept, and collision shapes other than meshes."""
 
 import pathlib
 import re
@@ -9,6 +9,8 @@ import tempfile
 
 import numpy
 import pinocchio
+
+import shapes
 
 LIMIT = 1e-9  # of the robot's size; of a mass matrix's greatest element
 POSES = 1000
@@ -37,6 +39,10 @@ class Robot:
     def __init__(self, path):
         self.model = pinocchio.buildModelFromUrdf(str(path))
         self.data = self.model.createData()
+        self.shapes = shapes.Shapes(path, self.model)
+
+    def base(self, name):
+        return self.data.oMf[self.model.getFrameId(name)]
 
     def joint(self, name):
         joint = self.model.joints[self.model.getJointId(name)]
@@ -64,7 +70,7 @@ class Robot:
         link, _, place = end.partition("=")
         frame = self.model.getFrameId(link)
         at = [float(part) for part in place.split(",")] if place else [0, 0, 0]
-        base = self.data.oMf[self.model.getFrameId(base)]
+        base = self.base(base)
         columns = [self.joint(name)[2] for name in joints]
         aligned = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
         jacobian = pinocchio.getFrameJacobian(self.model, self.data, frame, aligned)[:, columns]
@@ -89,12 +95,32 @@ def bases(path):
     return frames[1] if frames[0] == "world" else frames[0]
 
 
+def counterparts(ours, theirs, base, joints):
+    """Shapes that stand for each other, by the joints that carry them; a link of which the file gives none is drawn as we like."""
+    found = []
+    for our_joint, their_joint in joints.items():
+        given = theirs.shapes.of.get(their_joint)
+        if given:
+            kept = ours.shapes.of.get(our_joint, [])
+            place = lambda shape: shape.place(ours.data, ours.base("base_link"))
+            at = lambda shape: shape.place(theirs.data, theirs.base(base))
+            pairs = shapes.pairs(kept, given, place, at)
+            if pairs is None:
+                sys.exit(f"{their_joint} has {len(given)} shapes, {our_joint} has {len(kept)}, or others")
+            found += pairs
+    return found
+
+
 def compare(source, exported, described):
     theirs, ours = Robot(source), Robot(exported)
     base = bases(source)
     random = numpy.random.default_rng(1)
     size, apart, moved, most, heavier = 0.0, 0.0, 0.0, 0.0, 0.0
     legs_of = list(legs(described))
+    carried = {f"J{n}{i}": name for n, (joints, _) in enumerate(legs_of, 1) for i, name in enumerate(joints, 1)}
+    if "\n[body]\n" in described:
+        carried["universe"] = "universe"
+    kept, shifted, turned = None, 0.0, 0.0
     for _ in range(POSES):
         here, there = {}, {}
         for number, (joints, _) in enumerate(legs_of, 1):
@@ -102,6 +128,13 @@ def compare(source, exported, described):
                 here[f"J{number}{index}"] = there[name] = random.uniform(-3, 3)
         ours.pose(here)
         theirs.pose(there)
+        if kept is None:
+            kept = counterparts(ours, theirs, base, carried)
+            sizes = max((numpy.abs(our.sizes - their.sizes).max() for our, their in kept), default=0.0)
+        for our, their in kept:
+            place, at = our.place(ours.data, ours.base("base_link")), their.place(theirs.data, theirs.base(base))
+            shift, turn = shapes.apart(place, at)
+            shifted, turned = max(shifted, shift), max(turned, turn)
         for number, (joints, end) in enumerate(legs_of, 1):
             names = [f"J{number}{index}" for index in range(1, len(joints) + 1)]
             place, columns = ours.foot(f"F{number}", "base_link", names)
@@ -112,7 +145,8 @@ def compare(source, exported, described):
             mass = theirs.mass(joints)
             most = max(most, mass.max())
             heavier = max(heavier, numpy.abs(ours.mass(names) - mass).max())
-    return len(legs_of), size, apart / size, moved / size, heavier / most
+    shaped = len(kept), max(shifted, sizes) / size, turned
+    return len(legs_of), size, apart / size, moved / size, heavier / most, shaped
 
 
 def main():
@@ -133,15 +167,16 @@ def main():
             print(f"{name}: refused: {imported.stderr.strip()}")
         else:
             subprocess.run([tipc, "robot", "export", "--urdf", "--robot", described, "-o", exported], check=True)
-            count, size, apart, moved, heavier = compare(source, exported, described.read_text())
+            count, size, apart, moved, heavier, (kept, shifted, turned) = compare(source, exported, described.read_text())
             doubts = imported.stderr.count(" doubtful: ")
             # Without inertias that can be, uniform rods have taken their place.
             is_kept = not re.search(r"taken to be a uniform rod|carry 0 kg", imported.stderr)
-            holds = max(apart, moved) <= LIMIT and (heavier <= LIMIT or not is_kept)
+            holds = max(apart, moved, shifted, turned) <= LIMIT and (heavier <= LIMIT or not is_kept)
             masses = f"{heavier:.1e} of it" if is_kept else "not kept"
             print(
                 f"{name}: {count} legs, {POSES} poses, size {size:.3f} m, places {apart:.1e} of it, "
-                f"Jacobians {moved:.1e} of it, mass matrix {masses}, {doubts} doubts"
+                f"Jacobians {moved:.1e} of it, mass matrix {masses}, {kept} shapes, their places and sizes {shifted:.1e} of it, turns {turned:.1e}, "
+                f"{doubts} doubts"
             )
         failed |= not holds
     sys.exit(failed)

@@ -33,7 +33,9 @@ mod rust;
 mod scene;
 mod section;
 mod settings;
+mod shape;
 mod spread;
+mod turn;
 
 #[cfg(test)]
 mod tests;
@@ -43,6 +45,7 @@ pub use model::WithModel;
 pub use project::{Project, Settings, parse_project};
 pub use rust::{const_name, skeleton};
 pub use scene::parse_scene;
+pub use shape::{Form, Shape, Shapes};
 
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
@@ -67,14 +70,18 @@ pub struct Description {
     lamps: u8,
     forces: Option<Forces>,
     slider: Option<Slider>,
+    /// Of the body.
+    shapes: Vec<Shape>,
 }
 
-/// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints.
+/// A leg: the data of [`tip_runtime::model::Leg`], whatever the number of joints, and shapes.
 #[derive(Clone, Debug, PartialEq)]
 struct Leg {
     base: Point,
     joints: Vec<Joint>,
     initial: Vec<f64>,
+    /// Of the link after each joint.
+    shapes: Vec<Vec<Shape>>,
 }
 
 /// Reads a description. `name` is how diagnostics call the file.
@@ -145,7 +152,7 @@ fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<De
     let standards = settings::standards(robot, periods, found);
     let contact = settings::contact(robot, found);
     let lamps = settings::lamps(robot, found);
-    let body = settings::body(robot, found);
+    let (body, shapes) = settings::body(robot, found).unzip();
     let slider = settings::slider(robot, found);
     let chosen = settings::inverse(robot, found);
     let legs = legs?;
@@ -166,5 +173,6 @@ fn describe(source: &Source, robot: Section<'_>, found: &mut Found) -> Option<De
         lamps,
         forces,
         slider,
+        shapes: shapes.unwrap_or_default(),
     })
 }

@@ -21,6 +21,8 @@ pub enum Part {
     Forces,
     /// `[slider]`.
     Slider,
+    /// `[[shape]]` of a joint or the body.
+    Shape,
     /// Keys above the first table of a scene.
     Scene,
     /// `[floor]` of a scene.
@@ -45,6 +47,7 @@ impl Part {
         Part::Standards,
         Part::Forces,
         Part::Slider,
+        Part::Shape,
     ];
 
     /// Every table of a scene, in the order of the documentation.
@@ -95,6 +98,7 @@ impl Part {
             Part::Standards => "[standards]",
             Part::Forces => "[forces]",
             Part::Slider => "[slider]",
+            Part::Shape => "[[shape]]",
             Part::Floor => "[floor]",
             Part::Object => "[[object]]",
             Part::Block => "[[block]]",
@@ -166,6 +170,8 @@ keys! {
     Joint "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²" / "kg·m²単位の[xx, yy, zz, xy, xz, yz]", Some("a uniform rod's"), "the link's tensor of inertia about its centre of mass, at angle 0, along x, y and z of the robot frame; elements and signs are those of URDF" / "角度0のときの、重心まわりのリンクの慣性テンソル(ロボット座標系のx、y、z軸。要素と符号はURDFと同じ)";
     Joint "torque", "a number in N·m" / "N·m単位の数値", Some("10"), "the most that the motor gives" / "モータの最大トルク";
 
+    Joint "shape", "a list of [[joint.shape]] tables" / "[[joint.shape]]表の並び", Some("drawn as a rod with a ball at its joint"), "what exported files show of the link, and collide with; no simulation here looks at it" / "書き出すファイルに載せるリンクの形状(本ツールのシミュレーションでは使わない)";
+
     Leg "base", "[x, y, z] in mm" / "mm単位の[x, y, z]", None, "the first joint in the robot frame" / "ロボット座標系での最初の関節の位置";
     Leg "turn", "a number in deg" / "度単位の数値", Some("0"), "turns the joints about z, counterclockwise seen from above" / "関節全体をz軸まわりに回す角度(上から見て反時計回り)";
     Leg "mirror", "letters of \"x\", \"y\", \"z\"" / "\"x\"、\"y\"、\"z\" を組み合わせた文字列", Some("\"\""), "then mirrors them: \"x\" makes a right leg a left one; equal angles are mirrored postures" / "その後の鏡映(\"x\" で右脚が左脚になる。同じ角度は鏡映の姿勢になる)";
@@ -178,6 +184,8 @@ keys! {
     Body "mass", "a number in kg" / "kg単位の数値", Some("1"), "the mass without legs" / "脚を除いた質量";
     Body "centre", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the origin"), "the centre of mass without legs" / "脚を除いた重心";
     Body "inertia", "[xx, yy, zz, xy, xz, yz] in kg·m²" / "kg·m²単位の[xx, yy, zz, xy, xz, yz]", Some("a uniform box's"), "the tensor of inertia without legs, about the centre of mass" / "脚を除いた、重心まわりの慣性テンソル";
+
+    Body "shape", "a list of [[body.shape]] tables" / "[[body.shape]]表の並び", Some("a box of these extents"), "what exported files show of the body, and collide with; no simulation here looks at it" / "書き出すファイルに載せる胴体の形状(本ツールのシミュレーションでは使わない)";
 
     Standards "v_max", "a number in mm/s" / "mm/s単位の数値", Some("300"), "`V_MAX`" / "`V_MAX`";
     Standards "a_max", "a number in mm/s²" / "mm/s²単位の数値", Some("600"), "`A_MAX`" / "`A_MAX`";
@@ -198,6 +206,12 @@ keys! {
     Slider "x", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "how far it goes along x" / "x方向に動く範囲";
     Slider "y", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "along y" / "y方向";
     Slider "z", "[min, max] in mm" / "mm単位の[最小, 最大]", Some("it stays"), "along z" / "z方向";
+
+    Shape "block", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("`cylinder` or `sphere` must be there"), "that it is a block with these sides" / "この寸法の直方体であること";
+    Shape "cylinder", "[radius, length] in mm" / "mm単位の[半径, 長さ]", Some("`block` or `sphere` must be there"), "that it is a cylinder, along z" / "z方向の円柱であること";
+    Shape "sphere", "a number in mm" / "mm単位の数値", Some("`block` or `cylinder` must be there"), "that it is a sphere of this radius" / "この半径の球であること";
+    Shape "at", "[x, y, z] in mm" / "mm単位の[x, y, z]", Some("the origin"), "its middle: from the joint, at angle 0, or in the robot frame" / "中心の位置(角度0のときの関節から見た位置。胴体ではロボット座標系)";
+    Shape "turned", "[roll, pitch, yaw] in deg" / "度単位の[ロール, ピッチ, ヨー]", Some("[0, 0, 0]"), "how it is turned about x, then y, then z of the robot frame" / "ロボット座標系のx軸、y軸、z軸の順に回した角度";
 
     Scene "plant", "\"quasi-static\" or \"dynamic\"" / "\"quasi-static\" または \"dynamic\"", Some("quasi-static"), "how a walking robot is simulated; the option `--plant` wins" / "歩行ロボットのシミュレーション方法(`--plant` オプションが優先)";
     Scene "floor", "a [floor] table" / "[floor]表", Some("level, friction 0.5"), "what carries the objects, or a walking robot" / "物体や歩行ロボットを載せる床";

@@ -3,7 +3,9 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign, fault};
+use super::shape::{self, Shape};
 use super::spread;
+use super::turn::sin_cos;
 use crate::message::{Describing, Letter};
 use crate::source::Span;
 use tip_runtime::command::MAX;
@@ -11,6 +13,12 @@ use tip_runtime::model::{Joint, Range, Spread};
 
 /// How far the potentiometers go beyond the working limits, unless the file says so: deg.
 const OUTER: f64 = 5.0;
+
+/// A joint as the file draws it, and the shapes of the link after it.
+struct Drawn {
+    joint: Joint,
+    shapes: Vec<Shape>,
+}
 
 /// Every leg of the robot, F1 first; `None` after a fault that leaves none.
 pub(super) fn read(robot: Section<'_>, found: &mut Found) -> Option<Vec<Leg>> {
@@ -69,7 +77,7 @@ fn same_size(sections: &[Section<'_>], legs: &[Leg], found: &mut Found) -> bool 
 }
 
 /// The `joint` tables of a leg, or of all legs; `None` if there are none, or none that can be used.
-fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Joint>> {
+fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Drawn>> {
     let sections = section.tables("joint", Part::Joint, found)?;
     if !(1..=MAX).contains(&sections.len()) {
         let reason = Describing::NumberOfJoints {
@@ -78,11 +86,11 @@ fn joints(section: Section<'_>, found: &mut Found) -> Option<Vec<Joint>> {
         };
         return section.refuse("joint", section.place_of("joint"), reason, found);
     }
-    let joints: Vec<Option<Joint>> = sections.iter().map(|own| joint(*own, found)).collect();
+    let joints: Vec<Option<Drawn>> = sections.iter().map(|own| joint(*own, found)).collect();
     joints.into_iter().collect()
 }
 
-fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
+fn joint(section: Section<'_>, found: &mut Found) -> Option<Drawn> {
     let axis = axis(section, found);
     let link = section.numbers("link", Sign::Any, found);
     let limits = section.range("limits", Sign::Any, found);
@@ -101,7 +109,8 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
     let even = Spread::rod(link.unwrap_or_default(), mass);
     let spread = spread::read(section, even, found);
     let torque = section.number("torque", Sign::Positive, found);
-    Some(Joint {
+    let shapes = shape::read(section, found);
+    let joint = Joint {
         axis: axis?,
         link: link?,
         limits,
@@ -109,7 +118,8 @@ fn joint(section: Section<'_>, found: &mut Found) -> Option<Joint> {
         mass,
         spread,
         torque: torque.unwrap_or(10.0),
-    })
+    };
+    Some(Drawn { joint, shapes })
 }
 
 /// A unit vector: `"z"`, `"-y"` or any direction.
@@ -144,7 +154,7 @@ impl Leg {
 /// A leg whose joints are those of `drawn`, turned and mirrored as the leg says.
 fn leg(
     section: Section<'_>,
-    drawn: Option<&[Joint]>,
+    drawn: Option<&[Drawn]>,
     common: Option<&[f64]>,
     found: &mut Found,
 ) -> Option<Leg> {
@@ -154,29 +164,32 @@ fn leg(
     let own = section.list("initial", Sign::Any, found);
     let drawn = drawn?;
     let initial = initial(section, drawn, own, common, found);
+    let placed = drawn.iter().map(|drawn| placed(drawn, turn, mirror));
+    let (joints, shapes) = placed.unzip();
     Some(Leg {
         base: base?,
-        joints: drawn
-            .iter()
-            .map(|joint| placed(joint, turn, mirror))
-            .collect(),
+        joints,
         initial: initial?,
+        shapes,
     })
 }
 
-/// A joint turned about z, then mirrored.
-fn placed(joint: &Joint, turn: f64, mirror: [f64; 3]) -> Joint {
+/// A joint and its shapes, turned about z, then mirrored.
+fn placed(drawn: &Drawn, turn: f64, mirror: [f64; 3]) -> (Joint, Vec<Shape>) {
+    let Drawn { joint, shapes } = drawn;
     let [sin, cos] = sin_cos(turn);
     let turned = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
     let (axis, link) = (turned(joint.axis), turned(joint.link));
     // An axis is a pseudovector: a mirror turns it round as well.
     let side: f64 = mirror.iter().product();
-    Joint {
+    let shapes = shapes.iter().map(|shape| shape.placed(turned, mirror));
+    let joint = Joint {
         axis: [0, 1, 2].map(|i| side * mirror[i] * axis[i]),
         link: [0, 1, 2].map(|i| mirror[i] * link[i]),
         spread: joint.spread.map(|of| spread::placed(&of, turned, mirror)),
         ..*joint
-    }
+    };
+    (joint, shapes.collect())
 }
 
 /// The sign that a mirror gives each coordinate.
@@ -201,13 +214,13 @@ fn mirror(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
 /// The leg's own initial posture, that of all legs, or the middle of all limits.
 fn initial(
     section: Section<'_>,
-    joints: &[Joint],
+    joints: &[Drawn],
     own: Option<(Span, Vec<f64>)>,
     common: Option<&[f64]>,
     found: &mut Found,
 ) -> Option<Vec<f64>> {
     let place = own.as_ref().map_or(section.place, |(place, _)| *place);
-    let middle = |joint: &Joint| (joint.limits.min + joint.limits.max) / 2.0;
+    let middle = |Drawn { joint, .. }: &Drawn| (joint.limits.min + joint.limits.max) / 2.0;
     let angles = match (own, common) {
         (Some((_, own)), _) => own,
         (None, Some(common)) => common.to_vec(),
@@ -220,7 +233,7 @@ fn initial(
         };
         return section.refuse("initial", place, reason, found);
     }
-    for (number, (angle, joint)) in (1..).zip(angles.iter().zip(joints)) {
+    for (number, (angle, Drawn { joint, .. })) in (1..).zip(angles.iter().zip(joints)) {
         let Range { min, max } = joint.limits;
         if !joint.limits.contains(*angle) {
             let reason = Describing::InitialOutside {
@@ -233,16 +246,4 @@ fn initial(
         }
     }
     Some(angles)
-}
-
-/// Sine and cosine of an angle in degrees, exact at every quarter turn.
-fn sin_cos(angle: f64) -> [f64; 2] {
-    let quarters = (angle / 90.0).floor();
-    let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());
-    match quarters.rem_euclid(4.0) as u8 {
-        0 => [sin, cos],
-        1 => [cos, -sin],
-        2 => [-sin, -cos],
-        _ => [-cos, sin],
-    }
 }

@@ -1,7 +1,7 @@
 //! What a description is turned into: what programs are checked for, and a model of the runtime.
 
 use super::section::{Found, Section};
-use super::{Description, Leg};
+use super::{Description, Leg, Shapes};
 use crate::message::Describing;
 use crate::robot::{Facts, Robot};
 use tip_runtime::model::{self, Family, Inverse, Model};
@@ -104,6 +104,14 @@ impl Description {
             *leg = described.sized()?;
         }
         Some(())
+    }
+
+    /// What its links and its body look like; no model holds it.
+    pub fn shapes(&self) -> Shapes {
+        Shapes {
+            body: self.shapes.clone(),
+            legs: self.legs.iter().map(|leg| leg.shapes.clone()).collect(),
+        }
     }
 
     /// Does something with the model, which has 1 to 9 legs of 1 to 9 joints.

@@ -91,6 +91,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         base: [0.0; 3],
         joints: vec![joint],
         initial: vec![0.0],
+        shapes: Vec::new(),
     };
     let generic = generic::MODEL;
     let stands_in = Description {
@@ -106,6 +107,7 @@ pub fn skeleton(source_name: &str, options: &Options) -> TokenStream {
         lamps: generic.lamps,
         forces: None,
         slider: None,
+        shapes: Vec::new(),
     };
     stands_in.to_rust(options)
 }

@@ -3,6 +3,7 @@
 use super::Leg;
 use super::keys::Part;
 use super::section::{Found, Section, Sign};
+use super::shape::{self, Shape};
 use super::spread;
 use crate::message::Describing;
 use tip_runtime::model::{
@@ -70,8 +71,8 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
     number as u8
 }
 
-/// The body, if the robot walks.
-pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<Body> {
+/// The body and its shapes, if the robot walks.
+pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<Shape>)> {
     let section = robot.table("body", Part::Body, found)?;
     let x = section.range("x", Sign::Any, found);
     let y = section.range("y", Sign::Any, found);
@@ -81,13 +82,15 @@ pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<Body> {
     let point = Range::new(0.0, 0.0);
     let even = Spread::block([x, y, z].map(|range| range.unwrap_or(point)), mass);
     let spread = spread::read(section, even, found);
-    Some(Body {
+    let shapes = shape::read(section, found);
+    let body = Body {
         x: x?,
         y: y?,
         z: z?,
         mass,
         spread,
-    })
+    };
+    Some((body, shapes))
 }
 
 /// What torques the robot senses and gives, if it does. The search commands of the hand are none of its.

@@ -1,6 +1,7 @@
 //! Descriptions, good and bad. Expected values are worked out by hand.
 
 mod faults;
+mod shapes;
 
 use super::{Description, WithModel, parse};
 use crate::robot::Robot;

@@ -130,6 +130,17 @@ messages! {
         "the slider starts at {at}, which is outside",
         "スライダの初期位置{at}が範囲の外にあります";
 
+    // Shapes.
+    NoForm
+        "a shape needs `block`, `cylinder` or `sphere`",
+        "形状には `block`、`cylinder`、`sphere` のどれかが必要です";
+    SeveralForms
+        "a shape has only one of `block`, `cylinder` and `sphere`",
+        "1つの形状に書けるのは `block`、`cylinder`、`sphere` のうち1つだけです";
+    Forms
+        "a block has `block = [x, y, z]`, a cylinder `cylinder = [radius, length]`, a sphere `sphere = radius`, in mm",
+        "直方体は `block = [x, y, z]`、円柱は `cylinder = [半径, 長さ]`、球は `sphere = 半径` で、単位はmmです";
+
     // Scenes.
     BothShapes
         "an object cannot have both `size` and `radius`",

@@ -158,8 +158,17 @@ messages! {
         "frames: x forward and y left (REP 103) became x right and y forward",
         "座標系: x前・y左(REP 103)を、x右・y前に変えました";
     Dropped
-        "dropped: geometry, damping, friction, safety limits",
-        "読み捨てたもの: 形状、減衰、摩擦、安全限界";
+        "dropped: looks, damping, friction, safety limits",
+        "読み捨てたもの: 外観、減衰、摩擦、安全限界";
+    Meshes { links: List }
+        "dropped: collision shapes that are meshes: {links}",
+        "読み捨てたもの: メッシュの衝突形状: {links}";
+    NoSize { links: List }
+        "dropped: collision shapes that have a size of 0 or less, or are farther away than 1 km: {links}",
+        "読み捨てたもの: 寸法が0以下か、1 kmより遠い衝突形状: {links}";
+    BaseShapes
+        "dropped: the collision shapes of the base, which is bolted down",
+        "読み捨てたもの: 固定された基部の衝突形状";
     NoSensors
         "assumed: no torque sensors; add [forces] if there are some",
         "仮定: トルクセンサなし。あれば[forces]を加えてください";
@@ -208,6 +217,9 @@ messages! {
     Walks
         "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it, or leave [body] out if it is bolted down as a hand is",
         "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください。ハンドのように固定されているなら[body]を削除してください";
+    BodyOfShapes
+        "assumed: the robot walks; its body is the box around the collision shapes of its base: leave [body] out if it is bolted down as a hand is",
+        "仮定: ロボットは歩く。胴体は基部の衝突形状を囲む箱。ハンドのように固定されているなら[body]を削除してください";
     BodyOfBox
         "the robot walks; its body is the box of link body",
         "ロボットは歩きます。胴体はリンクbodyの箱です";

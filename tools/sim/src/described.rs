@@ -29,7 +29,8 @@ impl Robot {
 
     /// A walking robot from a description that was read. It stays in memory for good.
     pub fn described(description: &Description) -> Self {
-        description.with_model(Made(description.facts()))
+        let robot = description.with_model(Made(description.facts()));
+        robot.with_shapes(description.shapes())
     }
 }
 

@@ -35,19 +35,20 @@ const SKIN: f64 = 1e-3;
 /// or fingertips are the sites and touch sensors `F1` to `Fn`. The first keyframe, `initial`, is the initial posture.
 #[must_use]
 pub fn export(robot: &Robot) -> String {
-    let anatomy = robot.anatomy();
+    let (anatomy, shapes) = (robot.anatomy(), robot.shapes());
     let beginning = robot.beginning();
     let mut parts = Parts::default();
     if beginning.pose.is_some() {
         surroundings::ground(&mut parts, robot.scene());
     }
-    limb::base(&mut parts, &anatomy, &beginning);
+    limb::base(&mut parts, &anatomy, &beginning, &shapes.body);
     for (number, leg) in (1..).zip(&anatomy.legs) {
         limb::leg(
             &mut parts,
             number,
             leg,
             &anatomy,
+            shapes,
             beginning.objects.is_some(),
         );
     }

@@ -15,6 +15,8 @@ use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
+#[cfg(feature = "robot-files")]
+use tipc::description::Shapes;
 use tipc::{Facts, Options, published};
 
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
@@ -27,6 +29,8 @@ pub struct Robot {
     special: Native,
     /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
     answers: Option<&'static [u8]>,
+    #[cfg(feature = "robot-files")]
+    shapes: Rc<Shapes>,
 }
 
 impl Robot {
@@ -82,6 +86,8 @@ impl Robot {
             },
             special: Native::new(()),
             answers: Some(&[]),
+            #[cfg(feature = "robot-files")]
+            shapes: Rc::default(),
         }
     }
 
@@ -138,6 +144,18 @@ impl Robot {
     /// What it has.
     pub fn anatomy(&self) -> Anatomy {
         self.body.anatomy()
+    }
+
+    /// What a description says that it looks like.
+    #[cfg(feature = "robot-files")]
+    pub fn shapes(&self) -> &Shapes {
+        &self.shapes
+    }
+
+    #[cfg(feature = "robot-files")]
+    pub(crate) fn with_shapes(mut self, shapes: Shapes) -> Self {
+        self.shapes = Rc::new(shapes);
+        self
     }
 
     /// How it and what is around it begin.

@@ -2,7 +2,7 @@
 //! description; [`export`] writes any robot.
 //!
 //! What URDF says of the kinematics survives to the last digit that is written, and so do centres of mass and inertias that a body can
-//! have; what the language has no use for is dropped, and what it needs and URDF lacks is assumed. The report lists both.
+//! have, and collision shapes other than meshes; what the language has no use for is dropped, and what it needs and URDF lacks is assumed. The report lists both.
 //!
 //! ```
 //! let urdf = r#"<robot name="pendulum">
@@ -34,6 +34,7 @@ mod body;
 mod chain;
 mod check;
 mod choices;
+mod collision;
 mod doubt;
 mod export;
 mod foot;

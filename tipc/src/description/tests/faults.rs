@@ -16,19 +16,19 @@ fn faults(text: &str) -> Vec<String> {
 }
 
 /// A description whose leg and joint stand in the lines 2 and 3, and `more` from line 4 on.
-fn with(more: &str) -> String {
+pub(super) fn with(more: &str) -> String {
     format!(
         "name = \"test\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, 9] }}]\n{more}"
     )
 }
 
 /// The same with these keys in its joint as well, from column 42 on.
-fn with_joint(keys: &str) -> String {
+pub(super) fn with_joint(keys: &str) -> String {
     with("").replace("9] }", &format!("9], {keys} }}"))
 }
 
 #[track_caller]
-fn only(text: &str, expected: &str) {
+pub(super) fn only(text: &str, expected: &str) {
     assert_eq!(faults(text), [expected], "{text}");
 }
 

@@ -9,12 +9,13 @@ use crate::urdf::xml::vector;
 use std::f64::consts::FRAC_1_SQRT_2;
 use tip_runtime::model::{Body, Joint};
 use tip_runtime::plant::Drives;
+use tipc::description::{Form, Shape, Shapes};
 
 /// How far around a foot or fingertip its contacts are counted as its load: m.
 const REACH: f64 = 2.0 * SKIN;
 
 /// Begins the body that carries all legs.
-pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning) {
+pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, shapes: &[Shape]) {
     let world = &mut parts.world;
     if let (Some(pose), Some(body)) = (&beginning.pose, &anatomy.body) {
         let [x, y, z] = metres(pose.position);
@@ -25,7 +26,7 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning) 
             "body name=\"{BASE}\" pos=\"{shown}\" quat=\"{turned}\""
         ));
         world.add(&format!("freejoint name=\"{BASE}\""));
-        trunk(parts, body);
+        trunk(parts, body, shapes);
         parts.places.extend(at.into_iter().chain(attitude));
     } else if beginning.objects.is_some() {
         // Of the hand y is the height.
@@ -36,8 +37,8 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning) 
     }
 }
 
-/// A box, its mass at the origin unless the model says more.
-fn trunk(parts: &mut Parts, body: &Body) {
+/// A box, its mass at the origin unless the model says more. Beside shapes it is in the group that viewers hide at first.
+fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let ranges = [body.x, body.y, body.z];
     let half = ranges.map(|range| (range.max - range.min) / 2000.0);
     let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
@@ -49,17 +50,52 @@ fn trunk(parts: &mut Parts, body: &Body) {
         Some(spread) => (spread.centre, full(spread.inertia)),
     };
     let (centre, mass) = (vector(metres(centre)), body.mass);
+    let group = if shapes.is_empty() {
+        ""
+    } else {
+        " group=\"3\""
+    };
     parts.world.add(&format!(
         "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     parts.world.add(&format!(
-        "geom name=\"{BODY}\" type=\"box\" size=\"{half}\" pos=\"{middle}\""
+        "geom name=\"{BODY}\" type=\"box\" size=\"{half}\" pos=\"{middle}\"{group}"
     ));
+    draw(parts, shapes);
+}
+
+/// Shapes, which touch nothing.
+fn draw(parts: &mut Parts, shapes: &[Shape]) {
+    for shape in shapes {
+        let form = match shape.form {
+            Form::Block(sides) => {
+                let half = vector(sides.map(|side| side / 2000.0));
+                format!("type=\"box\" size=\"{half}\"")
+            }
+            Form::Cylinder { radius, length } => {
+                let size = vector([radius / 1000.0, length / 2000.0]);
+                format!("type=\"cylinder\" size=\"{size}\"")
+            }
+            Form::Sphere { radius } => format!("type=\"sphere\" size=\"{}\"", radius / 1000.0),
+        };
+        let [x, y, _] = shape.axes;
+        let (at, axes) = (vector(metres(shape.at)), vector(x.into_iter().chain(y)));
+        parts.world.add(&format!(
+            "geom class=\"drawn\" {form} pos=\"{at}\" xyaxes=\"{axes}\""
+        ));
+    }
 }
 
 /// A chain of links. Those of a `hand` are counterbalanced, and touch things along their length; those of other robots at their
 /// ends.
-pub(super) fn leg(parts: &mut Parts, number: u8, leg: &Limb, anatomy: &Anatomy, hand: bool) {
+pub(super) fn leg(
+    parts: &mut Parts,
+    number: u8,
+    leg: &Limb,
+    anatomy: &Anatomy,
+    shapes: &Shapes,
+    hand: bool,
+) {
     let radius = frame::thickness(&anatomy.legs) / 1000.0;
     let foot = frame::foot(number);
     let mut at = leg.base;
@@ -74,7 +110,8 @@ pub(super) fn leg(parts: &mut Parts, number: u8, leg: &Limb, anatomy: &Anatomy, 
             .open(&format!("body name=\"{link}\" pos=\"{place}\"{weightless}"));
         hinge(parts, &name, joint, posture.to_radians());
         let touching = if is_last { &foot } else { &link };
-        carried(parts, joint, radius, touching, hand);
+        let shapes = shapes.of(number, count);
+        carried(parts, joint, radius, shapes, touching, hand);
         at = joint.link;
     }
     let end = vector(metres(at));
@@ -115,8 +152,15 @@ fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
     parts.controls.push(posture);
 }
 
-/// What a joint carries: a rod (its radius in m), and what of it touches things.
-fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: bool) {
+/// What a joint carries: its shapes or a rod (its radius in m), and what of it touches things.
+fn carried(
+    parts: &mut Parts,
+    joint: &Joint,
+    radius: f64,
+    shapes: &[Shape],
+    touching: &str,
+    hand: bool,
+) {
     let end = metres(joint.link);
     let length = frame::length(end);
     let mass = joint.mass;
@@ -134,7 +178,7 @@ fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: 
         "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
-    if length > 0.0 {
+    if length > 0.0 && shapes.is_empty() {
         world.add(&format!("geom class=\"drawn\" {}", rod(radius)));
     }
     let shape = match hand && length > 0.0 {
@@ -142,6 +186,7 @@ fn carried(parts: &mut Parts, joint: &Joint, radius: f64, touching: &str, hand: 
         false => format!("type=\"sphere\" pos=\"{end}\" size=\"{SKIN}\""),
     };
     world.add(&format!("geom name=\"{touching}\" {shape}"));
+    draw(parts, shapes);
 }
 
 /// xx, yy, zz, xy, xz and yz of a tensor.

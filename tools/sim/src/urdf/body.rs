@@ -2,7 +2,7 @@
 
 use super::frame::{BODY, FLOOR};
 use super::pose::Pose;
-use super::robot::{Joint, Kind, Link};
+use super::robot::{Geometry, Joint, Kind, Link};
 use super::tree::Tree;
 use tip_runtime::model::{Point, Range, Slider};
 
@@ -12,7 +12,14 @@ const SLIGHT: f64 = 1e-9;
 /// The extents of the body along x, y and z (mm): those of the only box of a link `body`.
 pub(super) fn extents(rigid: &[(&Link, Pose)]) -> Option<[Range; 3]> {
     let (link, pose) = rigid.iter().find(|(link, _)| link.name == BODY)?;
-    let [(origin, size)] = link.boxes.as_slice() else {
+    let mut boxes = link
+        .visuals
+        .iter()
+        .filter_map(|piece| match piece.geometry {
+            Geometry::Box(size) => Some((&piece.origin, size)),
+            _ => None,
+        });
+    let (Some((origin, size)), None) = (boxes.next(), boxes.next()) else {
         return None;
     };
     let pose = pose.then(origin);

@@ -1,11 +1,12 @@
 //! A robot as URDF text.
 
 use super::frame::{self, BASE, BODY, FLOOR, WORLD, length};
-use super::shape::{Shape, Solid};
+use super::shape::{self, Solid};
 use super::xml;
 use crate::body::{Anatomy, Limb};
 use crate::robot::Robot;
-use tip_runtime::model::{Body, Inverse, Joint, Point, Slider, Spread};
+use tip_runtime::model::{Body, Inverse, Joint, Point, Range, Slider, Spread};
+use tipc::description::{Shape, Shapes};
 
 /// How much thicker a joint is drawn than its link.
 const KNUCKLE: f64 = 1.3;
@@ -20,10 +21,11 @@ const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 <!-- Made by `tipc robot export`. m, rad, kg, N·m; x forward, y left, z up (REP 103).
      J11 to Jnm are the joints of the language, with its signs and zeros; link11 to linknm what they carry; F1 to Fn the feet
      or fingertips. While all joints are at 0 all frames are parallel to base_link, the robot frame.
-     Thickness of links and looks are not of the model; a mass of which it says no more is spread evenly along its link. -->
+     Thickness of links and looks are assumed where no shapes are given; a mass of which no more is said is spread evenly along
+     its link. -->
 "#;
 
-/// A robot as URDF: its frames, limits, masses and inertias, drawn by boxes, cylinders and spheres. A robot that walks has
+/// A robot as URDF: its frames, limits, masses, inertias and shapes; links without shapes are drawn by cylinders and spheres. A robot that walks has
 /// `base_link` as its root; one that is bolted down hangs on the link `world`.
 ///
 /// ```
@@ -36,7 +38,7 @@ const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 /// ```
 #[must_use]
 pub fn export(robot: &Robot) -> String {
-    let anatomy = robot.anatomy();
+    let (anatomy, shapes) = (robot.anatomy(), robot.shapes());
     let mut writer = Writer {
         text: HEAD.to_owned(),
         thickness: frame::thickness(&anatomy.legs),
@@ -46,11 +48,11 @@ pub fn export(robot: &Robot) -> String {
     writer.line("<material name=\"body\"><color rgba=\"0.35 0.4 0.45 1\"/></material>");
     writer.line("<material name=\"limb\"><color rgba=\"0.9 0.55 0.15 1\"/></material>");
     match &anatomy.body {
-        Some(body) => writer.walking(body),
+        Some(body) => writer.walking(body, &shapes.body),
         None => writer.bolted_down(&anatomy),
     }
     for (number, leg) in (1..).zip(&anatomy.legs) {
-        writer.leg(number, leg);
+        writer.leg(number, leg, shapes);
     }
     if let Some(slider) = &anatomy.slider {
         writer.slider(slider, &anatomy);
@@ -105,14 +107,21 @@ impl Writer {
         self.joint(hinge, "fixed", [0.0; 3], "");
     }
 
-    /// A base with a body that the legs carry.
-    fn walking(&mut self, body: &Body) {
+    /// A base with a body that the legs carry. It looks like its box, which is all that plants know of it and where `import` finds
+    /// its extents, and collides with its shapes.
+    fn walking(&mut self, body: &Body, shapes: &[Shape]) {
         self.link(BASE, &Solid::default());
         let ranges = [body.x, body.y, body.z];
+        let whole = shape::block(ranges);
         let solid = Solid {
             mass: body.mass,
-            shapes: vec![Shape::block(ranges, "body")],
             spread: Some(body.spread.unwrap_or(Spread::block(ranges, body.mass))),
+            even: None,
+            visual: vec![(whole, "body")],
+            collision: match shapes {
+                [] => vec![whole],
+                shapes => shapes.to_vec(),
+            },
         };
         self.link(BODY, &solid);
         self.fixed(&Hinge {
@@ -126,14 +135,8 @@ impl Writer {
     /// A base that stays where it is, drawn as a plate through the first joints.
     fn bolted_down(&mut self, anatomy: &Anatomy) {
         self.link(WORLD, &Solid::default());
-        let plate = Solid {
-            shapes: vec![Shape::block(
-                frame::around(&anatomy.legs, self.thickness),
-                "body",
-            )],
-            ..Solid::default()
-        };
-        self.link(BASE, &plate);
+        let around = frame::around(&anatomy.legs, self.thickness);
+        self.link(BASE, &plate(around));
         let turned = frame::standing(anatomy.inverse == Inverse::Planar);
         let hinge = Hinge {
             name: "base_fixed",
@@ -144,11 +147,11 @@ impl Writer {
         self.joint(&hinge, "fixed", turned, "");
     }
 
-    fn leg(&mut self, number: u8, leg: &Limb) {
+    fn leg(&mut self, number: u8, leg: &Limb, shapes: &Shapes) {
         let (mut parent, mut at) = (BASE.to_owned(), leg.base);
         for (joint, of) in (1..).zip(&leg.joints) {
             let child = frame::link(number, joint);
-            self.link(&child, &self.limb(of));
+            self.link(&child, &self.limb(of, shapes.of(number, joint)));
             let hinge = Hinge {
                 name: &frame::joint(number, joint),
                 parent: &parent,
@@ -176,15 +179,23 @@ impl Writer {
         });
     }
 
-    /// What a joint carries: a rod to the next one.
-    fn limb(&self, joint: &Joint) -> Solid {
-        let ball = Shape::ball(KNUCKLE * self.thickness, "body");
-        let rod =
-            (length(joint.link) > 0.0).then(|| Shape::rod(joint.link, self.thickness, "limb"));
+    /// What a joint carries: these shapes, or a rod to the next joint.
+    fn limb(&self, joint: &Joint, shapes: &[Shape]) -> Solid {
+        let ball = shape::ball(KNUCKLE * self.thickness);
+        let rod = (length(joint.link) > 0.0).then(|| shape::rod(joint.link, self.thickness));
+        let visual: Vec<_> = match shapes {
+            [] => {
+                let rod = rod.map(|rod| (rod, "limb"));
+                rod.into_iter().chain([(ball, "body")]).collect()
+            }
+            shapes => shapes.iter().map(|shape| (*shape, "limb")).collect(),
+        };
         Solid {
             mass: joint.mass,
-            shapes: rod.into_iter().chain([ball]).collect(),
             spread: joint.spread,
+            even: Some(rod.unwrap_or(ball)),
+            collision: visual.iter().map(|(shape, _)| *shape).collect(),
+            visual,
         }
     }
 
@@ -218,20 +229,26 @@ impl Writer {
         } else {
             2
         };
-        let mut plate = frame::around(&anatomy.legs, 10.0 * self.thickness);
+        let mut around = frame::around(&anatomy.legs, 10.0 * self.thickness);
         // Its upper side is where the floor is, in its own frame.
-        plate[up].min = -PLATE;
-        plate[up].max = 0.0;
-        let solid = Solid {
-            shapes: vec![Shape::block(plate, "body")],
-            ..Solid::default()
-        };
-        self.link(FLOOR, &solid);
+        around[up].min = -PLATE;
+        around[up].max = 0.0;
+        self.link(FLOOR, &plate(around));
         self.fixed(&Hinge {
             name: "floor_fixed",
             parent: &parent,
             child: FLOOR,
             at,
         });
+    }
+}
+
+/// What has these extents (mm), and no mass.
+fn plate(ranges: [Range; 3]) -> Solid {
+    let block = shape::block(ranges);
+    Solid {
+        visual: vec![(block, "body")],
+        collision: vec![block],
+        ..Solid::default()
     }
 }

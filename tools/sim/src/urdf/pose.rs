@@ -49,6 +49,22 @@ impl Pose {
     }
 }
 
+/// The roll, pitch and yaw (rad) of these axes x, y and z.
+pub(super) fn roll_pitch_yaw([x, y, z]: [[f64; 3]; 3]) -> [f64; 3] {
+    /// Of an x that is upright: there roll and yaw are about the same axis.
+    const LEVEL: f64 = 1e-12;
+    let level = (x[0] * x[0] + x[1] * x[1]).sqrt();
+    let pitch = libm::atan2(-x[2], level);
+    if level < LEVEL {
+        return [0.0, pitch, libm::atan2(-y[0], y[1])];
+    }
+    let yaw = libm::atan2(x[1], x[0]);
+    // What a yaw near there is off by, the roll makes good.
+    let (sin, cos) = libm::sincos(yaw);
+    let roll = libm::atan2(sin * z[0] - cos * z[1], cos * y[1] - sin * y[0]);
+    [roll, pitch, yaw]
+}
+
 /// URDF's roll, pitch and yaw (rad): turns about the fixed axes x, y and z, one after the other.
 fn rotation([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
     let [(sr, cr), (sp, cp), (sy, cy)] = [roll, pitch, yaw].map(libm::sincos);

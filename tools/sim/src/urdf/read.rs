@@ -3,7 +3,7 @@
 use super::ImportError;
 use super::check;
 use super::node::elements;
-use super::robot::{Joint, Kind, Limit, Link, Origin, Robot};
+use super::robot::{Geometry, Joint, Kind, Limit, Link, Origin, Piece, Robot};
 use super::schema::ROBOT;
 use super::values::{number, quaternion, roll_pitch_yaw, vector};
 use super::version::Version;
@@ -63,19 +63,40 @@ fn link(node: Node<'_, '_>, version: Version) -> Link {
         centre: centre.unwrap_or_default(),
         inertia: ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
             .map(|name| element(name).unwrap_or_default()),
-        boxes: elements(node, "visual")
-            .filter_map(|visual| boxed(visual, version))
-            .collect(),
+        visuals: pieces(node, "visual", version),
+        collisions: pieces(node, "collision", version),
     }
 }
 
-/// Where the box of a visual is, and its size, if it is one.
-fn boxed(visual: Node<'_, '_>, version: Version) -> Option<(Origin, [f64; 3])> {
-    let geometry = elements(visual, "geometry").next()?;
-    let size = elements(geometry, "box").next()?.attribute("size");
-    let origin = elements(visual, "origin").next();
-    let origin = origin.map_or_else(Origin::default, |node| origin_of(node, version));
-    Some((origin, size.and_then(vector)?))
+/// The parts of a link in elements of a name.
+fn pieces(link: Node<'_, '_>, name: &'static str, version: Version) -> Vec<Piece> {
+    let pieces = elements(link, name).filter_map(|piece| {
+        let origin = elements(piece, "origin").next();
+        Some(Piece {
+            origin: origin.map_or_else(Origin::default, |node| origin_of(node, version)),
+            geometry: geometry(piece)?,
+        })
+    });
+    pieces.collect()
+}
+
+fn geometry(piece: Node<'_, '_>) -> Option<Geometry> {
+    let geometry = elements(piece, "geometry").next()?;
+    let form = geometry.children().find(Node::is_element)?;
+    let [radius, length] = ["radius", "length"].map(|name| value(form, name));
+    Some(match form.tag_name().name() {
+        "box" => Geometry::Box(form.attribute("size").and_then(vector)?),
+        "cylinder" => Geometry::Cylinder {
+            radius: radius?,
+            length: length?,
+        },
+        "capsule" => Geometry::Capsule {
+            radius: radius?,
+            length: length?,
+        },
+        "sphere" => Geometry::Sphere { radius: radius? },
+        _ => Geometry::Mesh,
+    })
 }
 
 fn joint(node: Node<'_, '_>, version: Version) -> Joint {

@@ -19,8 +19,36 @@ pub(super) struct Link {
     pub(super) centre: Origin,
     /// The elements xx, yy, zz, xy, xz and yz of its tensor of inertia: kg·m²; 0 without `<inertial>`.
     pub(super) inertia: [f64; 6],
-    /// Where its boxes are, and their sizes in m.
-    pub(super) boxes: Vec<(Origin, [f64; 3])>,
+    /// What it looks like.
+    pub(super) visuals: Vec<Piece>,
+    /// What it collides with.
+    pub(super) collisions: Vec<Piece>,
+}
+
+/// A part of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Piece {
+    pub(super) origin: Origin,
+    pub(super) geometry: Geometry,
+}
+
+/// What a part is, around its origin and, where it is round, about its z: m.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Geometry {
+    Box([f64; 3]),
+    Cylinder {
+        radius: f64,
+        length: f64,
+    },
+    /// A cylinder with half a sphere on each end; its length is that of the cylinder.
+    Capsule {
+        radius: f64,
+        length: f64,
+    },
+    Sphere {
+        radius: f64,
+    },
+    Mesh,
 }
 
 /// What holds a link to another one.

@@ -1,81 +1,69 @@
-//! What a link looks like and weighs.
+//! What a link looks like, collides with and weighs.
 
 use super::frame::{self, length};
+use super::pose;
 use super::xml;
 use std::fmt::Write as _;
 use tip_runtime::model::{Point, Range, Spread};
+use tipc::description::{Form, Shape};
 
 /// A link of the file.
 #[derive(Default)]
 pub(super) struct Solid {
     /// kg.
     pub(super) mass: f64,
-    /// The first one has the mass.
-    pub(super) shapes: Vec<Shape>,
-    /// How the mass is spread, if not evenly in that shape.
+    /// How the mass is spread, if not evenly in `even`.
     pub(super) spread: Option<Spread>,
-}
-
-/// A body of even density.
-pub(super) struct Shape {
-    kind: Kind,
-    /// Its middle: mm.
-    at: Point,
-    material: &'static str,
-}
-
-/// Lengths in mm.
-enum Kind {
-    /// Along each axis of the robot frame.
-    Block([f64; 3]),
-    Ball {
-        radius: f64,
-    },
-    Rod {
-        along: [f64; 3],
-        radius: f64,
-    },
+    pub(super) even: Option<Shape>,
+    /// What it looks like, and of which material.
+    pub(super) visual: Vec<(Shape, &'static str)>,
+    pub(super) collision: Vec<Shape>,
 }
 
 impl Solid {
     /// The element.
     pub(super) fn link(&self, name: &str) -> String {
-        if self.shapes.is_empty() {
+        let inertial = self.inertial();
+        if inertial.is_none() && self.visual.is_empty() && self.collision.is_empty() {
             return format!("<link name=\"{name}\"/>\n");
         }
         let mut text = format!("<link name=\"{name}\">\n");
         // Writing to a String cannot fail.
-        if let (Some(first), true) = (self.shapes.first(), self.mass > 0.0) {
-            let (origin, inertia) = match &self.spread {
-                Some(spread) => (
-                    origin(spread.centre, [0.0; 3]),
-                    tensor(frame::tensor(spread.inertia)),
-                ),
-                None => {
-                    let [x, y, z] = first.moments(self.mass);
-                    let even = tensor([x, y, z, 0.0, 0.0, 0.0]);
-                    (origin(first.at, first.turned()), even)
-                }
-            };
-            let mass = self.mass;
+        if let Some(inside) = inertial {
+            let _ = writeln!(text, "  <inertial>{inside}</inertial>");
+        }
+        for (shape, material) in &self.visual {
+            let inside = placed(shape);
             let _ = writeln!(
                 text,
-                "  <inertial>{origin}<mass value=\"{mass}\"/>{inertia}</inertial>"
+                "  <visual>{inside}<material name=\"{material}\"/></visual>"
             );
         }
-        for shape in &self.shapes {
-            let inside = format!(
-                "{}<geometry>{}</geometry>",
-                origin(shape.at, shape.turned()),
-                shape.geometry()
-            );
-            let material = shape.material;
-            let _ = write!(
-                text,
-                "  <visual>{inside}<material name=\"{material}\"/></visual>\n  <collision>{inside}</collision>\n"
-            );
+        for shape in &self.collision {
+            let _ = writeln!(text, "  <collision>{}</collision>", placed(shape));
         }
         text + "</link>\n"
+    }
+
+    /// What is in the element of that name, if it weighs something.
+    fn inertial(&self) -> Option<String> {
+        let mass = Some(self.mass).filter(|mass| *mass > 0.0)?;
+        let (origin, inertia) = match (&self.spread, &self.even) {
+            (Some(spread), _) => (
+                origin(spread.centre, [0.0; 3]),
+                frame::tensor(spread.inertia),
+            ),
+            (None, Some(even)) => {
+                let [x, y, z] = moments(&even.form, mass);
+                let origin = origin(even.at, turned(even));
+                (origin, [x, y, z, 0.0, 0.0, 0.0])
+            }
+            (None, None) => return None,
+        };
+        let [xx, yy, zz, xy, xz, yz] = inertia;
+        Some(format!(
+            "{origin}<mass value=\"{mass}\"/><inertia ixx=\"{xx}\" iyy=\"{yy}\" izz=\"{zz}\" ixy=\"{xy}\" ixz=\"{xz}\" iyz=\"{yz}\"/>"
+        ))
     }
 }
 
@@ -84,82 +72,88 @@ fn origin(at: Point, turned: [f64; 3]) -> String {
     format!("<origin xyz=\"{at}\" rpy=\"{turned}\"/>")
 }
 
-/// A tensor of inertia along the axes of the element's origin.
-fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> String {
-    format!(
-        "<inertia ixx=\"{xx}\" ixy=\"{xy}\" ixz=\"{xz}\" iyy=\"{yy}\" iyz=\"{yz}\" izz=\"{zz}\"/>"
-    )
+/// Where a shape is, and what it is.
+fn placed(shape: &Shape) -> String {
+    let origin = origin(shape.at, turned(shape));
+    format!("{origin}<geometry>{}</geometry>", geometry(&shape.form))
 }
 
-impl Shape {
-    /// A block with these extents along x, y and z: mm.
-    pub(super) fn block(ranges: [Range; 3], material: &'static str) -> Self {
-        Shape {
-            kind: Kind::Block(ranges.map(|range| range.max - range.min)),
-            at: ranges.map(|range| (range.min + range.max) / 2.0),
-            material,
-        }
-    }
+/// Its roll, pitch and yaw: rad. Its own x is to the right, that of URDF forward.
+fn turned(shape: &Shape) -> [f64; 3] {
+    let [right, forward, up] = shape.axes;
+    let left = right.map(|part| -part);
+    pose::roll_pitch_yaw([forward, left, up].map(frame::direction))
+}
 
-    /// A ball around the origin: mm.
-    pub(super) fn ball(radius: f64, material: &'static str) -> Self {
-        Shape {
-            kind: Kind::Ball { radius },
-            at: [0.0; 3],
-            material,
-        }
+/// A block with these extents along x, y and z: mm.
+pub(super) fn block(ranges: [Range; 3]) -> Shape {
+    Shape {
+        form: Form::Block(ranges.map(|range| range.max - range.min)),
+        at: ranges.map(|range| (range.min + range.max) / 2.0),
+        axes: UPRIGHT,
     }
+}
 
-    /// A rod from the origin to the end of a vector: mm.
-    pub(super) fn rod(along: [f64; 3], radius: f64, material: &'static str) -> Self {
-        Shape {
-            kind: Kind::Rod { along, radius },
-            at: along.map(|part| part / 2.0),
-            material,
-        }
+/// A ball around the origin: mm.
+pub(super) fn ball(radius: f64) -> Shape {
+    Shape {
+        form: Form::Sphere { radius },
+        at: [0.0; 3],
+        axes: UPRIGHT,
     }
+}
 
-    /// Its roll, pitch and yaw: rad. A cylinder of URDF stands along z.
-    fn turned(&self) -> [f64; 3] {
-        match self.kind {
-            Kind::Block(_) | Kind::Ball { .. } => [0.0; 3],
-            Kind::Rod { along, .. } => {
-                let [x, y, z] = frame::direction(along);
-                let level = (x * x + y * y).sqrt();
-                [0.0, libm::atan2(level, z), libm::atan2(y, x)]
-            }
-        }
+/// A rod from the origin to the end of a vector: mm.
+pub(super) fn rod(along: [f64; 3], radius: f64) -> Shape {
+    let length = length(along);
+    let [x, y, z] = along;
+    let level = (x * x + y * y).sqrt();
+    let forward = match level > 0.0 {
+        true => [x / level, y / level],
+        false => [0.0, 1.0],
+    };
+    // Its own x stays level.
+    let [sin, cos] = [level / length, z / length];
+    Shape {
+        form: Form::Cylinder { radius, length },
+        at: along.map(|part| part / 2.0),
+        axes: [
+            [forward[1], -forward[0], 0.0],
+            [forward[0] * cos, forward[1] * cos, -sin],
+            [forward[0] * sin, forward[1] * sin, cos],
+        ],
     }
+}
 
-    fn geometry(&self) -> String {
-        match self.kind {
-            Kind::Block(size) => {
-                // Sizes have no sign.
-                let size = frame::metres(size).map(f64::abs);
-                format!("<box size=\"{}\"/>", xml::vector(size))
-            }
-            Kind::Ball { radius } => format!("<sphere radius=\"{}\"/>", radius / 1000.0),
-            Kind::Rod { along, radius } => format!(
-                "<cylinder radius=\"{}\" length=\"{}\"/>",
-                radius / 1000.0,
-                length(frame::metres(along))
-            ),
+const UPRIGHT: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+fn geometry(form: &Form) -> String {
+    match form {
+        Form::Block(sides) => {
+            // Sizes have no sign.
+            let size = frame::metres(*sides).map(f64::abs);
+            format!("<box size=\"{}\"/>", xml::vector(size))
         }
+        Form::Sphere { radius } => format!("<sphere radius=\"{}\"/>", radius / 1000.0),
+        Form::Cylinder { radius, length } => format!(
+            "<cylinder radius=\"{}\" length=\"{}\"/>",
+            radius / 1000.0,
+            length / 1000.0
+        ),
     }
+}
 
-    /// The moments of inertia of a mass (kg) about its own axes: kg·m².
-    fn moments(&self, mass: f64) -> [f64; 3] {
-        match self.kind {
-            Kind::Block(size) => {
-                let [xx, yy, zz] = frame::metres(size).map(|side| side * side);
-                [yy + zz, xx + zz, xx + yy].map(|squares| mass * squares / 12.0)
-            }
-            Kind::Ball { radius } => [0.4 * mass * (radius / 1000.0) * (radius / 1000.0); 3],
-            Kind::Rod { along, radius } => {
-                let [across, along] =
-                    rod_moments(mass, length(frame::metres(along)), radius / 1000.0);
-                [across, across, along]
-            }
+/// The moments of inertia of a mass (kg) about the form's axes in URDF: kg·m².
+fn moments(form: &Form, mass: f64) -> [f64; 3] {
+    match form {
+        Form::Block(sides) => {
+            let [xx, yy, zz] = frame::metres(*sides).map(|side| side * side);
+            [yy + zz, xx + zz, xx + yy].map(|squares| mass * squares / 12.0)
+        }
+        Form::Sphere { radius } => [0.4 * mass * (radius / 1000.0) * (radius / 1000.0); 3],
+        Form::Cylinder { radius, length } => {
+            let [across, along] = rod_moments(mass, length / 1000.0, radius / 1000.0);
+            [across, across, along]
         }
     }
 }

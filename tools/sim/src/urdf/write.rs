@@ -1,8 +1,9 @@
 //! The description as text, and the report.
 
 use super::chain::{Chain, Turning};
+use super::collision;
 use super::doubt;
-use super::pose::Pose;
+use super::pose::{self, Pose};
 use super::robot::Link;
 use super::stand::Postures;
 use super::values::printed;
@@ -10,6 +11,7 @@ use super::weight;
 use std::fmt::Write as _;
 use tip_runtime::model::{Range, Slider, Spread};
 use tipc::Robot;
+use tipc::description::{Form, Shape};
 use tipc::message::Importing;
 use tipc::message::list::List;
 
@@ -77,6 +79,7 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     }
     body(&mut text, found, &mut report);
     slider(&mut text, found.slider.as_ref(), &mut report);
+    report.extend(collision::dropped(legs, found.base, found.walks()));
     report.extend(doubt::of(legs, found.base, found.reach()));
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let velocities = joints.map(|turning| turning.joint.limit.velocity);
@@ -122,7 +125,7 @@ fn leg_table(
     text + "]\n"
 }
 
-/// Limits, mass and torque of a joint, as far as the file knows them.
+/// Limits, mass, torque and shapes of a joint, as far as the file knows them.
 fn settings(turning: &Turning<'_>, reach: f64, report: &mut Vec<Importing>) -> String {
     let joint = turning.joint;
     let mut text = String::new();
@@ -137,6 +140,10 @@ fn settings(turning: &Turning<'_>, reach: f64, report: &mut Vec<Importing>) -> S
     }
     if let Some(effort) = doubt::effort(joint) {
         let _ = write!(text, ", torque = {}", measure(effort));
+    }
+    let shapes = collision::shapes(&turning.links, turning.at);
+    if !shapes.is_empty() {
+        let _ = write!(text, ", shape = {}", shapes_of(&shapes));
     }
     if !turning.merged.is_empty() {
         let merged: Vec<String> = turning.merged.iter().map(|link| printed(link)).collect();
@@ -154,11 +161,13 @@ fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
         report.push(Importing::BoltedDown);
         return;
     }
-    report.push(match found.extents {
-        Some(_) => Importing::BodyOfBox,
-        None => Importing::Walks,
-    });
-    let extents = found.extents.unwrap_or_else(|| around(found.legs));
+    let shapes = collision::shapes(found.base, [0.0; 3]);
+    let (extents, said) = match (found.extents, collision::extents(&shapes)) {
+        (Some(extents), _) => (extents, Importing::BodyOfBox),
+        (None, Some(extents)) => (extents, Importing::BodyOfShapes),
+        (None, None) => (around(found.legs), Importing::Walks),
+    };
+    report.push(said);
     text.push_str("\n[body]\n");
     for (axis, range) in ["x", "y", "z"].into_iter().zip(extents) {
         let _ = writeln!(text, "{axis} = {}", interval(range));
@@ -173,6 +182,34 @@ fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
         let [centre, inertia] = spread_of(&spread);
         let _ = writeln!(text, "centre = {centre}\ninertia = {inertia}");
     }
+    if !shapes.is_empty() {
+        let _ = writeln!(text, "shape = {}", shapes_of(&shapes));
+    }
+}
+
+/// Shapes as a list of tables.
+fn shapes_of(shapes: &[Shape]) -> String {
+    let tables: Vec<String> = shapes.iter().map(shape_of).collect();
+    format!("[{}]", tables.join(", "))
+}
+
+fn shape_of(shape: &Shape) -> String {
+    let mut text = match shape.form {
+        Form::Block(sides) => format!("block = {}", vector(sides.map(place))),
+        Form::Cylinder { radius, length } => {
+            format!("cylinder = [{}, {}]", place(radius), place(length))
+        }
+        Form::Sphere { radius } => format!("sphere = {}", place(radius)),
+    };
+    let at = shape.at.map(place);
+    // Turns have no dust either.
+    let turned = pose::roll_pitch_yaw(shape.axes).map(|turn| place(turn.to_degrees()));
+    for (key, value) in [("at", at), ("turned", turned)] {
+        if value != [0.0; 3] {
+            let _ = write!(text, ", {key} = {}", vector(value));
+        }
+    }
+    format!("{{ {text} }}")
 }
 
 /// A centre of mass, and a tensor.

@@ -336,7 +336,11 @@ fn what_others_add_is_passed_over() {
             "<link name=\"tip\"/>\n<joint name=\"hinge\"",
             &format!("<link name=\"tip\">{split}"),
         ),
-        plain
+        // The tip is 500 mm below its joint.
+        plain.replace(
+            "torque = 2",
+            "torque = 2, shape = [{ block = [1000, 1000, 1000], at = [0, 0, -500] }]"
+        )
     );
     let between = "<inertial><mass value=\"0\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>\
                    <visual><geometry><box size=\"1 1 1\"/></geometry></visual>";

@@ -8,6 +8,7 @@ mod export;
 mod frames;
 mod refusals;
 mod robots;
+mod shapes;
 mod stand;
 mod weights;
 mod xacro;
