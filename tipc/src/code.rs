@@ -214,6 +214,9 @@ codes! {
     /// A file in an encoding that programs do not have, which can be read all the same.
     OtherEncoding "W129" None, "the file seems to be in another encoding",
         "ファイルは別の文字コードで書かれているようです";
+    /// A label that is the word of a jump and a label in one piece.
+    GluedJump "W130" None, "this is a label, and jumps nowhere",
+        "これはラベルで、ジャンプしません";
 }
 
 impl Code {

@@ -83,6 +83,7 @@ const ROWS: &[Row] = &[
     row("G90 G91", Means::Statement, Habit::RelativeMark),
     row("FOREVER", Means::Statement, Habit::Forever),
     row("{ } BEGIN", Means::Statement, Habit::Braces),
+    row("PROGRAM PROG MODULE", Means::Statement, Habit::FromTheTop),
     row("INCLUDE IMPORT USE REQUIRE #INCLUDE", Means::Statement, Habit::OneFile),
 ];
 
@@ -303,6 +304,11 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
         'ﬂ' => "fl",
         _ => return None,
     })
+}
+
+/// Whether a text stands between the ends of a range: `1〜10`.
+pub(crate) fn is_range(text: &str) -> bool {
+    matches!(text, "〜" | "～" | "~")
 }
 
 /// The mark that a comment of another language begins with.

@@ -24,6 +24,8 @@ mod wide;
 
 #[cfg(feature = "tools")]
 pub(crate) use line::LONG_VOWEL;
+#[cfg(any(feature = "build", feature = "tools"))]
+pub(crate) use jump::glued;
 pub(crate) use line::narrow;
 
 use crate::code::Code;

@@ -6,6 +6,7 @@ mod assignment;
 mod commands;
 mod conditions;
 mod equations;
+mod labels;
 mod message;
 mod routines;
 mod unreachable;
@@ -59,6 +60,7 @@ impl Judged<'_> {
         routines::warn(self, &unreachable, &mut found);
         waits::warn(self, &unreachable, &mut found);
         unreachable.warn(self, &mut found);
+        labels::warn(self, &mut found);
         found
     }
 

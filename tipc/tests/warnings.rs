@@ -136,6 +136,57 @@ fn called_parts_return() {
     );
 }
 
+// clauses: 2.15
+#[test]
+fn a_part_that_always_calls_itself_never_returns() {
+    let routine = |body: &str| format!("CALL A:\nEXIT\nSUBROUTINE A:\n{body}\nSUBEND");
+    check(&routine("ALL_STOP\nCALL A:"), &["W113 5:1"]);
+    check(&routine("CALL A:"), &["W113 5:1"]);
+    check(
+        "GOSUB A:\nEXIT\nA: ALL_STOP\nGOSUB A:\nRETURN",
+        &["W113 5:1"],
+    );
+    // One path does not call it, or ends the program.
+    check(&routine("ALL_STOP\nIF KB_HIT GOSUB A:"), &[]);
+    check(&routine("IF KB_HIT THEN\nCALL A:\nENDIF"), &[]);
+    check(&routine("IF KB_HIT THEN\nRETURN\nENDIF\nCALL A:"), &[]);
+    check(&routine("IF KB_HIT THEN\nEXIT\nENDIF\nCALL A:"), &[]);
+}
+
+#[test]
+fn calls_that_nothing_comes_to_are_steps_too() {
+    let routine = "SUBROUTINE A:\nALL_STOP\nSUBEND";
+    check(
+        &format!("CALL A:\nEXIT\nCALL A:\nEXIT\n{routine}"),
+        &["W112 5:1"],
+    );
+    check(
+        &format!("EXIT\nIF KB_HIT GOSUB A:\nEXIT\n{routine}"),
+        &["W112 4:1"],
+    );
+    // Jumps that nothing comes to are left alone.
+    check("L: ALL_STOP\nGOTO L:\nGOTO L:", &[]);
+}
+
+// clauses: 3.2
+#[test]
+fn a_jump_in_one_word_is_a_label() {
+    check("L1: ALL_STOP\nGOTOL1:", &["W130 4:1"]);
+    check("gosubL1:\nEXIT\nL1: ALL_STOP\nRETURN", &["W130 3:1"]);
+    check("LOOP: ALL_STOP\nGOTOLOOP:", &["W130 4:1"]);
+    check(
+        "CALLA:\nEXIT\nSUBROUTINE A:\nALL_STOP\nSUBEND",
+        &["W130 3:1"],
+    );
+    // That nothing jumps to the label follows from it.
+    check("GOTOL1:\nEXIT\nL1: ALL_STOP", &["W130 3:1"]);
+    // Something jumps there, there is no such label, or nothing that CALL could call.
+    check("L1: ALL_STOP\nGOTOL1:\nGOTO GOTOL1:", &[]);
+    check("L1: ALL_STOP\nGOTOL2:\nGOTO L1:", &[]);
+    check("L1: ALL_STOP\nCALLL1:\nGOTO L1:", &[]);
+    check("GOTO: ALL_STOP", &["E205 3:1"]);
+}
+
 #[test]
 fn a_return_belongs_to_a_call() {
     check("ALL_STOP\nRETURN", &["W114 4:1"]);

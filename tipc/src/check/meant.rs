@@ -3,9 +3,9 @@
 use super::resolve::Resolver;
 use crate::foreign;
 use crate::language::commands::{self, COMMANDS};
-use crate::language::flags;
+use crate::language::{flags, names};
 use crate::lex::DELIMITERS;
-use crate::message::{Commanding, Habit, Instead, Message, Suggesting};
+use crate::message::{Commanding, Habit, Instead, Message, Parsing, Suggesting};
 use crate::suggest::nearest;
 use crate::syntax::{Word, upper_case};
 use tip_runtime::command::{FAST, Flag, Target};
@@ -32,6 +32,11 @@ impl Resolver<'_> {
         if let Some(row) = rows.filter_map(foreign::statement).next() {
             return row.habit.clone().into();
         }
+        if foreign::begins_label(name) && name.len() < word.len() {
+            let digits: String = word.chars().filter(char::is_ascii_digit).collect();
+            let name = format!("L{digits}").into();
+            return Parsing::WriteLabel { name }.into();
+        }
         if let Ok(target) = word.parse::<Target>() {
             let target = target.to_string().into();
             return Habit::TargetFirst { target }.into();
@@ -52,6 +57,7 @@ impl Resolver<'_> {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None => match begun(word) {
                 Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
+                None if is_called(word) => Habit::NoParameters { name: name.into() }.into(),
                 None => Commanding::LabelOrEquation.into(),
             },
         }
@@ -87,6 +93,12 @@ impl Resolver<'_> {
 fn called(word: &str, name: &str) -> Option<&'static str> {
     let command = commands::find(name).filter(|_| name.len() < word.len())?;
     Some(command.name)
+}
+
+/// `LIFT(1)`: whether a word calls a routine as another language does.
+fn is_called(word: &str) -> bool {
+    let (name, rest) = word.split_once('(').unwrap_or_default();
+    names::is_variable(name) && !rest.is_empty()
 }
 
 /// The command that the first parts of a word are: `TORQUE_CONTROL`.

@@ -7,9 +7,9 @@ use crate::foreign;
 use crate::language::commands::{Joints, Targets};
 use crate::language::reserved::JOINT;
 use crate::language::{commands, flags};
-use crate::message::list::List;
+use crate::message::list::{Alternatives, List};
 use crate::message::phrase::Inventory;
-use crate::message::{Commanding, Habit, Message, Suggesting};
+use crate::message::{Commanding, Habit, Instead, Message, Suggesting};
 use crate::robot::Robot;
 use crate::source::Span;
 use crate::suggest::nearest;
@@ -25,6 +25,18 @@ pub(super) fn word(operand: &Operand) -> Option<&str> {
 }
 
 impl Resolver<'_> {
+    /// What to write in place of a command for feet: the statement if it has one number, else the forms of the other command.
+    fn for_joint(&self, command: &Word, other: &'static str, arguments: &[Operand]) -> Message {
+        if let [_, _] = arguments {
+            let rest = self.rest_of_statement(command.span).trim_end();
+            let text = upper_case(&format!("{other}{rest}"));
+            return Instead::Write { text }.into();
+        }
+        let usage = commands::find(other).map(|row| row.usage(self.robot));
+        let forms = Alternatives(usage.unwrap_or_default());
+        Commanding::Write { forms }.into()
+    }
+
     /// The target, which is the first of a command's arguments.
     pub(super) fn target(
         &mut self,
@@ -85,7 +97,10 @@ impl Resolver<'_> {
                 other,
             };
             if !takes(targets, target, self.robot) {
-                return self.refuse(Code::Argument, first.span, reason);
+                let help = self.for_joint(command, other, arguments);
+                let fault = Diagnostic::new(Code::Argument, first.span, reason);
+                self.report(fault.help(help));
+                return None;
             }
         }
         if !takes(targets, target, self.robot) {

@@ -298,9 +298,6 @@ messages! {
     CommandNoCondition { command: &'static str }
         "{command} is a command and stands on a line of its own; a condition compares, or names a flag as `KB_HIT`",
         "{command}はコマンドなので、別の行に書きます。条件式は比較か、`KB_HIT` のようなフラグです";
-    ElseAfterJump
-        "ELSE does not follow a jump: what else is to be done stands on the next line",
-        "ジャンプの後にELSEは書けません。条件が成り立たないときの文は次の行に書きます";
     NoColon
         "no colon opens a block",
         "ブロックの始まりにコロンは書きません";

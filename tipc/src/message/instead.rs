@@ -16,6 +16,12 @@ messages! {
     BlankAfter { command: &'static str }
         "put a blank after {command}",
         "{command}の後に空白を入れてください";
+    ElseOnNextLine { statement: SmolStr }
+        "write `{statement}` on the next line: the program goes on there if it does not jump",
+        "`{statement}` は次の行に書いてください。ジャンプしないときはそこに進みます";
+    ElseInBlock
+        "ELSE belongs to a block: `IF condition THEN`, the statements, ELSE and ENDIF stand on lines of their own",
+        "ELSEはブロックの中で使います。`IF 条件式 THEN`、文、ELSE、ENDIFをそれぞれ別の行に書いてください";
     NoNumbers
         "lines have no numbers: leave them out, and jump to labels, as `GOTO L1:` to `L1:`",
         "行番号は付けません。番号を取り、飛び先には `L1:` のようなラベルを置いて `GOTO L1:` と書いてください";
@@ -25,6 +31,12 @@ messages! {
     Digits { number: SmolStr }
         "did you mean the number `{number}`?",
         "数値の `{number}` の間違いではありませんか?";
+    CountTo
+        "write TO between two numbers: `FOR I = 1 TO 10`",
+        "範囲は `FOR I = 1 TO 10` のようにTOで書いてください";
+    CommentOrName
+        "a comment starts with `//`; names and words are made of A-Z, 0-9 and `_`",
+        "コメントなら `//` で始めてください。名前や語に使えるのはA-Z、0-9、`_` です";
     Invisible
         "this is an invisible character: delete it",
         "見えない文字が入っています。消してください";

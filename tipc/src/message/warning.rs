@@ -3,6 +3,7 @@
 use super::Text;
 use super::list::{List, Quoted};
 use super::phrase::{Assign, Lack, Stretch, Type};
+use crate::language::Keyword;
 use smol_str::SmolStr;
 use tip_runtime::command::Target;
 
@@ -79,6 +80,12 @@ messages! {
     JumpOrDelete { name: SmolStr }
         "jump to it with `GOTO {name}:`, call it with `GOSUB {name}:`, or take it out",
         "`GOTO {name}:` でジャンプするか、`GOSUB {name}:` で呼んでください。不要なら削除してください";
+    JumpInOneWord { jump: Keyword }
+        "{jump} needs a blank after it",
+        "{jump}の後には空白が必要です";
+    JumpInTwoWords { written: SmolStr, word: SmolStr }
+        "write `{written}`; if `{word}:` is a label, jump to it or take it out",
+        "`{written}` と書いてください。`{word}:` がラベルなら、そこへジャンプさせるか、削除してください";
     LeadsElsewhere
         "this leads elsewhere",
         "ここで別の場所に移ります";
@@ -90,6 +97,15 @@ messages! {
     CalledHere
         "called here",
         "ここで呼ばれています";
+    CallsItselfFirst
+        "every path from here calls this part again before it returns",
+        "ここからのどの経路も、戻る前に自分自身を呼び出します";
+    CallsItselfHere
+        "it calls itself here",
+        "ここで自分自身を呼び出しています";
+    CallUnderCondition
+        "calls nest 10 deep at most: call it again only inside an IF, or repeat with WHILE or GOTO",
+        "呼び出しの入れ子は10段までです。IFの中で呼び出すか、WHILEやGOTOで繰り返してください";
     EndWithReturn
         "end the part with RETURN; to leave for good, use GOTO instead of GOSUB",
         "最後にRETURNを置いてください。戻らないのなら、GOSUBの代わりにGOTOを使ってください";

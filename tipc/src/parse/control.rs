@@ -1,6 +1,6 @@
 //! Control structure: IF, ELSEIF, WHILE, UNTIL, FOR, NEXT, SUBROUTINE (T.I.P. 3.1 §7-6).
 
-use super::jump::{bare, with_parameters};
+use super::jump::{bare, glued, with_parameters};
 use super::reader::{Fault, Parsed, Reader};
 use crate::foreign::{self, Means};
 use crate::language::{Edition, Keyword, commands, keywords};
@@ -12,6 +12,7 @@ use crate::suggest::nearest;
 use crate::syntax::{
     Condition, Counting, Jump, Operand, OperandKind, StatementKind, Then, upper_case,
 };
+use smol_str::SmolStr;
 use tip_runtime::command::Flag;
 
 /// The words that follow the condition of an IF.
@@ -87,7 +88,15 @@ impl Reader<'_> {
         if self.at_word(Keyword::Else) {
             let end = End::Label;
             let reason = Parsing::NothingBehind { end };
-            return Err(self.fault_with_help(self.rest(), reason, Habit::ElseAfterJump));
+            let help: Message = match self.left_tokens() {
+                [_, next, ..] if jump == Keyword::Goto => {
+                    let next = Span::new(next.span.start, self.rest().end);
+                    let statement = upper_case(self.slice(next));
+                    Instead::ElseOnNextLine { statement }.into()
+                }
+                _ => Instead::ElseInBlock.into(),
+            };
+            return Err(self.fault_with_help(self.rest(), reason, help));
         }
         if self.at_word(Keyword::Then) && self.left() == 1 {
             let reason = Habit::ThenJumps { jump: jump.into() };
@@ -108,6 +117,10 @@ impl Reader<'_> {
         if let Some(habit) = self.flag_or_command() {
             return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, habit);
         }
+        if let Some(text) = self.glued_jump() {
+            let help = Instead::Write { text };
+            return self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help);
+        }
         let word = self.peek().map(|token| upper_case(self.slice(token.span)));
         let near = word.and_then(|word| nearest(&word, AFTER_IF.map(Keyword::word)));
         let help: Message = match near {
@@ -115,6 +128,21 @@ impl Reader<'_> {
             None => Parsing::WriteThenOrJump.into(),
         };
         self.fault_with_help(self.here(), Parsing::ThenOrJumpBelongsHere, help)
+    }
+
+    /// `GOTOL1:` after a condition: the jump with its blank.
+    fn glued_jump(&self) -> Option<SmolStr> {
+        let [word, colon] = self.left_tokens() else {
+            return None;
+        };
+        let written = upper_case(self.slice(word.span));
+        let (jump, label) = glued(&written)?;
+        let jump = if jump == Keyword::Call {
+            Keyword::Gosub
+        } else {
+            jump
+        };
+        (colon.kind == Kind::Colon).then(|| format!("{jump} {label}:").into())
     }
 
     /// `INPOS F1` for `INPOS_F1`, or a command in the place of a condition.

@@ -189,8 +189,9 @@ fn names_in<'t>(text: &str, tokens: &'t [Token], foreign: bool) -> impl Iterator
     let is_assignment = |token: &Token| matches!(token.kind, Kind::Assign(_));
     let no_digit = foreign || tokens.iter().any(is_assignment);
     let is_value = move |at: usize| {
-        let starts_with_digit = text.as_bytes()[tokens[at].span.start].is_ascii_digit();
-        is_assignment(&tokens[at - 1]) || no_digit && starts_with_digit
+        let first = text.as_bytes()[tokens[at].span.start];
+        let starts_value = first.is_ascii_digit() || matches!(first, b'[' | b'(' | b'{');
+        is_assignment(&tokens[at - 1]) || no_digit && starts_value
     };
     (1..tokens.len())
         .filter(move |at| tokens[*at].kind == Kind::Word && !is_value(*at))

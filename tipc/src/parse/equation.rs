@@ -107,8 +107,13 @@ fn right_side(reader: &mut Reader<'_>, edition: Edition) -> Parsed<Expression> {
             operation,
             right,
         }),
-        _ => {
-            Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, Parsing::OneOperation))
+        left => {
+            let is_unit = left == 1 && foreign::is_unit(reader.slice(reader.here()));
+            let help: Message = match is_unit {
+                true => Habit::NoUnit.into(),
+                false => Parsing::OneOperation.into(),
+            };
+            Err(reader.fault_with_help(reader.rest(), Parsing::EquationEnds, help))
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::foreign::{self, Means};
 use crate::language::commands::{self, COMMANDS};
+use crate::language::reserved::LOOP;
 use crate::language::{Edition, Keyword, keywords};
 use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::message::{Commanding, Habit, Message, Naming, Parsing, Suggesting};
@@ -150,7 +151,8 @@ impl Parser<'_> {
     fn label_in_pieces(&mut self, tokens: &[Token]) -> Option<StatementKind> {
         let (first, rest) = tokens.split_first()?;
         let word = upper_case(self.source.slice(first.span));
-        let is_known = foreign::statement(&word).is_some()
+        let is_loop = word == LOOP;
+        let is_known = foreign::statement(&word).is_some_and(|_| !is_loop)
             || commands::find(&word).is_some()
             || misspelt(&word).is_some();
         if is_known || first.kind != Kind::Word {

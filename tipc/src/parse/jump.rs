@@ -17,6 +17,14 @@ pub(super) fn bare(name: &str) -> SmolStr {
     }
 }
 
+/// `GOTOL1`: a jump and its label without the blank between them.
+pub(crate) fn glued(word: &str) -> Option<(Keyword, &str)> {
+    let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
+    let parts = |jump: Keyword| Some((jump, word.strip_prefix(jump.word())?));
+    let is_label = |(_, label): &(Keyword, &str)| names::is_label(label);
+    jumps.into_iter().filter_map(parts).find(is_label)
+}
+
 /// The name of a routine that another language gives arguments: `WALK` of `WALK(3)`.
 pub(super) fn with_parameters(name: &str) -> Option<SmolStr> {
     let (name, rest) = name.split_once('(')?;

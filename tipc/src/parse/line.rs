@@ -170,6 +170,8 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Habit::Plain { plain });
         } else if text == LONG_VOWEL && self.text[place.end..].starts_with(is_digit) {
             diagnostic = diagnostic.help(Habit::Plain { plain: "-" });
+        } else if foreign::is_range(text) && is_between_digits(before, &self.text[place.end..]) {
+            diagnostic = diagnostic.help(Instead::CountTo);
         } else if text == "。" && is_between_digits(before, &self.text[place.end..]) {
             diagnostic = diagnostic.help(Habit::Plain { plain: "." });
         } else if text.chars().all(foreign::is_invisible) {
@@ -189,6 +191,8 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
             diagnostic = diagnostic.help(Habit::Comment);
+        } else if before.trim().is_empty() && is_sentence(text) {
+            diagnostic = diagnostic.help(Instead::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.help(Parsing::PlainNames);
         } else {
@@ -305,6 +309,12 @@ pub(crate) fn narrow(text: &str) -> String {
 /// The same characters half-width, if they are full-width letters, digits or signs.
 fn half_width(text: &str) -> Option<String> {
     text.chars().map(narrow_char).collect()
+}
+
+/// Whether a text is rather a remark in Japanese than a name: it has letters of the kind that joins words.
+fn is_sentence(text: &str) -> bool {
+    let is_hiragana = |char: char| matches!(char, '\u{3041}'..='\u{3096}');
+    text.chars().any(is_hiragana)
 }
 
 /// Whether a place is inside a number.

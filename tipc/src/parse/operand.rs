@@ -244,6 +244,9 @@ impl Reader<'_> {
             _ if help == Parsing::NoParentheses.into() && !is_calculation => self
                 .condition_in_parentheses()
                 .unwrap_or_else(|| Instead::NoParentheses.into()),
+            _ if help == Habit::NoBrackets.into() && !self.is_equation() => {
+                self.condition_in_parentheses().unwrap_or(help)
+            }
             _ => help,
         };
         self.fault_with_help(place, reason, help)
@@ -254,6 +257,10 @@ impl Reader<'_> {
 fn meant_by_number(word: &str) -> Message {
     let digits = word.find(|c: char| !(c.is_ascii_digit() || c == '.'));
     let (number, unit) = word.split_at(digits.unwrap_or(word.len()));
+    let sign = unit.trim_end_matches(|c: char| c.is_ascii_digit());
+    if foreign::is_range(sign) && sign.len() < unit.len() {
+        return Instead::CountTo.into();
+    }
     let hex = word.strip_prefix("0x").or_else(|| word.strip_prefix("0X"));
     let binary = word.strip_prefix("0b").or_else(|| word.strip_prefix("0B"));
     let hex = hex.and_then(|hex| u32::from_str_radix(hex, 16).ok());
@@ -299,6 +306,10 @@ fn meant_by_name(word: &str) -> Message {
     }
     if word.starts_with('"') {
         return Habit::NoText.into();
+    }
+    // `$SPEED`
+    if let Some(row) = word.strip_prefix('$').and_then(foreign::statement) {
+        return row.habit.clone().into();
     }
     if word.contains('^') {
         return Habit::Power.into();

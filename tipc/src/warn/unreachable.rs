@@ -66,7 +66,8 @@ fn warning(
     let is_routine = actions
         .clone()
         .any(|action| matches!(action, Action::Return));
-    if !actions.clone().any(Action::acts) {
+    let calls = |it: &Action| matches!(it, Action::Gosub { .. } | Action::IfGosub { .. });
+    if !actions.clone().any(|it| it.acts() || calls(it)) {
         return None;
     }
     let mut statements = run.iter().filter_map(|step| judged.statement(*step));

@@ -60,7 +60,7 @@ const BESIDE: &[(&str, &str)] = &[
     ("Suggesting", "DidYouMean"),
     (
         "Habit",
-        "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition ElseAfterJump WriteThen
+        "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition WriteThen
          WithoutColon NextStatement Update Power Remainder EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
          JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
          NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
@@ -72,7 +72,7 @@ const BESIDE: &[(&str, &str)] = &[
     ),
     (
         "Instead",
-        "Write BlankAfter NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
+        "Write BlankAfter ElseOnNextLine ElseInBlock CountTo CommentOrName NoNumbers NumberedToo Digits Invisible ReadInput OfFoot OfJoint
          CommandFirst Keys ColonSeparates NoParentheses WithoutParentheses OpenBlock Limit Functions MemberByMember TypeLeftOut ShorterName
          Call JumpTo NoValues NoResult LeaveSubroutine Alone NextEach GotoLoop Closes
          CountTimes NumberOrVariable LargestNumber NoClock NestWithoutParentheses TitleInLineTwo FlagHere OtherName",

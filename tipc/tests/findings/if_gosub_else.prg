@@ -1,0 +1,7 @@
+3.1
+Greet or lift a foot
+IF KB_HIT GOSUB GREET: ELSE PTP F1 R 0 R 0 R 20
+EXIT
+GREET: MESSAGE hello
+RETURN
+END

@@ -1,0 +1,5 @@
+3.1
+A title
+PROGRAM WALK
+ALL_STOP
+END

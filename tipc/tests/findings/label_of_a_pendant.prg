@@ -1,0 +1,5 @@
+3.1
+A title
+LBL[1]
+ALL_STOP
+END

@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR I
+FOR I = 1〜10
+MESSAGE %I%
+NEXT
+END

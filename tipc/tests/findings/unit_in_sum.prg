@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_POS P
+TEACH_POSITION F1 P
+P.Z = P.Z + 20 mm
+PTP F1 P
+END
