@@ -257,6 +257,10 @@ const BANG: &str = "!";
 
 /// Whether a statement is a comment in another language.
 pub(crate) fn is_comment(statement: &str) -> bool {
+    // Nearly all statements begin with a word.
+    if statement.starts_with(|first: char| first.is_ascii_alphanumeric()) {
+        return false;
+    }
     let is_marked = COMMENTS.iter().any(|mark| statement.starts_with(mark))
         || is_banged(statement)
         || is_in_parentheses(statement);

@@ -48,8 +48,7 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
     if formatted == bytes {
         return Ok(formatted);
     }
-    let after = parsed(name, &formatted, options);
-    match same::check(&before, &after) {
+    match same::check(&before, &formatted, options) {
         Ok(()) => Ok(formatted),
         Err(reason) => Err(Refusal::Because(reason)),
     }

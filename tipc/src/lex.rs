@@ -50,6 +50,8 @@ pub(crate) const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 /// Those characters become part of words, so that the tokens around them stay usable.
 pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
     let bytes = &text.as_bytes()[..span.end];
+    // Nearly no statement holds one.
+    let is_plain = bytes[span.start..].iter().all(|byte| !is_foreign(*byte));
     let mut foreign = None;
     let mut at = span.start;
     loop {
@@ -59,7 +61,9 @@ pub fn lex(text: &str, span: Span, tokens: &mut Vec<Token>) -> Option<Span> {
         }
         let (kind, end) = operator(bytes, start).unwrap_or_else(|| {
             let end = word_end(bytes, start);
-            foreign = foreign.or_else(|| foreign_run(text, Span::new(start, end)));
+            if !is_plain && foreign.is_none() {
+                foreign = foreign_run(text, Span::new(start, end));
+            }
             (Kind::Word, end)
         });
         tokens.push(Token {
@@ -77,6 +81,18 @@ pub(crate) fn skip_delimiters(bytes: &[u8], mut at: usize) -> usize {
         at += length;
     }
     at
+}
+
+/// Where the delimiters begin that end a stretch of text.
+pub(crate) fn trim_delimiters(bytes: &[u8]) -> usize {
+    let mut end = bytes.len();
+    loop {
+        match &bytes[..end] {
+            [.., b' ' | b'\t' | b','] => end -= 1,
+            rest if rest.ends_with(FULL_WIDTH_SPACE) => end -= FULL_WIDTH_SPACE.len(),
+            _ => return end,
+        }
+    }
 }
 
 /// How long the delimiter at `at` is; 0 if there is none.
@@ -101,6 +117,7 @@ fn plain_word_end(bytes: &[u8], start: usize) -> usize {
     let mut at = start;
     while let Some(byte) = bytes.get(at) {
         let ends = match byte {
+            b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.' => false,
             b'+' | b'-' | b'*' | b'/' | b'=' | b'<' | b'>' | b'!' | b':' => true,
             _ => delimiter(bytes, at) > 0,
         };
@@ -151,13 +168,16 @@ fn operator(bytes: &[u8], at: usize) -> Option<(Kind, usize)> {
     Some((kind, at + length))
 }
 
+/// Whether a byte is of such a character.
+const fn is_foreign(byte: u8) -> bool {
+    !byte.is_ascii() || byte.is_ascii_control()
+}
+
 /// The first run of characters in `span` that only comments and texts may hold.
 pub(crate) fn foreign_run(text: &str, span: Span) -> Option<Span> {
     let word = &text[span.start..span.end];
-    let is_foreign = |char: char| !char.is_ascii() || char.is_ascii_control();
-    let start = word.find(is_foreign)?;
-    let length = word[start..]
-        .find(|char| !is_foreign(char))
-        .unwrap_or(word.len() - start);
+    let start = word.bytes().position(is_foreign)?;
+    let run = word.bytes().skip(start).take_while(|it| is_foreign(*it));
+    let length = run.count();
     Some(Span::new(span.start + start, span.start + start + length))
 }

@@ -14,12 +14,12 @@ use crate::syntax::Module;
 
 /// FORMAL.TMP of the module that a source was parsed to: one line a step, fields separated by tabs.
 pub fn formal(source: &Source, module: &Module) -> String {
-    let mut text = String::new();
+    let mut text = Vec::new();
     for statement in module.steps() {
-        formal::write(&mut text, source, statement, '\t');
-        text.push('\n');
+        formal::write(&mut text, source, statement, b'\t');
+        text.push(b'\n');
     }
-    text
+    String::from_utf8_lossy(&text).into_owned()
 }
 
 /// LABEL.TMP: `L` or `S` (declared by SUBROUTINE), name and step of each label.

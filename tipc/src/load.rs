@@ -13,12 +13,12 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
-use crate::parse::parse;
+use crate::parse::parse_by_lines;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span, looks_like};
 use crate::symbols::Symbols;
-use crate::syntax::Module;
+use crate::syntax::{Module, Statement};
 
 /// What a program is read and checked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,18 +140,27 @@ impl Parsed {
 
 /// Reads a file.
 pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
+    parsed_by_lines(name, bytes, options, &mut |_, _| ())
+}
+
+/// The same; after each line `take` may take the statements that were read since.
+pub(crate) fn parsed_by_lines(
+    name: &str,
+    bytes: &[u8],
+    options: &Options,
+    take: &mut dyn FnMut(&Source, &mut Vec<Statement>),
+) -> Parsed {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     let is_text = undecodable.is_none();
     let (module, mut diagnostics) = match undecodable {
-        None => parse(&source, options.tip_version),
+        None => parse_by_lines(&source, options.tip_version, &mut |read| {
+            take(&source, read)
+        }),
         Some(fault) => (Module::default(), vec![fault.into()]),
     };
     name_encoding(&mut diagnostics, bytes);
     judge(&mut diagnostics, module.edition);
-    let wrong_version = module.statements.is_empty()
-        && diagnostics
-            .iter()
-            .any(|diagnostic| diagnostic.code == Code::Version);
+    let wrong_version = diagnostics.iter().any(|one| one.code == Code::Version);
     Parsed {
         source,
         module,

@@ -22,10 +22,10 @@ mod signs;
 mod statement;
 mod wide;
 
-#[cfg(feature = "tools")]
-pub(crate) use line::LONG_VOWEL;
 #[cfg(any(feature = "build", feature = "tools"))]
 pub(crate) use jump::glued;
+#[cfg(feature = "tools")]
+pub(crate) use line::LONG_VOWEL;
 pub(crate) use line::narrow;
 
 use crate::code::Code;
@@ -43,6 +43,15 @@ pub(crate) const LINE_LIMIT: usize = 1023;
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
+    parse_by_lines(source, tip_version, &mut |_| ())
+}
+
+/// The same; after each line `take` may take the statements that were read since.
+pub(crate) fn parse_by_lines(
+    source: &Source,
+    tip_version: f64,
+    take: &mut dyn FnMut(&mut Vec<Statement>),
+) -> (Module, Vec<Diagnostic>) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong]);
     }
@@ -64,7 +73,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
         },
         diagnostics: Vec::new(),
     };
-    parser.lines();
+    parser.lines(take);
     (parser.module, parser.diagnostics)
 }
 
@@ -100,12 +109,16 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn lines(&mut self) {
+    fn lines(&mut self, take: &mut dyn FnMut(&mut Vec<Statement>)) {
         for line in self.source.lines() {
             self.line = line;
             self.check_length();
-            if line.number > 2 && !self.is_in_comment() && self.statements_of_line() == Flow::End {
-                return;
+            if line.number > 2 && !self.is_in_comment() {
+                let flow = self.statements_of_line();
+                take(&mut self.module.statements);
+                if flow == Flow::End {
+                    return;
+                }
             }
         }
         // A comment of another language that never ends has swallowed it.

@@ -50,7 +50,6 @@ const STRETCH: usize = 4096;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     name: String,
-    hash: u64,
     charset: Charset,
     mark: &'static [u8],
     tail: &'static [u8],
@@ -84,7 +83,6 @@ impl Source {
         let original = Original::new(&text, charset, &body[mark.len()..]);
         let source = Source {
             name: name.into(),
-            hash: fnv1a(bytes),
             charset,
             mark,
             tail,
@@ -103,7 +101,9 @@ impl Source {
 
     /// FNV-1a 64 of the file's bytes.
     pub fn hash(&self) -> u64 {
-        self.hash
+        let original = self.original(Span::new(0, self.text.len()));
+        let pieces = [self.mark, original, self.tail];
+        fnv1a(pieces.into_iter().flatten())
     }
 
     /// How the file spells its text.
@@ -182,8 +182,8 @@ fn next_boundary(text: &str, offset: usize) -> usize {
     at
 }
 
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
+fn fnv1a<'a>(bytes: impl Iterator<Item = &'a u8>) -> u64 {
+    bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3)
     })
 }

@@ -1,7 +1,6 @@
 //! Bytes to a resolved program: decoding, parsing, checking, lowering, analysis.
 
 use crate::long::KINDS;
-use std::error::Error;
 use std::time::Instant;
 use tipc::{Options, load};
 
@@ -22,19 +21,11 @@ pub(crate) fn print() {
     println!();
 }
 
-fn seconds(text: &str) -> f64 {
+/// How long a program takes to load.
+pub(crate) fn seconds(text: &str) -> f64 {
     let start = Instant::now();
     let loaded = load("long.prg", text.as_bytes(), &Options::default());
     let seconds = start.elapsed().as_secs_f64();
     assert!(loaded.program.is_some(), "{:?}", loaded.diagnostics.first());
     seconds
-}
-
-/// Loads one program of a kind.
-pub(crate) fn load_one(kind: &str, lines: usize) -> Result<(), Box<dyn Error>> {
-    let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
-    let known = KINDS.iter().find(|(name, _)| *name == kind);
-    let (_, write) = known.ok_or_else(|| format!("the kinds are {}", names.join(", ")))?;
-    seconds(&write(lines));
-    Ok(())
 }

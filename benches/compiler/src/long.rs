@@ -1,5 +1,7 @@
 //! Programs of any length, for the compiler to chew on.
 
+use std::error::Error;
+
 /// A kind of program, and what writes one of a number of lines.
 pub(crate) type Kind = (&'static str, fn(usize) -> String);
 
@@ -36,6 +38,14 @@ pub(crate) const KINDS: &[Kind] = &[
         })
     }),
 ];
+
+/// The program of a kind with that many lines.
+pub(crate) fn program(kind: &str, lines: usize) -> Result<String, Box<dyn Error>> {
+    let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
+    let known = KINDS.iter().find(|(name, _)| *name == kind);
+    let (_, write) = known.ok_or_else(|| format!("the kinds are {}", names.join(", ")))?;
+    Ok(write(lines))
+}
 
 /// A bit of everything: ten lines, ten steps, again and again.
 pub(crate) fn mixed(lines: usize) -> String {

@@ -1,5 +1,5 @@
 //! Prints how long the front end and the formatter take, and rustc over emitted code, as the tables of docs/performance.md;
-//! or loads one program, for instructions to be counted: `compiler mixed 20000`.
+//! or loads or formats one program, for instructions to be counted: `compiler mixed 20000`, `compiler format mixed 20000`.
 
 mod formatter;
 mod front_end;
@@ -20,7 +20,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             formatter::print();
             Ok(())
         }
-        [kind, lines] => front_end::load_one(kind, lines.parse()?),
-        _ => Err("give nothing, format, or a kind of program and its lines".into()),
+        [kind, lines] => {
+            front_end::seconds(&long::program(kind, lines.parse()?)?);
+            Ok(())
+        }
+        [format, kind, lines] if format == "format" => {
+            formatter::seconds(&long::program(kind, lines.parse()?)?);
+            Ok(())
+        }
+        _ => Err("give nothing, format, a kind of program and its lines, or both".into()),
     }
 }

@@ -18,7 +18,6 @@ pub(super) fn rows(source: &Source, module: &Module) -> Rows {
         source,
         rows: Vec::with_capacity(source.line_count() as usize),
         code: Vec::with_capacity(source.text().len()),
-        scratch: String::new(),
         depth: 0,
         ended: false,
     };
@@ -42,8 +41,6 @@ struct Layout<'a> {
     source: &'a Source,
     rows: Vec<Row>,
     code: Vec<u8>,
-    /// A statement; kept to use its memory again.
-    scratch: String,
     /// How many blocks are open.
     depth: usize,
     /// END is passed.
@@ -180,12 +177,10 @@ impl Layout<'_> {
                 self.put(Keyword::End.word())
             }
             _ => {
-                let mut scratch = std::mem::take(&mut self.scratch);
-                scratch.clear();
-                formal::write(&mut scratch, self.source, statement, ' ');
-                let length = self.put(&scratch);
-                self.scratch = scratch;
-                length
+                // All of it is ASCII.
+                let start = self.code.len();
+                formal::write(&mut self.code, self.source, statement, b' ');
+                self.code.len() - start
             }
         }
     }

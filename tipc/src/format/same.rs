@@ -4,20 +4,47 @@
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
-use crate::load::Parsed;
+use crate::load::{Options, Parsed, parsed_by_lines};
 use crate::message::Formatting;
 use crate::source::Source;
 use crate::syntax::{Statement, StatementKind, Word};
 use std::mem::discriminant;
 
-/// Both have the same statements, without a mistake, and all text is read as before.
-pub(super) fn check(before: &Parsed, after: &Parsed) -> Result<(), Formatting> {
+/// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
+/// line, so that it is never in memory as a whole.
+pub(super) fn check(
+    before: &Parsed,
+    formatted: &[u8],
+    options: &Options,
+) -> Result<(), Formatting> {
+    let mut left = before.module.statements.iter();
+    let mut is_equal = true;
+    let mut pair = Pair {
+        source: &before.source,
+        old: Vec::new(),
+        new: Vec::new(),
+    };
+    let after = parsed_by_lines(
+        before.source.name(),
+        formatted,
+        options,
+        &mut |source, read| {
+            for new in read.drain(..) {
+                let old = left.next();
+                is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, source, &new));
+            }
+        },
+    );
     let charset = after.source.charset();
     if charset != before.source.charset() && !after.source.text().is_ascii() {
         let encoding = charset.name();
         return Err(Formatting::OtherEncoding { encoding });
     }
-    match reads_without_errors(after) && is_equal(before, after) {
+    let is_equal = is_equal
+        && left.next().is_none()
+        && before.module.edition == after.module.edition
+        && before.module.title == after.module.title;
+    match reads_without_errors(&after) && is_equal {
         true => Ok(()),
         false => Err(Formatting::OtherProgram),
     }
@@ -28,31 +55,15 @@ fn reads_without_errors(parsed: &Parsed) -> bool {
     parsed.is_program && !parsed.diagnostics.iter().any(is_error)
 }
 
-/// Whether the same edition, title and statements were read.
-fn is_equal(before: &Parsed, after: &Parsed) -> bool {
-    let (old, new) = (&before.module, &after.module);
-    let mut pair = Pair {
-        old: (&before.source, String::new()),
-        new: (&after.source, String::new()),
-    };
-    old.edition == new.edition
-        && old.title == new.title
-        && old.statements.len() == new.statements.len()
-        && old
-            .statements
-            .iter()
-            .zip(&new.statements)
-            .all(|(old, new)| pair.is_equal(old, new))
-}
-
-/// Two sources, and room for the fields of a statement of each.
+/// The source of the program as it was, and room for the fields of a statement of each.
 struct Pair<'a> {
-    old: (&'a Source, String),
-    new: (&'a Source, String),
+    source: &'a Source,
+    old: Vec<u8>,
+    new: Vec<u8>,
 }
 
 impl Pair<'_> {
-    fn is_equal(&mut self, old: &Statement, new: &Statement) -> bool {
+    fn is_equal(&mut self, old: &Statement, source: &Source, new: &Statement) -> bool {
         old.step == new.step
             && discriminant(&old.kind) == discriminant(&new.kind)
             && match (&old.kind, &new.kind) {
@@ -64,7 +75,7 @@ impl Pair<'_> {
                         ..
                     },
                 ) => kind == new_kind && names.iter().map(name).eq(new_names.iter().map(name)),
-                _ => fields(&mut self.old, old) == fields(&mut self.new, new),
+                _ => fields(&mut self.old, self.source, old) == fields(&mut self.new, source, new),
             }
     }
 }
@@ -74,8 +85,8 @@ fn name(word: &Word) -> &str {
 }
 
 /// The fields of a statement as FORMAL.TMP shows them.
-fn fields<'a>((source, text): &'a mut (&Source, String), statement: &Statement) -> &'a str {
+fn fields<'a>(text: &'a mut Vec<u8>, source: &Source, statement: &Statement) -> &'a [u8] {
     text.clear();
-    formal::write(text, source, statement, '\t');
+    formal::write(text, source, statement, b'\t');
     text
 }

@@ -1,6 +1,6 @@
 //! The code of a line to labels and statements, for today's programs and for older ones.
 
-use super::{DELIMITERS, skip_delimiters, word_end};
+use super::{skip_delimiters, trim_delimiters, word_end};
 use crate::language::Keyword;
 use crate::source::Span;
 
@@ -61,8 +61,8 @@ impl<'a> Pieces<'a> {
         let rest = &self.text.as_bytes()[start..self.code_end];
         let length = rest.iter().position(|byte| *byte == b';');
         self.part_end = length.map_or(self.code_end, |length| start + length);
-        let part = self.text[start..self.part_end].trim_end_matches(DELIMITERS);
-        self.trimmed_end = start + part.len();
+        let part = &self.text.as_bytes()[start..self.part_end];
+        self.trimmed_end = start + trim_delimiters(part);
         self.at = start;
     }
 

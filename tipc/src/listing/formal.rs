@@ -7,8 +7,8 @@ use crate::syntax::{
     Arithmetic, Condition, Expression, Jump, Relation, Statement, StatementKind, Then,
 };
 
-/// Writes the fields of one statement of a source, with a separator between them.
-pub(crate) fn write(text: &mut String, source: &Source, statement: &Statement, separator: char) {
+/// Writes the fields of one statement of a source in UTF-8, with a separator between them.
+pub(crate) fn write(text: &mut Vec<u8>, source: &Source, statement: &Statement, separator: u8) {
     let mut line = Line {
         source,
         start: text.len(),
@@ -22,8 +22,8 @@ pub(crate) fn write(text: &mut String, source: &Source, statement: &Statement, s
 struct Line<'a> {
     source: &'a Source,
     start: usize,
-    text: &'a mut String,
-    separator: char,
+    text: &'a mut Vec<u8>,
+    separator: u8,
 }
 
 impl Line<'_> {
@@ -108,11 +108,15 @@ impl Line<'_> {
         }
     }
 
-    fn field(&mut self, text: &str) {
+    fn separate(&mut self) {
         if self.text.len() > self.start {
             self.text.push(self.separator);
         }
-        self.text.push_str(text);
+    }
+
+    fn field(&mut self, text: &str) {
+        self.separate();
+        self.text.extend_from_slice(text.as_bytes());
     }
 
     fn keyword(&mut self, keyword: Keyword) {
@@ -121,14 +125,15 @@ impl Line<'_> {
 
     /// A piece of the source in capital letters.
     fn source(&mut self, span: Span) {
-        self.field(self.source.slice(span));
-        let start = self.text.len() - (span.end - span.start);
-        self.text[start..].make_ascii_uppercase();
+        self.separate();
+        let piece = self.source.slice(span).bytes();
+        self.text
+            .extend(piece.map(|byte| byte.to_ascii_uppercase()));
     }
 
     fn label(&mut self, name: &str) {
         self.field(name);
-        self.text.push(':');
+        self.text.push(b':');
     }
 
     fn jump(&mut self, keyword: Keyword, jump: &Jump) {
@@ -152,7 +157,7 @@ impl Line<'_> {
             }
             Condition::Flag { name, negated } => {
                 self.field(if *negated { "!" } else { "" });
-                self.text.push_str(&name.node);
+                self.text.extend_from_slice(name.node.as_bytes());
             }
         }
     }

@@ -27,12 +27,13 @@ pub fn object(source: &Source, module: &Module, program: &Program) -> String {
         texts: 0,
     };
     let steps = module.steps().zip(program.steps()).enumerate();
-    let mut line = String::new();
+    let mut line = Vec::new();
     steps
         .map(|(number, (statement, step))| {
             line.clear();
-            formal::write(&mut line, source, statement, '\t');
-            listing.record(&line, &step.action).text(number, count)
+            formal::write(&mut line, source, statement, b'\t');
+            let formal = String::from_utf8_lossy(&line);
+            listing.record(&formal, &step.action).text(number, count)
         })
         .collect()
 }

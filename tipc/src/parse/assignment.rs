@@ -28,6 +28,10 @@ impl Parser<'_> {
         let both = operator
             .span
             .to(next.map_or(operator.span, |next| next.span));
+        let assigns = next.is_some_and(|next| next.kind == Kind::Assign(None));
+        if operator.kind == Kind::Word && !assigns {
+            return None;
+        }
         let word = upper_case(self.source.slice(name.span));
         let assign = Habit::Assign { name: word.clone() };
         let (reason, help): (Habit, Message) = match (operator.kind, next.map(|next| next.kind)) {

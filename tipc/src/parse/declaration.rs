@@ -120,6 +120,9 @@ impl Parser<'_> {
     /// The names of a word, which full-width commas may separate: those are reported.
     fn names_between_commas(&self, word: Span) -> Vec<Span> {
         let text = self.source.slice(word);
+        if text.bytes().all(|it| it.is_ascii_graphic()) {
+            return vec![word];
+        }
         let mut start = word.start;
         let names = text.split_inclusive(COMMAS).map(|name| {
             let place = Span::new(start, start + name.trim_end_matches(COMMAS).len());

@@ -15,8 +15,12 @@ const COLON: char = '：';
 impl Parser<'_> {
     /// A name as it was meant to be typed.
     pub(super) fn narrow_word(&self, span: Span) -> Word {
+        let word = self.source.slice(span);
         Word {
-            node: upper_case(&narrow(self.source.slice(span))),
+            node: match word.is_ascii() {
+                true => upper_case(word),
+                false => upper_case(&narrow(word)),
+            },
             span,
         }
     }
