@@ -1,8 +1,10 @@
 //! Whatever the bytes: no panic, places inside the text, a program exactly when nothing is wrong, however long.
+//! `TIP_DAMAGED=100000` before a run in release mode damages so many programs.
 
 mod random;
 
 use random::Random;
+use robustness::fix;
 use robustness::load::examine;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
@@ -192,22 +194,43 @@ fn cases(folder: &Path, found: &mut Vec<PathBuf>) {
 // clauses: 1.1 8.1
 #[test]
 fn mutated_programs() {
-    let mut random = Random::new(0x5EED_0003);
+    try_each(&damaged("../cases", 3, 0x5EED_0003), examine);
+}
+
+// clauses: 8.1
+#[test]
+fn mutated_programs_are_put_right() {
+    try_each(
+        &damaged("../../tipc/tests/findings", 1, 0x5EED_0004),
+        fix::examine,
+    );
+}
+
+/// The programs in a folder, and so many damaged ones of each, or as many in all as are asked for.
+fn damaged(folder: &str, each: usize, seed: u64) -> Vec<Vec<u8>> {
+    let mut random = Random::new(seed);
     let mut paths = Vec::new();
     cases(
-        &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../cases"),
+        &PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(folder),
         &mut paths,
     );
     paths.sort();
+    let asked = env::var("TIP_DAMAGED").ok();
+    let asked = asked.map(|count| count.parse::<usize>().expect("a number"));
+    let each = asked.map_or(each, |count| count.div_ceil(paths.len().max(1)));
     let mut texts = Vec::new();
     for path in paths {
         let bytes = fs::read(&path).expect("a readable case");
         if bytes.len() > 4000 {
             continue;
         }
-        texts.extend((0..3).map(|_| mutated(&bytes, &mut random)));
+        texts.extend((0..each).map(|_| mutated(&bytes, &mut random)));
         texts.push(bytes);
     }
+    texts
+}
+
+fn try_each(texts: &[Vec<u8>], examine: fn(&[u8])) {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let share = texts.len().div_ceil(threads).max(1);
     thread::scope(|scope| {

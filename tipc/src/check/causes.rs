@@ -200,14 +200,14 @@ fn arrays_declared(source: &Source, found: &mut Vec<Diagnostic>) {
     found.retain(|it| it.help != Some(Habit::Declare.into()) || !arrays.contains(&line_of(it)));
 }
 
-/// UNTIL with its REPEAT after it, if nothing else is wrong with the structure.
+/// UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
 fn reversed_loops(found: &mut Vec<Diagnostic>) {
     let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
     let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
-    let [until, repeat] = both.as_slice() else {
+    let [first, second] = both.as_slice() else {
         return;
     };
-    let (until, place) = match (&until.reason, &repeat.reason) {
+    let (end, repeat) = match (&first.reason, &second.reason) {
         (
             Message::Structuring(Structuring::NothingOpen {
                 opener: Keyword::Repeat,
@@ -216,15 +216,21 @@ fn reversed_loops(found: &mut Vec<Diagnostic>) {
             Message::Structuring(Structuring::NotClosed {
                 opener: Keyword::Repeat,
             }),
-        ) => (until.span, repeat.span),
+        ) => (first.span, second.span),
+        (
+            Message::Structuring(Structuring::NotClosed {
+                opener: Keyword::Repeat,
+            }),
+            Message::Structuring(Structuring::NotClosed {
+                opener: Keyword::While,
+            }),
+        ) => (second.span, first.span),
         _ => return,
     };
-    found.retain(|it| it.code != Code::Structure || it.span != place);
+    found.retain(|it| it.code != Code::Structure || it.span != repeat);
     let word = Keyword::Repeat;
-    for finding in found.iter_mut().filter(|it| it.span == until) {
-        finding
-            .labels
-            .push(label(place, Structuring::StandsHere { word }));
+    for finding in found.iter_mut().filter(|it| it.span == end) {
+        finding.labels = vec![label(repeat, Structuring::StandsHere { word })];
         finding.help = Some(Habit::UntilCloses.into());
     }
 }

@@ -5,8 +5,8 @@ use super::uses::Named;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::names::LIMIT;
-use crate::message::phrase::Assign;
-use crate::message::{Message, Naming, Suggesting};
+use crate::message::phrase::{Assign, Lacking};
+use crate::message::{Commanding, Message, Naming, Parsing, Suggesting};
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Use};
 use crate::syntax::VariableKind;
@@ -26,6 +26,7 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         _ => None,
     });
     let meant: HashSet<String> = meant.collect();
+    let lacks_name = found.iter().any(lacks_name);
     for (id, variable) in names.variables.iter().enumerate() {
         let is_refused = variable.name.len() > LIMIT;
         if named.excused[id] || is_refused || meant.contains(&variable.name) {
@@ -33,6 +34,10 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         }
         let name = &variable.name;
         let Service { read, assigned } = serves[id];
+        // The name that is missing may be this one.
+        if lacks_name && !assigned && variable.kind == VariableKind::Var {
+            continue;
+        }
         let finding = match (read, assigned, names.declared[id]) {
             (Some(read), false, declared) => {
                 let place = read.operand(source);
@@ -50,6 +55,15 @@ pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut 
         };
         found.extend(finding);
     }
+}
+
+/// Whether a statement lacks the variable that it assigns: `FOR 1 TO 4`, `AD_IN VR1`.
+fn lacks_name(finding: &Diagnostic) -> bool {
+    let missing = |what| Message::from(Commanding::Missing { what });
+    finding.reason == Parsing::VariableBelongsHere.into()
+        || [Lacking::Volts, Lacking::Measured]
+            .into_iter()
+            .any(|what| finding.reason == missing(what))
 }
 
 /// What a program does with a variable.

@@ -156,7 +156,13 @@ impl<'a> Uses<'a> {
                 statement.start + start + name.len(),
             );
             start += word.len();
-            let Some(definition) = self.named(&name.to_ascii_uppercase()) else {
+            let upper = name.to_ascii_uppercase();
+            let Some(definition) = self.named(&upper) else {
+                // `2B`
+                let behind_digits = upper.trim_start_matches(|it: char| it.is_ascii_digit());
+                if let Some(meant) = self.named(behind_digits) {
+                    self.excuse_one(meant);
+                }
                 continue;
             };
             self.excuse_one(definition);

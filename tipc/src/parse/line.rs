@@ -191,7 +191,7 @@ impl Parser<'_> {
             diagnostic = diagnostic.help(Parsing::WriteHalfWidth { narrow });
         } else if self.is_in_foreign_comment(place) {
             diagnostic = diagnostic.help(Habit::Comment);
-        } else if before.trim().is_empty() && is_sentence(text) {
+        } else if before.trim().is_empty() && is_sentence(text) && !self.is_named(place) {
             diagnostic = diagnostic.help(Instead::CommentOrName);
         } else if text.chars().all(char::is_alphabetic) {
             diagnostic = diagnostic.help(Parsing::PlainNames);
@@ -219,6 +219,12 @@ impl Parser<'_> {
     fn is_unit(&self, place: Span) -> bool {
         let before = &self.text[self.line.span.start..place.start];
         before.ends_with(is_digit) && foreign::is_unit(self.source.slice(place))
+    }
+
+    /// Whether a colon or `=` follows a place: it is a label, or is assigned.
+    fn is_named(&self, place: Span) -> bool {
+        let rest = self.text[place.end..].trim_start();
+        rest.starts_with([':', '='])
     }
 
     /// The key between quotes of typesetting that begin at a place.

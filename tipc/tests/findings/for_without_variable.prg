@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR N
+FOR 1 TO 4
+MESSAGE again
+NEXT
+END

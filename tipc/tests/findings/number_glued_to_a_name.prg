@@ -1,0 +1,7 @@
+3.1
+A title
+DEF_VAR A B
+B = 2
+A = 2B
+MESSAGE %A%
+END

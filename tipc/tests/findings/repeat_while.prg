@@ -1,0 +1,9 @@
+3.1
+A title
+DEF_VAR N
+N = 0
+REPEAT
+  N += 1
+WHILE N < 4
+MESSAGE %N%
+END

@@ -1,0 +1,6 @@
+3.1
+A title
+DEF_VAR V
+AD_IN VR1
+MESSAGE %V%
+END
