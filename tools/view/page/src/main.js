@@ -19,11 +19,13 @@ async function open() {
   element('title').textContent = recording.script.title || recording.script.name;
   element('file').textContent = `${recording.script.name} · ${recording.robot.name}`;
   const stage = openStage(recording);
-  const plots = new Plots(player);
+  // Charts can wait until the robot is there.
+  let plots;
+  const charts = () => (plots ??= new Plots(player));
   const strip = timeline(player);
   const plot = (scalar) => {
     showTab('plots-tab');
-    plots.showVariable(scalar);
+    charts().showVariable(scalar);
   };
   source(player, plot);
   state(player, plot);
@@ -41,7 +43,7 @@ async function open() {
   player.onState(() => rememberPlace(player));
   themes(() => {
     stage?.recolour();
-    plots.build();
+    plots?.build();
     strip.draw();
     player.goToTime(player.time);
   });
@@ -61,6 +63,7 @@ async function open() {
   stage?.drawNow();
   const { dataset } = document.documentElement;
   dataset.ready = Math.round(performance.now());
+  requestAnimationFrame(() => setTimeout(charts));
   // A page around this one may have it play at once.
   if (dataset.plays !== undefined) player.play();
 }

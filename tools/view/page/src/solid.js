@@ -1,34 +1,29 @@
-// Parts of different colours that move with bones, as one mesh: one call draws them all.
+// Parts of different colours that move with bones, as one mesh: one call draws them all. Each corner moves with one bone, and
+// few corners are there: they are moved here, once for all passes, and not by a shader for four bones in each.
 
-import { BufferAttribute, Color, Matrix4, Skeleton, SkinnedMesh } from 'three';
+import { BufferAttribute, Color, DynamicDrawUsage, Mesh } from 'three';
 import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 
-export class Solid extends SkinnedMesh {
-  /** Of parts { geometry, name, leg, bone }: the name and the leg choose the colour, the bone is one of `bones` by its number. */
-  constructor(parts, bones, material) {
-    const geometries = parts.map(({ geometry, bone }) => {
+export class Solid extends Mesh {
+  /** Of parts { geometry, name, leg, bone }: the name and the leg choose the colour, the bone is a number. */
+  constructor(parts, material) {
+    const geometries = parts.map(({ geometry }) => {
       geometry.deleteAttribute('uv');
-      const merged = geometry.index ? geometry : mergeVertices(geometry);
-      const { count } = merged.attributes.position;
-      const [indices, weights] = [new Uint16Array(4 * count), new Float32Array(4 * count)];
-      for (let at = 0; at < 4 * count; at += 4) [indices[at], weights[at]] = [bone, 1];
-      merged.setAttribute('skinIndex', new BufferAttribute(indices, 4));
-      return merged.setAttribute('skinWeight', new BufferAttribute(weights, 4));
+      return geometry.index ? geometry : mergeVertices(geometry);
     });
     super(mergeGeometries(geometries), material);
-    this.parts = parts.map((part, n) => ({ ...part, vertices: geometries[n].attributes.position.count }));
-    const { count } = this.geometry.attributes.position;
-    this.geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * count), 3));
+    this.parts = parts.map(({ name, leg, bone }, n) => ({ name, leg, bone, vertices: geometries[n].attributes.position.count }));
+    const { position, normal } = this.geometry.attributes;
+    this.moving = [position, normal].map((attribute) => ({ attribute: attribute.setUsage(DynamicDrawUsage), still: attribute.array.slice() }));
+    this.geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * position.count), 3));
     this.castShadow = true;
     this.receiveShadow = true;
-    // Its bones are where it is.
+    // Its parts are where their bones are.
     this.frustumCulled = false;
-    const still = bones.map(() => new Matrix4());
-    this.bind(new Skeleton(bones, still), new Matrix4());
   }
 
   /** Paints each part as `of` says. */
-  recolour(of) {
+  paint(of) {
     const { color } = this.geometry.attributes;
     let at = 0;
     for (const part of this.parts) {
@@ -36,5 +31,25 @@ export class Solid extends SkinnedMesh {
       for (let end = at + part.vertices; at < end; at++) color.setXYZ(at, r, g, b);
     }
     color.needsUpdate = true;
+  }
+
+  /** Puts the bones where these matrices have them. */
+  move(bones) {
+    this.moving.forEach(({ attribute, still }, kind) => {
+      // Places are shifted, directions only turned.
+      const shift = kind === 0 ? 1 : 0;
+      const { array } = attribute;
+      let at = 0;
+      for (const { bone, vertices } of this.parts) {
+        const m = bones[bone].elements;
+        for (const end = at + 3 * vertices; at < end; at += 3) {
+          const [x, y, z] = [still[at], still[at + 1], still[at + 2]];
+          array[at] = m[0] * x + m[4] * y + m[8] * z + shift * m[12];
+          array[at + 1] = m[1] * x + m[5] * y + m[9] * z + shift * m[13];
+          array[at + 2] = m[2] * x + m[6] * y + m[10] * z + shift * m[14];
+        }
+      }
+      attribute.needsUpdate = true;
+    });
   }
 }

@@ -48,7 +48,7 @@ export class Stage {
     this.light();
     this.solid = new RobotSolid(robot);
     // The processor has shadows to draw on the floor, and no time for those on the robot.
-    if (this.screen.isSoftware) this.solid.traverse((part) => (part.receiveShadow = false));
+    if (this.screen.isSoftware) this.solid.receiveShadow = false;
     this.surroundings = new Surroundings(this.recording, this.size);
     this.marks = new Marks(this.size, robot.legs.length);
     this.world.add(this.solid, this.surroundings, this.marks);
@@ -60,9 +60,8 @@ export class Stage {
   /** Forgets all that belongs to a robot. */
   clear() {
     this.sun?.dispose();
-    this.scene.traverse(({ geometry, material, skeleton }) => {
+    this.scene.traverse(({ geometry, material }) => {
       geometry?.dispose();
-      skeleton?.dispose();
       material?.map?.dispose();
       material?.dispose();
     });

@@ -38,7 +38,7 @@ export function state(player, plot) {
 
   const show = () => {
     const { cycle } = player;
-    element('message').textContent = recording.messageAt(cycle) || '\u00A0';
+    element('message').textContent = recording.messageAt(cycle);
     const alarm = alarmAt(player);
     element('alert').hidden = !alarm;
     element('alert').textContent = alarm;
