@@ -8,7 +8,6 @@ import { launch, visit } from './browsers.mjs';
 
 const folder = process.env.PLAYGROUND;
 const one = `file://${folder}/playground.html`;
-const TYPES = { html: 'text/html', wasm: 'application/wasm' };
 /** Counts its cycles; says which key was pressed, what VR1 is, and that it is to halt. */
 const COUNTS = readFileSync(`${import.meta.dirname}/counts.prg`, 'utf8');
 /** Graphics by software take their time. */
@@ -214,18 +213,39 @@ describe('one file', () => {
   });
 });
 
-test('from a server it asks for its two files alone, and is ready in a second', async () => {
-  const server = createServer((request, response) => {
-    const name = request.url === '/' ? 'index.html' : request.url.slice(1);
-    response.setHeader('Content-Type', TYPES[name.split('.').at(-1)] ?? 'text/plain');
-    response.end(readFileSync(`${folder}/hosted/${name}`));
+describe('from a server', () => {
+  /** Opens it from a server that says so of modules; gives the page, and its address. */
+  async function openFrom(type) {
+    const server = createServer((request, response) => {
+      const name = request.url === '/' ? 'index.html' : request.url.slice(1);
+      response.setHeader('Content-Type', name.endsWith('.wasm') ? type : 'text/html');
+      response.end(readFileSync(`${folder}/hosted/${name}`));
+    });
+    await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+    const home = `http://127.0.0.1:${server.address().port}/`;
+    const opened = await open(home);
+    const end = async () => {
+      await opened.close();
+      server.close();
+    };
+    return { ...opened, home, end };
+  }
+
+  test('asks for its two files alone, and is ready in a second', async () => {
+    const { page, home, asked, complaints, end } = await openFrom('application/wasm');
+    assert.deepEqual(asked.sort(), [home, `${home}playground.wasm`]);
+    assert.deepEqual(complaints, []);
+    console.log(`ready after ${await page.getAttribute('html', 'data-ready')} ms`);
+    await end();
   });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const home = `http://127.0.0.1:${server.address().port}/`;
-  const { page, asked, complaints, close } = await open(home);
-  assert.deepEqual(asked.sort(), [home, `${home}playground.wasm`]);
-  assert.deepEqual(complaints, []);
-  console.log(`ready after ${await page.getAttribute('html', 'data-ready')} ms`);
-  await close();
-  server.close();
+
+  // A browser compiles as it comes what is called application/wasm, and nothing else: no parameters either.
+  for (const type of ['application/octet-stream', 'application/wasm; charset=utf-8', 'Application/WASM']) {
+    test(`runs where its module is called ${type}`, async () => {
+      const { page, complaints, end } = await openFrom(type);
+      await says(page, '#file', '01-hello');
+      assert.deepEqual(complaints, []);
+      await end();
+    });
+  }
 });

@@ -9,7 +9,7 @@ export async function load() {
   const inside = document.getElementById('module');
   if (inside) return WebAssembly.compile(await inflated(bytesOf(inside.textContent)));
   const response = await fetch('playground.wasm');
-  // As it comes, and the browser keeps what it has compiled; unless the server does not know what it is.
-  if (response.headers.get('Content-Type')?.startsWith(TYPE)) return WebAssembly.compileStreaming(response);
+  // As it comes, and the browser keeps what it has compiled; unless the server calls it something else, or says more than this.
+  if (response.headers.get('Content-Type')?.toLowerCase() === TYPE) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
