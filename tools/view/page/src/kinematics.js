@@ -14,25 +14,28 @@ export function placed(pose) {
   return turn.setPosition(x, y, z);
 }
 
-/** The frame of each link of a leg, with its origin in its joint; then that of the foot. */
+/** The frame of each link of a leg, with its origin in its joint. */
 export function links(leg, angles) {
   const frame = new Matrix4().makeTranslation(...leg.base);
-  const frames = leg.joints.map(({ axis, link }, j) => {
+  return leg.joints.map(({ axis, link }, j) => {
     const turn = new Quaternion().setFromAxisAngle(new Vector3(...axis), angles[j] * RADIANS);
     frame.multiply(new Matrix4().makeRotationFromQuaternion(turn));
     const own = frame.clone();
     frame.multiply(new Matrix4().makeTranslation(...link));
     return own;
   });
-  return [...frames, frame];
 }
 
-const origin = (matrix) => new Vector3().setFromMatrixPosition(matrix);
-
-/** Where the foot of each leg is in the world. */
-export function feet(robot, { pose, angles }) {
-  const body = placed(pose);
-  return robot.legs.map((leg, l) => origin(links(leg, angles[l]).at(-1)).applyMatrix4(body));
+/**
+ * Where the foot of each leg is in the world. Trails ask for hundreds: it goes from the foot back to the body, where each joint
+ * turns what follows it, and needs no frames.
+ */
+export function feet({ legs }, { pose, angles }) {
+  const [body, part] = [placed(pose), new Vector3()];
+  return legs.map(({ base, joints }, l) => {
+    const turn = (end, { axis, link }, j) => end.add(part.fromArray(link)).applyAxisAngle(part.fromArray(axis), angles[l][j] * RADIANS);
+    return joints.reduceRight(turn, new Vector3()).add(part.fromArray(base)).applyMatrix4(body);
+  });
 }
 
 /** The corners of the belly in the world. */
