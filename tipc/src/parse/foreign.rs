@@ -13,7 +13,7 @@ use crate::lex::{Kind, Token, foreign_run, lex};
 use crate::message::{Commanding, Habit, Message, Naming, Parsing, Suggesting};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::syntax::{Shape, StatementKind, VariableKind, Word, upper_case};
+use crate::syntax::{Shape, Statement, StatementKind, VariableKind, Word, upper_case};
 use smol_str::SmolStr;
 
 /// The command whose name is nearest to a word of letters; names with digits are rather labels.
@@ -143,7 +143,14 @@ impl Parser<'_> {
             row.is_some_and(|row| matches!(row.habit, Habit::ShowText | Habit::KeyIn))
         };
         let is_known = foreign::statement(self.source.slice(word)).is_some();
-        let goes_on = !is_known && line.any(|it| shows(it.keyword()));
+        // A label or an equation may begin with such a word.
+        let is_wrong = |it: &Statement| {
+            matches!(
+                it.kind,
+                StatementKind::Command { .. } | StatementKind::Broken(_)
+            )
+        };
+        let goes_on = !is_known && line.any(|it| is_wrong(it) && shows(it.keyword()));
         goes_on.then_some(StatementKind::Broken(Shape::Plain))
     }
 

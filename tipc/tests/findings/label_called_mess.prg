@@ -1,0 +1,5 @@
+3.1
+A title
+MESS: WXYZ
+GOTO MESS:
+END
