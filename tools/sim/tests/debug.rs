@@ -6,6 +6,8 @@ mod logs;
 mod places;
 #[path = "debug/walks.rs"]
 mod walks;
+#[path = "debug/watches.rs"]
+mod watches;
 
 use std::error::Error;
 use tip_sim::debug::Debugger;
