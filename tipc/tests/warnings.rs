@@ -136,38 +136,6 @@ fn called_parts_return() {
     );
 }
 
-// clauses: 2.15
-#[test]
-fn a_part_that_always_calls_itself_never_returns() {
-    let routine = |body: &str| format!("CALL A:\nEXIT\nSUBROUTINE A:\n{body}\nSUBEND");
-    check(&routine("ALL_STOP\nCALL A:"), &["W113 5:1"]);
-    check(&routine("CALL A:"), &["W113 5:1"]);
-    check(
-        "GOSUB A:\nEXIT\nA: ALL_STOP\nGOSUB A:\nRETURN",
-        &["W113 5:1"],
-    );
-    // One path does not call it, or ends the program.
-    check(&routine("ALL_STOP\nIF KB_HIT GOSUB A:"), &[]);
-    check(&routine("IF KB_HIT THEN\nCALL A:\nENDIF"), &[]);
-    check(&routine("IF KB_HIT THEN\nRETURN\nENDIF\nCALL A:"), &[]);
-    check(&routine("IF KB_HIT THEN\nEXIT\nENDIF\nCALL A:"), &[]);
-}
-
-#[test]
-fn calls_that_nothing_comes_to_are_steps_too() {
-    let routine = "SUBROUTINE A:\nALL_STOP\nSUBEND";
-    check(
-        &format!("CALL A:\nEXIT\nCALL A:\nEXIT\n{routine}"),
-        &["W112 5:1"],
-    );
-    check(
-        &format!("EXIT\nIF KB_HIT GOSUB A:\nEXIT\n{routine}"),
-        &["W112 4:1"],
-    );
-    // Jumps that nothing comes to are left alone.
-    check("L: ALL_STOP\nGOTO L:\nGOTO L:", &[]);
-}
-
 // clauses: 3.2
 #[test]
 fn a_jump_in_one_word_is_a_label() {

@@ -21,8 +21,6 @@ pub(crate) struct OneWay {
     pub(crate) entry: StepId,
     /// The first step that calls it.
     pub(crate) call: StepId,
-    /// The first step that calls it from within, if only such calls keep it from coming back.
-    pub(crate) again: Option<StepId>,
 }
 
 /// Looks at the calls and returns of a program. What is in a SUBROUTINE may be left out: `is_inside` says which steps are.
@@ -63,42 +61,24 @@ fn one_way(program: &Program, flow: &Flow) -> Vec<OneWay> {
         .filter_map(|node| Some((node.step, node.call?)));
     calls
         .filter(|(_, call)| entries.insert(call.entry))
-        .filter_map(|(step, call)| judge(program, flow, &mut walk, step, call))
+        .filter(|(_, call)| is_one_way(program, flow, &mut walk, *call) == Some(true))
+        .map(|(step, call)| OneWay {
+            entry: flow.nodes()[call.entry].step,
+            call: step,
+        })
         .collect()
 }
 
-/// Whether a routine does something, and then runs to the end of the source or into a call of itself, but never returns. Of
-/// one that is too long nothing is said.
-fn judge(
-    program: &Program,
-    flow: &Flow,
-    walk: &mut Walk<'_>,
-    step: StepId,
-    call: Call,
-) -> Option<OneWay> {
-    let action = |id: NodeId| &program.steps()[flow.nodes()[id].step as usize].action;
-    let returns = |path: &[NodeId]| path.iter().any(|id| flow.nodes()[*id].returns);
-    let calls_itself = |id: &NodeId| {
-        let call_here = flow.nodes()[*id].call;
-        call_here.is_some_and(|inner| inner.entry == call.entry)
-    };
-    let one_way = OneWay {
-        entry: flow.nodes()[call.entry].step,
-        call: step,
-        again: None,
-    };
+/// Whether the routine does something, and then runs to the end of the source or into a call of itself, but never returns;
+/// `None` if it is too long to say.
+fn is_one_way(program: &Program, flow: &Flow, walk: &mut Walk<'_>, call: Call) -> Option<bool> {
     let path = walk.from(&[call.entry], None, Into::Itself)?;
-    let again = path.iter().copied().filter(calls_itself).min();
-    if !returns(&path) {
-        let ends = |id: &NodeId| matches!(action(*id), Action::Finish(End::End));
-        let goes_wrong = again.is_some() || path.iter().any(ends);
-        return (goes_wrong && path.iter().any(|id| action(*id).acts())).then_some(one_way);
+    let nodes = || path.iter().map(|id| &flow.nodes()[*id]);
+    let actions = || nodes().map(|node| &program.steps()[node.step as usize].action);
+    if nodes().any(|node| node.returns) {
+        return Some(false);
     }
-    let again = flow.nodes()[again?].step;
-    let path = walk.from(&[call.entry], None, Into::ItselfOnce)?;
-    let leaves = |id: &NodeId| matches!(action(*id), Action::Finish(_));
-    (!returns(&path) && !path.iter().any(leaves)).then_some(OneWay {
-        again: Some(again),
-        ..one_way
-    })
+    let runs_out = actions().any(|action| matches!(action, Action::Finish(End::End)));
+    let calls_itself = nodes().any(|node| node.call.is_some_and(|inner| inner.entry == call.entry));
+    Some((runs_out || calls_itself) && actions().any(Action::acts))
 }

@@ -10,8 +10,6 @@ const FARTHEST: usize = 1_000;
 pub(super) enum Into {
     /// Those of its own routine: a call is passed.
     Itself,
-    /// The same; but calls of its own start do not come back.
-    ItselfOnce,
     /// Those of called routines too.
     Calls,
 }
@@ -60,8 +58,7 @@ impl<'a> Walk<'a> {
             }
             open.extend(node.next.iter());
             if let Some(call) = node.call {
-                let comes_back = into != Into::ItselfOnce || !starts.contains(&call.entry);
-                open.extend(comes_back.then_some(call.back));
+                open.push(call.back);
                 open.extend((into == Into::Calls).then_some(call.entry));
             }
         }

@@ -97,15 +97,6 @@ messages! {
     CalledHere
         "called here",
         "ここで呼ばれています";
-    CallsItselfFirst
-        "every path from here calls this part again before it returns",
-        "ここからのどの経路も、戻る前に自分自身を呼び出します";
-    CallsItselfHere
-        "it calls itself here",
-        "ここで自分自身を呼び出しています";
-    CallUnderCondition
-        "calls nest 10 deep at most: call it again only inside an IF, or repeat with WHILE or GOTO",
-        "呼び出しの入れ子は10段までです。IFの中で呼び出すか、WHILEやGOTOで繰り返してください";
     EndWithReturn
         "end the part with RETURN; to leave for good, use GOTO instead of GOSUB",
         "最後にRETURNを置いてください。戻らないのなら、GOSUBの代わりにGOTOを使ってください";

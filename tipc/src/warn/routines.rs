@@ -6,6 +6,7 @@ use crate::analysis::calls::{OneWay, mismatches};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::Warning;
+use crate::program::StepId;
 use crate::syntax::StatementKind;
 
 /// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
@@ -26,9 +27,9 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut V
         inside.push(is_inside);
     }
     let mismatches = mismatches(judged.program, |step| inside[step as usize]);
-    for one_way in mismatches.one_way {
-        if unreachable.is_live(one_way.call) {
-            found.extend(never_returns(judged, one_way));
+    for OneWay { entry, call } in mismatches.one_way {
+        if unreachable.is_live(call) {
+            found.extend(never_returns(judged, entry, call));
         }
     }
     if let Some(lost) = mismatches.lost.and_then(|step| judged.statement(step)) {
@@ -37,26 +38,14 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut V
     }
 }
 
-fn never_returns(judged: &Judged<'_>, one_way: OneWay) -> Option<Diagnostic> {
-    let (part, caller) = (
-        judged.statement(one_way.entry)?,
-        judged.statement(one_way.call)?,
-    );
+fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
+    let (part, caller) = (judged.statement(entry)?, judged.statement(call)?);
     let (name, _) = part.kind.label()?;
-    let (reason, help, place, label) = match one_way.again {
-        None => (
-            Warning::NeverReturns,
-            Warning::EndWithReturn,
-            caller,
-            Warning::CalledHere,
-        ),
-        Some(again) => (
-            Warning::CallsItselfFirst,
-            Warning::CallUnderCondition,
-            judged.statement(again)?,
-            Warning::CallsItselfHere,
-        ),
-    };
-    let finding = Diagnostic::new(Code::NoReturn, part.span, reason).about(name.node.as_str());
-    Some(finding.label(place.span, label).help(help))
+    let finding = Diagnostic::new(Code::NoReturn, part.span, Warning::NeverReturns);
+    let finding = finding.about(name.node.as_str());
+    Some(
+        finding
+            .label(caller.span, Warning::CalledHere)
+            .help(Warning::EndWithReturn),
+    )
 }

@@ -66,8 +66,7 @@ fn warning(
     let is_routine = actions
         .clone()
         .any(|action| matches!(action, Action::Return));
-    let calls = |it: &Action| matches!(it, Action::Gosub { .. } | Action::IfGosub { .. });
-    if !actions.clone().any(|it| it.acts() || calls(it)) {
+    if !actions.clone().any(Action::acts) {
         return None;
     }
     let mut statements = run.iter().filter_map(|step| judged.statement(*step));
