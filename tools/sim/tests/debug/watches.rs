@@ -2,7 +2,7 @@
 
 use super::{Outcome, debugger, titan};
 use tip_runtime::program::End;
-use tip_sim::debug::{By, Debugger, Move, Reason, When};
+use tip_sim::debug::{By, Debugger, Move, Reason, Refused, When};
 
 /// A variable that a step, a key, a loop and the host assign.
 const WATCHED: &str = "3.1
