@@ -213,7 +213,7 @@ mod tests {
         );
         let help = |text: &str| {
             let loaded = parse_project("tip.toml", text.as_bytes()).expect_err("it is wrong");
-            let first = loaded.diagnostics.iter().next();
+            let first = loaded.diagnostics.first();
             let help = first.and_then(|found| found.help.as_ref());
             help.map(|help| help.in_lang(crate::message::Lang::English).to_string())
         };
