@@ -121,9 +121,19 @@ fn a_broken_one_is_an_error_at_its_place() {
         assert!(said.contains(place), "{command}: {outcome:#?}");
     }
     let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
-    for said in ["`robot` にこの値は使えません", "`robot` にはロボットの名前"] {
+    for said in [
+        "`robot` にこの値は使えません",
+        "`hand` の間違いではありませんか?",
+    ] {
         assert!(outcome.err.contains(said), "{outcome:#?}");
     }
+    // What is near no robot is answered with how robots are written.
+    let folder = Folder::new("project-no-robot")
+        .file("tip.toml", "robot = \"rover\"\n")
+        .program("grasp.prg", "END");
+    let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
+    let help = "`robot` にはロボットの名前";
+    assert!(outcome.err.contains(help), "{outcome:#?}");
     let help = "`robot` is a robot's name, or a description's";
     let outcome = folder.tipc(&["run", "grasp.prg"]).expect(1);
     assert!(outcome.err.contains(help), "{outcome:#?}");
