@@ -250,3 +250,27 @@ fn within(value: f64, most: f64) -> f64 {
         value
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_after_a_torque_begins_where_the_joint_is() {
+        let mut servo = Servo::at(10.0);
+        let torque = servo.obey(Control::Angle, JointCommand::Torque(5.0), 1.0);
+        assert_eq!((torque, servo.order), (Control::Torque, 5.0));
+        // A command that is not a number leaves the torque.
+        let nonsense = JointCommand::Torque(f64::NAN);
+        assert_eq!(servo.obey(torque, nonsense, 1.0), Control::Torque);
+        assert_eq!(servo.order, 5.0);
+        let angle = JointCommand::Angle {
+            angle: 30.0,
+            rate: 0.0,
+        };
+        assert_eq!(servo.obey(torque, angle, 1.0), Control::Angle);
+        assert_eq!(servo.order, 10_f64.to_radians());
+        assert_eq!(servo.goal(Some(angle)), 30_f64.to_radians());
+        assert_eq!(servo.goal(None), servo.order);
+    }
+}
