@@ -5,7 +5,6 @@ use crate::code::{Code, Level};
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::load::Loaded;
 use crate::syntax::StatementKind;
-use std::collections::HashMap;
 
 /// The findings that are new after these were to be put right. One that is still there counts as new.
 pub(super) fn news(
@@ -14,28 +13,35 @@ pub(super) fn news(
     fixed: &[usize],
     edits: &[&Edit],
 ) -> Vec<usize> {
-    let mut allowed: HashMap<(Code, String), usize> = HashMap::new();
-    for finding in &before.diagnostics {
-        *allowed.entry(key(finding)).or_default() += 1;
-    }
-    for index in fixed {
-        if let Some(count) = allowed.get_mut(&key(&before.diagnostics[*index])) {
-            *count -= 1;
-        }
-    }
+    let known = before.diagnostics.iter().enumerate();
+    let left = known.filter(|(index, _)| !fixed.contains(index));
+    let mut left: Vec<_> = left
+        .map(|(_, finding)| (key(finding), moved(finding.span.start, edits)))
+        .collect();
     let seen = Seen::of(before, edits);
     let found = after.diagnostics.iter().enumerate();
-    let judged = found.filter(|(_, finding)| seen.would_show(finding));
-    let is_new = |finding: &Diagnostic| match allowed.get_mut(&key(finding)) {
-        Some(count) if *count > 0 => {
-            *count -= 1;
-            false
-        }
-        _ => true,
-    };
-    let mut is_new = is_new;
-    let new = judged.filter(|(_, finding)| is_new(finding));
-    new.map(|(index, _)| index).collect()
+    let mut new: Vec<_> = found
+        .filter(|(_, finding)| seen.would_show(finding))
+        .map(|(index, finding)| (index, key(finding), finding.span.start))
+        .collect();
+    // What stands where it stood comes first: its like elsewhere may be new.
+    new.retain(|(_, key, at)| !takes(&mut left, |it| (&it.0, it.1) == (key, *at)));
+    new.retain(|(_, key, _)| !takes(&mut left, |it| it.0 == *key));
+    new.into_iter().map(|(index, ..)| index).collect()
+}
+
+/// Takes the first that is alike from those that are left; whether there was one.
+fn takes<T>(left: &mut Vec<T>, is_alike: impl Fn(&T) -> bool) -> bool {
+    let place = left.iter().position(is_alike);
+    place.map(|place| left.swap_remove(place)).is_some()
+}
+
+/// Where a place of the text is after a change.
+fn moved(at: usize, edits: &[&Edit]) -> usize {
+    let before = edits.iter().filter(|edit| edit.span.end <= at);
+    before.fold(at, |at, edit| {
+        at + edit.text.len() - (edit.span.end - edit.span.start)
+    })
 }
 
 /// Whether a finding stands on a line that was changed, where the mistake before may have hidden it.

@@ -109,3 +109,14 @@ fn names_in_one_piece() {
         "DEF_VAR STEP_LENGTH\nstep_length = 3\nSLEEP STEP_LENGTH",
     );
 }
+
+/// What the first mistake hides has the words of the second, which is put right: it is new all the same.
+// clauses: 3.1
+#[test]
+fn a_mistake_like_another_that_is_put_right() {
+    let used = "P = 1\nSLEEP P\nTEACH_POSITION F1 Q1\nPTP F1 Q1";
+    check_likely(
+        &format!("DEF_VAA- P, DEF_POS Q1\n{used}"),
+        &format!("DEF_VAA- P\nDEF_POS Q1\n{used}"),
+    );
+}
