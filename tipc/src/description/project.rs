@@ -15,7 +15,7 @@ use tip_runtime::scene::Scene;
 ///
 /// ```
 /// let text = b"robot = \"hand\"\n[[programs]]\nfiles = \"old/*.prg\"\nencoding = \"shift_jis\"\n";
-/// let project = tipc::description::parse_project("tip.toml", text).expect("it is right");
+/// let project = tipc::description::parse_project("tip.toml", text, |_| true).expect("it is right");
 /// let said = project.of("old/grasp.prg");
 /// assert_eq!(said.robot, Some("hand"));
 /// assert_eq!(said.encoding, Some(tipc::source::Encoding::ShiftJis));
@@ -44,19 +44,24 @@ pub struct Settings<'a> {
     pub scene: Option<&'a str>,
 }
 
-/// Reads a `tip.toml`. `name` is how diagnostics call the file.
+/// Reads a `tip.toml`. `name` is how diagnostics call the file; `is_there` says whether there is a file, by its path from that
+/// folder.
 ///
 /// # Errors
 /// Everything that is wrong with the file, each fault at its place; there is no program in it.
-pub fn parse_project(name: &str, bytes: &[u8]) -> Result<Project, Box<Loaded>> {
+pub fn parse_project(
+    name: &str,
+    bytes: &[u8],
+    is_there: impl Fn(&str) -> bool,
+) -> Result<Project, Box<Loaded>> {
     open(name, bytes, Part::Project, |_, top, found| {
         let mut project = Project {
-            every: said(top, found),
+            every: said(top, &is_there, found),
             some: Vec::new(),
         };
         let parts = top.tables("programs", Part::Programs, found);
         for part in parts.unwrap_or_default() {
-            let said = said(part, found);
+            let said = said(part, &is_there, found);
             if let Some((place, files)) = part.text("files", found) {
                 let pattern = Pattern::new(files).ok();
                 let key = "files".to_owned();
@@ -71,7 +76,7 @@ pub fn parse_project(name: &str, bytes: &[u8]) -> Result<Project, Box<Loaded>> {
     })
 }
 
-fn said(section: Section<'_>, found: &mut Found) -> Said {
+fn said(section: Section<'_>, is_there: &dyn Fn(&str) -> bool, found: &mut Found) -> Said {
     let robots = Robot::ALL.iter().map(|robot| robot.name());
     let robots = robots.chain(published::ALL.iter().map(|robot| robot.name));
     let scenes = Scene::NAMES.iter().copied();
@@ -81,25 +86,31 @@ fn said(section: Section<'_>, found: &mut Found) -> Said {
         ("shift_jis", Encoding::ShiftJis),
     ];
     Said {
-        robot: named(section, "robot", robots, found),
+        robot: named(section, "robot", robots, is_there, found),
         encoding: match section.has("encoding") {
             true => section.choice("encoding", &words, found),
             false => None,
         },
-        scene: named(section, "scene", scenes, found),
+        scene: named(section, "scene", scenes, is_there, found),
     }
 }
 
-/// A name that is known, or a file.
+/// A name that is known, or a file that is there.
 fn named(
     section: Section<'_>,
     key: &str,
     known: impl Iterator<Item = &'static str> + Clone,
+    is_there: &dyn Fn(&str) -> bool,
     found: &mut Found,
 ) -> Option<String> {
     let (place, text) = section.text(key, found)?;
-    if known.clone().any(|name| name == text) || text.ends_with(".toml") {
+    let is_file = text.ends_with(".toml");
+    if known.clone().any(|name| name == text) || is_file && is_there(text) {
         return Some(text.to_owned());
+    }
+    if is_file {
+        let file = text.to_owned();
+        return section.refuse(key, place, Describing::NoFile { file }, found);
     }
     section.refuse_word(key, (place, text), known, found)
 }
@@ -139,7 +150,8 @@ mod tests {
     fn a_pattern_stays_in_its_folder_unless_two_stars_say_otherwise() {
         let means = |pattern: &str, path| {
             let text = format!("[[programs]]\nfiles = \"{pattern}\"\nrobot = \"hand\"\n");
-            let project = parse_project("tip.toml", text.as_bytes()).expect("it is right");
+            let project =
+                parse_project("tip.toml", text.as_bytes(), |_| true).expect("it is right");
             project.of(path).robot.is_some()
         };
         for (pattern, path) in [
@@ -168,7 +180,7 @@ mod tests {
         let text = b"robot = \"hand\"\nencoding = \"utf-8\"\n\
             [[programs]]\nfiles = \"old/*\"\nencoding = \"shift_jis\"\nscene = \"cylinder\"\n\
             [[programs]]\nfiles = \"old/six.prg\"\nrobot = \"robots/six.toml\"\n";
-        let project = parse_project("tip.toml", text).expect("it is right");
+        let project = parse_project("tip.toml", text, |_| true).expect("it is right");
         let hand = Settings {
             robot: Some("hand"),
             encoding: Some(Encoding::Utf8),
@@ -186,14 +198,19 @@ mod tests {
             ..old
         };
         assert_eq!(project.of("old/six.prg"), six);
-        let empty = parse_project("tip.toml", b"").expect("nothing is needed");
+        let empty = parse_project("tip.toml", b"", |_| true).expect("nothing is needed");
         assert_eq!(empty.of("walk.prg"), Settings::default());
+    }
+
+    /// Whether a file is beside the wrong ones.
+    fn is_there(file: &str) -> bool {
+        file == "robots/six.toml"
     }
 
     /// What is said of a wrong one.
     #[track_caller]
     fn check(text: &str, expected: &[&str]) {
-        let loaded = parse_project("tip.toml", text.as_bytes()).expect_err("it is wrong");
+        let loaded = parse_project("tip.toml", text.as_bytes(), is_there).expect_err("it is wrong");
         let found = loaded.diagnostics.iter();
         let lines =
             found.map(|one| render::short(&loaded.source, one, crate::message::Lang::English));
@@ -212,7 +229,8 @@ mod tests {
             ],
         );
         let help = |text: &str| {
-            let loaded = parse_project("tip.toml", text.as_bytes()).expect_err("it is wrong");
+            let loaded =
+                parse_project("tip.toml", text.as_bytes(), is_there).expect_err("it is wrong");
             let first = loaded.diagnostics.first();
             let help = first.and_then(|found| found.help.as_ref());
             help.map(|help| help.in_lang(crate::message::Lang::English).to_string())
@@ -239,6 +257,17 @@ mod tests {
                 "tip.toml:2:9: error[E408]: a number cannot stand here (TIP_ERR:Wrong tip.toml)",
                 "tip.toml:4:9: error[E408]: `files` cannot be this (TIP_ERR:Wrong tip.toml)",
             ],
+        );
+        // The first file is there.
+        let parts = "[[programs]]\nfiles = \"*\"\nrobot = \"sixth.toml\"\nscene = \"step.toml\"\n";
+        let missing = |place, file| {
+            let reason =
+                format!("there is no file `{file}`: paths begin at the folder of tip.toml");
+            format!("tip.toml:{place}: error[E408]: {reason} (TIP_ERR:Wrong tip.toml)")
+        };
+        check(
+            &format!("robot = \"robots/six.toml\"\n{parts}"),
+            &[&missing("4:9", "sixth.toml"), &missing("5:9", "step.toml")],
         );
     }
 }

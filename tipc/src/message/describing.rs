@@ -42,6 +42,9 @@ messages! {
     CannotBeThis { key: String }
         "`{key}` cannot be this",
         "`{key}` にこの値は使えません";
+    NoFile { file: String }
+        "there is no file `{file}`: paths begin at the folder of tip.toml",
+        "`{file}` というファイルはありません。パスはtip.tomlのあるフォルダから書きます";
     OutOfReach { most: f64 }
         "a number from -{most} to {most} belongs here",
         "ここには-{most}から{most}までの数値を書きます";

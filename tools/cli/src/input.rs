@@ -48,11 +48,14 @@ pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     }
 }
 
-/// Reads the `tip.toml` at `path`.
-pub(super) fn project(path: &Path) -> Result<Project, Box<Loaded>> {
+/// Reads the `tip.toml` at `path`; `is_there` says whether there is a file that it names.
+pub(super) fn project(
+    path: &Path,
+    is_there: impl Fn(&str) -> bool,
+) -> Result<Project, Box<Loaded>> {
     let name = name(path);
     match read(path) {
-        Ok(bytes) => tipc::description::parse_project(&name, &bytes),
+        Ok(bytes) => tipc::description::parse_project(&name, &bytes, is_there),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }

@@ -28,11 +28,16 @@ pub(super) struct Given {
 /// # Errors
 /// What is wrong with it.
 pub(super) fn of(path: &Path) -> Result<Option<Given>, Box<Loaded>> {
+    given(path, Path::exists)
+}
+
+/// The same, where `is_there` says whether a file that it names is there.
+fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Given>, Box<Loaded>> {
     let Some((program, folder)) = nearest(path) else {
         return Ok(None);
     };
     let file = shown(&folder.join(NAME));
-    let project = input::project(&file)?;
+    let project = input::project(&file, |named| is_there(&folder.join(named)))?;
     let names = program.strip_prefix(&folder).unwrap_or(&program).iter();
     let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
     let said = project.of(&names.join("/"));
@@ -51,7 +56,9 @@ pub(super) fn of(path: &Path) -> Result<Option<Given>, Box<Loaded>> {
 pub(super) fn files(path: &Path) -> Vec<PathBuf> {
     let program = absolute(path).unwrap_or_default();
     let projects = program.ancestors().skip(1).map(|folder| folder.join(NAME));
-    let robot = of(path).ok().flatten().and_then(|given| given.robot);
+    // What is not there yet may come.
+    let given = given(path, |_| true).ok().flatten();
+    let robot = given.and_then(|given| given.robot);
     let description = robot.and_then(|robot| robot.file().map(Path::to_owned));
     projects.chain(description).collect()
 }

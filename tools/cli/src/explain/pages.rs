@@ -128,7 +128,7 @@ mod tests {
             }
             (_, Code::Scene) => parse_scene("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
-            (_, Code::Project) => parse_project("page.toml", text.as_bytes())
+            (_, Code::Project) => parse_project("page.toml", text.as_bytes(), |_| true)
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),
             (_, _) => parse("page.toml", text.as_bytes())
                 .map_or_else(|loaded| loaded.diagnostics, |_| Vec::new()),

@@ -139,6 +139,26 @@ fn a_broken_one_is_an_error_at_its_place() {
     assert!(outcome.err.contains(help), "{outcome:#?}");
 }
 
+#[test]
+fn a_file_that_it_names_must_be_there() {
+    let folder = Folder::new("project-missing")
+        .file(
+            "motions/tip.toml",
+            "scene = \"../step.toml\"\nrobot = \"six.toml\"\n",
+        )
+        .file("step.toml", "floor = 5\n")
+        .program("motions/walk.prg", "END");
+    for command in ["check", "run"] {
+        let outcome = folder
+            .tipc(&[command, "--message-format", "short", "motions/walk.prg"])
+            .expect(1);
+        let said = format!("{}{}", outcome.out, outcome.err);
+        let place = "motions/tip.toml:2:9: error[E408]: there is no file `six.toml`";
+        assert!(said.contains(place), "{command}: {outcome:#?}");
+        assert!(!said.contains("step.toml"), "{command}: {outcome:#?}");
+    }
+}
+
 /// A crate around `motions/grasp.prg` for a hand: what is said about it, with the texts of its sources.
 fn around(name: &str, sources: &[(&str, &str)]) -> String {
     let mut folder = Folder::new(name)
