@@ -63,11 +63,13 @@ function build(requests, recording) {
   const editor = new Editor(requests, player);
   editor.running(recording.script);
   const stage = openStage(recording);
-  const plots = new Plots(player);
+  // Charts can wait until the robot is there.
+  let plots;
+  const charts = () => (plots ??= new Plots(player));
   const strip = timeline(player);
   const shown = state(player, (scalar) => {
     showTab('plots-tab');
-    plots.showVariable(scalar);
+    charts().showVariable(scalar);
   });
   const knobs = controls(requests, recording);
 
@@ -95,7 +97,7 @@ function build(requests, recording) {
     if (now - seldom < SELDOM) return;
     seldom = now;
     strip.draw();
-    if (player.following) plots.follow(WINDOW);
+    if (player.following) plots?.follow(WINDOW);
     if (element('log-panel').classList.contains('chosen')) listMarks(player);
   };
   const draw = () => {
@@ -130,7 +132,7 @@ function build(requests, recording) {
   element('go-on').addEventListener('click', () => player.goOnFromHere());
   themes(() => {
     stage?.recolour();
-    plots.build();
+    plots?.build();
     strip.draw();
     player.goToTime(player.time);
   });
@@ -144,6 +146,7 @@ function build(requests, recording) {
   stage?.resetView();
   stage?.drawNow();
   document.documentElement.dataset.ready = Math.round(performance.now());
+  requestAnimationFrame(() => setTimeout(charts));
 
   return {
     editor,
@@ -155,7 +158,7 @@ function build(requests, recording) {
         knobs.begin();
       }
       shown.begin();
-      plots.begin();
+      plots?.begin();
       editor.running(recording.script);
       showNames();
       player.newest();
