@@ -13,12 +13,12 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
-use crate::parse::parse_by_lines;
+use crate::parse::parse;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::source::{Encoding, Source, Span, looks_like};
 use crate::symbols::Symbols;
-use crate::syntax::{Module, Statement};
+use crate::syntax::Module;
 
 /// What a program is read and checked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,22 +140,10 @@ impl Parsed {
 
 /// Reads a file.
 pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
-    parsed_by_lines(name, bytes, options, &mut |_, _| ())
-}
-
-/// The same; after each line `take` may take the statements that were read since.
-pub(crate) fn parsed_by_lines(
-    name: &str,
-    bytes: &[u8],
-    options: &Options,
-    take: &mut dyn FnMut(&Source, &mut Vec<Statement>),
-) -> Parsed {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     let is_text = undecodable.is_none();
     let (module, mut diagnostics) = match undecodable {
-        None => parse_by_lines(&source, options.tip_version, &mut |read| {
-            take(&source, read)
-        }),
+        None => parse(&source, options.tip_version),
         Some(fault) => (Module::default(), vec![fault.into()]),
     };
     name_encoding(&mut diagnostics, bytes);
@@ -207,7 +195,7 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
 }
 
 /// Lets findings be judged by the rules of an edition.
-fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
+pub(crate) fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;
     }

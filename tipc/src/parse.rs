@@ -43,13 +43,34 @@ pub(crate) const LINE_LIMIT: usize = 1023;
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
-    parse_by_lines(source, tip_version, &mut |_| ())
+    parse_part(source, tip_version, Part::WHOLE, &mut |_| ())
 }
 
-/// The same; after each line `take` may take the statements that were read since.
-pub(crate) fn parse_by_lines(
+/// Some lines of a program; no comment of another language goes on there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    /// Its first line, from 1.
+    pub(crate) first: u32,
+    /// The line after it.
+    pub(crate) end: u32,
+    /// The first step on its lines.
+    pub(crate) step: StepId,
+}
+
+impl Part {
+    /// All of them.
+    pub(crate) const WHOLE: Part = Part {
+        first: 1,
+        end: u32::MAX,
+        step: 0,
+    };
+}
+
+/// The same of some lines; after each of them `take` may take the statements that were read since.
+pub(crate) fn parse_part(
     source: &Source,
     tip_version: f64,
+    part: Part,
     take: &mut dyn FnMut(&mut Vec<Statement>),
 ) -> (Module, Vec<Diagnostic>) {
     if let Err(wrong) = header::version(source, tip_version) {
@@ -59,7 +80,7 @@ pub(crate) fn parse_by_lines(
         source,
         text: source.text(),
         line: source.line(1),
-        step: 0,
+        step: part.step,
         tokens: Vec::new(),
         in_comment: None,
         braces: Vec::new(),
@@ -73,7 +94,7 @@ pub(crate) fn parse_by_lines(
         },
         diagnostics: Vec::new(),
     };
-    parser.lines(take);
+    parser.lines(part, take);
     (parser.module, parser.diagnostics)
 }
 
@@ -109,8 +130,9 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn lines(&mut self, take: &mut dyn FnMut(&mut Vec<Statement>)) {
-        for line in self.source.lines() {
+    fn lines(&mut self, part: Part, take: &mut dyn FnMut(&mut Vec<Statement>)) {
+        let lines = self.source.lines_from(part.first);
+        for line in lines.take_while(|line| line.number < part.end) {
             self.line = line;
             self.check_length();
             if line.number > 2 && !self.is_in_comment() {
@@ -122,7 +144,8 @@ impl Parser<'_> {
             }
         }
         // A comment of another language that never ends has swallowed it.
-        if self.in_comment.is_none() && !self.ends_with_number() {
+        let goes_on = part.end <= self.source.line_count();
+        if !goes_on && self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
     }

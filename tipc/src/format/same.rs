@@ -4,55 +4,103 @@
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
-use crate::load::{Options, Parsed, parsed_by_lines};
+use crate::load::{Options, Parsed, judge};
 use crate::message::Formatting;
+use crate::parse::{Part, parse_part};
 use crate::source::Source;
 use crate::syntax::{Statement, StatementKind, Word};
 use std::mem::discriminant;
+use std::panic::resume_unwind;
+use std::thread;
+
+/// A program of fewer statements is compared by one thread.
+const FEW: usize = 2000;
 
 /// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
-/// line, so that it is never in memory as a whole.
+/// line, so that it is never in memory as a whole; each half of a long one by itself.
 pub(super) fn check(
     before: &Parsed,
     formatted: &[u8],
     options: &Options,
 ) -> Result<(), Formatting> {
-    let mut left = before.module.statements.iter();
+    let name = before.source.name();
+    let (after, undecodable) = Source::decode(name, formatted, options.encoding);
+    let charset = after.charset();
+    if charset != before.source.charset() && !after.text().is_ascii() {
+        let encoding = charset.name();
+        return Err(Formatting::OtherEncoding { encoding });
+    }
+    let is_equal = |part| is_equal(before, &after, part, options);
+    let (first, second) = match halves(&before.module.statements) {
+        Some((first, second)) => both(|| is_equal(first), || is_equal(second)),
+        None => (is_equal((Part::WHOLE, &before.module.statements)), true),
+    };
+    match undecodable.is_none() && first && second {
+        true => Ok(()),
+        false => Err(Formatting::OtherProgram),
+    }
+}
+
+/// Some lines and their statements.
+type Stretch<'a> = (Part, &'a [Statement]);
+
+/// The halves of a long program, which a line begins.
+fn halves(statements: &[Statement]) -> Option<(Stretch<'_>, Stretch<'_>)> {
+    let middle = statements.get(statements.len() / 2)?.line;
+    let split = statements.partition_point(|it| it.line < middle);
+    let (first, second) = statements.split_at(split);
+    let end = Part {
+        first: middle,
+        step: second.first()?.step,
+        ..Part::WHOLE
+    };
+    let begin = Part {
+        end: middle,
+        ..Part::WHOLE
+    };
+    (statements.len() >= FEW).then_some(((begin, first), (end, second)))
+}
+
+/// Whether some lines are read as these statements, without an error.
+fn is_equal(
+    before: &Parsed,
+    after: &Source,
+    (part, statements): Stretch<'_>,
+    options: &Options,
+) -> bool {
+    let mut left = statements.iter();
     let mut is_equal = true;
     let mut pair = Pair {
         source: &before.source,
         old: Vec::new(),
         new: Vec::new(),
     };
-    let after = parsed_by_lines(
-        before.source.name(),
-        formatted,
-        options,
-        &mut |source, read| {
-            for new in read.drain(..) {
-                let old = left.next();
-                is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, source, &new));
-            }
-        },
-    );
-    let charset = after.source.charset();
-    if charset != before.source.charset() && !after.source.text().is_ascii() {
-        let encoding = charset.name();
-        return Err(Formatting::OtherEncoding { encoding });
-    }
-    let is_equal = is_equal
+    let (module, mut found) = parse_part(after, options.tip_version, part, &mut |read| {
+        for new in read.drain(..) {
+            let old = left.next();
+            is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, after, &new));
+        }
+    });
+    judge(&mut found, module.edition);
+    let is_error = |it: &Diagnostic| it.level() == Level::Error;
+    is_equal
         && left.next().is_none()
-        && before.module.edition == after.module.edition
-        && before.module.title == after.module.title;
-    match reads_without_errors(&after) && is_equal {
-        true => Ok(()),
-        false => Err(Formatting::OtherProgram),
-    }
+        && !found.iter().any(is_error)
+        && before.module.edition == module.edition
+        && before.module.title == module.title
 }
 
-fn reads_without_errors(parsed: &Parsed) -> bool {
-    let is_error = |it: &Diagnostic| it.level() == Level::Error;
-    parsed.is_program && !parsed.diagnostics.iter().any(is_error)
+/// Does both, side by side where there are threads.
+fn both<T: Send>(one: impl FnOnce() -> T, other: impl Fn() -> T + Sync) -> (T, T) {
+    thread::scope(|scope| {
+        let beside = thread::Builder::new().spawn_scoped(scope, &other);
+        let one = one();
+        let other = match beside {
+            Ok(beside) => beside.join().unwrap_or_else(|panic| resume_unwind(panic)),
+            Err(_) => other(),
+        };
+        (one, other)
+    })
 }
 
 /// The source of the program as it was, and room for the fields of a statement of each.
@@ -89,4 +137,55 @@ fn fields<'a>(text: &'a mut Vec<u8>, source: &Source, statement: &Statement) -> 
     text.clear();
     formal::write(text, source, statement, b'\t');
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check;
+    use crate::load::{Options, parsed};
+
+    /// A program of two halves, with the line in each that a test changes.
+    fn program(first: &str, second: &str) -> String {
+        let lines = |n: usize| format!("  ptp f1 {n} r 0 r 0 ; a={n}\n").repeat(1000);
+        let (begin, end) = (lines(1), lines(2));
+        format!(
+            "3.1\nlong\ndef_var a\n{begin}{first}\n{end}{second}\n{begin}end\nptp what follows\n"
+        )
+    }
+
+    #[track_caller]
+    fn is_same(before: &str, after: &str) -> bool {
+        let options = Options::default();
+        let before = parsed("long.prg", before.as_bytes(), &options);
+        assert_eq!(before.diagnostics, []);
+        check(&before, after.as_bytes(), &options).is_ok()
+    }
+
+    // clauses: 8.1
+    #[test]
+    fn a_change_in_either_half_is_seen() {
+        let before = program("a = 1", "a = 1");
+        assert!(is_same(&before, &program("A=1 // as it was", "a   =   1")));
+        for other in ["a = 2", "", "a = 1 ; a = 1", "end", "a == 1", "rem"] {
+            assert!(!is_same(&before, &program(other, "a = 1")), "{other}");
+            assert!(!is_same(&before, &program("a = 1", other)), "{other}");
+        }
+        // A line that goes from one half to the other.
+        assert!(!is_same(&before, &program("", "a = 1\na = 1")));
+        let endless = before.replace("end\nptp what follows\n", "");
+        assert!(!is_same(&before, &endless));
+    }
+
+    /// Many statements of one line are no halves.
+    // clauses: 8.1
+    #[test]
+    fn a_long_line_is_in_one_half() {
+        let line = |last: &str| {
+            let begin = "a=1;".repeat(200);
+            let lines = format!("{begin}rem\n").repeat(5);
+            format!("3.1\nlong\ndef_var a\n{lines}{begin}{last}\n{lines}end\n")
+        };
+        assert!(is_same(&line("a = 1"), &line("A=1")));
+        assert!(!is_same(&line("a = 1"), &line("a = 2")));
+    }
 }
