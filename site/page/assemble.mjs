@@ -23,6 +23,7 @@ const tour = read('site/page/src/tour.html').trim();
 const made = (data, allowed) =>
   page({
     script: `${here}/src/main.js`,
+    ahead: `${here}/src/load.js`,
     styles: ['./src/style.css', './src/live.css', `${here}/src/tour.css`],
     kinds: ['live', 'playground'],
     scripts: ["'wasm-unsafe-eval'"],

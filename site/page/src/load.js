@@ -1,11 +1,14 @@
-// The module: inside this page where that is one file, else beside it.
+// The module: inside this page where that is one file, else beside it. A script of its own, which begins while the page's script
+// still comes.
 
 import { bytesOf } from '../../../tools/view/page/src/unpack.js';
 import { inflated } from './link.js';
 
 const TYPE = 'application/wasm';
 
-export async function load() {
+globalThis.module = load();
+
+async function load() {
   const inside = document.getElementById('module');
   if (inside) return WebAssembly.compile(await inflated(bytesOf(inside.textContent)));
   const response = await fetch('playground.wasm');

@@ -3,14 +3,13 @@
 import { openLive } from '../../../tools/view/page/src/live.js';
 import { teach } from '../../../tools/view/page/src/words.js';
 import { playground } from '../../wasm.mjs';
-import { load } from './load.js';
 import { localSession } from './local.js';
 import { Tour } from './tour.js';
 import { TOUR_WORDS } from './words.js';
 
 async function begin() {
   teach(TOUR_WORDS);
-  const session = localSession(await playground(await load()));
+  const session = localSession(await playground(await globalThis.module));
   openLive(session);
   await new Tour(session).openAddress();
 }

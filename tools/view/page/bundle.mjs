@@ -15,20 +15,22 @@ const bundle = async (options) => {
 const hash = (content) => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
 
 /**
- * A page of a script and styles, by their paths; of page.html it holds what is marked for one of its kinds. `scripts` and
- * `allowed` are what else its policy lets it do, `parts` what stands for marks of page.html, `define` what names in the script
- * stand for.
+ * A page of a script and styles, by their paths; of page.html it holds what is marked for one of its kinds. `ahead` is a short
+ * script that runs before the other has come, `scripts` and `allowed` are what else its policy lets it do, `parts` what stands
+ * for marks of page.html, `define` what names in the script stand for.
  */
-export async function page({ script: entry, styles, kinds, scripts = [], allowed, parts, define = {} }) {
-  const script = await bundle({ entryPoints: [entry], format: 'iife', target: 'es2023', define });
+export async function page({ script: entry, ahead, styles, kinds, scripts = [], allowed, parts, define = {} }) {
+  const compiled = (path) => bundle({ entryPoints: [path], format: 'iife', target: 'es2023', define });
+  const script = await compiled(entry);
+  const first = ahead ? await compiled(ahead) : { text: '', files: [] };
   const contents = ['./node_modules/uplot/dist/uPlot.min.css', ...styles].map((path) => `@import "${path}";`).join('\n');
   const style = await bundle({ stdin: { contents, loader: 'css', resolveDir: here } });
-  if (/<\/script|<!--/i.test(script.text) || /<\/style/i.test(style.text)) throw new Error('the bundle would end its own element');
+  if (/<\/script|<!--/i.test(script.text + first.text) || /<\/style/i.test(style.text)) throw new Error('the bundle would end its own element');
 
   // Nothing else is asked for, and no other script runs.
   const policy = [
     "default-src 'none'",
-    ['script-src', hash(script.text), ...scripts].join(' '),
+    ['script-src', hash(script.text), ...(ahead ? [hash(first.text)] : []), ...scripts].join(' '),
     `style-src ${hash(style.text)}`,
     'img-src data: blob:',
     ...allowed,
@@ -36,10 +38,11 @@ export async function page({ script: entry, styles, kinds, scripts = [], allowed
     "form-action 'none'",
   ].join('; ');
   const values = { 'BUILD-POLICY': policy, 'BUILD-STYLE': style.text, 'BUILD-SCRIPT': script.text, ...parts };
+  if (ahead) values['BUILD-DATA'] = `${parts['BUILD-DATA'] ?? ''}<script>${first.text}</script>\n`;
   const marked = /<!--(\w+)-->([^]*?)<!--\/\1-->/g;
   let text = read('src/page.html');
   while (text.search(marked) >= 0) text = text.replace(marked, (_, kind, part) => (kinds.includes(kind) ? part : ''));
-  return text.replace('<html', () => `${notice([...script.files, ...style.files])}<html`).replace(/BUILD-[A-Z]+|TIP-TITLE/g, (mark) => values[mark] ?? '');
+  return text.replace('<html', () => `${notice([...first.files, ...script.files, ...style.files])}<html`).replace(/BUILD-[A-Z]+|TIP-TITLE/g, (mark) => values[mark] ?? '');
 }
 
 /** The licences of all packages that files belong to. */
