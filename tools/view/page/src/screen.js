@@ -35,6 +35,11 @@ export class Screen {
     this.usePixels(1);
   }
 
+  /** Lets the graphics compile what a scene needs, while the page does something else. */
+  prepareFor(scene, camera) {
+    this.renderer.compile(scene, camera);
+  }
+
   /** Draws before the browser shows the page again, however often it is asked to. */
   draw() {
     if (this.due) return;

@@ -55,6 +55,7 @@ export class Stage {
     this.recolour();
     this.resize();
     this.resetView();
+    this.screen.prepareFor(this.scene, this.camera);
   }
 
   /** Forgets all that belongs to a robot. */
