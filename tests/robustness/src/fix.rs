@@ -31,7 +31,7 @@ pub fn examine(bytes: &[u8]) {
         );
         if !applied.iter().any(shows_more) {
             let (old, new) = (errors(&before, &before), errors(&after, &before));
-            let gone = seen_before(&applied, &before);
+            let gone = seen_before(&applied, &before, &after);
             assert!(new + gone <= old, "{seen}\n{applied:#?}");
         }
     }
@@ -53,13 +53,19 @@ fn errors(loaded: &Loaded, before: &Loaded) -> usize {
     errors.filter(|it| could_be(it.code)).count()
 }
 
-/// How many of the errors that were fixed had been found before; the others hid behind those of their lines.
-fn seen_before(applied: &[Applied], before: &Loaded) -> usize {
+/// How many of the errors that were fixed had been found before; the others hid behind those of their lines. Where lines stay
+/// lines, their like on another line is another one.
+fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
+    let lines_stay = before.source.line_count() == after.source.line_count();
     let mut known: Vec<_> = before.diagnostics.iter().collect();
-    let errors = applied.iter().map(|it| &it.finding);
-    let errors = errors.filter(|it| it.level() == Level::Error);
-    let seen = errors.filter(|error| {
-        let is_same = |it: &&Diagnostic| it.code == error.code && it.reason == error.reason;
+    let errors = applied.iter();
+    let errors = errors.filter(|it| it.finding.level() == Level::Error);
+    let seen = errors.filter(|it| {
+        let is_same = |other: &&Diagnostic| {
+            let (line, _) = before.source.line_column(other.span.start);
+            let is_here = !lines_stay || line == it.line;
+            is_here && other.code == it.finding.code && other.reason == it.finding.reason
+        };
         let place = known.iter().position(is_same);
         place.map(|place| known.swap_remove(place)).is_some()
     });
