@@ -53,8 +53,8 @@ fn errors(loaded: &Loaded, before: &Loaded) -> usize {
     errors.filter(|it| could_be(it.code)).count()
 }
 
-/// How many of the errors that were fixed had been found before; the others hid behind those of their lines. Where lines stay
-/// lines, their like on another line is another one.
+/// How many of the errors that were fixed had been found before; the others hid behind those of their lines, and
+/// have their like elsewhere: on another line or, where a fix has moved lines, in another column.
 fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
     let lines_stay = before.source.line_count() == after.source.line_count();
     let mut known: Vec<_> = before.diagnostics.iter().collect();
@@ -62,8 +62,12 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
     let errors = errors.filter(|it| it.finding.level() == Level::Error);
     let seen = errors.filter(|it| {
         let is_same = |other: &&Diagnostic| {
-            let (line, _) = before.source.line_column(other.span.start);
-            let is_here = !lines_stay || line == it.line;
+            let (line, column) = before.source.line_column(other.span.start);
+            let is_here = if lines_stay {
+                line == it.line
+            } else {
+                column == it.column
+            };
             is_here && other.code == it.finding.code && other.reason == it.finding.reason
         };
         let place = known.iter().position(is_same);
