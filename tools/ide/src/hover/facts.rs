@@ -48,7 +48,7 @@ impl Document {
         }
     }
 
-    /// The numbers that are assigned, if nothing else is.
+    /// The numbers that are assigned, if nothing else is and they can be listed.
     fn constants(&self, uses: &[&Use]) -> Option<Vec<String>> {
         let mut values = Vec::new();
         for it in uses {
@@ -58,12 +58,15 @@ impl Document {
                     if !values.contains(&value) {
                         values.push(value);
                     }
+                    if values.len() > VALUES {
+                        return None;
+                    }
                 }
                 Access::Update | Access::Count | Access::Unclear => return None,
                 Access::Define | Access::Read | Access::Jump | Access::Call => {}
             }
         }
-        (values.len() <= VALUES).then_some(values)
+        Some(values)
     }
 
     /// The number that an equation assigns there.
