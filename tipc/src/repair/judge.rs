@@ -5,6 +5,8 @@ use crate::code::{Code, Level};
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::load::Loaded;
 use crate::syntax::StatementKind;
+use std::collections::{HashMap, HashSet};
+use std::hash::Hash;
 
 /// The findings that are new after these were to be put right. One that is still there counts as new.
 pub(super) fn news(
@@ -13,35 +15,63 @@ pub(super) fn news(
     fixed: &[usize],
     edits: &[&Edit],
 ) -> Vec<usize> {
-    let known = before.diagnostics.iter().enumerate();
-    let left = known.filter(|(index, _)| !fixed.contains(index));
-    let mut left: Vec<_> = left
-        .map(|(_, finding)| (key(finding), moved(finding.span.start, edits)))
-        .collect();
+    let fixed: HashSet<usize> = fixed.iter().copied().collect();
+    let ends = Ends::of(edits);
+    let mut here: HashMap<(Key, usize), usize> = HashMap::new();
+    let mut anywhere: HashMap<Key, usize> = HashMap::new();
+    for (index, finding) in before.diagnostics.iter().enumerate() {
+        if !fixed.contains(&index) {
+            let place = ends.moved(finding.span.start);
+            *here.entry((key(finding), place)).or_default() += 1;
+            *anywhere.entry(key(finding)).or_default() += 1;
+        }
+    }
     let seen = Seen::of(before, edits);
     let found = after.diagnostics.iter().enumerate();
     let mut new: Vec<_> = found
         .filter(|(_, finding)| seen.would_show(finding))
-        .map(|(index, finding)| (index, key(finding), finding.span.start))
         .collect();
     // What stands where it stood comes first: its like elsewhere may be new.
-    new.retain(|(_, key, at)| !takes(&mut left, |it| (&it.0, it.1) == (key, *at)));
-    new.retain(|(_, key, _)| !takes(&mut left, |it| it.0 == *key));
-    new.into_iter().map(|(index, ..)| index).collect()
+    new.retain(|(_, finding)| {
+        let stays = takes(&mut here, &(key(finding), finding.span.start));
+        !(stays && takes(&mut anywhere, &key(finding)))
+    });
+    new.retain(|(_, finding)| !takes(&mut anywhere, &key(finding)));
+    new.into_iter().map(|(index, _)| index).collect()
 }
 
-/// Takes the first that is alike from those that are left; whether there was one.
-fn takes<T>(left: &mut Vec<T>, is_alike: impl Fn(&T) -> bool) -> bool {
-    let place = left.iter().position(is_alike);
-    place.map(|place| left.swap_remove(place)).is_some()
+/// Takes one of those that are left; whether there was one.
+fn takes<K: Hash + Eq>(left: &mut HashMap<K, usize>, key: &K) -> bool {
+    match left.get_mut(key) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    }
 }
 
-/// Where a place of the text is after a change.
-fn moved(at: usize, edits: &[&Edit]) -> usize {
-    let before = edits.iter().filter(|edit| edit.span.end <= at);
-    before.fold(at, |at, edit| {
-        at + edit.text.len() - (edit.span.end - edit.span.start)
-    })
+/// Where edits end, in the text before and in the changed one.
+struct Ends(Vec<(usize, usize)>);
+
+impl Ends {
+    /// Of edits in their order.
+    fn of(edits: &[&Edit]) -> Ends {
+        let (mut gone, mut new) = (0, 0);
+        let ends = edits.iter().map(|edit| {
+            gone += edit.span.end - edit.span.start;
+            new += edit.text.len();
+            (edit.span.end, edit.span.end + new - gone)
+        });
+        Ends(ends.collect())
+    }
+
+    /// Where a place of the text is after the change.
+    fn moved(&self, at: usize) -> usize {
+        let passed = self.0.partition_point(|(end, _)| *end <= at);
+        let last = passed.checked_sub(1).map(|last| self.0[last]);
+        last.map_or(at, |(before, after)| after + (at - before))
+    }
 }
 
 /// Whether a finding stands on a line that was changed, where the mistake before may have hidden it.
@@ -58,7 +88,9 @@ pub(super) fn was_hidden(
 }
 
 /// What makes two findings the same, wherever they are.
-fn key(finding: &Diagnostic) -> (Code, String) {
+type Key = (Code, String);
+
+fn key(finding: &Diagnostic) -> Key {
     (finding.code, finding.reason.to_string())
 }
 
