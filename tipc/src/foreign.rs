@@ -4,7 +4,7 @@ mod command;
 mod word;
 
 pub(crate) use command::command;
-pub(crate) use word::{flag, is_g_code, is_speed, tells_time};
+pub(crate) use word::{axis_value, flag, is_g_code, is_speed, tells_time};
 
 use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;

@@ -1,5 +1,6 @@
 //! Lines to statements. It never fails and reports every bad line; it judges form, never meaning.
 
+mod arguments;
 mod assignment;
 mod braces;
 mod command;

@@ -302,7 +302,7 @@ impl Names {
                     value,
                 }
                 .into(),
-                None => match digits(name).filter(|_| guess == Some(VariableKind::Var)) {
+                None => match number_in(name).filter(|_| guess == Some(VariableKind::Var)) {
                     Some(number) => Instead::NumberOrVariable {
                         name: name.into(),
                         number,
@@ -320,6 +320,11 @@ impl Names {
             .about(name)
             .help(help)
     }
+}
+
+/// `L00`, `X100`: the number that was meant, if there is one.
+fn number_in(name: &str) -> Option<SmolStr> {
+    foreign::axis_value(name).map_or_else(|| digits(name), |value| Some(value.into()))
 }
 
 /// `L00`: the number, if letters were typed that look like its digits.

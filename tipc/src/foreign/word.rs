@@ -31,3 +31,10 @@ pub(crate) fn is_speed(word: &str) -> bool {
     const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
     SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
+
+/// `X100`: the number after the name of an axis. A shorter one is rather the end of a name, as in `X1`.
+pub(crate) fn axis_value(word: &str) -> Option<&str> {
+    let value = word.strip_prefix(['X', 'Y', 'Z'])?;
+    let is_number = value.bytes().all(|it| it.is_ascii_digit() || it == b'.');
+    (value.len() > 1 && is_number && value.parse::<f64>().is_ok()).then_some(value)
+}

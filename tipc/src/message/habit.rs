@@ -236,8 +236,8 @@ messages! {
         "an equation has one variable on its left: write one for each, as `{name} = …`",
         "式の左辺は変数1つです。`{name} = …` のように、1つずつ別の式にしてください";
     EachMember
-        "a POS or JOINT is filled member by member: `P.X = 391`, `P.Y = 201`, `P.Z = -150`",
-        "POSやJOINTにはメンバごとに代入します: `P.X = 391`、`P.Y = 201`、`P.Z = -150`";
+        "a POS or JOINT is filled member by member: `P.X = …`, `P.Y = …`, `P.Z = …`",
+        "POSやJOINTにはメンバごとに代入します: `P.X = …`、`P.Y = …`、`P.Z = …`";
     FunctionInEquation { function: SmolStr }
         "functions are for equations only: write `A = {function} B` on the line before, and A here",
         "関数は式の中だけで使えます。前の行に `A = {function} B` と書き、ここにはAを書いてください";

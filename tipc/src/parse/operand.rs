@@ -95,43 +95,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Operands up to the end; at the first bad one, those before it and what is wrong.
-    ///
-    /// After an operand a sign belongs to the next one and needs a delimiter before it.
-    pub(super) fn operands(&mut self) -> (Vec<Operand>, Parsed<()>) {
-        let mut operands = Vec::with_capacity(self.left());
-        while let Some(token) = self.peek() {
-            let is_sign = token.kind != Kind::Word;
-            if is_sign && !token.spaced && !operands.is_empty() {
-                return (operands, Err(self.glued(token)));
-            }
-            match self.operand() {
-                Ok(operand) => operands.push(operand),
-                Err(fault) => return (operands, Err(fault)),
-            }
-        }
-        (operands, Ok(()))
-    }
-
-    fn glued(&self, token: Token) -> Fault {
-        let text = self.slice(token.span).into();
-        let reason = Parsing::BetweenArguments { text };
-        let help: Message = match token.kind {
-            // `50 mm/s`
-            Kind::Arithmetic(_)
-                if self
-                    .before()
-                    .is_some_and(|it| foreign::is_unit(self.slice(it.span))) =>
-            {
-                Habit::NoUnit.into()
-            }
-            Kind::Arithmetic(_) => Habit::CalculateArgument.into(),
-            Kind::Assign(_) => Habit::ArgumentNames.into(),
-            _ => Parsing::SeparateArguments.into(),
-        };
-        self.fault_with_help(token.span, reason, help)
-    }
-
     fn signed(&mut self, sign: Arithmetic, place: Span) -> Parsed<Operand> {
         let operand = match self.peek_second() {
             Some(word) if word.kind == Kind::Word && !word.spaced => word.span,
