@@ -19,7 +19,8 @@ mod layout;
 mod rows;
 mod same;
 
-use crate::load::{Loaded, Options, load, parsed};
+use crate::beside::beside;
+use crate::load::{Loaded, Options, Parsed, load, parsed};
 use crate::message::Formatting;
 use rows::Rows;
 
@@ -39,17 +40,27 @@ pub enum Refusal {
 /// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
 pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
     let before = parsed(name, bytes, options);
-    if !before.loads(options) {
+    // Nearly every program loads: meanwhile it is laid out.
+    let (loads, formatted) = beside(
+        || before.loads(options),
+        || match before.is_well_formed() {
+            true => laid_out(&before, bytes, options),
+            false => Ok(Vec::new()),
+        },
+    );
+    if !loads {
         let found = load(name, bytes, options);
         return Err(Refusal::Findings(Box::new(found)));
     }
+    formatted.map_err(Refusal::Because)
+}
+
+/// The bytes of a program in the style, if they are the same program.
+fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Formatting> {
     let rows = Rows::of(&before.source, &before.module);
-    let formatted = rows.write(&before.source).map_err(Refusal::Because)?;
-    if formatted == bytes {
-        return Ok(formatted);
+    let formatted = rows.write(&before.source)?;
+    if formatted != bytes {
+        same::check(before, &formatted, options)?;
     }
-    match same::check(&before, &formatted, options) {
-        Ok(()) => Ok(formatted),
-        Err(reason) => Err(Refusal::Because(reason)),
-    }
+    Ok(formatted)
 }

@@ -8,6 +8,7 @@ mod allow;
 pub mod analysis;
 #[cfg(feature = "tools")]
 pub mod ask;
+mod beside;
 mod check;
 pub mod code;
 #[cfg(feature = "robot-files")]

@@ -29,6 +29,7 @@ pub(crate) use jump::glued;
 pub(crate) use line::LONG_VOWEL;
 pub(crate) use line::narrow;
 
+use crate::beside::beside;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
@@ -40,11 +41,55 @@ use crate::syntax::{Module, Statement, StatementKind, StepId};
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 pub(crate) const LINE_LIMIT: usize = 1023;
 
+/// A program of fewer lines is read by one thread.
+const FEW: u32 = 2000;
+
 /// Parses a source for version `tip_version` of the language.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
 pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
-    parse_part(source, tip_version, Part::WHOLE, &mut |_| ())
+    if let Err(wrong) = header::version(source, tip_version) {
+        return (Module::default(), vec![*wrong]);
+    }
+    let mut parser = Parser::new(source, tip_version);
+    let keep = &mut |_: &mut Vec<Statement>| ();
+    match halves(source) {
+        None => {
+            parser.lines(Part::WHOLE, keep);
+        }
+        Some((first, second)) => {
+            let read_first = || parser.lines(first, keep);
+            let (flow, later) = beside(read_first, || {
+                let mut later = Parser::new(source, tip_version);
+                later.lines(second, &mut |_| ());
+                (later.module, later.diagnostics)
+            });
+            match flow {
+                Flow::End => {}
+                _ if parser.diagnostics.is_empty() => parser.append(later),
+                // What is wrong in the first half may say what is meant in the second one.
+                _ => {
+                    parser.lines(second, keep);
+                }
+            }
+        }
+    }
+    (parser.module, parser.diagnostics)
+}
+
+/// The halves of a long program.
+fn halves(source: &Source) -> Option<(Part, Part)> {
+    let count = source.line_count();
+    let middle = count / 2 + 1;
+    let first = Part {
+        end: middle,
+        ..Part::WHOLE
+    };
+    let second = Part {
+        first: middle,
+        ..Part::WHOLE
+    };
+    (count >= FEW).then_some((first, second))
 }
 
 /// Some lines of a program; no comment of another language goes on there.
@@ -54,8 +99,6 @@ pub(crate) struct Part {
     pub(crate) first: u32,
     /// The line after it.
     pub(crate) end: u32,
-    /// The first step on its lines.
-    pub(crate) step: StepId,
 }
 
 impl Part {
@@ -63,11 +106,11 @@ impl Part {
     pub(crate) const WHOLE: Part = Part {
         first: 1,
         end: u32::MAX,
-        step: 0,
     };
 }
 
-/// The same of some lines; after each of them `take` may take the statements that were read since.
+/// The same of some lines, whose steps count from 0; after each of them `take` may take the statements that were read since.
+#[cfg(feature = "tools")]
 pub(crate) fn parse_part(
     source: &Source,
     tip_version: f64,
@@ -77,24 +120,7 @@ pub(crate) fn parse_part(
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong]);
     }
-    let mut parser = Parser {
-        source,
-        text: source.text(),
-        line: source.line(1),
-        step: part.step,
-        tokens: Vec::new(),
-        in_comment: None,
-        braces: Vec::new(),
-        hyphened: Vec::new(),
-        numbered: None,
-        module: Module {
-            edition: Edition::of(tip_version),
-            title: header::title(source),
-            statements: Vec::new(),
-            after_end: None,
-        },
-        diagnostics: Vec::new(),
-    };
+    let mut parser = Parser::new(source, tip_version);
     parser.lines(part, take);
     (parser.module, parser.diagnostics)
 }
@@ -130,8 +156,32 @@ struct Parser<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
+impl<'a> Parser<'a> {
+    /// Before the first line.
+    fn new(source: &'a Source, tip_version: f64) -> Self {
+        Parser {
+            source,
+            text: source.text(),
+            line: source.line(1),
+            step: 0,
+            tokens: Vec::new(),
+            in_comment: None,
+            braces: Vec::new(),
+            hyphened: Vec::new(),
+            numbered: None,
+            module: Module {
+                edition: Edition::of(tip_version),
+                title: header::title(source),
+                statements: Vec::new(),
+                after_end: None,
+            },
+            diagnostics: Vec::new(),
+        }
+    }
+}
+
 impl Parser<'_> {
-    fn lines(&mut self, part: Part, take: &mut dyn FnMut(&mut Vec<Statement>)) {
+    fn lines(&mut self, part: Part, take: &mut dyn FnMut(&mut Vec<Statement>)) -> Flow {
         let lines = self.source.lines_from(part.first);
         for line in lines.take_while(|line| line.number < part.end) {
             self.line = line;
@@ -140,7 +190,7 @@ impl Parser<'_> {
                 let flow = self.statements_of_line();
                 take(&mut self.module.statements);
                 if flow == Flow::End {
-                    return;
+                    return flow;
                 }
             }
         }
@@ -149,6 +199,19 @@ impl Parser<'_> {
         if !goes_on && self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
+        Flow::Continue
+    }
+
+    /// Takes the statements of the lines that follow, and what was found there.
+    fn append(&mut self, (module, diagnostics): (Module, Vec<Diagnostic>)) {
+        let steps = self.step;
+        let moved = module.statements.into_iter().map(|it| Statement {
+            step: it.step + steps,
+            ..it
+        });
+        self.module.statements.extend(moved);
+        self.module.after_end = module.after_end;
+        self.diagnostics.extend(diagnostics);
     }
 
     /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.

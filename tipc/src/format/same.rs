@@ -1,6 +1,7 @@
 //! Whether a formatted program is the one that it was. The passes after the parser see the fields of statements and not how
 //! they are laid out, so equal fields make an equal program.
 
+use crate::beside::beside;
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
@@ -8,10 +9,8 @@ use crate::load::{Options, Parsed, judge};
 use crate::message::Formatting;
 use crate::parse::{Part, parse_part};
 use crate::source::Source;
-use crate::syntax::{Statement, StatementKind, Word};
+use crate::syntax::{Statement, StatementKind, StepId, Word};
 use std::mem::discriminant;
-use std::panic::resume_unwind;
-use std::thread;
 
 /// A program of fewer statements is compared by one thread.
 const FEW: usize = 2000;
@@ -32,7 +31,7 @@ pub(super) fn check(
     }
     let is_equal = |part| is_equal(before, &after, part, options);
     let (first, second) = match halves(&before.module.statements) {
-        Some((first, second)) => both(|| is_equal(first), || is_equal(second)),
+        Some((first, second)) => beside(|| is_equal(first), || is_equal(second)),
         None => (is_equal((Part::WHOLE, &before.module.statements)), true),
     };
     match undecodable.is_none() && first && second {
@@ -51,7 +50,6 @@ fn halves(statements: &[Statement]) -> Option<(Stretch<'_>, Stretch<'_>)> {
     let (first, second) = statements.split_at(split);
     let end = Part {
         first: middle,
-        step: second.first()?.step,
         ..Part::WHOLE
     };
     let begin = Part {
@@ -72,6 +70,7 @@ fn is_equal(
     let mut is_equal = true;
     let mut pair = Pair {
         source: &before.source,
+        first: statements.first().map_or(0, |first| first.step),
         old: Vec::new(),
         new: Vec::new(),
     };
@@ -90,29 +89,18 @@ fn is_equal(
         && before.module.title == module.title
 }
 
-/// Does both, side by side where there are threads.
-fn both<T: Send>(one: impl FnOnce() -> T, other: impl Fn() -> T + Sync) -> (T, T) {
-    thread::scope(|scope| {
-        let beside = thread::Builder::new().spawn_scoped(scope, &other);
-        let one = one();
-        let other = match beside {
-            Ok(beside) => beside.join().unwrap_or_else(|panic| resume_unwind(panic)),
-            Err(_) => other(),
-        };
-        (one, other)
-    })
-}
-
 /// The source of the program as it was, and room for the fields of a statement of each.
 struct Pair<'a> {
     source: &'a Source,
+    /// The step of the first statement.
+    first: StepId,
     old: Vec<u8>,
     new: Vec<u8>,
 }
 
 impl Pair<'_> {
     fn is_equal(&mut self, old: &Statement, source: &Source, new: &Statement) -> bool {
-        old.step == new.step
+        old.step == self.first + new.step
             && discriminant(&old.kind) == discriminant(&new.kind)
             && match (&old.kind, &new.kind) {
                 (
