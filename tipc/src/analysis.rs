@@ -19,4 +19,4 @@ mod walk;
 pub use access::assigns;
 
 #[cfg(any(feature = "build", feature = "tools"))]
-pub(crate) use flow::{Entry, always, enters};
+pub(crate) use flow::{Entry, Flow, always, enters};

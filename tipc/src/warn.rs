@@ -12,6 +12,7 @@ mod routines;
 mod unreachable;
 mod waits;
 
+use crate::analysis::Flow;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId};
@@ -27,6 +28,7 @@ pub(crate) struct Judged<'a> {
     pub(crate) module: &'a Module,
     pub(crate) symbols: &'a Symbols,
     pub(crate) program: &'a Program,
+    pub(crate) flow: &'a Flow,
     pub(crate) robot: Robot,
 }
 

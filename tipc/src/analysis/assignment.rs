@@ -56,10 +56,13 @@ pub struct Assignment {
 impl Assignment {
     /// Judges every read of a program.
     pub fn of(program: &Program) -> Self {
-        let flow = Flow::of(program);
-        let blocks = Blocks::of(&flow);
-        let (batches, certain) =
-            Touches::of(program, &flow).sorted(program.scalar_count(), &blocks);
+        Assignment::along(program, &Flow::of(program))
+    }
+
+    /// The same where its flow is known.
+    pub(crate) fn along(program: &Program, flow: &Flow) -> Self {
+        let blocks = Blocks::of(flow);
+        let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
         let step = |node: NodeId| flow.nodes()[node].step;
         let mut reads = Vec::new();
         let mut is_reached = Vec::new();

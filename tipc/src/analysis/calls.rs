@@ -24,15 +24,18 @@ pub(crate) struct OneWay {
 }
 
 /// Looks at the calls and returns of a program. What is in a SUBROUTINE may be left out: `is_inside` says which steps are.
-pub(crate) fn mismatches(program: &Program, is_inside: impl Fn(StepId) -> bool) -> Mismatches {
-    let flow = Flow::of(program);
-    let own = own_nodes(&flow);
+pub(crate) fn mismatches(
+    program: &Program,
+    flow: &Flow,
+    is_inside: impl Fn(StepId) -> bool,
+) -> Mismatches {
+    let own = own_nodes(flow);
     let is_lost = |id: &NodeId| own[*id] && flow.nodes()[*id].returns;
     let lost = (0..own.len())
         .filter(is_lost)
         .map(|id| flow.nodes()[id].step);
     Mismatches {
-        one_way: one_way(program, &flow),
+        one_way: one_way(program, flow),
         lost: lost.into_iter().find(|step| !is_inside(*step)),
     }
 }

@@ -5,8 +5,7 @@ use crate::program::{Action, Program, StepId};
 
 /// The steps that no path from the start leads to, in order. Each branch of the steps `open`, which have to be in order,
 /// counts as taken, even if constants decide otherwise.
-pub(crate) fn dead(program: &Program, open: &[StepId]) -> Vec<StepId> {
-    let flow = Flow::of(program);
+pub(crate) fn dead(program: &Program, flow: &Flow, open: &[StepId]) -> Vec<StepId> {
     let mut is_live = vec![false; flow.nodes().len()];
     let mut next = vec![0];
     while let Some(id) = next.pop() {
@@ -20,7 +19,7 @@ pub(crate) fn dead(program: &Program, open: &[StepId]) -> Vec<StepId> {
         next.extend(node.next.iter().copied().chain(called));
         if open.binary_search(&node.step).is_ok() {
             let action = &program.steps()[node.step as usize].action;
-            next.extend(branches(&flow, node.step, action));
+            next.extend(branches(flow, node.step, action));
         }
     }
     let steps = 0..program.steps().len() as StepId;

@@ -61,13 +61,13 @@ pub(super) struct Call {
 
 /// The flow of a program. Its run begins at node 0.
 #[derive(Clone, Debug)]
-pub(super) struct Flow {
+pub(crate) struct Flow {
     nodes: Vec<Node>,
 }
 
 impl Flow {
     /// The flow of a program. Takes time and memory linear in its length.
-    pub(super) fn of(program: &Program) -> Self {
+    pub(crate) fn of(program: &Program) -> Self {
         let ways = Ways::new(program);
         let mut nodes = Vec::new();
         for (step, content) in (0..).zip(program.steps()) {

@@ -9,14 +9,13 @@ use std::collections::BTreeSet;
 /// The steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the condition.
 /// Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any time. A loop that
 /// does nothing is left out: whoever runs the program may assign the variable that it waits for.
-pub(crate) fn stuck(program: &Program) -> Vec<StepId> {
-    let flow = Flow::of(program);
-    let mut walk = Walk::new(&flow);
+pub(crate) fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
+    let mut walk = Walk::new(flow);
     let steps = (0..).zip(program.steps());
     let loops =
-        steps.filter_map(|(step, content)| Some((step, turn(&flow, step, &content.action)?)));
+        steps.filter_map(|(step, content)| Some((step, turn(flow, step, &content.action)?)));
     loops
-        .filter(|(step, turn)| is_stuck(program, &flow, &mut walk, *step, *turn) == Some(true))
+        .filter(|(step, turn)| is_stuck(program, flow, &mut walk, *step, *turn) == Some(true))
         .map(|(step, _)| step)
         .collect()
 }

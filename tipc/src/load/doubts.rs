@@ -2,6 +2,7 @@
 
 use super::{Loaded, Options, judge, place, title};
 use crate::allow::Allows;
+use crate::analysis::Flow;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::{Habit, Reading};
@@ -16,6 +17,7 @@ pub(super) fn find(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
             module: &loaded.module,
             symbols: &loaded.symbols,
             program,
+            flow: &Flow::of(program),
             robot: options.robot,
         };
         judged.warn(&mut loaded.diagnostics);
@@ -45,8 +47,10 @@ impl Loaded {
 
 /// Warns of a file that can be read, but not as what was written: in EUC-JP, say.
 fn other_encoding(loaded: &Loaded, bytes: &[u8], options: &Options) -> Option<Diagnostic> {
-    let is_forced = options.encoding != Encoding::Auto;
-    let encoding = looks_like(bytes).filter(|_| !is_forced)?;
+    if options.encoding != Encoding::Auto {
+        return None;
+    }
+    let encoding = looks_like(bytes)?;
     let text = loaded.source.text();
     let at = text.find(|c: char| !c.is_ascii() || c == '\u{1B}')?;
     let length = text[at..].find(['\n', '\r']).unwrap_or(text.len() - at);

@@ -14,7 +14,7 @@ use crate::symbols::Access;
 /// Warns of every variable that is, or may be, read without a value.
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
     let program = judged.program;
-    let gaps = gaps(program, &Assignment::of(program));
+    let gaps = gaps(program, &Assignment::along(program, judged.flow));
     let warnings = gaps
         .iter()
         .map(|gap| warning(program, gap, judged.operand(gap)));

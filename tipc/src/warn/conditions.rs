@@ -99,7 +99,9 @@ pub(super) fn warn(
         });
     }
     let is_judged = |step: &StepId| constant.iter().all(|one| one.step != *step);
-    let stuck = stuck(judged.program).into_iter().filter(is_judged);
+    let stuck = stuck(judged.program, judged.flow)
+        .into_iter()
+        .filter(is_judged);
     for step in stuck.filter(|step| unreachable.is_live(*step)) {
         found.extend(judged.statement(step).map(never_ends));
     }

@@ -26,7 +26,7 @@ pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut V
         }
         inside.push(is_inside);
     }
-    let mismatches = mismatches(judged.program, |step| inside[step as usize]);
+    let mismatches = mismatches(judged.program, judged.flow, |step| inside[step as usize]);
     for OneWay { entry, call } in mismatches.one_way {
         if unreachable.is_live(call) {
             found.extend(never_returns(judged, entry, call));

@@ -15,7 +15,7 @@ pub(super) struct Unreachable(Vec<StepId>);
 impl Unreachable {
     /// Each branch of the steps `open`, which have to be in order, counts as taken.
     pub(super) fn of(judged: &Judged<'_>, open: &[StepId]) -> Self {
-        Unreachable(dead(judged.program, open))
+        Unreachable(dead(judged.program, judged.flow, open))
     }
 
     pub(super) fn is_live(&self, step: StepId) -> bool {

@@ -13,19 +13,19 @@ use crate::message::Warning;
 use crate::program::{Action, Condition, Flag, Op, Step, Target};
 use crate::source::Span;
 use crate::syntax::{Statement, StatementKind};
+use std::collections::HashSet;
 
 pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Vec<Diagnostic>) {
     let steps = judged.program.steps();
     if steps.iter().any(calls_native_code) {
         return;
     }
-    let moved: Vec<Target> = steps.iter().filter_map(moves).collect();
+    let moved: HashSet<Target> = steps.iter().filter_map(moves).collect();
     for (step, content) in (0..).zip(steps) {
-        let statement = judged.statement(step);
-        let Some(statement) = statement.filter(|_| unreachable.is_live(step)) else {
-            continue;
-        };
-        if let Some(reason) = waits_for_nothing(&content.action, &moved) {
+        let reason = waits_for_nothing(&content.action, &moved);
+        if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
+            && let Some(statement) = judged.statement(step)
+        {
             let help = way_out(&reason);
             let finding = Diagnostic::new(Code::WaitsForNothing, place(statement), reason);
             found.push(finding.help(help));
@@ -56,7 +56,7 @@ fn moves(step: &Step) -> Option<Target> {
 }
 
 /// Why a step waits for nothing.
-fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
+fn waits_for_nothing(action: &Action, moved: &HashSet<Target>) -> Option<Warning> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
     let others_move =

@@ -66,6 +66,7 @@ pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
         }
         let due = catch_unwind(AssertUnwindSafe(|| server.due()));
         send(due.unwrap_or_default())?;
+        server.tidy();
         next = match frames.recv_timeout(PAUSE) {
             Err(RecvTimeoutError::Timeout) => {
                 let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));

@@ -20,6 +20,7 @@ mod start;
 use crate::Robot;
 use crate::body::Miss;
 use start::Starts;
+use std::collections::HashMap;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Point;
 use tipc::Loaded;
@@ -40,10 +41,11 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
         return;
     };
     let mut starts = Starts::of(robot);
+    let mut misses = Misses::of(robot);
     let mut found = Vec::new();
     for (statement, step) in loaded.module.steps().zip(program.steps()) {
         let start = starts.before(step);
-        found.extend(warning(statement, step, robot, start));
+        found.extend(warning(statement, step, &mut misses, start));
     }
     loaded.add(found);
 }
@@ -63,11 +65,31 @@ fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
     arguments.iter().map(constant).collect()
 }
 
+/// What targets miss: a program may go to the same one again and again.
+struct Misses<'a> {
+    robot: &'a Robot,
+    /// By the bits of their numbers.
+    known: HashMap<(Op, Target, Vec<u64>), Option<Miss>>,
+}
+
+impl<'a> Misses<'a> {
+    fn of(robot: &'a Robot) -> Self {
+        let known = HashMap::new();
+        Misses { robot, known }
+    }
+
+    fn of_target(&mut self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
+        let bits = values.iter().map(|value| value.to_bits()).collect();
+        let known = self.known.entry((op, target, bits));
+        *known.or_insert_with(|| self.robot.miss(op, target, values))
+    }
+}
+
 /// What is wrong with a target, or with the straight path that leads there from `start`.
 fn warning(
     statement: &Statement,
     step: &Step,
-    robot: &Robot,
+    misses: &mut Misses<'_>,
     start: Option<Point>,
 ) -> Option<Diagnostic> {
     let Action::Command {
@@ -80,9 +102,9 @@ fn warning(
         return None;
     };
     let values = constants(arguments)?;
-    let Some(miss) = robot.miss(*op, *target, &values) else {
+    let Some(miss) = misses.of_target(*op, *target, &values) else {
         let end: Point = values.try_into().ok().filter(|_| *op == Op::Ptp)?;
-        return on_the_path(statement, robot, *target, start?, end);
+        return on_the_path(statement, misses.robot, *target, start?, end);
     };
     let place = place(statement, miss);
     let (reason, help) = match miss {

@@ -14,6 +14,8 @@ pub(crate) struct Open {
     pub(crate) version: Option<i32>,
     text: String,
     document: Option<Document>,
+    /// What was known of the text before, until there is time to let go of it.
+    past: Option<Document>,
     /// Its findings are not sent yet.
     pub(crate) is_due: bool,
 }
@@ -24,6 +26,7 @@ impl Open {
             version,
             text,
             document: None,
+            past: None,
             is_due: true,
         }
     }
@@ -31,28 +34,34 @@ impl Open {
     /// Changes the text.
     pub(crate) fn change(&mut self, version: Option<i32>, changes: Vec<Change>, unit: Unit) {
         self.version = version;
-        let mut known = self.document.take();
+        self.is_due = true;
         for change in changes {
             match change {
                 Change::TextDocumentContentChangeWholeDocument(whole) => self.text = whole.text,
                 Change::TextDocumentContentChangePartial(part) => {
                     let decoded = || Source::decode("", self.text.as_bytes(), Encoding::Utf8).0;
-                    let bytes = match &known {
+                    let bytes = match &self.document {
                         Some(document) => place(document.source(), part.range, unit),
                         None => place(&decoded(), part.range, unit),
                     };
                     self.text.replace_range(bytes, &part.text);
                 }
             }
-            known = None;
+            self.forget();
         }
-        self.forget();
     }
 
     /// Its findings may be others now.
     pub(crate) fn forget(&mut self) {
-        self.document = None;
+        if self.document.is_some() {
+            self.past = self.document.take();
+        }
         self.is_due = true;
+    }
+
+    /// Lets go of what is not known any more. It takes a while, and nobody should wait for it.
+    pub(crate) fn tidy(&mut self) {
+        self.past = None;
     }
 
     /// Finds out what will be asked for next.
