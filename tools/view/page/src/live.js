@@ -18,10 +18,15 @@ const SELDOM = 250;
 /** How much of the run the plots show while they follow: ms. */
 const WINDOW = 30_000;
 
-/** Shows the run of a session: see session.js. */
-export function openLive(session) {
+/** Speaks, and opens the stage of a run that is still to come. */
+export function prepareLive() {
   teach(LIVE_WORDS);
   languages();
+  return openStage();
+}
+
+/** Shows the run of a session (see session.js) on a stage. */
+export function openLive(session, stage) {
   let [page, recording, begun] = [];
   const requests = new Requests(session, (answer) => {
     if (answer.error === 'stale') page?.editor.refused();
@@ -35,7 +40,7 @@ export function openLive(session) {
       begun = undefined;
       if (begins) recording = page ? recording.begin(begins) : new GrowingRecording(begins);
       recording.take(update);
-      page ??= build(requests, recording);
+      page ??= build(requests, recording, stage);
       if (begins) page.begun();
       page.more();
     },
@@ -52,7 +57,7 @@ export function openLive(session) {
 }
 
 /** Everything that shows a run, once there is something to show; returns what it does with updates. */
-function build(requests, recording) {
+function build(requests, recording, stage) {
   let status = { playing: false, speed: 1 };
   const kind = () => JSON.stringify([recording.robot, recording.scene]);
   let around = kind();
@@ -62,7 +67,7 @@ function build(requests, recording) {
   const player = new FollowingPlayer(recording, requests);
   const editor = new Editor(requests, player);
   editor.running(recording.script);
-  const stage = openStage(recording);
+  stage?.begin(recording);
   // Charts can wait until the robot is there.
   let plots;
   const charts = () => (plots ??= new Plots(player));

@@ -14,11 +14,12 @@ import { whenSpoken } from './words.js';
 async function open() {
   let player;
   languages(() => player?.goToTime(player.time));
+  const stage = openStage();
   const recording = await Recording.of(element('recording').textContent);
   player = new Player(recording);
   element('title').textContent = recording.script.title || recording.script.name;
   element('file').textContent = `${recording.script.name} · ${recording.robot.name}`;
-  const stage = openStage(recording);
+  stage?.begin(recording);
   // Charts can wait until the robot is there.
   let plots;
   const charts = () => (plots ??= new Plots(player));

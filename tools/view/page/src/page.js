@@ -23,9 +23,9 @@ export function observeSize(stage, strip) {
 }
 
 /** The stage, or a word where the browser has no 3-D graphics. */
-export function openStage(recording) {
+export function openStage() {
   try {
-    return new Stage(element('canvas'), recording);
+    return new Stage(element('canvas'));
   } catch {
     element('stage').append(make('p', { className: 'apology', textContent: word('noWebgl') }));
     element('canvas').hidden = true;

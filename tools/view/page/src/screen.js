@@ -40,6 +40,11 @@ export class Screen {
     this.renderer.compile(scene, camera);
   }
 
+  /** Waits for what they compile, before a frame would. */
+  settle() {
+    this.renderer.info.programs.forEach((program) => program.getUniforms());
+  }
+
   /** Draws before the browser shows the page again, however often it is asked to. */
   draw() {
     if (this.due) return;

@@ -5,6 +5,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { colour } from './dom.js';
 import { belly, centreOfMass, feet, hull } from './kinematics.js';
 import { Marks, PLACES } from './marks.js';
+import { REHEARSAL } from './rehearsal.js';
 import { RobotSolid, reach } from './robot.js';
 import { Screen } from './screen.js';
 import { Surroundings } from './surroundings.js';
@@ -18,23 +19,26 @@ const TOUCHES = 0.5;
 const GRAVITY = 9.80665;
 
 export class Stage {
-  constructor(canvas, recording) {
+  /** It shows nothing before `begin`, but its graphics get ready. */
+  constructor(canvas) {
     this.canvas = canvas;
-    this.recording = recording;
     this.shows = { follow: true, trails: true, forces: true, support: true };
     this.screen = new Screen(canvas, () => this.render());
-    this.scene = new Scene();
     this.camera = new PerspectiveCamera(32);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.screen.draw());
     this.followed = new Vector3();
-    this.begin();
+    this.begin(REHEARSAL);
+    setTimeout(() => this.screen.settle());
   }
 
-  /** The robot of the recording and its surroundings, in the place of those before. */
-  begin() {
-    this.clear();
-    const { robot } = this.recording;
+  /** The robot of a recording and its surroundings, in the place of those before. */
+  begin(recording = this.recording) {
+    const before = this.scene;
+    const { robot } = recording;
+    [this.known, this.place] = [];
+    this.recording = recording;
+    this.scene = new Scene();
     this.robot = robot;
     this.size = robot.body ? reach(robot) + Math.max(...[robot.body.x, robot.body.y].flat().map(Math.abs)) : reach(robot) * 1.6;
     Object.assign(this.camera, { near: this.size / 50, far: this.size * 60 });
@@ -56,18 +60,8 @@ export class Stage {
     this.resize();
     this.resetView();
     this.screen.prepareFor(this.scene, this.camera);
-  }
-
-  /** Forgets all that belongs to a robot. */
-  clear() {
-    this.sun?.dispose();
-    this.scene.traverse(({ geometry, material }) => {
-      geometry?.dispose();
-      material?.map?.dispose();
-      material?.dispose();
-    });
-    this.scene.clear();
-    [this.known, this.place] = [];
+    // What both need of the graphics is kept.
+    if (before) release(before);
   }
 
   light() {
@@ -215,9 +209,20 @@ export class Stage {
   }
 
   render() {
+    if (this.recording === REHEARSAL) return;
     const middle = this.controls.target;
     this.sun.target.position.copy(middle);
     this.sun.position.set(-0.9, 2.6, 1.1).multiplyScalar(this.size).add(middle);
     this.screen.renderer.render(this.scene, this.camera);
   }
+}
+
+/** Lets go of what the graphics have of a scene. */
+function release(scene) {
+  scene.traverse(({ isLight, shadow, geometry, material }) => {
+    if (isLight) shadow?.dispose();
+    geometry?.dispose();
+    material?.map?.dispose();
+    material?.dispose();
+  });
 }
