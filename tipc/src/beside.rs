@@ -1,17 +1,23 @@
 //! Two things at once.
 
-use std::panic::resume_unwind;
-use std::thread;
-
-/// Does both, side by side where there are threads, and one after the other where there are none.
+/// Does both, side by side, or one after the other where there are no threads.
+#[cfg(not(target_family = "wasm"))]
 pub(crate) fn beside<A, B: Send>(one: impl FnOnce() -> A, other: impl Fn() -> B + Sync) -> (A, B) {
-    thread::scope(|scope| {
-        let beside = thread::Builder::new().spawn_scoped(scope, &other);
+    std::thread::scope(|scope| {
+        let beside = std::thread::Builder::new().spawn_scoped(scope, &other);
         let one = one();
         let other = match beside {
-            Ok(beside) => beside.join().unwrap_or_else(|panic| resume_unwind(panic)),
+            Ok(beside) => beside
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
             Err(_) => other(),
         };
         (one, other)
     })
+}
+
+/// Does both, one after the other: the playground has no threads, and no room for code that starts them.
+#[cfg(target_family = "wasm")]
+pub(crate) fn beside<A, B>(one: impl FnOnce() -> A, other: impl Fn() -> B) -> (A, B) {
+    (one(), other())
 }
