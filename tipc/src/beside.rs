@@ -1,6 +1,9 @@
 //! Two things at once.
 
-/// Does both, side by side, or one after the other where there are no threads.
+/// Whether anything is done at once: the playground has no threads, and no room for code that starts them.
+pub(crate) const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
+
+/// Does both, side by side if a thread can be started.
 #[cfg(not(target_family = "wasm"))]
 pub(crate) fn beside<A, B: Send>(one: impl FnOnce() -> A, other: impl Fn() -> B + Sync) -> (A, B) {
     std::thread::scope(|scope| {
@@ -16,7 +19,7 @@ pub(crate) fn beside<A, B: Send>(one: impl FnOnce() -> A, other: impl Fn() -> B 
     })
 }
 
-/// Does both, one after the other: the playground has no threads, and no room for code that starts them.
+/// Does both, one after the other.
 #[cfg(target_family = "wasm")]
 pub(crate) fn beside<A, B>(one: impl FnOnce() -> A, other: impl Fn() -> B) -> (A, B) {
     (one(), other())

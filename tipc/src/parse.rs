@@ -29,7 +29,7 @@ pub(crate) use jump::glued;
 pub(crate) use line::LONG_VOWEL;
 pub(crate) use line::narrow;
 
-use crate::beside::beside;
+use crate::beside::{HAS_THREADS, beside};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
@@ -89,7 +89,7 @@ fn halves(source: &Source) -> Option<(Part, Part)> {
         first: middle,
         ..Part::WHOLE
     };
-    (count >= FEW).then_some((first, second))
+    (HAS_THREADS && count >= FEW).then_some((first, second))
 }
 
 /// Some lines of a program; no comment of another language goes on there.

@@ -13,14 +13,19 @@ use crate::message::Warning;
 use crate::program::{Action, Condition, Flag, Op, Step, Target};
 use crate::source::Span;
 use crate::syntax::{Statement, StatementKind};
-use std::collections::HashSet;
 
 pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Vec<Diagnostic>) {
     let steps = judged.program.steps();
     if steps.iter().any(calls_native_code) {
         return;
     }
-    let moved: HashSet<Target> = steps.iter().filter_map(moves).collect();
+    let mut moved = Vec::new();
+    for target in steps.iter().filter_map(moves) {
+        // Robots have few of them, and programs many steps.
+        if !moved.contains(&target) {
+            moved.push(target);
+        }
+    }
     for (step, content) in (0..).zip(steps) {
         let reason = waits_for_nothing(&content.action, &moved);
         if let Some(reason) = reason.filter(|_| unreachable.is_live(step))
@@ -56,7 +61,7 @@ fn moves(step: &Step) -> Option<Target> {
 }
 
 /// Why a step waits for nothing.
-fn waits_for_nothing(action: &Action, moved: &HashSet<Target>) -> Option<Warning> {
+fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
     let others_move =

@@ -20,7 +20,6 @@ mod start;
 use crate::Robot;
 use crate::body::Miss;
 use start::Starts;
-use std::collections::HashMap;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Point;
 use tipc::Loaded;
@@ -68,20 +67,46 @@ fn constants(arguments: &[Argument]) -> Option<Vec<f64>> {
 /// What targets miss: a program may go to the same one again and again.
 struct Misses<'a> {
     robot: &'a Robot,
-    /// By the bits of their numbers.
-    known: HashMap<(Op, Target, Vec<u64>), Option<Miss>>,
+    known: Vec<Known>,
 }
+
+/// A target, with the bits of its numbers, and what it misses.
+struct Known {
+    op: Op,
+    target: Target,
+    bits: Vec<u64>,
+    miss: Option<Miss>,
+}
+
+/// So many targets are remembered.
+const REMEMBERED: usize = 100;
 
 impl<'a> Misses<'a> {
     fn of(robot: &'a Robot) -> Self {
-        let known = HashMap::new();
+        let known = Vec::new();
         Misses { robot, known }
     }
 
     fn of_target(&mut self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        let bits = values.iter().map(|value| value.to_bits()).collect();
-        let known = self.known.entry((op, target, bits));
-        *known.or_insert_with(|| self.robot.miss(op, target, values))
+        let bits = values.iter().map(|value| value.to_bits());
+        let mut known = self.known.iter();
+        let is_it = |it: &&Known| {
+            it.op == op && it.target == target && it.bits.iter().copied().eq(bits.clone())
+        };
+        if let Some(known) = known.find(is_it) {
+            return known.miss;
+        }
+        let miss = self.robot.miss(op, target, values);
+        if self.known.len() < REMEMBERED {
+            let bits = bits.collect();
+            self.known.push(Known {
+                op,
+                target,
+                bits,
+                miss,
+            });
+        }
+        miss
     }
 }
 
