@@ -22,7 +22,7 @@ enum Value {
 
 impl Resolver<'_> {
     pub(super) fn equation(&mut self, equation: &Equation) -> Option<Assignment> {
-        let guess = has_numbers(&equation.value).then_some(VariableKind::Var);
+        let guess = self.type_in(equation);
         let target = self.meant_as(&equation.target, Code::Equation, guess);
         if let Some(target) = target {
             let access = match equation.update {
@@ -31,7 +31,7 @@ impl Resolver<'_> {
             };
             self.uses.operand(&equation.target, target, access);
         }
-        let value = self.expression(&equation.value, target);
+        let value = self.expression(&equation.value, target, guess);
         let assignment = self.assignment(equation, target?, value?)?;
         self.warn_of_domain(equation);
         Some(assignment)
@@ -80,10 +80,39 @@ impl Resolver<'_> {
         }
     }
 
-    /// The right side; `target` is the left one, if it is known.
-    fn expression(&mut self, expression: &Expression, target: Option<Meant>) -> Option<Value> {
+    /// The type of an equation, as far as something in it shows it: all of its operands are of one, but those of functions.
+    fn type_in(&self, equation: &Equation) -> Option<VariableKind> {
+        let known = |operand: &Operand| match &operand.kind {
+            OperandKind::Number(_) | OperandKind::Member(_) => Some(VariableKind::Var),
+            OperandKind::Name(name) => {
+                let variable = self.names.find(name)?;
+                Some(self.names.variables[variable].kind)
+            }
+        };
+        match &equation.value {
+            Expression::Operand(operand) => known(operand),
+            Expression::Binary { left, right, .. } => known(left).or_else(|| known(right)),
+            Expression::Function { name, .. } => {
+                match functions::find(&name.node, self.names.edition)? {
+                    Operation::Scalar(_) | Operation::Atan2 | Operation::Norm => {
+                        Some(VariableKind::Var)
+                    }
+                    Operation::UnitVect | Operation::Rotate(_) => Some(VariableKind::Pos),
+                }
+            }
+        }
+        .or_else(|| known(&equation.target))
+    }
+
+    /// The right side; `target` is the left one, if it is known, and `guess` the type of what is not declared.
+    fn expression(
+        &mut self,
+        expression: &Expression,
+        target: Option<Meant>,
+        guess: Option<VariableKind>,
+    ) -> Option<Value> {
         match expression {
-            Expression::Operand(operand) => match self.value(operand)? {
+            Expression::Operand(operand) => match self.value(operand, guess)? {
                 Meant::Struct { variable, kind, .. } => {
                     Some(Value::Struct(kind, StructExpression::Copy(variable)))
                 }
@@ -94,7 +123,7 @@ impl Resolver<'_> {
                 operation,
                 right,
             } => {
-                let (first, second) = (self.value(left), self.value(right));
+                let (first, second) = (self.value(left, guess), self.value(right, guess));
                 match (first?, second?) {
                     (
                         Meant::Struct { variable, kind, .. },
@@ -222,7 +251,7 @@ impl Resolver<'_> {
         operand: &Operand,
         kind: Option<VariableKind>,
     ) -> Option<(VariableId, VariableKind)> {
-        match self.value(operand)? {
+        match self.value(operand, kind)? {
             Meant::Struct {
                 variable, kind: of, ..
             } if kind.is_none_or(|kind| kind == of) => Some((variable, of)),
@@ -236,9 +265,9 @@ impl Resolver<'_> {
         }
     }
 
-    /// An operand that the equation reads; a struct has no sign.
-    fn value(&mut self, operand: &Operand) -> Option<Meant> {
-        let meant = self.meant(operand, Code::Equation)?;
+    /// An operand that the equation reads, as a variable of this type; a struct has no sign.
+    fn value(&mut self, operand: &Operand, guess: Option<VariableKind>) -> Option<Meant> {
+        let meant = self.meant_as(operand, Code::Equation, guess)?;
         self.uses.operand(operand, meant, Access::Read);
         if let Meant::Struct { negative: true, .. } = meant {
             let fault = Diagnostic::new(Code::Equation, operand.span, Calculating::StructSign);
@@ -283,21 +312,6 @@ pub(super) fn type_of(kind: Option<VariableKind>) -> Type {
         Some(VariableKind::Pos) => Type::Pos,
         Some(VariableKind::Joint) => Type::Joint,
         Some(VariableKind::Var) | None => Type::Number,
-    }
-}
-
-/// Whether a number stands on the right side, so that all of the equation is numbers.
-fn has_numbers(expression: &Expression) -> bool {
-    let is_number = |operand: &Operand| {
-        matches!(
-            operand.kind,
-            OperandKind::Number(_) | OperandKind::Member(_)
-        )
-    };
-    match expression {
-        Expression::Operand(operand) => is_number(operand),
-        Expression::Binary { left, right, .. } => is_number(left) || is_number(right),
-        Expression::Function { operands, .. } => operands.len() == 1 && is_number(&operands[0]),
     }
 }
 

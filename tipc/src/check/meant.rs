@@ -55,7 +55,7 @@ impl Resolver<'_> {
         }
         match nearest(word, COMMANDS.iter().map(|command| command.name)) {
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
-            None => match begun(word) {
+            None => match begun(word).or_else(|| cut_short(word)) {
                 Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
                 None if is_called(word) => Habit::NoParameters { name: name.into() }.into(),
                 None => Commanding::LabelOrEquation.into(),
@@ -106,6 +106,16 @@ fn begun(word: &str) -> Option<&'static str> {
     let ends = word.match_indices('_').map(|(at, _)| at);
     let mut parts = ends.rev().filter_map(|end| commands::find(&word[..end]));
     parts.next().map(|command| command.name)
+}
+
+/// The only command that a word is the first part of: `SIT`.
+fn cut_short(word: &str) -> Option<&'static str> {
+    let goes_on = |name: &&str| {
+        name.strip_prefix(word)
+            .is_some_and(|rest| rest.starts_with('_'))
+    };
+    let mut longer = COMMANDS.iter().map(|command| command.name).filter(goes_on);
+    longer.next().filter(|_| longer.next().is_none())
 }
 
 /// The command that a word begins with, if an argument follows it at once: `SLEEP100`, `PTPF1`.

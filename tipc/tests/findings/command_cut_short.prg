@@ -1,0 +1,6 @@
+3.1
+Half a command
+STAND_UP 50
+WAIT_INPOS ALL
+SIT 50
+END
