@@ -8,8 +8,17 @@ import { build } from 'esbuild';
 const here = import.meta.dirname;
 const read = (path) => readFileSync(join(here, path), 'utf8');
 const shared = { absWorkingDir: here, bundle: true, minify: true, write: false, metafile: true, legalComments: 'none', charset: 'utf8' };
+/** Browsers compile shaders, and need neither their indentation nor their comments. */
+const shaders = {
+  name: 'shaders',
+  setup({ onLoad }) {
+    // They are in strings, some of them over several lines.
+    const bare = (text) => text.replace(/(\\n|\n)(\\t|\t)+/g, '$1').replace(/\\n\/\/[^"\\]*(?=\\n)|\n\/\/[^`\n]*(?=\n)/g, '');
+    onLoad({ filter: /three\.module\.js$/ }, ({ path }) => ({ contents: bare(readFileSync(path, 'utf8')) }));
+  },
+};
 const bundle = async (options) => {
-  const { outputFiles, metafile } = await build({ ...shared, ...options });
+  const { outputFiles, metafile } = await build({ ...shared, plugins: [shaders], ...options });
   return { text: outputFiles[0].text.trim(), files: Object.keys(metafile.inputs) };
 };
 const hash = (content) => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
