@@ -1,5 +1,6 @@
 //! Words of other languages inside statements: flags, clocks, speeds, G-code.
 
+use crate::language::reserved::POSITION;
 use tip_runtime::command::Flag;
 
 /// The flag that another language asks a function for, and whether it is negated: `!kbhit()`.
@@ -34,7 +35,7 @@ pub(crate) fn is_speed(word: &str) -> bool {
 
 /// `X100`: the number after the name of an axis. A shorter one is rather the end of a name, as in `X1`.
 pub(crate) fn axis_value(word: &str) -> Option<&str> {
-    let value = word.strip_prefix(['X', 'Y', 'Z'])?;
+    let value = POSITION.iter().find_map(|axis| word.strip_prefix(axis))?;
     let is_number = value.bytes().all(|it| it.is_ascii_digit() || it == b'.');
     (value.len() > 1 && is_number && value.parse::<f64>().is_ok()).then_some(value)
 }
