@@ -97,6 +97,11 @@ fn reason(error: &clap::Error) -> Option<Using> {
             };
             Some(Using::NoFile { command })
         }
+        ErrorKind::UnknownArgument => {
+            let option = text(error, ContextKind::InvalidArg)?;
+            let near = longer(&option)?;
+            Some(Using::NearOption { option, near })
+        }
         ErrorKind::ValueValidation => {
             let wrong = error.source()?.downcast_ref::<Wrong>()?;
             Some(wrong.0.clone())
@@ -159,6 +164,15 @@ fn no_command(word: String, near: Option<&String>) -> Using {
             commands: Each(commands()),
         },
     }
+}
+
+/// The option of the command whose last words these are: `--format`.
+fn longer(option: &str) -> Option<String> {
+    let end = option.strip_prefix('-').filter(|end| end.len() > 2)?;
+    let tipc = Arguments::command();
+    let mut options = tipc.find_subcommand(command()?)?.get_arguments();
+    let near = options.find_map(|it| it.get_long().filter(|long| long.ends_with(end)))?;
+    Some(format!("--{near}"))
 }
 
 /// The commands of tipc.

@@ -91,6 +91,18 @@ fn a_robot_that_is_not_there_is_named_with_those_that_are() {
 }
 
 #[test]
+fn the_end_of_an_option_leads_to_it() {
+    let folder = Folder::new("usage-end").program("p.prg", "END");
+    check(
+        &folder,
+        &["check", "--format", "short", "p.prg"],
+        "error: there is no option `--format`: did you mean `--message-format`?",
+    );
+    let refused = folder.tipc(&["check", "--mat", "p.prg"]).expect(2);
+    assert!(!refused.err.contains("message-format"), "{}", refused.err);
+}
+
+#[test]
 fn a_count_is_a_whole_number() {
     let folder = Folder::new("usage-count").program("p.prg", "END");
     for (option, value) in [("--cycles", "-5"), ("--cycles", "1.5"), ("--halt", "soon")] {
