@@ -13,6 +13,7 @@ mod unreachable;
 mod waits;
 
 use crate::analysis::Flow;
+use crate::beside::beside;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId};
@@ -20,6 +21,9 @@ use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::{Module, Statement};
+
+/// A program of fewer steps is judged by one thread.
+const FEW: usize = 2000;
 
 /// A program, and where its steps come from.
 #[derive(Clone, Copy)]
@@ -50,11 +54,27 @@ impl Judged<'_> {
     }
 
     fn warnings(&self) -> Vec<Diagnostic> {
+        let (mut found, of_flow) = match self.program.steps().len() < FEW {
+            true => (self.of_statements(), self.of_flow()),
+            false => beside(|| self.of_statements(), || self.of_flow()),
+        };
+        found.extend(of_flow);
+        found
+    }
+
+    /// What statements by themselves, and the values that they read, give reason for.
+    fn of_statements(&self) -> Vec<Diagnostic> {
         let mut found = Vec::new();
         assignment::warn(self, &mut found);
         commands::warn(self, &mut found);
         equations::warn(self, &mut found);
         message::warn(self, &mut found);
+        found
+    }
+
+    /// What conditions and jumps give reason for.
+    fn of_flow(&self) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
         let constant = conditions::constant(self);
         let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
         let unreachable = unreachable::Unreachable::of(self, &open);
@@ -62,6 +82,7 @@ impl Judged<'_> {
         routines::warn(self, &unreachable, &mut found);
         waits::warn(self, &unreachable, &mut found);
         unreachable.warn(self, &mut found);
+        // It takes back what follows from it.
         labels::warn(self, &mut found);
         found
     }

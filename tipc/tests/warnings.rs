@@ -155,6 +155,16 @@ fn a_jump_in_one_word_is_a_label() {
     check("GOTO: ALL_STOP", &["E205 3:1"]);
 }
 
+/// Of a long program, statements and flow are judged side by side.
+#[test]
+fn a_long_program_is_judged_like_a_short_one() {
+    let begin = "ALL_STOP\n".repeat(2100);
+    check(
+        &format!("{begin}A = B\nB = 1\nDEF_VAR A B\nGOTOL1:\nEXIT\nL1: ALL_STOP"),
+        &["W108 2103:5", "W102 2105:9", "W130 2106:1"],
+    );
+}
+
 #[test]
 fn a_return_belongs_to_a_call() {
     check("ALL_STOP\nRETURN", &["W114 4:1"]);

@@ -20,6 +20,7 @@ use files::Files;
 use frames::{Frame, Frames};
 use lsp_server::{ErrorCode, Message, RequestId, Response};
 use server::Server;
+use std::hint::black_box;
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -50,8 +51,12 @@ pub(super) struct Lsp {
     robot: Option<RobotChoice>,
 }
 
+/// glibc gives memory back to the kernel, and has to ask for it again with the next text, unless a block of such a size was freed.
+const KEPT: usize = 16 << 20;
+
 /// Serves one editor.
 pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
+    drop(black_box(Vec::<u8>::with_capacity(KEPT)));
     let mut server = Server::new(Files::new(arguments.robot.clone()));
     let frames = incoming();
     let mut next = frames.recv().ok();
@@ -66,7 +71,6 @@ pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
         }
         let due = catch_unwind(AssertUnwindSafe(|| server.due()));
         send(due.unwrap_or_default())?;
-        server.tidy();
         next = match frames.recv_timeout(PAUSE) {
             Err(RecvTimeoutError::Timeout) => {
                 let _ = catch_unwind(AssertUnwindSafe(|| server.rest()));

@@ -4,6 +4,7 @@ use super::places::Places;
 use super::surroundings::Chosen;
 use gen_lsp_types::TextDocumentContentChangeEvent as Change;
 use std::ops::Range;
+use std::thread;
 use tip_ide::Document;
 use tip_sim::{reach, special};
 use tipc::diagnostic::Diagnostic;
@@ -14,8 +15,6 @@ pub(crate) struct Open {
     pub(crate) version: Option<i32>,
     text: String,
     document: Option<Document>,
-    /// What was known of the text before, until there is time to let go of it.
-    past: Option<Document>,
     /// Its findings are not sent yet.
     pub(crate) is_due: bool,
 }
@@ -26,7 +25,6 @@ impl Open {
             version,
             text,
             document: None,
-            past: None,
             is_due: true,
         }
     }
@@ -53,15 +51,11 @@ impl Open {
 
     /// Its findings may be others now.
     pub(crate) fn forget(&mut self) {
-        if self.document.is_some() {
-            self.past = self.document.take();
-        }
         self.is_due = true;
-    }
-
-    /// Lets go of what is not known any more. It takes a while, and nobody should wait for it.
-    pub(crate) fn tidy(&mut self) {
-        self.past = None;
+        if let Some(past) = self.document.take() {
+            // To let go of it takes a while, and nobody should wait for that.
+            let _ = thread::Builder::new().spawn(|| drop(past));
+        }
     }
 
     /// Finds out what will be asked for next.

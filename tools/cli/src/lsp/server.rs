@@ -101,11 +101,6 @@ impl<S: Surroundings> Server<S> {
         messages
     }
 
-    /// Does what can wait until an answer is sent.
-    pub(crate) fn tidy(&mut self) {
-        self.open.values_mut().for_each(Open::tidy);
-    }
-
     /// Uses a moment in which nothing is asked.
     pub(crate) fn rest(&self) {
         self.open.values().for_each(Open::prepare);
