@@ -29,7 +29,7 @@ pub(crate) use jump::glued;
 pub(crate) use line::LONG_VOWEL;
 pub(crate) use line::narrow;
 
-use crate::beside::{HAS_THREADS, beside};
+use crate::beside::{FEW, HAS_THREADS, beside};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
@@ -40,9 +40,6 @@ use crate::syntax::{Module, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
 pub(crate) const LINE_LIMIT: usize = 1023;
-
-/// A program of fewer lines is read by one thread.
-const FEW: u32 = 2000;
 
 /// Parses a source for version `tip_version` of the language.
 ///
@@ -89,10 +86,10 @@ fn halves(source: &Source) -> Option<(Part, Part)> {
         first: middle,
         ..Part::WHOLE
     };
-    (HAS_THREADS && count >= FEW).then_some((first, second))
+    (HAS_THREADS && count as usize >= FEW).then_some((first, second))
 }
 
-/// Some lines of a program; no comment of another language goes on there.
+/// Some lines of a program.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     /// Its first line, from 1.

@@ -13,7 +13,7 @@ mod unreachable;
 mod waits;
 
 use crate::analysis::Flow;
-use crate::beside::beside;
+use crate::beside::{FEW, beside};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId};
@@ -21,9 +21,6 @@ use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
 use crate::syntax::{Module, Statement};
-
-/// A program of fewer steps is judged by one thread.
-const FEW: usize = 2000;
 
 /// A program, and where its steps come from.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Whether a formatted program is the one that it was. The passes after the parser see the fields of statements and not how
 //! they are laid out, so equal fields make an equal program.
 
-use crate::beside::beside;
+use crate::beside::{FEW, beside};
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
@@ -11,9 +11,6 @@ use crate::parse::{Part, parse_part};
 use crate::source::Source;
 use crate::syntax::{Statement, StatementKind, StepId, Word};
 use std::mem::discriminant;
-
-/// A program of fewer statements is compared by one thread.
-const FEW: usize = 2000;
 
 /// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
 /// line, so that it is never in memory as a whole; each half of a long one by itself.
