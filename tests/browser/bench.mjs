@@ -1,6 +1,6 @@
 // How large pages are, how soon they show the robot, how fast they scrub.
 import { statSync } from 'node:fs';
-import { launch, open } from './browsers.mjs';
+import { launch, open, settle } from './browsers.mjs';
 
 /** The most bytes that a page may have. */
 const MOST = { walk: 1e6, grasp: 1e6, hexapod: 1e6, 'walk-on': 1e6, hold: 6e6 };
@@ -19,7 +19,7 @@ async function spent() {
 let missed = 0;
 for (const [name, most] of Object.entries(MOST)) {
   const file = `${process.env.PAGES}/${name}.html`;
-  const view = await open(browser, file);
+  const view = await open(browser, file, {}, '', settle);
   const ready = Number(await view.page.getAttribute('html', 'data-ready'));
   await view.page.waitForTimeout(1000);
   const before = await spent();

@@ -17,9 +17,15 @@ export function launch() {
 }
 
 /** A page of its own with a recording. */
-export function open(browser, file, options = {}, hash = '') {
-  return visit(browser, `file://${file}${hash}`, options);
+export function open(browser, file, options = {}, hash = '', prepare = undefined) {
+  return visit(browser, `file://${file}${hash}`, options, prepare);
 }
+
+/** How long a new window of a browser is busy with its own menus: ms. They are pages as well, and take a third of a second. */
+const MENUS = 1500;
+
+/** Before a page whose time is taken: people open it in a window that is there already. */
+export const settle = (page) => page.waitForTimeout(MENUS);
 
 /** A page of its own, and all that it asked for and complained of. */
 export async function visit(browser, address, options = {}, prepare = () => {}) {

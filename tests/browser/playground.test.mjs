@@ -1,10 +1,10 @@
 // What a browser makes of the playground, as one file and from a server: PLAYGROUND is the folder that site/build has filled.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { after, before, describe, test } from 'node:test';
 import axe from 'axe-core';
 import { launch, visit } from './browsers.mjs';
+import { host } from './hosted.mjs';
 
 const folder = process.env.PLAYGROUND;
 const one = `file://${folder}/playground.html`;
@@ -216,26 +216,19 @@ describe('one file', () => {
 describe('from a server', () => {
   /** Opens it from a server that says so of modules; gives the page, and its address. */
   async function openFrom(type) {
-    const server = createServer((request, response) => {
-      const name = request.url === '/' ? 'index.html' : request.url.slice(1);
-      response.setHeader('Content-Type', name.endsWith('.wasm') ? type : 'text/html');
-      response.end(readFileSync(`${folder}/hosted/${name}`));
-    });
-    await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-    const home = `http://127.0.0.1:${server.address().port}/`;
+    const { home, close } = await host(`${folder}/hosted`, type);
     const opened = await open(home);
     const end = async () => {
       await opened.close();
-      server.close();
+      close();
     };
     return { ...opened, home, end };
   }
 
-  test('asks for its two files alone, and is ready in a second', async () => {
-    const { page, home, asked, complaints, end } = await openFrom('application/wasm');
+  test('asks for its two files alone', async () => {
+    const { home, asked, complaints, end } = await openFrom('application/wasm');
     assert.deepEqual(asked.sort(), [home, `${home}playground.wasm`]);
     assert.deepEqual(complaints, []);
-    console.log(`ready after ${await page.getAttribute('html', 'data-ready')} ms`);
     await end();
   });
 

@@ -1,0 +1,21 @@
+// How soon the playground on a server is ready: for visitors who have nothing of it yet.
+import { launch, settle, visit } from './browsers.mjs';
+import { host } from './hosted.mjs';
+
+const VISITS = 15;
+/** The most that half of the visits may take: ms. */
+const MOST = 1000;
+const { home, close } = await host(`${process.env.PLAYGROUND}/hosted`);
+const browser = await launch();
+const times = [];
+for (let n = 0; n < VISITS; n++) {
+  const visited = await visit(browser, home, {}, settle);
+  times.push(Number(await visited.page.getAttribute('html', 'data-ready')));
+  await visited.close();
+}
+await browser.close();
+close();
+times.sort((a, b) => a - b);
+const median = times[VISITS >> 1];
+console.log(`playground: ready after ${median} ms in the median of ${VISITS} visits, ${times[0]} to ${times.at(-1)}${median > MOST ? '  MISSED' : ''}`);
+process.exit(median > MOST ? 1 : 0);
