@@ -41,7 +41,7 @@ done
 exec "$SOUND_CARGO" "$@"
 "#;
 
-/// The command on the program with the runtime of this workspace.
+/// The command on the program with the runtime of this workspace. What it builds runs for moments here, and is not optimised.
 fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.toml");
     let workspace = workspace.to_str().expect("a path in UTF-8");
@@ -50,7 +50,9 @@ fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
         arguments,
     ]
     .concat();
-    folder.command(&all)
+    let mut command = folder.command(&all);
+    command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0");
+    command
 }
 
 /// The result.
