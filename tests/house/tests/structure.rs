@@ -1,6 +1,6 @@
 //! The rules of ARCHITECTURE.md that a compiler does not hold.
 
-use house::{circles, modules, packages, root, rust_files};
+use house::{circles, modules, packages, root};
 use std::fs;
 
 /// Where crates are.
@@ -14,9 +14,6 @@ const FOLDERS: [&str; 7] = [
     "benches",
 ];
 
-/// The most lines of a file.
-const LINES: usize = 400;
-
 #[test]
 fn no_modules_import_each_other_in_a_loop() {
     let all = packages(&FOLDERS);
@@ -25,17 +22,6 @@ fn no_modules_import_each_other_in_a_loop() {
         let circles = circles(&modules(&package.folder.join("src")));
         let found: String = circles.iter().map(ToString::to_string).collect();
         assert!(found.is_empty(), "{}:\n{found}", package.name);
-    }
-}
-
-#[test]
-fn no_file_is_long() {
-    let is_written = |path: &std::path::Path| !path.starts_with(root().join("tests/golden"));
-    let files = rust_files(root());
-    assert!(files.len() > 100, "the files are found");
-    for file in files.iter().filter(|path| is_written(path)) {
-        let lines = fs::read_to_string(file).expect("text").lines().count();
-        assert!(lines <= LINES, "{}: {lines} lines", file.display());
     }
 }
 

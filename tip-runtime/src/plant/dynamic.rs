@@ -243,20 +243,27 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
 
     /// Joint angles as they are, whatever the sensors say: deg.
     pub fn angles(&self) -> [[f64; J]; L] {
-        let legs = self.robot.legs.each_ref();
-        legs.map(|leg| leg.servos.map(|servo| servo.angle.to_degrees()))
+        let mut angles = [[0.0; J]; L];
+        leg::fill_joints(&self.robot.legs, &mut angles, |servo| {
+            servo.angle.to_degrees()
+        });
+        angles
     }
 
     /// How fast the joints turn: deg/s.
     pub fn rates(&self) -> [[f64; J]; L] {
-        let legs = self.robot.legs.each_ref();
-        legs.map(|leg| leg.servos.map(|servo| servo.rate.to_degrees()))
+        let mut rates = [[0.0; J]; L];
+        leg::fill_joints(&self.robot.legs, &mut rates, |servo| {
+            servo.rate.to_degrees()
+        });
+        rates
     }
 
     /// What the motors give: N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
-        let legs = self.robot.legs.each_ref();
-        legs.map(|leg| leg.servos.map(|servo| servo.torque))
+        let mut torques = [[0.0; J]; L];
+        leg::fill_joints(&self.robot.legs, &mut torques, |servo| servo.torque);
+        torques
     }
 
     /// Whether a lamp or relay is on.
@@ -334,11 +341,12 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
 
     fn limbs(&self) -> Option<Limbs<L, J>> {
         let is_loose = self.robot.trunk.model.is_some();
-        let feet = self.robot.legs.each_ref().map(|leg| leg.foot);
+        let (mut loads, mut forces) = ([0.0; L], [[0.0; 3]; L]);
+        leg::fill_feet(&self.robot.legs, &mut loads, &mut forces);
         Some(Limbs {
             angles: self.angles(),
-            loads: is_loose.then_some(feet.map(|foot| foot.load)),
-            forces: is_loose.then_some(feet.map(|foot| foot.force.into())),
+            loads: is_loose.then_some(loads),
+            forces: is_loose.then_some(forces),
             torques: self.torques(),
         })
     }

@@ -217,14 +217,16 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// Joint angles as they are, whatever the sensors say: deg.
     pub fn angles(&self) -> [[f64; J]; L] {
-        let legs = self.legs.each.each_ref();
-        legs.map(|leg| leg.servos.map(|servo| servo.angle))
+        let mut angles = [[0.0; J]; L];
+        legs::fill_joints(&self.legs.each, &mut angles, |servo| servo.angle);
+        angles
     }
 
     /// What the motors give: N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
-        let legs = self.legs.each.each_ref();
-        legs.map(|leg| leg.servos.map(|servo| servo.torque))
+        let mut torques = [[0.0; J]; L];
+        legs::fill_joints(&self.legs.each, &mut torques, |servo| servo.torque);
+        torques
     }
 
     /// Whether a lamp or relay is on.

@@ -172,8 +172,7 @@ impl<const L: usize, const J: usize> Sized<L, J> {
 
 impl<const L: usize, const J: usize> Body for Sized<L, J> {
     fn anatomy(&self) -> Anatomy {
-        let legs: Vec<Limb> = self.model.legs.iter().map(Limb::from).collect();
-        let feet = legs.iter().map(|leg| leg.foot(&leg.initial)).collect();
+        let (legs, feet) = limbs(&self.model.legs);
         Anatomy {
             body: self.model.body,
             forces: self.model.forces,
@@ -217,4 +216,16 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
         let machine = Machine::new(program, self.model, rig, desk, special)?;
         Ok(Box::new(machine))
     }
+}
+
+// Out of line, or it would be copied for each number of legs.
+#[inline(never)]
+fn limbs<const J: usize>(legs: &[Leg<J>]) -> (Vec<Limb>, Vec<Point>) {
+    let legs: Vec<Limb> = legs.iter().map(Limb::from).collect();
+    let feet = feet(&legs);
+    (legs, feet)
+}
+
+fn feet(legs: &[Limb]) -> Vec<Point> {
+    legs.iter().map(|leg| leg.foot(&leg.initial)).collect()
 }

@@ -20,12 +20,12 @@ pub struct Limbs {
 
 impl<const L: usize, const J: usize> From<plant::Limbs<L, J>> for Limbs {
     fn from(limbs: plant::Limbs<L, J>) -> Self {
-        Limbs {
-            angles: limbs.angles.iter().map(|leg| leg.to_vec()).collect(),
-            loads: limbs.loads.map_or(Vec::new(), Vec::from),
-            forces: limbs.forces.map_or(Vec::new(), Vec::from),
-            torques: limbs.torques.iter().map(|leg| leg.to_vec()).collect(),
-        }
+        gather(
+            &limbs.angles,
+            &limbs.torques,
+            limbs.loads.as_ref().map_or(&[], |loads| loads),
+            limbs.forces.as_ref().map_or(&[], |forces| forces),
+        )
     }
 }
 
@@ -63,4 +63,24 @@ pub struct Fall {
     pub step: u32,
     /// How far outside the centre of mass was: mm, negative.
     pub margin: f64,
+}
+
+// Out of line, or it would be copied for each number of legs.
+#[inline(never)]
+fn gather<const J: usize>(
+    angles: &[[f64; J]],
+    torques: &[[f64; J]],
+    loads: &[f64],
+    forces: &[[f64; 3]],
+) -> Limbs {
+    Limbs {
+        angles: rows(angles.as_flattened(), J),
+        loads: loads.to_vec(),
+        forces: forces.to_vec(),
+        torques: rows(torques.as_flattened(), J),
+    }
+}
+
+fn rows(all: &[f64], joints: usize) -> Vec<Vec<f64>> {
+    all.chunks_exact(joints).map(<[f64]>::to_vec).collect()
 }

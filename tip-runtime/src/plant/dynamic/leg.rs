@@ -393,3 +393,30 @@ fn bit(j: usize) -> u16 {
         .and_then(|j| 1_u16.checked_shl(j))
         .unwrap_or(0)
 }
+
+/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+#[inline(never)]
+pub(super) fn fill_joints<const J: usize>(
+    legs: &[LegBody<J>],
+    into: &mut [[f64; J]],
+    value: fn(&super::servo::Servo) -> f64,
+) {
+    for (row, leg) in into.iter_mut().zip(legs) {
+        for (place, servo) in row.iter_mut().zip(&leg.servos) {
+            *place = value(servo);
+        }
+    }
+}
+
+/// Fills in the load, N, and the contact force of each foot.
+#[inline(never)]
+pub(super) fn fill_feet<const J: usize>(
+    legs: &[LegBody<J>],
+    loads: &mut [f64],
+    forces: &mut [[f64; 3]],
+) {
+    for ((leg, load), force) in legs.iter().zip(loads).zip(forces) {
+        *load = leg.foot.load;
+        *force = leg.foot.force.into();
+    }
+}

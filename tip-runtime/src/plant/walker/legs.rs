@@ -233,3 +233,17 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         }
     }
 }
+
+/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+#[inline(never)]
+pub(super) fn fill_joints<const J: usize>(
+    legs: &[LegPlant<J>],
+    into: &mut [[f64; J]],
+    value: fn(&super::servo::Servo) -> f64,
+) {
+    for (row, leg) in into.iter_mut().zip(legs) {
+        for (place, servo) in row.iter_mut().zip(&leg.servos) {
+            *place = value(servo);
+        }
+    }
+}
