@@ -1,0 +1,5 @@
+//! Every case of the language on the interpreter, and the code that is emitted for it.
+
+mod contributing;
+mod emitted;
+mod interpreted;
