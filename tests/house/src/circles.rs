@@ -107,6 +107,15 @@ mod tests {
     }
 
     #[test]
+    fn a_module_that_is_imported_whole_is_an_edge() {
+        let modules = [
+            ("a", "use super::b; fn f() { b::g() }"),
+            ("b", "use crate::a::A;"),
+        ];
+        assert_eq!(found(&modules), ["  a -> b: self\n  b -> a: A\n"]);
+    }
+
+    #[test]
     fn parents_methods_and_foreign_paths_make_no_loop() {
         let modules = [
             ("a", "use b::B; fn f(x: X) { x.c::<T>(); core::d::f(); }"),
