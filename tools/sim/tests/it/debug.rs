@@ -1,5 +1,6 @@
 //! A debugger goes through a run in both directions, and finds at each cycle what a run without it has there.
 
+mod hits;
 mod logs;
 mod places;
 mod walks;

@@ -2,4 +2,5 @@
 
 mod answers;
 mod ends;
+mod lines;
 mod peer;

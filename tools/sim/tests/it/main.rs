@@ -4,6 +4,9 @@ mod debug;
 mod described;
 #[cfg(unix)]
 mod external;
+mod inputs;
+mod interp;
+mod lockstep;
 mod mjcf;
 mod motion;
 mod published;
@@ -12,3 +15,5 @@ mod run;
 mod snapshot;
 mod special;
 mod urdf;
+#[cfg(unix)]
+mod verify;

@@ -14,7 +14,7 @@ pub(crate) const ANGLES: &str = "angles=0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0,0
 
 /// Answers `ready` with what it is given; then, in each cycle, runs what it is given, with `$n` and `$targets` as the line has
 /// them.
-fn script(ready: &str, each: &str) -> String {
+pub(crate) fn script(ready: &str, each: &str) -> String {
     format!(
         "while read kind rest; do
            for word in $rest; do

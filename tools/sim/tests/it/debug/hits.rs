@@ -1,10 +1,8 @@
-//! What the debugger's parts answer by themselves.
+//! Counts of hits, and what is said to those who ask for the impossible.
 
-use super::Refused;
-use super::hits::{Hits, NotHits};
-use crate::refused;
 use tip_runtime::command::Port;
 use tip_runtime::program::VariableError;
+use tip_sim::debug::{Hits, Refused};
 use tipc::message::Lang;
 
 #[test]
@@ -54,12 +52,12 @@ fn a_refusal_is_said_in_both_languages() {
             "HEIGHT: この名前の変数はプログラムにありません",
         ),
         (
-            Refused::Hits(NotHits("five".to_owned())),
+            Refused::Hits("five".parse::<Hits>().unwrap_err()),
             "'five' is not a count of hits, such as 5, >= 5 or % 5",
             "'five' は通過回数の指定ではありません。5、>= 5、% 5 のように書いてください",
         ),
         (
-            Refused::Event(refused::Refused::NoInput(Port::Knob(9))),
+            Refused::Event(tip_sim::Refused::NoInput(Port::Knob(9))),
             "the robot has no input VR9",
             "このロボットに入力 VR9 はありません",
         ),

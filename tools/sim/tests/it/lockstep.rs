@@ -1,6 +1,8 @@
-use super::*;
-use crate::load;
+//! Two engines cycle by cycle, and what a process that compares them answers.
+
 use std::io::Cursor;
+use tip_sim::lockstep::{Answer, Evidence, Lockstep, Reach, RunEnd, serve};
+use tip_sim::{Inputs, Robot, load};
 
 const COUNT: &str = "DEF_VAR N\nN = 0\nLOOP: KEY_IN\nN += 1\nIF N < 3 GOTO LOOP:\nMESSAGE %N%\nEND";
 

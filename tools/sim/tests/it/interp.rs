@@ -3,11 +3,11 @@
 mod equations;
 mod script;
 
-use super::Interpreter;
 use script::Script;
 use tip_runtime::fault::Fault;
 use tip_runtime::model::titan8;
 use tip_runtime::program::{End, Flow, Program};
+use tip_sim::Interpreter;
 
 const A: usize = 1;
 const B: usize = 2;
@@ -44,6 +44,11 @@ fn path_of(interpreter: &mut Interpreter, script: &mut Script) -> Vec<u32> {
     }
 }
 
+fn scalars(interpreter: &Interpreter) -> Vec<Option<f64>> {
+    let scalars = (0..).map_while(|i| interpreter.scalar(i));
+    scalars.map(|(_, value)| value).collect()
+}
+
 fn value_of(interpreter: &Interpreter, name: &str) -> Option<f64> {
     (0..)
         .map_while(|i| interpreter.scalar(i))
@@ -63,7 +68,7 @@ fn each_branch_of_an_if_costs_its_own_cycles() {
         (3.0, vec![0, 3, 5, 6, 7, 8]),
     ] {
         let mut interpreter = interpreter(BRANCHES);
-        interpreter.scalars[A] = Some(a);
+        interpreter.set_scalar(A, a);
         let path = path_of(&mut interpreter, &mut Script::default());
         assert_eq!(path, expected, "A = {a}");
     }
@@ -88,7 +93,7 @@ fn for_and_next_count_and_leave_the_last_value() {
         (1, 2, 0.0, vec![0], None),
     ] {
         let mut interpreter = interpreter(&format!("FOR A = {from} TO {to} STEP B\nNEXT A"));
-        interpreter.scalars[B] = Some(step);
+        interpreter.set_scalar(B, step);
         let path = path_of(&mut interpreter, &mut Script::default());
         assert_eq!(path, steps, "FOR A = {from} TO {to} STEP {step}");
         assert_eq!(value_of(&interpreter, "A"), last);
@@ -135,10 +140,10 @@ fn the_first_fault_wins_and_changes_nothing() {
         ("A += 1 / P.X", 2.0, Fault::Unassigned(1)),
     ] {
         let mut interpreter = interpreter(statement);
-        interpreter.scalars[P] = Some(divisor);
-        let before = interpreter.scalars.clone();
+        interpreter.set_scalar(P, divisor);
+        let before = scalars(&interpreter);
         assert_eq!(interpreter.step(&mut Script::default()), Err(fault));
-        assert_eq!(interpreter.scalars, before);
+        assert_eq!(scalars(&interpreter), before);
         assert_eq!(interpreter.at(), 0);
     }
 }

@@ -1,5 +1,9 @@
-use super::*;
+//! What happens to a run, as command lines and files write it.
+
 use tip_runtime::command::Port;
+use tip_runtime::plant::Noise;
+use tip_sim::event::{Keys, SensorAt};
+use tip_sim::{Event, Events, Inputs};
 
 #[test]
 fn keys_are_characters_or_hexadecimal_bytes() {
@@ -78,4 +82,68 @@ fn what_has_no_short_form_stands_in_the_full_one() {
         "3:key a, 4:touch on, 9:read fails"
     );
     assert_eq!(inputs.to_string(), text);
+}
+
+#[test]
+fn every_event_is_read_from_what_it_is_written_as() {
+    let events = [
+        Event::Key(b'F'),
+        Event::Key(b','),
+        Event::Key(0x1B),
+        Event::Halt,
+        Event::Sensor(Port::Knob(1), 8.0),
+        Event::Sensor(Port::Joint(2, 3), -0.5),
+        Event::Sensor(Port::Antenna, 1e-3),
+        Event::Set("P.X".to_owned(), -1.5),
+        Event::Touch(true),
+        Event::Touch(false),
+        Event::Push([50.0, 0.0, -20.5], 10),
+        Event::Noise(Noise {
+            angle: 0.1,
+            volts: 0.0,
+            seed: 7,
+        }),
+        Event::ReadFails,
+        Event::WriteFails,
+    ];
+    for event in events {
+        assert_eq!(event.to_string().parse(), Ok(event));
+    }
+}
+
+#[test]
+fn a_list_keeps_the_order_of_its_cycles_and_in_a_cycle_its_own() {
+    let events: Events = "900:halt, 10:key F,10: key g , 300:vr1=8".parse().unwrap();
+    assert_eq!(
+        events.to_string(),
+        "10:key F, 10:key g, 300:VR1=8, 900:halt"
+    );
+    assert_eq!(" ".parse(), Ok(Events::NONE));
+    let nonsense: Events = "3:ANTENNA=nan".parse().unwrap();
+    assert_eq!(nonsense.to_string(), "3:ANTENNA=NaN");
+}
+
+#[test]
+fn what_is_no_event_is_told() {
+    for (wrong, told) in [
+        ("halt", "'halt' is not CYCLE:EVENT"),
+        ("x:halt", "'x:halt' is not CYCLE:EVENT"),
+        ("3:stop", "'stop' is not an event"),
+        ("3:key", "'key' is not an event"),
+        ("3:key ab", "'key ab' is not an event"),
+        ("3:VR9=1", "'VR9=1' is not an event"),
+        ("3:VR1=x", "'VR1=x' is not an event"),
+        ("3:push 1 2 for 3", "'push 1 2 for 3' is not an event"),
+        (
+            "3:push 1 2 inf for 3",
+            "'push 1 2 inf for 3' is not an event",
+        ),
+        ("3:push 1 2 3", "'push 1 2 3' is not an event"),
+        ("3:noise -1 0 seed 1", "'noise -1 0 seed 1' is not an event"),
+        ("3:noise 1 0", "'noise 1 0' is not an event"),
+        ("3:halt,", "'' is not CYCLE:EVENT"),
+    ] {
+        let error = wrong.parse::<Events>().expect_err(wrong).to_string();
+        assert!(error.starts_with(told), "{error}");
+    }
 }
