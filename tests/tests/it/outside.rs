@@ -15,7 +15,7 @@ use std::{env, fs};
 /// encoding_rs 0.8.44 brings five more.
 const MACRO_CRATES: usize = 12;
 
-/// A folder of crates beside this one, with a target folder of its own.
+/// A folder of crates beside this one. All nested builds of the tests share a target folder.
 struct Outside {
     folder: PathBuf,
     target: PathBuf,
@@ -29,7 +29,7 @@ impl Outside {
         fs::copy(here.join("../Cargo.lock"), folder.join("Cargo.lock")).expect("a lock file");
         Outside {
             folder,
-            target: Path::new(env!("CARGO_TARGET_TMPDIR")).join(name),
+            target: Path::new(env!("CARGO_TARGET_TMPDIR")).join("nested"),
         }
     }
 
@@ -52,6 +52,8 @@ impl Outside {
             .arg("--offline")
             .current_dir(&self.folder)
             .env("CARGO_TARGET_DIR", &self.target)
+            .env("CARGO_PROFILE_DEV_DEBUG", "false")
+            .env("CARGO_INCREMENTAL", "0")
             .output()
             .expect("cargo starts")
     }

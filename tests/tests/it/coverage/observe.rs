@@ -25,6 +25,11 @@ impl Seen {
         self.0.get(&(row, robot.name(), outcome))
     }
 
+    /// All cells that cases show, with their cases.
+    pub fn all(&self) -> impl Iterator<Item = ((usize, &'static str, Outcome), &BTreeSet<String>)> {
+        self.0.iter().map(|(cell, cases)| (*cell, cases))
+    }
+
     /// Looks at every case.
     ///
     /// # Panics

@@ -14,14 +14,9 @@ macro_rules! outcomes {
             /// Every column, from left to right.
             pub const ALL: &'static [Outcome] = &[$( Outcome::$variant, )*];
 
-            /// The head of its column.
+            /// Its short name.
             pub const fn heading(self) -> &'static str {
                 match self { $( Outcome::$variant => $heading, )* }
-            }
-
-            /// What it means, for the legend.
-            pub const fn meaning(self) -> &'static str {
-                match self { $( Outcome::$variant => $meaning, )* }
             }
         }
     };

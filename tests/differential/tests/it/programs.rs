@@ -1,5 +1,8 @@
-use super::*;
+//! Random programs load, and all that the language has comes up in them.
+
+use random_programs::{Specimen, program};
 use std::collections::BTreeSet;
+use tipc::Robot;
 use tipc::language::commands::COMMANDS;
 
 const SEEDS: u64 = 3000;

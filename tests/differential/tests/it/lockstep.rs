@@ -1,6 +1,9 @@
-use super::*;
+//! What the comparison of two engines finds.
+
+use ::lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
 use tip_sim::lockstep::Divergence;
-use tip_sim::{Event, Interpreter, Plant};
+use tip_sim::{Engine, Event, Interpreter, Plant};
+use tipc::{Options, Robot};
 
 const RIGHT: &str = "3.1
 counts keys
