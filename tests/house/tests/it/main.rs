@@ -1,10 +1,7 @@
 //! The conventions of the project, each held by a test.
 
+mod circles;
 mod packages;
-#[cfg(target_os = "linux")]
-mod release;
 mod runtime;
-mod rustdoc;
-mod scripts;
 mod structure;
 mod words;
