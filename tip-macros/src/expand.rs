@@ -223,6 +223,30 @@ mod tests {
         assert!(!items.contains("compile_error"), "{items}");
     }
 
+    /// The tokens as a formatted file.
+    fn formatted(tokens: TokenStream) -> String {
+        prettyplease::unparse(&syn::parse2(tokens).unwrap())
+    }
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "goldens are files")]
+    fn macro_and_build_script_make_the_same_tokens() {
+        let goldens = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/golden");
+        for name in ["counting", "branches", "motion"] {
+            let path = format!("{name}.prg");
+            let tokens = include_tip(quote!(pub #path), Some(&goldens.join("invoking.rs")));
+            let generated = std::fs::read_to_string(goldens.join(format!("{name}.rs"))).unwrap();
+            let generated = formatted(generated.parse().unwrap());
+            let formatted = formatted(tokens);
+            let (items, tracking) = formatted.split_at(generated.len().min(formatted.len()));
+            assert!(items == generated, "{name}:\n{formatted}");
+            assert!(
+                tracking.starts_with("const _: &[u8] = ::core::include_bytes!("),
+                "{tracking}"
+            );
+        }
+    }
+
     // clauses: 1.3
     #[test]
     fn an_error_comes_with_a_skeleton_and_without_the_word_error() {

@@ -37,21 +37,6 @@ pub fn tip(input: TokenStream) -> TokenStream {
 /// The path is looked up as [`include_tip!`] does. The constant is named after the file, in capitals, unless
 /// `as` names it; its type is `tip_runtime::model::Model<L, J>`, for L legs of J joints. Needs the feature
 /// `robot-files`.
-///
-/// ```
-/// # #[cfg(feature = "robot-files")]
-/// # mod described {
-/// tip_macros::include_tip!("motions/tripod.prg", robot = "hexapod.toml");
-/// tip_macros::include_robot!("hexapod.toml");
-///
-/// pub fn is_sound() -> bool {
-///     let machine = tip_runtime::machine::Machine::simulated_on(Tripod::new(), &HEXAPOD);
-///     HEXAPOD.check().is_ok() && machine.is_ok()
-/// }
-/// # }
-/// # #[cfg(feature = "robot-files")]
-/// assert!(described::is_sound());
-/// ```
 #[proc_macro]
 pub fn include_robot(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();

@@ -22,7 +22,6 @@ mod same;
 use crate::beside::beside;
 use crate::load::{Loaded, Options, Parsed, load, parsed};
 use crate::message::Formatting;
-use rows::Rows;
 
 /// Why a file is left as it is.
 #[derive(Clone, Debug)]
@@ -57,7 +56,7 @@ pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Re
 
 /// The bytes of a program in the style, if they are the same program.
 fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Formatting> {
-    let rows = Rows::of(&before.source, &before.module);
+    let rows = layout::rows(&before.source, &before.module);
     let formatted = rows.write(&before.source)?;
     if formatted != bytes {
         same::check(before, &formatted, options)?;

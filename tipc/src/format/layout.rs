@@ -12,7 +12,7 @@ const INDENT: usize = 2;
 /// What parts statements on one line.
 const SEPARATOR: &str = " ; ";
 
-/// The lines of a program that loads, in the style.
+/// The lines of a program that loads, in the style and without blank ones at its end.
 pub(super) fn rows(source: &Source, module: &Module) -> Rows {
     let mut layout = Layout {
         source,
@@ -31,10 +31,15 @@ pub(super) fn rows(source: &Source, module: &Module) -> Rows {
         statements = others;
         layout.line(line, own);
     }
-    Rows {
-        rows: layout.rows,
-        code: layout.code,
+    let Layout { mut rows, code, .. } = layout;
+    let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
+    while let Some(last) = rows.last()
+        && !last.has_comment()
+        && code[last.code.clone()].iter().all(is_blank)
+    {
+        rows.pop();
     }
+    Rows { rows, code }
 }
 
 struct Layout<'a> {

@@ -1,10 +1,8 @@
 //! The lines of a formatted program, and their bytes: the comments of neighbouring lines are aligned.
 
-use super::layout;
 use crate::message::Formatting;
 use crate::parse::LINE_LIMIT;
 use crate::source::{Source, Span, byte_length};
-use crate::syntax::Module;
 use std::ops::Range;
 
 /// What is between code and its comment, at least.
@@ -32,7 +30,7 @@ impl Row {
         self.code.is_empty() && !self.has_comment()
     }
 
-    fn has_comment(&self) -> bool {
+    pub(super) fn has_comment(&self) -> bool {
         self.comment.start < self.comment.end
     }
 
@@ -56,19 +54,6 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Those of a program that loads.
-    pub(super) fn of(source: &Source, module: &Module) -> Self {
-        let mut rows = layout::rows(source, module);
-        let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
-        while let Some(last) = rows.rows.last()
-            && !last.has_comment()
-            && rows.code[last.code.clone()].iter().all(is_blank)
-        {
-            rows.rows.pop();
-        }
-        rows
-    }
-
     /// The bytes of the whole file.
     pub(super) fn write(&self, source: &Source) -> Result<Vec<u8>, Formatting> {
         let mut out = Vec::with_capacity(source.text().len() * 5 / 4);

@@ -51,9 +51,6 @@ mod stop;
 mod watch;
 mod words;
 
-#[cfg(test)]
-mod tests;
-
 pub use ask::{Asked, Value};
 pub use breakpoints::{Placed, When};
 pub use change::Discard;

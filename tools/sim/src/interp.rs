@@ -6,9 +6,6 @@
 mod evaluate;
 mod step;
 
-#[cfg(test)]
-mod tests;
-
 use std::sync::Arc;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{CallStack, Context, Flow, Program, Signature};

@@ -31,9 +31,6 @@ mod side;
 pub use answer::{Answer, RunEnd, Session, serve};
 pub use reach::Reach;
 
-#[cfg(all(test, feature = "std"))]
-mod tests;
-
 use crate::event::Inputs;
 use crate::interp::Interpreter;
 use crate::refused::Refused;

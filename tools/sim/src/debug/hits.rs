@@ -16,8 +16,8 @@ pub enum Hits {
 }
 
 impl Hits {
-    /// Whether pass `n`, counted from 1, is one.
-    pub(super) fn has(self, n: u64) -> bool {
+    /// Returns true if pass `n`, counted from 1, stops a run.
+    pub fn has(self, n: u64) -> bool {
         match self {
             Hits::Only(only) => n == only,
             Hits::From(first) => n >= first,

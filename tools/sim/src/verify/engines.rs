@@ -29,8 +29,11 @@ pub struct Engines {
 }
 
 impl Engines {
-    /// Starts what was built.
-    pub(super) fn start(executable: &Path) -> Result<Self, NotBuilt> {
+    /// Starts an executable that answers as [`lockstep::serve`](crate::lockstep::serve) does.
+    ///
+    /// # Errors
+    /// It does not start.
+    pub fn start(executable: &Path) -> Result<Self, NotBuilt> {
         let cannot = |reason: &dyn std::fmt::Display| {
             NotBuilt::Failed(format!("{} does not start: {reason}", executable.display()))
         };
@@ -107,24 +110,5 @@ impl Drop for Engines {
         // It has nothing to save; one that ended already need not be ended.
         let _ = self.process.kill();
         let _ = self.process.wait();
-    }
-}
-
-#[cfg(all(test, unix))]
-mod tests {
-    use super::*;
-    use crate::search::Engines as _;
-
-    fn complaint(executable: &str) -> String {
-        let engines = Engines::start(Path::new(executable));
-        let answer = engines.and_then(|mut engines| engines.ask(&Inputs::default()));
-        answer.expect_err("it is no engine").to_string()
-    }
-
-    #[test]
-    fn a_process_that_dies_or_talks_nonsense_is_named() {
-        assert!(complaint("/bin/no-such-file").contains("does not start"));
-        assert!(complaint("/bin/true").contains("ended (exit status: 0)"));
-        assert!(complaint("/bin/cat").contains("'' is not an answer"));
     }
 }

@@ -5,7 +5,7 @@ use super::host::Host;
 use super::known::Known;
 use super::request::{Answer, Refusal, Request, read, refuse, refuse_since};
 use super::runner::Runner;
-use super::{MOST_BYTES, known, update};
+use super::{MOST_BYTES, known};
 use tip_ide::Document;
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
@@ -292,11 +292,6 @@ impl Session {
         self.draft.reload(bytes, &self.robot);
         // With errors in the text the run before goes on.
         let _ = self.restart();
-    }
-
-    /// What a viewer does not know yet, one update after the other; none if it knows all.
-    pub fn update(&self, viewer: &mut super::Viewer) -> Option<String> {
-        update::next(self, viewer)
     }
 
     /// How many cycles have run, as far as the run has not been taken back.

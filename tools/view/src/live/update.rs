@@ -97,8 +97,14 @@ struct Status<'a> {
     overtaken: bool,
 }
 
-/// The next update for a viewer.
-pub(super) fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
+impl Session {
+    /// Returns the next update for a viewer; none if it knows all.
+    pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
+        next(self, viewer)
+    }
+}
+
+fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
     if viewer.run != session.runs {
         return Some(begin(session, viewer));
     }

@@ -1,0 +1,7 @@
+//! The conventions of the project, each held by a test.
+
+mod circles;
+mod packages;
+mod runtime;
+mod structure;
+mod words;

@@ -1,0 +1,9 @@
+//! The simulated plant against closed forms and invariants.
+
+mod falls;
+mod gait;
+mod pose;
+mod rig;
+mod sensors;
+mod servos;
+mod unmodelled;
