@@ -19,7 +19,6 @@ mod layout;
 mod rows;
 mod same;
 
-use crate::beside::beside;
 use crate::load::{Loaded, Options, Parsed, load, parsed};
 use crate::message::Formatting;
 use rows::Rows;
@@ -40,19 +39,11 @@ pub enum Refusal {
 /// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
 pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
     let before = parsed(name, bytes, options);
-    // Nearly every program loads: meanwhile it is laid out.
-    let (loads, formatted) = beside(
-        || before.loads(options),
-        || match before.is_well_formed() {
-            true => laid_out(&before, bytes, options),
-            false => Ok(Vec::new()),
-        },
-    );
-    if !loads {
+    if !before.loads(options) {
         let found = load(name, bytes, options);
         return Err(Refusal::Findings(Box::new(found)));
     }
-    formatted.map_err(Refusal::Because)
+    laid_out(&before, bytes, options).map_err(Refusal::Because)
 }
 
 /// The bytes of a program in the style, if they are the same program.

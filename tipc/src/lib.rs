@@ -8,7 +8,6 @@ mod allow;
 pub mod analysis;
 #[cfg(feature = "tools")]
 pub mod ask;
-mod beside;
 mod check;
 pub mod code;
 #[cfg(feature = "robot-files")]

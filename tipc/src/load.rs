@@ -130,12 +130,6 @@ pub(crate) struct Parsed {
 
 #[cfg(feature = "tools")]
 impl Parsed {
-    /// Whether it was read without errors.
-    pub(crate) fn is_well_formed(&self) -> bool {
-        let is_error = |finding: &Diagnostic| finding.level() == Level::Error;
-        self.is_program && !self.diagnostics.iter().any(is_error)
-    }
-
     /// Whether it is a program without errors.
     pub(crate) fn loads(&self, options: &Options) -> bool {
         let found = self.diagnostics.clone();

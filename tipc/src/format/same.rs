@@ -1,19 +1,18 @@
 //! Whether a formatted program is the one that it was. The passes after the parser see the fields of statements and not how
 //! they are laid out, so equal fields make an equal program.
 
-use crate::beside::{FEW, beside};
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
 use crate::load::{Options, Parsed, judge};
 use crate::message::Formatting;
-use crate::parse::{Part, parse_part};
+use crate::parse::parse_taking;
 use crate::source::Source;
-use crate::syntax::{Statement, StatementKind, StepId, Word};
+use crate::syntax::{Statement, StatementKind, Word};
 use std::mem::discriminant;
 
 /// Both have the same statements, without a mistake, and all text is read as before. The formatted program is read line by
-/// line, so that it is never in memory as a whole; each half of a long one by itself.
+/// line, so that it is never in memory as a whole.
 pub(super) fn check(
     before: &Parsed,
     formatted: &[u8],
@@ -26,52 +25,22 @@ pub(super) fn check(
         let encoding = charset.name();
         return Err(Formatting::OtherEncoding { encoding });
     }
-    let is_equal = |part| is_equal(before, &after, part, options);
-    let (first, second) = match halves(&before.module.statements) {
-        Some((first, second)) => beside(|| is_equal(first), || is_equal(second)),
-        None => (is_equal((Part::WHOLE, &before.module.statements)), true),
-    };
-    match undecodable.is_none() && first && second {
+    match undecodable.is_none() && is_equal(before, &after, options) {
         true => Ok(()),
         false => Err(Formatting::OtherProgram),
     }
 }
 
-/// Some lines and their statements.
-type Stretch<'a> = (Part, &'a [Statement]);
-
-/// The halves of a long program, which a line begins.
-fn halves(statements: &[Statement]) -> Option<(Stretch<'_>, Stretch<'_>)> {
-    let middle = statements.get(statements.len() / 2)?.line;
-    let split = statements.partition_point(|it| it.line < middle);
-    let (first, second) = statements.split_at(split);
-    let end = Part {
-        first: middle,
-        ..Part::WHOLE
-    };
-    let begin = Part {
-        end: middle,
-        ..Part::WHOLE
-    };
-    (statements.len() >= FEW).then_some(((begin, first), (end, second)))
-}
-
-/// Whether some lines are read as these statements, without an error.
-fn is_equal(
-    before: &Parsed,
-    after: &Source,
-    (part, statements): Stretch<'_>,
-    options: &Options,
-) -> bool {
-    let mut left = statements.iter();
+/// Returns true if a source is read as the same statements, without an error.
+fn is_equal(before: &Parsed, after: &Source, options: &Options) -> bool {
+    let mut left = before.module.statements.iter();
     let mut is_equal = true;
     let mut pair = Pair {
         source: &before.source,
-        first: statements.first().map_or(0, |first| first.step),
         old: Vec::new(),
         new: Vec::new(),
     };
-    let (module, mut found) = parse_part(after, options.tip_version, part, &mut |read| {
+    let (module, mut found) = parse_taking(after, options.tip_version, &mut |read| {
         for new in read.drain(..) {
             let old = left.next();
             is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, after, &new));
@@ -89,15 +58,13 @@ fn is_equal(
 /// The source of the program as it was, and room for the fields of a statement of each.
 struct Pair<'a> {
     source: &'a Source,
-    /// The step of the first statement.
-    first: StepId,
     old: Vec<u8>,
     new: Vec<u8>,
 }
 
 impl Pair<'_> {
     fn is_equal(&mut self, old: &Statement, source: &Source, new: &Statement) -> bool {
-        old.step == self.first + new.step
+        old.step == new.step
             && discriminant(&old.kind) == discriminant(&new.kind)
             && match (&old.kind, &new.kind) {
                 (
@@ -129,7 +96,7 @@ mod tests {
     use super::check;
     use crate::load::{Options, parsed};
 
-    /// A program of two halves, with the line in each that a test changes.
+    /// A long program with two lines that a test changes.
     fn program(first: &str, second: &str) -> String {
         let lines = |n: usize| format!("  ptp f1 {n} r 0 r 0 ; a={n}\n").repeat(1000);
         let (begin, end) = (lines(1), lines(2));
@@ -148,29 +115,16 @@ mod tests {
 
     // clauses: 8.1
     #[test]
-    fn a_change_in_either_half_is_seen() {
+    fn a_change_in_either_line_is_seen() {
         let before = program("a = 1", "a = 1");
         assert!(is_same(&before, &program("A=1 // as it was", "a   =   1")));
         for other in ["a = 2", "", "a = 1 ; a = 1", "end", "a == 1", "rem"] {
             assert!(!is_same(&before, &program(other, "a = 1")), "{other}");
             assert!(!is_same(&before, &program("a = 1", other)), "{other}");
         }
-        // A line that goes from one half to the other.
+        // A line that moves from one place to the other.
         assert!(!is_same(&before, &program("", "a = 1\na = 1")));
         let endless = before.replace("end\nptp what follows\n", "");
         assert!(!is_same(&before, &endless));
-    }
-
-    /// Many statements of one line are no halves.
-    // clauses: 8.1
-    #[test]
-    fn a_long_line_is_in_one_half() {
-        let line = |last: &str| {
-            let begin = "a=1;".repeat(200);
-            let lines = format!("{begin}rem\n").repeat(5);
-            format!("3.1\nlong\ndef_var a\n{lines}{begin}{last}\n{lines}end\n")
-        };
-        assert!(is_same(&line("a = 1"), &line("A=1")));
-        assert!(!is_same(&line("a = 1"), &line("a = 2")));
     }
 }
