@@ -9,7 +9,7 @@ mod control;
 mod declaration;
 mod equation;
 mod foreign;
-pub(crate) mod header;
+pub mod header;
 mod jump;
 mod line;
 mod message;
@@ -23,11 +23,8 @@ mod signs;
 mod statement;
 mod wide;
 
-#[cfg(any(feature = "build", feature = "tools"))]
-pub(crate) use jump::glued;
-#[cfg(feature = "tools")]
-pub(crate) use line::LONG_VOWEL;
-pub(crate) use line::narrow;
+pub use jump::glued;
+pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -38,7 +35,7 @@ use crate::source::{Line, Source, Span, first_beyond};
 use crate::syntax::{Module, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
-pub(crate) const LINE_LIMIT: usize = 1023;
+pub const LINE_LIMIT: usize = 1023;
 
 /// Parses a source for version `tip_version` of the language.
 ///
@@ -53,8 +50,7 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
 }
 
 /// Parses a source, and lets `take` remove the statements of each line once it is read.
-#[cfg(feature = "tools")]
-pub(crate) fn parse_taking(
+pub fn parse_taking(
     source: &Source,
     tip_version: f64,
     take: &mut dyn FnMut(&mut Vec<Statement>),

@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 use syn::{Attribute, Expr, ExprLit, Item, Lit, Meta, Visibility};
 
 /// The libraries; the command has no pages.
-const LIBRARIES: [&str; 6] = [
+const LIBRARIES: [&str; 7] = [
     "tip-runtime",
     "tipc",
     "tip-macros",
     "tools/ide",
+    "tools/lint",
     "tools/sim",
     "tools/view",
 ];

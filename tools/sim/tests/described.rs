@@ -1,6 +1,4 @@
 //! Robots of any size.
-#![cfg(feature = "robot-files")]
-
 use std::error::Error;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;

@@ -1,6 +1,4 @@
 //! What a run says about the motion of its robot, against closed forms.
-#![cfg(feature = "std")]
-
 use std::error::Error;
 use tip_runtime::plant::{DynamicPlant, Object, Scene, Shape, Simulation};
 use tip_runtime::program::End;

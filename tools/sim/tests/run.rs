@@ -1,6 +1,4 @@
 //! Runs of programs on simulated robots.
-#![cfg(feature = "std")]
-
 use std::error::Error;
 use tip_runtime::command::{Op, Target, Value};
 use tip_runtime::console::Transcript;

@@ -1,6 +1,4 @@
 //! A run that is taken back does the same again, to the bit.
-#![cfg(feature = "std")]
-
 use std::error::Error;
 use tip_runtime::command::Poll;
 use tip_runtime::console::Transcript;
