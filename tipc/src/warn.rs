@@ -13,7 +13,6 @@ mod unreachable;
 mod waits;
 
 use crate::analysis::Flow;
-use crate::beside::{FEW, beside};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::program::{Program, StepId};
@@ -51,11 +50,8 @@ impl Judged<'_> {
     }
 
     fn warnings(&self) -> Vec<Diagnostic> {
-        let (mut found, of_flow) = match self.program.steps().len() < FEW {
-            true => (self.of_statements(), self.of_flow()),
-            false => beside(|| self.of_statements(), || self.of_flow()),
-        };
-        found.extend(of_flow);
+        let mut found = self.of_statements();
+        found.extend(self.of_flow());
         found
     }
 

@@ -35,7 +35,7 @@ const SAME: &[(&str, &str)] = &[
 const PARTS: usize = 6;
 
 /// The one command that says the same as this word.
-pub(crate) fn command(word: &str) -> Option<&'static str> {
+pub fn command(word: &str) -> Option<&'static str> {
     let parts = parts(word).filter(|parts| parts.len() > 1)?;
     let names = COMMANDS.iter().map(|command| command.name);
     let mut alike = names.filter(|name| self::parts(name).as_ref() == Some(&parts));

@@ -139,7 +139,7 @@ fn push_position(out: &mut String, source: &Source, offset: usize) {
 }
 
 /// Another member of an object, a string.
-pub(crate) fn push_member(out: &mut String, key: &str, value: &str) {
+pub fn push_member(out: &mut String, key: &str, value: &str) {
     out.push(',');
     push_string(out, key);
     out.push(':');
@@ -147,13 +147,13 @@ pub(crate) fn push_member(out: &mut String, key: &str, value: &str) {
 }
 
 /// Another member of an object, a number.
-pub(crate) fn push_number(out: &mut String, key: &str, value: u32) {
+pub fn push_number(out: &mut String, key: &str, value: u32) {
     // Writing to a string cannot fail.
     let _ = write!(out, ",\"{key}\":{value}");
 }
 
 /// A string in quotes.
-pub(crate) fn push_string(out: &mut String, text: &str) {
+pub fn push_string(out: &mut String, text: &str) {
     out.push('"');
     for char in text.chars() {
         match char {

@@ -6,12 +6,12 @@ use super::deny::Deny;
 use super::error::Error;
 use super::watch::Watch;
 use super::{Status, embedded, fix, input, interrupt, project, report};
+use crate::message::{Checking, Using};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use tip_sim::{reach, special};
 use tipc::diagnostic::Applicability;
-use tipc::message::{Checking, Using};
 
 /// `tipc check`
 #[derive(Debug, Args)]

@@ -6,10 +6,10 @@ use super::report::Total;
 use super::shown::Shown;
 use super::{input, output, report};
 use std::path::Path;
+use tip_lint::message::Fixing;
+use tip_lint::repair::{Repaired, confirm, render_json, render_short, repair};
 use tip_runtime::printable::Printable;
 use tipc::diagnostic::Applicability;
-use tipc::message::Fixing;
-use tipc::repair::{Repaired, confirm, render_json, render_short, repair};
 use tipc::{Loaded, Options};
 
 /// Applies fixes to a program and writes it if there were any; what is left is reported and returned.

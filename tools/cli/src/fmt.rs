@@ -9,10 +9,10 @@ use super::{Status, input, output, project, report};
 use clap::Args;
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
+use tip_lint::format::{Refusal, format};
+use tip_lint::message::Formatting;
 use tip_runtime::printable::Printable;
 use tipc::code::Level;
-use tipc::format::{Refusal, format};
-use tipc::message::Formatting;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 

@@ -3,12 +3,12 @@
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
+use tip_lint::migrate::Migration;
 use tip_runtime::plant::Scene;
 use tipc::code::Code;
 use tipc::description::{Description, Project};
 use tipc::diagnostic::Diagnostic;
 use tipc::message::Reading;
-use tipc::migrate::Migration;
 use tipc::source::{Encoding, Source, Span};
 use tipc::{Loaded, Options};
 
@@ -16,7 +16,7 @@ use tipc::{Loaded, Options};
 pub(super) fn load(path: &Path, options: &Options) -> Loaded {
     let name = name(path);
     match read(path) {
-        Ok(bytes) => tipc::load(&name, &bytes, options),
+        Ok(bytes) => tip_lint::load(&name, &bytes, options),
         Err(error) => unreadable(name, &error),
     }
 }
@@ -34,7 +34,7 @@ pub(super) fn bytes(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
 pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let name = name(path);
     match read(path) {
-        Ok(bytes) => tipc::migrate::migrate(&name, &bytes, encoding),
+        Ok(bytes) => tip_lint::migrate::migrate(&name, &bytes, encoding),
         Err(error) => Err(Box::new(unreadable(name, &error))),
     }
 }

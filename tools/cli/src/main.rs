@@ -22,6 +22,7 @@ mod input;
 mod interrupt;
 mod log;
 mod lsp;
+mod message;
 mod migrate;
 mod new;
 mod output;

@@ -11,6 +11,7 @@ mod template;
 use super::error::Error;
 use super::shown::Shown;
 use super::{Status, output, report};
+use crate::message::Making;
 use clap::Args;
 use files::File;
 use kit::Choice;
@@ -19,7 +20,7 @@ use origin::Origin;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use tip_runtime::printable::Printable;
-use tipc::message::{Lang, Making};
+use tipc::message::Lang;
 
 /// `tipc new`
 #[derive(Debug, Args)]

@@ -5,13 +5,14 @@ use super::error::Error;
 use super::output;
 use super::sarif::Document;
 use super::shown::Shown;
+use crate::message::Checking;
+use crate::message::count::More;
 use std::io::{self, Write};
 use tip_runtime::printable::Printable;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
-use tipc::message::count::More;
-use tipc::message::{Checking, Lang};
+use tipc::message::Lang;
 use tipc::render;
 
 /// The most findings of a file that people see at once.

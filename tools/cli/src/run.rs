@@ -16,6 +16,8 @@ use super::deny::Deny;
 use super::error::Error;
 use super::plant::PlantChoice;
 use super::{Status, input, interrupt, report, scene};
+use crate::message::Using;
+use crate::message::running::Weight;
 use clap::Args;
 use emergency::Stopped;
 use live::Live;
@@ -27,8 +29,6 @@ use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, reach, special};
 use tipc::Loaded;
-use tipc::message::Using;
-use tipc::message::running::Weight;
 use tipc::program::Program;
 use trace::{Extras, Trace};
 

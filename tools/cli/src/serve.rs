@@ -14,6 +14,7 @@ use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::watch::Watch;
 use super::{Status, input, interrupt, output, report};
+use crate::message::Using;
 use clap::Args;
 use file::ServedFile;
 use guard::Guard;
@@ -23,7 +24,6 @@ use std::path::Path;
 use std::sync::mpsc::SyncSender;
 use std::thread;
 use tip_view::live::{Session, Setup};
-use tipc::message::Using;
 
 /// `tipc serve`
 #[derive(Debug, Args)]

@@ -3,15 +3,16 @@
 use super::choices::LangName;
 use super::report::complain;
 use super::{Arguments, shown};
+use crate::message::Using;
+use crate::message::running::Weight;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, ValueEnum};
 use std::error::Error as _;
 use std::path::Path;
 use std::{env, fmt};
 use tip_runtime::printable::acts;
+use tipc::message::Lang;
 use tipc::message::list::Each;
-use tipc::message::running::Weight;
-use tipc::message::{Lang, Using};
 
 /// The words of other tools for what is here.
 const OTHERS: &[(&str, &str)] = &[

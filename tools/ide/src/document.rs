@@ -1,11 +1,12 @@
 //! A program in an editor: its text, and all that is known of it.
 
 use std::cell::OnceCell;
-use tipc::analysis::cycles::{self, Part, Sampling};
+use tip_lint::cycles::{self, Part, Sampling};
+use tip_lint::load;
 use tipc::source::{Encoding, Source, Span};
 use tipc::symbols::{Definition, Use};
 use tipc::syntax::Statement;
-use tipc::{Loaded, Options, Robot, load};
+use tipc::{Loaded, Options, Robot};
 
 /// A program in an editor. It answers for one text; another text is another document.
 #[derive(Clone, Debug)]

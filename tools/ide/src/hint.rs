@@ -1,8 +1,9 @@
 //! What an editor writes beside lines: the turns of loops, and steps that never run.
 
 use crate::Document;
+use crate::message::Editing;
 use tipc::code::Code;
-use tipc::message::{Editing, Message};
+use tipc::message::Message;
 use tipc::source::Span;
 
 /// A remark beside a line.

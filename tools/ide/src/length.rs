@@ -1,8 +1,9 @@
 //! How many control cycles something takes, in words.
 
 use crate::Document;
-use tipc::analysis::cycles::Count;
-use tipc::message::{Editing, Message};
+use crate::message::Editing;
+use tip_lint::cycles::Count;
+use tipc::message::Message;
 use tipc::program::{Action, Op, Step};
 
 impl Document {

@@ -72,8 +72,8 @@ use errand::Errand;
 use history::History;
 use marks::Marks;
 use std::sync::Arc;
+use tip_lint::ask::Asker;
 use tip_runtime::machine::Mismatch;
-use tipc::ask::Asker;
 use tipc::program::Program;
 use watch::Watches;
 

@@ -59,12 +59,12 @@ pub use choices::Choices;
 pub use export::export;
 pub use foot::Foot;
 
+use crate::message::Importing;
 use chain::Chain;
 use pose::Pose;
 use std::fmt;
 use tip_runtime::command::MAX;
 use tipc::description::{self, Description};
-use tipc::message::Importing;
 use tipc::message::list::{Faults, List};
 use tree::Tree;
 use values::printed;

@@ -30,14 +30,28 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("tip-runtime", &[]),
     ("tipc", &["tip-runtime"]),
     ("tip-macros", &["tipc"]),
+    ("tip-lint", &["tip-runtime", "tipc"]),
     // Its front page compares compiled code.
-    ("tip-sim", &["tip-runtime", "tipc", "tip-macros"]),
-    ("tip-ide", &["tip-runtime", "tipc"]),
+    (
+        "tip-sim",
+        &["tip-runtime", "tipc", "tip-lint", "tip-macros"],
+    ),
+    ("tip-ide", &["tip-runtime", "tipc", "tip-lint"]),
     // The editor of a live page asks what every editor asks.
-    ("tip-view", &["tip-runtime", "tipc", "tip-sim", "tip-ide"]),
+    (
+        "tip-view",
+        &["tip-runtime", "tipc", "tip-lint", "tip-sim", "tip-ide"],
+    ),
     (
         "tipc-cli",
-        &["tip-runtime", "tipc", "tip-sim", "tip-ide", "tip-view"],
+        &[
+            "tip-runtime",
+            "tipc",
+            "tip-lint",
+            "tip-sim",
+            "tip-ide",
+            "tip-view",
+        ],
     ),
 ];
 

@@ -11,7 +11,11 @@ use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
 
 /// Where words are spelled: the tables, the vocabulary, and what knows the words of older editions.
-const HOMES: [&str; 3] = ["tipc::language", "tip-runtime::command", "tipc::migrate"];
+const HOMES: [&str; 3] = [
+    "tipc::language",
+    "tip-runtime::command",
+    "tip-lint::migrate",
+];
 
 #[test]
 fn no_word_is_spelled_outside_its_table() {
@@ -30,7 +34,7 @@ fn the_search_reaches_the_rooms_of_all_crates() {
     for module in [
         "tip-runtime::record::json_lines",
         "tipc::check::names",
-        "tipc::listing::object",
+        "tip-lint::listing::object",
         "tip-macros::arguments",
         "tip-sim::run",
         "tipc-cli::run",

@@ -7,8 +7,9 @@ use robustness::format::{for_some_robot, formatted};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tip_lint::listing;
 use tipc::source::Encoding;
-use tipc::{Options, listing, load};
+use tipc::{Options, load};
 
 /// How many random programs are formatted if nothing else is asked for.
 const PROGRAMS: u64 = 300;

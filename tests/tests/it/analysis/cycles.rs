@@ -3,7 +3,7 @@
 
 use crate::analysis::programs::{RUNS, Runnable};
 use std::collections::{BTreeMap, BTreeSet};
-use tipc::analysis::cycles::{Part, Sampling, Span, Stop, parts};
+use tip_lint::cycles::{Part, Sampling, Span, Stop, parts};
 use tipc::language::commands;
 use tipc::program::{Action, Program, StepId};
 

@@ -20,10 +20,6 @@ const PLAIN: &[(&str, &str)] = &[
         "ReadAsFlag NotDeclared NoNumber NothingUses NothingReads AssignedNowhere",
     ),
     ("Structuring", "NoSuchLabel NoLoopAbove NextCounts RunsInto"),
-    (
-        "Simulating",
-        "CannotStart NoAnswer Exited Killed Closed TooLong NotText NotAnswer UnknownWord Twice Missing OtherVersion OtherCycle OtherCount NotNumber NotFinite Copy",
-    ),
 ];
 
 /// Rows that are not reasons: helps and labels.
@@ -80,23 +76,7 @@ const BESIDE: &[(&str, &str)] = &[
 ];
 
 /// Tables of which no row is a reason of a code that covers several kinds.
-const OTHERS: &[&str] = &[
-    "Fixing",
-    "Warning",
-    "Allowing",
-    "Describing",
-    "Importing",
-    "Migrating",
-    "Stopping",
-    "Building",
-    "Editing",
-    "Formatting",
-    "Checking",
-    "Running",
-    "Debugging",
-    "Making",
-    "Using",
-];
+const OTHERS: &[&str] = &["Warning", "Allowing", "Describing", "Building"];
 
 #[test]
 fn a_finer_code_is_its_class_and_two_digits() {

@@ -5,8 +5,8 @@ use super::session::{Answer, Host, Session, THREAD, read};
 use serde_json::{Value, json};
 use tip_runtime::program::End;
 use tip_sim::debug::{Move, Progress, Reason};
+use tip_sim::message::Debugging;
 use tipc::language::Keyword;
-use tipc::message::Debugging;
 
 /// What a client calls a long search.
 const PROGRESS: &str = "search";

@@ -4,6 +4,8 @@ use super::foot::{Feet, feet};
 use super::{Status, output, report};
 use crate::choices::LangName;
 use crate::error::Error;
+use crate::message::Using;
+use crate::message::running::Weight;
 use crate::shown;
 use crate::usage::Wrong;
 use clap::Args;
@@ -11,8 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::urdf;
-use tipc::message::running::Weight;
-use tipc::message::{Lang, Using};
+use tipc::message::Lang;
 
 /// `tipc robot import`
 #[derive(Debug, Args)]

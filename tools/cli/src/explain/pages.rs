@@ -41,14 +41,15 @@ pages! {
 #[cfg(test)]
 mod tests {
     use super::PAGES;
+    use tip_lint::load;
     use tip_runtime::record::Ending;
     use tip_sim::{Interpreter, Limit, Robot, Run};
+    use tipc::Options;
     use tipc::code::{Code, Mistake};
     use tipc::description::{parse, parse_project, parse_scene};
     use tipc::diagnostic::Diagnostic;
     use tipc::message::Lang;
     use tipc::program::Program;
-    use tipc::{Options, load};
 
     /// What ends a run.
     const STOPS: &[&str] = &["E302", "E303", "E304", "E305", "E403", "E404"];

@@ -1,9 +1,9 @@
 //! Where the crate takes this project from: a checkout on this machine, or the registry.
 
 use super::name::Place;
+use crate::message::Making;
 use std::fs;
 use std::path::{Component, Path, PathBuf, absolute};
-use tipc::message::Making;
 
 /// The version of this command; that of the crates must be the same.
 const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -4,13 +4,14 @@ use super::super::interrupt;
 use super::super::report;
 use super::screen::Screen;
 use super::summary::{line, status, tenths};
+use crate::message::Running;
+use crate::message::running::Figure;
 use std::io::{self, IsTerminal};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
 use tip_sim::Run;
-use tipc::message::running::Figure;
-use tipc::message::{Lang, Running};
+use tipc::message::Lang;
 use tipc::source::Source;
 
 /// How often the line is written anew on a terminal, and elsewhere.

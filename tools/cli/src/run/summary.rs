@@ -2,6 +2,9 @@
 
 use super::super::place::place;
 use super::waiting::until;
+use crate::message::Running;
+use crate::message::count::Cycles;
+use crate::message::running::{Along, Aside, Figure, How, Upright, Weight};
 use std::fmt::Write as _;
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
@@ -10,9 +13,7 @@ use tip_runtime::program::End;
 use tip_runtime::record::Ending;
 use tip_sim::{Fall, Grasp, Interpreter, Run};
 use tipc::language::Keyword;
-use tipc::message::count::Cycles;
-use tipc::message::running::{Along, Aside, Figure, How, Upright, Weight};
-use tipc::message::{Lang, Running};
+use tipc::message::Lang;
 use tipc::source::Source;
 
 /// How and where it ended, and what the robot did. A robot without such figures has no lines about them.

@@ -1,7 +1,7 @@
 //! What a statement waits for.
 
+use crate::message::running::Until;
 use tip_runtime::command::{Op, Target};
-use tipc::message::running::Until;
 use tipc::program::Action;
 
 /// What ends the wait of a step that may take several cycles.

@@ -1,8 +1,8 @@
 //! How often a breakpoint is passed before it stops a run.
 
+use crate::message::Debugging;
 use std::fmt;
 use std::str::FromStr;
-use tipc::message::Debugging;
 
 /// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use super::frame::length;
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Origin};
 use super::tree::Tree;
-use tipc::message::Importing;
-use tipc::message::phrase::JointKind;
+use crate::message::Importing;
+use crate::message::JointKind;
 
 /// A leg. All of it is seen from the robot frame while every joint is at 0: there the axes of all joints
 /// are those of a description, whose frames are parallel at 0, however URDF has turned its own frames.

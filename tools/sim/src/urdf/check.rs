@@ -6,8 +6,8 @@ use super::node::{elements, place, start};
 use super::schema::{Attribute, Child, Count, Element, Presence};
 use super::values::number;
 use super::version::Version;
+use crate::message::Importing;
 use roxmltree::{Document, Node};
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 type Checked = Result<(), ImportError>;

@@ -6,7 +6,7 @@ use super::pose::Pose;
 use super::robot::Joint;
 use super::tree::Tree;
 use super::values::printed;
-use tipc::message::Importing;
+use crate::message::Importing;
 use tipc::message::list::List;
 
 /// What is chosen where a file leaves it open. A chain is named by one of its joints or links, or by words that only the name of

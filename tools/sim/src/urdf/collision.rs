@@ -4,9 +4,9 @@ use super::chain::Chain;
 use super::pose::Pose;
 use super::robot::{Geometry, Link, Origin, Piece};
 use super::values::printed;
+use crate::message::Importing;
 use tip_runtime::model::{Point, Range};
 use tipc::description::{Form, Shape};
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 /// Sizes that descriptions have, and how far away anything may be: mm.

@@ -5,8 +5,8 @@ use super::pose::Pose;
 use super::robot::{Joint, Kind, Link};
 use super::values::printed;
 use super::weight;
+use crate::message::Importing;
 use std::f64::consts::PI;
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 /// What is more than this stands for a motor without limit: N·m.

@@ -5,10 +5,10 @@ use super::robot::Kind;
 use super::schema::{Attribute, Value};
 use super::values::{number, numbers, quaternion};
 use super::version::Version;
+use crate::message::Importing;
+use crate::message::Place;
 use roxmltree::Node;
-use tipc::message::Importing;
 use tipc::message::list::List;
-use tipc::message::phrase::Place;
 
 /// An attribute that is there.
 pub(super) struct Given<'a, 'i> {

@@ -8,9 +8,9 @@ use super::schema::ROBOT;
 use super::values::{number, quaternion, roll_pitch_yaw, vector};
 use super::version::Version;
 use super::xacro;
+use crate::message::Importing;
+use crate::message::Place;
 use roxmltree::{Document, Error, Node};
-use tipc::message::Importing;
-use tipc::message::phrase::Place;
 
 /// Refuses what is not URDF. Once it is checked, only what may be left out is missing.
 pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {

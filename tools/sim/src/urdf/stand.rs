@@ -2,10 +2,10 @@
 
 use super::ImportError;
 use super::frame::length;
+use crate::message::Importing;
 use tip_runtime::kinematics::{Chain, inverse_from};
 use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
 use tipc::description::{Description, WithModel};
-use tipc::message::Importing;
 
 /// In so many steps feet are set nearer to their first joints, until all are within reach.
 const NEARER: u8 = 8;

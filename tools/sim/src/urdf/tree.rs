@@ -4,8 +4,8 @@ use super::ImportError;
 use super::frame::WORLD;
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Robot};
+use crate::message::Importing;
 use std::collections::{BTreeMap, BTreeSet};
-use tipc::message::Importing;
 
 /// The robot's links, and the joints that hang on each.
 pub(super) struct Tree<'a> {

@@ -8,11 +8,11 @@ use super::robot::Link;
 use super::stand::Postures;
 use super::values::printed;
 use super::weight;
+use crate::message::Importing;
 use std::fmt::Write as _;
 use tip_runtime::model::{Range, Slider, Spread};
 use tipc::Robot;
 use tipc::description::{Form, Shape};
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 /// The longest name of a robot, in characters.

@@ -20,7 +20,7 @@ fn interpreter(statements: &str) -> Interpreter {
     let behind = "EXIT\nA = 0\nB = 0\nTEACH_POSITION F1 P\nEND";
     let text =
         format!("3.1\nwritten by hand\nDEF_VAR A, B\nDEF_POS P, Q\n{statements}\n{behind}\n");
-    let loaded = tipc::load("by_hand.prg", text.as_bytes(), &tipc::Options::default());
+    let loaded = tip_lint::load("by_hand.prg", text.as_bytes(), &tipc::Options::default());
     let diagnostics = loaded.diagnostics;
     Interpreter::new(loaded.program.unwrap_or_else(|| panic!("{diagnostics:#?}")))
 }

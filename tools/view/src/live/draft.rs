@@ -50,7 +50,7 @@ impl Draft {
 
     /// The file has this content, which is checked as it is.
     fn read(&mut self, bytes: &[u8], robot: &Robot) {
-        self.keep(tipc::load(&self.name, bytes, &self.options), robot);
+        self.keep(tip_lint::load(&self.name, bytes, &self.options), robot);
     }
 
     /// Another text, by a viewer.
@@ -79,7 +79,7 @@ impl Draft {
             encoding: Encoding::Utf8,
             ..self.options
         };
-        let loaded = tipc::load(&self.name, self.text.as_bytes(), &options);
+        let loaded = tip_lint::load(&self.name, self.text.as_bytes(), &options);
         self.keep(loaded, robot);
         true
     }

@@ -86,7 +86,7 @@ impl Session {
             rest,
         } = setup;
         let draft = Draft::new(name, &bytes, options, &robot);
-        let refused = || Box::new(tipc::load("", b"", &options));
+        let refused = || Box::new(tip_lint::load("", b"", &options));
         let loaded = draft.loaded().ok_or_else(refused)?;
         let runner =
             Runner::begin(loaded, &robot, &events).map_err(|_| Box::new(loaded.clone()))?;

@@ -1,0 +1,140 @@
+//! What a program costs to look at grows with its length, not with its square. Work is counted in bytes taken from the heap:
+//! each search takes what it comes to, and the count is the same on every machine.
+
+use allocation_counter::{AllocationInfo, measure};
+use std::fmt::Write;
+use tip_lint::cycles::{Sampling, parts};
+use tip_lint::load;
+use tip_lint::migrate::migrate;
+use tipc::emit::{Options as Spelling, pretty};
+use tipc::program::Program;
+use tipc::source::Encoding;
+use tipc::{Options, Robot};
+
+fn program(statements: &str) -> Program {
+    let text = format!("3.1\ntest\n{statements}\nEND\n");
+    let loaded = load("test.prg", text.as_bytes(), &Options::default());
+    loaded
+        .program
+        .unwrap_or_else(|| panic!("{:#?}", loaded.diagnostics))
+}
+
+/// Four times the length may cost five times as much.
+#[track_caller]
+fn require_linear(what: &str, cost: impl Fn(usize) -> u64) {
+    let (short, long) = (cost(250), cost(1_000));
+    assert!(long < 5 * short, "{what}: {short} bytes, then {long}");
+}
+
+fn cycles(statements: &str) -> u64 {
+    let program = program(statements);
+    let sampling = Sampling::of(Robot::Titan8);
+    measure(|| assert!(!parts(&program, sampling).is_empty())).bytes_total
+}
+
+/// A line for each number.
+fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
+    (0..count).map(|number| line(number) + "\n").collect()
+}
+
+#[test]
+fn cycles_are_counted_once_however_deep_loops_are_nested() {
+    for (open, close) in [
+        ("FOR I = 1 TO 3\n", "NEXT\n"),
+        ("FOR I = 1 TO N\n", "NEXT\n"),
+        ("WHILE KB_HIT\n", "WEND\n"),
+        ("REPEAT\n", "UNTIL KB_HIT\n"),
+        (
+            "WHILE KB_HIT\nIF KB_HIT GOTO OUT:\n",
+            "IF HALT_REQUEST THEN\nREM\nENDIF\nWEND\n",
+        ),
+    ] {
+        require_linear(open, |depth| {
+            let (open, close) = (open.repeat(depth), close.repeat(depth));
+            cycles(&format!("DEF_VAR I N\nN = 3\n{open}{close}OUT: REM"))
+        });
+    }
+    require_linear("counters of their own", |depth| {
+        let open = lines(depth, |n| format!("FOR V{n} = 1 TO 3\nGOSUB R:"));
+        let names = lines(depth, |n| format!("DEF_VAR V{n}"));
+        let close = "NEXT\n".repeat(depth);
+        cycles(&format!("{names}{open}{close}EXIT\nR: REM\nRETURN"))
+    });
+}
+
+#[test]
+fn cycles_are_counted_in_proportion_to_labels() {
+    require_linear("loops of labels", |depth| {
+        let open = lines(depth, |n| format!("L{n}: REM"));
+        let close = lines(depth, |n| format!("IF KB_HIT GOTO L{}:", depth - 1 - n));
+        cycles(&(open + &close))
+    });
+    require_linear("labels in a row", |count| {
+        cycles(&lines(count, |n| {
+            format!("L{n}: REM\nIF KB_HIT GOTO L{n}:")
+        }))
+    });
+    require_linear("calls in calls", |depth| {
+        let routine = |n| format!("L{n}: REM\nGOSUB L{}:\nRETURN", n + 1);
+        cycles(&format!(
+            "GOSUB L0:\nEXIT\n{}L{depth}: RETURN",
+            lines(depth, routine)
+        ))
+    });
+    require_linear("calls in a circle", |count| {
+        let routine = |n| format!("L{n}: IF KB_HIT GOSUB L{}:\nRETURN", (n + 1) % count);
+        cycles(&format!("GOSUB L0:\nEXIT\n{}", lines(count, routine)))
+    });
+}
+
+fn migration(statements: &str) -> u64 {
+    let text = format!("2.0\ntest\n{statements}END\n");
+    let run = || drop(migrate("test.prg", text.as_bytes(), Encoding::Auto));
+    measure(run).bytes_total
+}
+
+#[test]
+fn a_migration_takes_time_in_proportion() {
+    require_linear("tolerances", |count| {
+        migration(&"PTP F2 1 2 3\nWAIT_NEAR F1 5\n".repeat(count))
+    });
+    require_linear("placeholders", |count| {
+        migration(&lines(count, |n| {
+            format!("VAR{n} = 1\nMESSAGE %VAR{n}X% a")
+        }))
+    });
+    require_linear("renamed labels", |count| {
+        let taken = lines(count, |n| format!("SIN_{}:", n + 1));
+        migration(&(taken + "SIN:\n" + &"GOTO SIN:\n".repeat(count)))
+    });
+    require_linear("unknown commands", |count| {
+        migration(&lines(count, |n| format!("FOO{n} 1")))
+    });
+}
+
+/// All kinds of steps.
+fn mixed(count: usize) -> Program {
+    let mut text = "DEF_VAR V\nDEF_POS P\n".to_owned();
+    for n in 0..count / 8 {
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "L{n}: V = {n}\nIF V > 5 THEN\nPTP F1 1 2 V\nELSE\nPTP_ANGLE J11 5\nENDIF\nMESSAGE %V%\n"
+        );
+    }
+    program(&text)
+}
+
+#[test]
+fn generated_code_takes_little_more_memory_than_its_text() {
+    let peak = |count: usize| {
+        let program = mixed(count);
+        let spelling = Spelling::default();
+        let AllocationInfo { bytes_max, .. } =
+            measure(|| assert!(pretty(&program, &spelling).is_ok()));
+        bytes_max
+    };
+    // What a few steps at once take is there in both.
+    let a_step = (peak(8_000) - peak(4_000)) / 4_000;
+    assert!(a_step < 1_500, "{a_step} bytes a step");
+}
