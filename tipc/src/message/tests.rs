@@ -224,6 +224,7 @@ fn every_row_is_said_somewhere() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     collect(&package.join("src"), &mut sources);
     collect(&package.join("../tools"), &mut sources);
+    collect(&package.join("../tip-macros/src"), &mut sources);
     for Row {
         table,
         row,
