@@ -1,7 +1,7 @@
 //! From an invocation to the items that replace it.
 
 use crate::arguments::{self, Arguments, Misuse};
-use crate::file::{self, Found};
+use crate::file::{self, Fault, Found};
 use crate::literal::Text;
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
@@ -11,7 +11,7 @@ use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::{self, embed};
 use tipc::emit;
-use tipc::message::{Lang, Reading};
+use tipc::message::Lang;
 use tipc::published;
 use tipc::source::Span;
 
@@ -132,14 +132,17 @@ fn included(
 }
 
 fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
-    file::find(&path.value, invoking).map_err(|reason| {
-        let reason = Reading::System {
-            error: reason.into(),
+    file::find(path, invoking).map_err(|fault| {
+        let error = match fault {
+            Fault::Two(reason) => reason.in_lang(lang()).to_string(),
+            Fault::NotRead(reason) => {
+                let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
+                let missing = missing.about(&path.value);
+                let (code, title) = (missing.code.id(), missing.title());
+                format!("{code}: {title}: {}", missing.reason)
+            }
         };
-        let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
-        let missing = missing.about(&path.value);
-        let (code, title) = (missing.code.id(), missing.title());
-        Failure::at(path, vec![format!("{code}: {title}: {}", missing.reason)])
+        Failure::at(path, vec![error])
     })
 }
 

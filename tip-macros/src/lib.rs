@@ -12,9 +12,9 @@ use proc_macro::{Span, TokenStream};
 /// Compiles a motion program from a file:
 /// `include_tip!([visibility] "path" [as Name] [, option = value]…)`.
 ///
-/// The path is looked up next to the invoking file, then from the folder of `Cargo.toml`. The type is
-/// named after the file, in UpperCamelCase, unless `as` names it. When the file changes, the crate is
-/// built again.
+/// The path is looked up next to the file that it is written in, also if another macro passes it on, and from the
+/// folder of `Cargo.toml`; one file only may answer it. The type is named after the file, in UpperCamelCase, unless
+/// `as` names it. When the file changes, the crate is built again.
 #[proc_macro]
 pub fn include_tip(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();

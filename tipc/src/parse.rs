@@ -29,6 +29,8 @@ pub use line::{LONG_VOWEL, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
+#[cfg(any(feature = "build", feature = "tools"))]
+use crate::language::commands;
 use crate::lex::Token;
 use crate::message::Parsing;
 use crate::source::{Line, Source, Span, first_beyond};
@@ -61,6 +63,34 @@ pub fn parse_taking(
     let mut parser = Parser::new(source, tip_version);
     parser.lines(take);
     (parser.module, parser.diagnostics)
+}
+
+/// Finds the first statement after END, with the label before it. Other text may stand there: it is a note.
+#[cfg(any(feature = "build", feature = "tools"))]
+pub(crate) fn after_end(source: &Source, module: &Module) -> Option<Span> {
+    let end = module.statements.last()?;
+    let mut parser = Parser::new(source, module.edition.number());
+    let mut label = None;
+    for line in source.lines_from(end.line) {
+        let start = line.span.start.max(end.span.end);
+        let span = Span::new(start, line.span.end);
+        parser.line = Line { span, ..line };
+        if span.end - start > LINE_LIMIT || parser.is_in_comment() {
+            continue;
+        }
+        parser.statements_of_line();
+        for statement in std::mem::take(&mut parser.module.statements) {
+            let is_label = matches!(statement.kind, StatementKind::Label(_));
+            if !is_label && parser.is_meant(&statement) {
+                return Some(label.unwrap_or(statement.span));
+            }
+            label = is_label.then(|| label.unwrap_or(statement.span));
+        }
+        parser.module.after_end = None;
+        parser.diagnostics.clear();
+        parser.numbered = None;
+    }
+    None
 }
 
 /// What is at the end of a piece of text.
@@ -164,6 +194,22 @@ impl Parser<'_> {
         let place = self.trim(self.line.span, char::is_whitespace);
         let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
         self.report(missing.help(Parsing::PutEnd));
+    }
+
+    /// Whether a statement after END, on the line that was read last, is more than the words of a note.
+    #[cfg(any(feature = "build", feature = "tools"))]
+    fn is_meant(&self, statement: &Statement) -> bool {
+        let span = statement.span;
+        let is_wrong = |it: &Diagnostic| {
+            it.code.kind().is_some() && span.start <= it.span.start && it.span.start <= span.end
+        };
+        let is_known = match &statement.kind {
+            StatementKind::Command { name, .. } => commands::find(&name.node).is_some(),
+            StatementKind::End => self.module.after_end.is_none(),
+            StatementKind::Rem | StatementKind::Broken(_) => false,
+            _ => true,
+        };
+        is_known && !self.diagnostics.iter().any(is_wrong)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

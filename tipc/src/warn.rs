@@ -37,14 +37,13 @@ impl Judged<'_> {
     pub(crate) fn warn(&self, found: &mut Vec<Diagnostic>) {
         let warnings = self.warnings();
         let meant = message::meant(&warnings);
+        let is_meant = |name: &String| meant.contains(name.as_str());
         let follows = |finding: &Diagnostic| {
             matches!(finding.code, Code::Unused | Code::NeverRead)
-                && meant
-                    .iter()
-                    .any(|name| finding.subject.as_deref() == Some(name))
+                && finding.subject.as_ref().is_some_and(is_meant)
         };
-        let is_meant = message::means_any(&warnings);
-        let is_unread = |finding: &Diagnostic| is_meant && finding.code == Code::NeverRead;
+        let means_any = message::means_any(&warnings);
+        let is_unread = |finding: &Diagnostic| means_any && finding.code == Code::NeverRead;
         found.retain(|finding| !follows(finding) && !is_unread(finding));
         found.extend(warnings);
     }

@@ -13,6 +13,9 @@ messages! {
     NotAllowed
         "the file may not be read: look at its permissions",
         "ファイルを読む権限がありません。アクセス権を確かめてください";
+    TwoFiles { first: Text, second: Text }
+        "the path leads to two files, {first} and {second}; write a path that leads to one of them only",
+        "このパスには{first}と{second}の二つのファイルがあります。どちらか一方だけを指すパスにしてください";
     Folder
         "this is a folder: name the files in it, as FOLDER/*.prg",
         "これはフォルダです。フォルダ/*.prg のように中のファイルを指定してください";

@@ -7,32 +7,74 @@ use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::message::phrase::Type;
 use crate::message::{Message, Warning};
-use crate::program::{Variable, VariableKind};
+use crate::program::{Variable, VariableId, VariableKind};
 use crate::source::Span;
 use crate::suggest::nearest;
 use crate::symbols::{Access, DefinitionId};
 use crate::syntax::{StatementKind, upper_case};
 use smol_str::SmolStr;
+use std::collections::{HashMap, HashSet};
+
+/// The variables of a program by their names.
+struct Names<'a> {
+    variables: &'a [Variable],
+    ids: HashMap<&'a str, VariableId>,
+    /// Whether something reads each definition.
+    is_read: Vec<bool>,
+}
+
+impl<'a> Names<'a> {
+    fn of(judged: &Judged<'a>) -> Self {
+        let variables = judged.program.variables();
+        let mut is_read = vec![false; judged.symbols.definitions().len()];
+        for it in judged.symbols.all_uses() {
+            is_read[it.definition.index()] |= !matches!(it.access, Access::Define | Access::Assign);
+        }
+        Names {
+            variables,
+            ids: variables
+                .iter()
+                .map(|it| it.name.as_str())
+                .zip(0..)
+                .collect(),
+            is_read,
+        }
+    }
+
+    /// The variable of a name in capitals.
+    fn find(&self, name: &str) -> Option<&'a Variable> {
+        self.ids.get(name).map(|id| &self.variables[*id])
+    }
+
+    /// Whether the name is that of a VAR, in letters of any case.
+    fn is_var(&self, name: &str) -> bool {
+        let variable = self.find(&upper_case(name));
+        variable.is_some_and(|one| one.kind == VariableKind::Var)
+    }
+}
 
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    let mut names = None;
     for statement in judged.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
+            let names = names.get_or_insert_with(|| Names::of(judged));
             found.extend(quoted(judged.source.slice(text.span), text.span));
-            placeholders(judged, text.span, found);
-            foreign_values(judged, text.span, found);
+            placeholders(judged, names, text.span, found);
+            foreign_values(judged, names, text.span, found);
             wide::warn(judged, text.span, found);
         }
     }
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+fn foreign_values(
+    judged: &Judged<'_>,
+    names: &Names<'_>,
+    place: Span,
+    found: &mut Vec<Diagnostic>,
+) {
     let text = judged.source.slice(place);
-    let is_var = |name: &str| {
-        let name = upper_case(name);
-        let mut vars = judged.program.variables().iter();
-        vars.any(|one| one.kind == VariableKind::Var && one.name == *name)
-    };
+    let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
         let rest = &text[at + 1..];
@@ -47,7 +89,7 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
         };
         is_var(name).then(|| (at, shown, Some(upper_case(name))))
     });
-    let whole = || is_unread_var(judged, text).then(|| (0, text.len(), Some(upper_case(text))));
+    let whole = || is_unread_var(names, text).then(|| (0, text.len(), Some(upper_case(text))));
     let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
@@ -62,15 +104,10 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
 }
 
 /// `MESSAGE COUNT`: whether a text is the name of a VAR that nothing reads.
-fn is_unread_var(judged: &Judged<'_>, text: &str) -> bool {
-    let name = upper_case(text);
-    let mut vars = judged.program.variables().iter();
-    let is_var = |one: &Variable| one.kind == VariableKind::Var && one.name == *name;
-    let Some(id) = vars.position(is_var).map(DefinitionId::of_variable) else {
-        return false;
-    };
-    let mut uses = judged.symbols.uses(id);
-    uses.all(|it| matches!(it.access, Access::Define | Access::Assign))
+fn is_unread_var(names: &Names<'_>, text: &str) -> bool {
+    let id = names.ids.get(&*upper_case(text));
+    let is_read = |id: VariableId| names.is_read[DefinitionId::of_variable(id).index()];
+    names.is_var(text) && id.is_some_and(|id| !is_read(*id))
 }
 
 /// What may stand before a percent sign that is one: `50%`, `%A%`.
@@ -116,9 +153,8 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 }
 
 /// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
-fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Vec<Diagnostic>) {
     let text = judged.source.slice(place);
-    let variables = judged.program.variables();
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
         from = at + 1;
@@ -126,8 +162,8 @@ fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
             return;
         };
         let inner = &text[from..from + length];
-        let Some(fault) = fault(variables, inner) else {
-            from += if is_placeholder(variables, inner) {
+        let Some(fault) = fault(names, inner) else {
+            from += if is_placeholder(names, inner) {
                 length + 1
             } else {
                 0
@@ -136,7 +172,7 @@ fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
         };
         let end = from + length + 1;
         let next = text[end..].split_once('%').map(|(next, _)| next);
-        if next.is_some_and(|next| is_placeholder(variables, next)) {
+        if next.is_some_and(|next| is_placeholder(names, next)) {
             // The second sign begins a value: the first one is text.
             continue;
         }
@@ -148,8 +184,8 @@ fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether that is shown as a value.
-fn is_placeholder(variables: &[Variable], inner: &str) -> bool {
-    split(inner).is_some() && fault(variables, inner).is_none()
+fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
+    split(inner).is_some() && fault(names, inner).is_none()
 }
 
 /// The name between percent signs, and what follows it from a point on. Blanks and signs make no name.
@@ -167,11 +203,11 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// Why what looks like a placeholder stands for nothing, and what to write.
-fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
+fn fault(names: &Names<'_>, inner: &str) -> Option<(Warning, Warning)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
-    let Some(variable) = variables.iter().find(|one| *one.name == *name()) else {
-        return Some((Warning::NoVar { name: name() }, declare(variables, name())));
+    let Some(variable) = names.find(&name()) else {
+        return Some((Warning::NoVar { name: name() }, declare(names, name())));
     };
     let found = match (variable.kind, rest) {
         (VariableKind::Var, None | Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7")) => {
@@ -196,25 +232,23 @@ fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
 }
 
 /// What to write for a name that is not declared.
-fn declare(variables: &[Variable], name: SmolStr) -> Warning {
-    let vars = variables.iter().filter(|one| one.kind == VariableKind::Var);
-    let mut vars = vars.map(|one| one.name.as_str());
-    if let Some(near) = vars.clone().find(|var| numbered(&name, var)) {
-        return Warning::MeantPlaceholder { near: near.into() };
+fn declare(names: &Names<'_>, name: SmolStr) -> Warning {
+    if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
+        return Warning::MeantPlaceholder { near };
     }
-    match nearest(&name, &mut vars) {
+    let vars = names.variables.iter();
+    let vars = vars.filter(|one| one.kind == VariableKind::Var);
+    match nearest(&name, vars.map(|one| one.name.as_str())) {
         Some(near) => Warning::MeantPlaceholder { near: near.into() },
         None => Warning::DeclareOrLeaveOut { name },
     }
 }
 
-/// `%d01%` or `%f01%` for `VAR01`, as before version 3.0.
-fn numbered(name: &str, var: &str) -> bool {
-    let number = name
-        .strip_prefix(|kind: char| "DF".contains(kind))
-        .unwrap_or_default();
+/// `VAR01` for `%d01%` or `%f01%`, as before version 3.0.
+fn numbered(name: &str) -> Option<SmolStr> {
+    let number = name.strip_prefix(|kind: char| "DF".contains(kind))?;
     let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
-    is_number && var.strip_prefix("VAR") == Some(number)
+    is_number.then(|| format!("VAR{number}").into())
 }
 
 /// Whether a value was to be shown, and nothing says of which variable.
@@ -224,7 +258,7 @@ pub(super) fn means_any(found: &[Diagnostic]) -> bool {
 }
 
 /// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
-pub(super) fn meant(found: &[Diagnostic]) -> Vec<SmolStr> {
+pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
     let meant = found
         .iter()
         .filter_map(|finding| match (&finding.reason, &finding.help) {

@@ -327,11 +327,55 @@ fn a_comment_that_silences_nothing_is_a_warning() {
     // Other comments, and those behind END.
     check("ALL_STOP // tip: lift first\nALL_STOP // allow(W118)", &[]);
     check(
-        "END // tip: allow(W999)\n// tip: allow(W999)",
-        &["W121 3:19"],
+        "END // tip: allow(W999)\n// tip: allow(W999)\nNot a statement",
+        &["W121 3:19", "W131 6:1"],
     );
     // Errors stay, and are enough to read.
     check("FOO // tip: allow(E204, W999)", &["E204 3:1"]);
+}
+
+// clauses: 1.5
+#[test]
+fn a_statement_after_end_does_not_run() {
+    // `check` puts one more END below.
+    check("END\nPTP F9 1 2 3\nPTP F9 1 2 3", &["W131 4:1"]);
+    check("END ; ALL_STOP", &["W131 3:7"]);
+    check("END ALL_STOP // twice", &["W131 3:5"]);
+    check("END\n\n// notes\nL1:\n\tL2: X = 1", &["W131 6:1"]);
+    check("END\nDEF_VAR X", &["W131 4:1"]);
+    check("END\nSUBROUTINE S:\nSUBEND", &["W131 4:1"]);
+    check("END\nA note ; IF KB_HIT THEN", &["W131 4:10"]);
+    check("END", &["W131 4:1"]);
+    // A command that this robot lacks.
+    check("END\nDETECT_OBJECT V", &["W131 4:1"]);
+    // A comment silences it.
+    check("// tip: allow(W131)\nEND\nALL_STOP", &[]);
+    check("END\nALL_STOP // tip: allow(W131)", &[]);
+    check("END\n// tip: allow(W131)\n// why\n\nALL_STOP", &[]);
+    check("END ; ALL_STOP // tip: allow(W131)", &[]);
+    check(
+        "END // tip: allow(W131)\nALL_STOP",
+        &["W121 3:19", "W131 4:1"],
+    );
+    let ends = |rest: &str| {
+        let text = format!("3.1\nA title\nEND{rest}");
+        let loaded = load("warnings.prg", text.as_bytes(), &Options::default());
+        loaded.diagnostics.len()
+    };
+    assert_eq!(ends("\nALL_STOP"), 1);
+    for note in [
+        "",
+        "\n\n// ALL_STOP\n;;\n",
+        "\r\n\x1A",
+        "\nso here is room for notes",
+        " of the program; if you need more, call me\nNote: for each leg, repeat it",
+        "\n全部で3歩\nEND of file\nREM ALL_STOP\nIF = = 1\n/* ALL_STOP\nALL_STOP */",
+        "\n// tip: allow(W999)",
+    ] {
+        assert_eq!(ends(note), 0, "{note}");
+    }
+    // Longer than lines may be.
+    assert_eq!(ends(&format!("\nX = 1 {}", ";".repeat(1100))), 0);
 }
 
 #[test]

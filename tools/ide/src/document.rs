@@ -15,6 +15,8 @@ pub struct Document {
     pub(crate) options: Options,
     /// What the parts of the program take, once somebody asks.
     parts: OnceCell<Vec<Part>>,
+    /// Whether the program sets a sampling time of its own, once somebody asks.
+    pub(crate) sets_sampling: OnceCell<bool>,
 }
 
 impl Document {
@@ -33,6 +35,7 @@ impl Document {
             loaded,
             options: *options,
             parts: OnceCell::new(),
+            sets_sampling: OnceCell::new(),
         }
     }
 
@@ -87,7 +90,7 @@ impl Document {
         self.parts.get_or_init(|| {
             let program = self.loaded.program.as_ref();
             program.map_or(Vec::new(), |program| {
-                cycles::parts(program, self.sampling())
+                cycles::parts(program, self.sampling()).counted
             })
         })
     }

@@ -39,7 +39,8 @@ impl Document {
             )
         };
         let program = self.loaded.program.as_ref();
-        program.is_some_and(|program| program.steps().iter().any(sets))
+        let is_set = || program.is_some_and(|program| program.steps().iter().any(sets));
+        *self.sets_sampling.get_or_init(is_set)
     }
 }
 

@@ -4,8 +4,8 @@
 //! the maximum the longest one, and there is none where a path can loop. A call counts with what
 //! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
 //! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
-//! ten open calls are one. Subroutines and stretches take time O(n log n) in the number of steps that each can pass;
-//! so do all turns together, unless a jump leads into a loop from aside: its turn takes time in proportion to what is around it.
+//! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
+//! many parts, counting ends early, and says so.
 
 mod costs;
 mod count;
@@ -27,7 +27,7 @@ pub use count::Count;
 pub use render::{human, json, short};
 pub use steps::Steps;
 
-use distance::Place;
+use distance::{Place, Work};
 use graph::Graph;
 use std::collections::BTreeSet;
 use tipc::Robot;
@@ -101,14 +101,33 @@ impl Sampling {
     }
 }
 
-/// Every part of a program: subroutines, then turns of loops, then stretches, each in the order of steps.
-pub fn parts(program: &Program, sampling: Sampling) -> Vec<Part> {
+/// The parts of a program that could be counted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// Subroutines, then turns of loops, then stretches, each in the order of steps.
+    pub counted: Vec<Part>,
+    /// There are more, whose paths cross too often to be counted.
+    pub has_more: bool,
+}
+
+/// Counts the parts of a program.
+pub fn parts(program: &Program, sampling: Sampling) -> Parts {
     let flow = Flow::of(program);
-    let graph = Graph::new(program, &flow, sampling);
-    let mut parts = subroutines(&flow, &graph);
-    parts.extend(turns(&flow, &graph));
-    parts.extend(stretches(program, &flow, &graph));
-    parts
+    let Some(graph) = Graph::new(program, &flow, sampling) else {
+        return Parts {
+            has_more: true,
+            ..Parts::default()
+        };
+    };
+    let mut counted = subroutines(&flow, &graph);
+    let (turns, are_all_turns) = turns(&flow, &graph);
+    let (stretches, are_all_stretches) = stretches(program, &flow, &graph);
+    counted.extend(turns);
+    counted.extend(stretches);
+    Parts {
+        counted,
+        has_more: !(are_all_turns && are_all_stretches),
+    }
 }
 
 fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
@@ -123,7 +142,9 @@ fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
     returning.collect()
 }
 
-fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> Vec<Part> {
+/// The stretches, and whether those are all.
+fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
+    let work = Work::of(flow.nodes().len());
     let labels: BTreeSet<NodeId> = program
         .labels()
         .iter()
@@ -133,7 +154,10 @@ fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> Vec<Part> {
     begins.insert(0);
     let mut parts = Vec::new();
     for from in begins {
-        for (place, cycles) in graph.stretches(from, &labels) {
+        let Some(found) = graph.stretches(from, &labels, &work) else {
+            return (parts, false);
+        };
+        for (place, cycles) in found {
             let to = match place {
                 Place::Stop(id) => Stop::Label(flow.nodes()[id].step),
                 Place::Return => Stop::Return,
@@ -147,5 +171,5 @@ fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> Vec<Part> {
             });
         }
     }
-    parts
+    (parts, true)
 }

@@ -3,7 +3,7 @@
 
 use crate::analysis::programs::{RUNS, Runnable};
 use std::collections::{BTreeMap, BTreeSet};
-use tip_lint::cycles::{Part, Sampling, Span, Stop, parts};
+use tip_lint::cycles::{Part, Parts, Sampling, Span, Stop, parts};
 use tipc::language::commands;
 use tipc::program::{Action, Program, StepId};
 
@@ -155,7 +155,9 @@ fn is_plain(program: &Program) -> bool {
 /// The least and the most cycles of each part that a run passed.
 fn measure(one: &Runnable, trace: &str) -> Vec<(Part, (u64, u64))> {
     let program = &one.program;
-    let parts = parts(program, Sampling::of(one.settings.load.robot));
+    let Parts { counted, has_more } = parts(program, Sampling::of(one.settings.load.robot));
+    assert!(!has_more, "{}", one.name);
+    let parts = counted;
     let mut measured = Measured {
         program,
         name: &one.name,

@@ -5,7 +5,10 @@ use std::collections::HashSet;
 
 /// Rows that are reasons of codes which cover one kind of mistake only.
 const PLAIN: &[(&str, &str)] = &[
-    ("Reading", "System Folder NoFile NotAllowed OtherCharacters"),
+    (
+        "Reading",
+        "System Folder NoFile NotAllowed TwoFiles OtherCharacters",
+    ),
     (
         "Parsing",
         "OtherVersion NoVersion MoreThanVersion ProgramEndsHere TextEndsHere TextTooLong",
@@ -58,7 +61,7 @@ const BESIDE: &[(&str, &str)] = &[
         "Habit",
         "Plain PlainBlank NoBrackets NoText NoTarget OneLine GoesOnHere FlagOfTarget CommandNoCondition WriteThen
          WithoutColon NextStatement Update Power Remainder EachMember FunctionInEquation CalculateArgument FastFirst FlagApart OneTarget
-         JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd EndsTheText StandsAfterEnd GoesOn
+         JointName ArgumentNames NoUnit NoHex NoLineNumbers SemicolonEndsText AfterEnd MoveEndOrComment EndsTheText StandsAfterEnd GoesOn
          NoHyphen NoArray WriteRelation CalculateBefore BlockBegins FlagAlone Character CharacterOrVariable
          ShowText ElseIf EndIf Wend Next SubEnd Return Loops Break Continue Wait Declare Let Subroutine Goto Move Stop Exit
          KeyIn AdIn Lamp Cases Speed Acceleration Teach Home Braces LoopLabel OneFile TargetFirst Glued Comment EachLine Increment WriteSigned

@@ -25,8 +25,7 @@ pub(super) struct Counted {
     pub(super) turns: u64,
 }
 
-/// The counted loops of a program by the nodes of their FORs. Takes time O(n log n), and more only for as many
-/// counters as there are loops with calls.
+/// The counted loops of a program by the nodes of their FORs. Takes time O(n log n).
 pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counted> {
     let nodes = flow.nodes().iter().enumerate();
     let mut all: BTreeMap<NodeId, Counted> = nodes
@@ -45,7 +44,7 @@ pub(super) fn counted(program: &Program, flow: &Flow) -> BTreeMap<NodeId, Counte
     });
     let mut around: Vec<NodeId> = Vec::new();
     all.retain(|_, one| {
-        around.retain(|end| *end >= one.nodes.end);
+        while around.pop_if(|end| *end < one.nodes.end).is_some() {}
         around.push(one.nodes.end);
         around.len() <= DEPTH
     });

@@ -10,6 +10,9 @@ use tipc::program::Program;
 /// How many counters a machine word takes.
 const BATCH: usize = u64::BITS as usize;
 
+/// The most counters of loops with calls that are looked for in what is called. Of others a call counts as assigning them.
+const FOLLOWED: usize = 16 * BATCH;
+
 /// Where the counters of some loops are assigned.
 pub(super) struct Counters {
     /// The scalar of each FOR.
@@ -18,6 +21,8 @@ pub(super) struct Counters {
     assigning: BTreeMap<usize, Vec<NodeId>>,
     /// The nodes whose calls assign it, in order.
     calling: BTreeMap<usize, Vec<NodeId>>,
+    /// Those that may be assigned by any call.
+    unknown: BTreeSet<usize>,
 }
 
 impl Counters {
@@ -50,6 +55,7 @@ impl Counters {
             scalars,
             assigning,
             calling: BTreeMap::new(),
+            unknown: BTreeSet::new(),
         };
         counters.follow_calls(flow, bodies);
         counters
@@ -63,7 +69,8 @@ impl Counters {
             let first = nodes.partition_point(|id| *id < body.start);
             nodes.get(first).is_some_and(|id| *id < body.end)
         };
-        holds(self.assigning.get(scalar)) || holds(self.calling.get(scalar))
+        let is_set = holds(self.assigning.get(scalar)) || holds(self.calling.get(scalar));
+        is_set || self.unknown.contains(scalar)
     }
 
     /// Finds the calls that assign counters of loops with calls.
@@ -78,9 +85,12 @@ impl Counters {
             first.is_some_and(|(id, _)| *id < body.end)
         };
         let with_calls = bodies.iter().filter(|(_, body)| has_call(body));
-        let scalars: BTreeSet<usize> = with_calls.map(|(head, _)| self.scalars[head]).collect();
+        let mut scalars: BTreeSet<usize> = with_calls.map(|(head, _)| self.scalars[head]).collect();
         if scalars.is_empty() {
             return;
+        }
+        if let Some(first) = scalars.iter().nth(FOLLOWED).copied() {
+            self.unknown = scalars.split_off(&first);
         }
         let next = flow.nodes().iter().map(|node| {
             let called = node.call.iter().flat_map(|call| [call.entry, call.back]);

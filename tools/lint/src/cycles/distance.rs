@@ -1,6 +1,7 @@
 //! The least and the most cycles from one node of a graph to where paths end.
 
 use super::count::Count;
+use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};
 use std::ops::Range;
@@ -26,6 +27,30 @@ pub(super) struct Edge {
     pub(super) cost: Count,
 }
 
+/// The work that is left: nodes and edges that may still be passed. Once it is used up, nothing more is counted.
+#[derive(Debug)]
+pub(super) struct Work(Cell<usize>);
+
+impl Work {
+    /// How much every program may take. What honest programs take is far below.
+    const LEAST: usize = 1_000_000;
+
+    /// How much it may take for each of its nodes.
+    const FOR_NODE: usize = 32;
+
+    /// What a program of so many nodes may take.
+    pub(super) fn of(nodes: usize) -> Self {
+        Work(Cell::new(Work::LEAST + Work::FOR_NODE * nodes))
+    }
+
+    /// Takes some of it; `None` if there is not so much left, and nothing then is.
+    pub(super) fn take(&self, work: usize) -> Option<()> {
+        let left = self.0.get().checked_sub(work);
+        self.0.set(left.unwrap_or_default());
+        left.map(|_| ())
+    }
+}
+
 /// The places that paths from one node come to, by numbers of their own: it is 0. One search after the other
 /// uses the same memory, and takes no longer than what it comes to.
 #[derive(Debug, Default)]
@@ -40,13 +65,15 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// The cycles from `from` to every place where a path ends. `edges` adds those that leave a node.
+    /// The cycles from `from` to every place where a path ends. `edges` adds those that leave a node. `None` if that is
+    /// more work than is left.
     pub(super) fn ends(
         &mut self,
         from: NodeId,
-        edges: impl Fn(NodeId, &mut Vec<Edge>),
-    ) -> BTreeMap<Place, Count> {
-        self.reach(from, edges);
+        work: &Work,
+        edges: impl Fn(NodeId, &mut Vec<Edge>) -> Option<()>,
+    ) -> Option<BTreeMap<Place, Count>> {
+        self.reach(from, work, edges)?;
         let (least, most, waiting) = (self.least(), self.most(), self.waiting());
         let ends = self.places.iter().enumerate();
         let ends = ends.filter(|(_, place)| !matches!(place, Place::Pass(_)));
@@ -58,10 +85,15 @@ impl Search {
             };
             (*place, count)
         });
-        counts.collect()
+        Some(counts.collect())
     }
 
-    fn reach(&mut self, from: NodeId, edges: impl Fn(NodeId, &mut Vec<Edge>)) {
+    fn reach(
+        &mut self,
+        from: NodeId,
+        work: &Work,
+        edges: impl Fn(NodeId, &mut Vec<Edge>) -> Option<()>,
+    ) -> Option<()> {
         self.turn += 1;
         self.places.clear();
         self.leaving.clear();
@@ -71,8 +103,9 @@ impl Search {
         let mut at = 0;
         while let Some(place) = self.places.get(at) {
             if let Place::Pass(id) = *place {
-                edges(id, &mut found);
+                edges(id, &mut found)?;
             }
+            work.take(1 + found.len())?;
             let first = self.edges.len();
             for edge in found.drain(..) {
                 let to = self.number(edge.to);
@@ -81,6 +114,7 @@ impl Search {
             self.leaving.push(first..self.edges.len());
             at += 1;
         }
+        Some(())
     }
 
     fn number(&mut self, place: Place) -> usize {

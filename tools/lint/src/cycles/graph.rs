@@ -4,7 +4,7 @@ use super::Sampling;
 use super::costs::{cost, longest_sampling};
 use super::count::Count;
 use super::counted::{Counted, counted};
-use super::distance::{Edge, Place, Search};
+use super::distance::{Edge, Place, Search, Work};
 use super::loops::Loops;
 use super::routines::Calls;
 use std::cell::RefCell;
@@ -37,7 +37,8 @@ pub(super) struct Limits<'a> {
 }
 
 impl<'a> Graph<'a> {
-    pub(super) fn new(program: &'a Program, flow: &'a Flow, sampling: Sampling) -> Self {
+    /// The graph of a program; `None` if its calls are too entangled to be counted.
+    pub(super) fn new(program: &'a Program, flow: &'a Flow, sampling: Sampling) -> Option<Self> {
         let longest = longest_sampling(program, sampling);
         let actions = flow.nodes().iter().map(|node| action(program, node.step));
         let mut graph = Graph {
@@ -49,8 +50,8 @@ impl<'a> Graph<'a> {
             passed: RefCell::default(),
             searches: RefCell::default(),
         };
-        graph.count_routines();
-        graph
+        graph.count_routines(&Work::of(flow.nodes().len()))?;
+        Some(graph)
     }
 
     /// Every entry of a call with what it costs.
@@ -77,35 +78,41 @@ impl<'a> Graph<'a> {
         self.counted.get(&head).map(|counted| counted.turns)
     }
 
-    /// From a node to where paths end.
-    pub(super) fn ends(&self, from: NodeId, limits: &Limits) -> BTreeMap<Place, Count> {
+    /// From a node to where paths end; `None` if that is more work than is left.
+    pub(super) fn ends(
+        &self,
+        from: NodeId,
+        limits: &Limits,
+        work: &Work,
+    ) -> Option<BTreeMap<Place, Count>> {
         let mut search = self.searches.borrow_mut().pop().unwrap_or_default();
-        let found = search.ends(from, |id, edges| self.edges(id, limits, edges));
+        let found = search.ends(from, work, |id, edges| self.edges(id, limits, work, edges));
         self.searches.borrow_mut().push(search);
         found
     }
 
-    /// From a node to the next ones among `labels`, to the return and to the end.
+    /// From a node to the next ones among `labels`, to the return and to the end; `None` if that is more work than is left.
     pub(super) fn stretches(
         &self,
         from: NodeId,
         labels: &BTreeSet<NodeId>,
-    ) -> BTreeMap<Place, Count> {
+        work: &Work,
+    ) -> Option<BTreeMap<Place, Count>> {
         let limits = Limits {
             stops: &|id| labels.contains(&id),
             opens: &|counted| labels.range(counted.nodes.clone()).next().is_some(),
             closed: &|_| None,
         };
-        self.ends(from, &limits)
+        self.ends(from, &limits, work)
     }
 
     /// Counts the calls, those inside first, and those again that something changes for.
-    fn count_routines(&mut self) {
-        let calls = Calls::new(self.flow);
+    fn count_routines(&mut self, work: &Work) -> Option<()> {
+        let calls = Calls::new(self.flow, work)?;
         let mut open: BTreeSet<usize> = (0..calls.count()).collect();
         while let Some(place) = open.pop_first() {
             let entry = calls.entry(place);
-            let mut cycles = self.routine(entry);
+            let mut cycles = self.routine(entry, work)?;
             if calls.is_recursive(place) {
                 cycles = cycles.map(Count::unbounded);
             }
@@ -114,18 +121,20 @@ impl<'a> Graph<'a> {
                 open.extend(calls.callers(place));
             }
         }
+        Some(())
     }
 
-    fn routine(&self, entry: NodeId) -> Option<Count> {
+    fn routine(&self, entry: NodeId, work: &Work) -> Option<Option<Count>> {
         let limits = Limits {
             stops: &|_| false,
             opens: &|_| false,
             closed: &|_| None,
         };
-        self.ends(entry, &limits).get(&Place::Return).copied()
+        let ends = self.ends(entry, &limits, work)?;
+        Some(ends.get(&Place::Return).copied())
     }
 
-    fn edges(&self, id: NodeId, limits: &Limits, edges: &mut Vec<Edge>) {
+    fn edges(&self, id: NodeId, limits: &Limits, work: &Work, edges: &mut Vec<Edge>) -> Option<()> {
         let onward = |edge: &Edge| Edge {
             to: match edge.to {
                 Place::Stop(outside) => arrival(outside, limits),
@@ -134,16 +143,18 @@ impl<'a> Graph<'a> {
             ..*edge
         };
         if let Some(left) = (limits.closed)(id) {
-            return edges.extend(left.iter().map(onward));
+            edges.extend(left.iter().map(onward));
+            return Some(());
         }
         if let Some(counted) = self.counted.get(&id)
             && !(limits.opens)(counted)
         {
             if !self.passed.borrow().contains_key(&id) {
-                let left = self.past(id, counted);
+                let left = self.past(id, counted, work)?;
                 self.passed.borrow_mut().insert(id, left);
             }
-            return edges.extend(self.passed.borrow()[&id].iter().map(onward));
+            edges.extend(self.passed.borrow()[&id].iter().map(onward));
+            return Some(());
         }
         let node = &self.flow.nodes()[id];
         let cost = self.costs[id];
@@ -171,10 +182,11 @@ impl<'a> Graph<'a> {
                 cost,
             });
         }
+        Some(())
     }
 
     /// A counted loop from FOR to where it is left: past NEXT after all its turns, elsewhere in any turn.
-    fn past(&self, head: NodeId, counted: &Counted) -> Vec<Edge> {
+    fn past(&self, head: NodeId, counted: &Counted, work: &Work) -> Option<Vec<Edge>> {
         let inner = Limits {
             stops: &|id| id == counted.next || !counted.nodes.contains(&id),
             opens: &|_| false,
@@ -183,7 +195,7 @@ impl<'a> Graph<'a> {
         let body = counted.nodes.start;
         let mut found = match body == counted.next {
             true => BTreeMap::from([(Place::Stop(body), Count::exactly(0))]),
-            false => self.ends(body, &inner),
+            false => self.ends(body, &inner, work)?,
         };
         let to_next = found.remove(&Place::Stop(counted.next));
         let turn = to_next.map(|to_next| to_next.then(self.costs[counted.next]));
@@ -200,7 +212,7 @@ impl<'a> Graph<'a> {
             to,
             cost: before.then(earlier).then(cycles),
         }));
-        edges
+        Some(edges)
     }
 }
 

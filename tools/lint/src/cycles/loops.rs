@@ -1,5 +1,6 @@
 //! The loops of a program, whatever statements they are made of.
 
+use super::distance::Work;
 use super::rings::rings;
 use tipc::analysis::flow::NodeId;
 
@@ -15,8 +16,10 @@ pub(super) struct Loops {
     around: Vec<NodeId>,
     /// A shortcut along `around`.
     outermost: Vec<NodeId>,
-    /// The last head whose loop was found to hold a node.
-    held_by: Vec<NodeId>,
+    /// The last search that found a node in a loop, and the last that found paths from it back to the head.
+    held_by: Vec<usize>,
+    leads_back: Vec<usize>,
+    search: usize,
 }
 
 /// The nodes of a loop.
@@ -43,7 +46,9 @@ impl Loops {
             is_entry,
             around: (0..next.len()).collect(),
             outermost: (0..next.len()).collect(),
-            held_by: vec![NodeId::MAX; next.len()],
+            held_by: vec![0; next.len()],
+            leads_back: vec![0; next.len()],
+            search: 0,
             next,
             before,
         }
@@ -56,17 +61,17 @@ impl Loops {
     }
 
     /// The nodes on the paths from a head back to it, over a jump backwards. Of heads asked for in their order each closed
-    /// loop is passed once by those around it; an open one takes as long as its ring.
-    pub(super) fn body(&mut self, head: NodeId) -> Body {
-        match self.closed(head) {
-            Some(nodes) => Body::Closed(nodes),
-            None => Body::Open(self.open(head)),
+    /// loop is passed once by those around it; an open one takes as long as its ring. `None` if that is more work than is left.
+    pub(super) fn body(&mut self, head: NodeId, work: &Work) -> Option<Body> {
+        match self.closed(head, work) {
+            Some(nodes) => Some(Body::Closed(nodes)),
+            None => Some(Body::Open(self.open(head, work)?)),
         }
     }
 
-    /// Whether the node is in the loop that [`body`](Self::body) found last, which began at `head`.
-    pub(super) fn holds(&self, head: NodeId, id: NodeId) -> bool {
-        self.held_by[id] == head
+    /// Whether the node is in the loop that [`body`](Self::body) found last.
+    pub(super) fn holds(&self, id: NodeId) -> bool {
+        self.held_by[id] == self.search
     }
 
     /// Whether a closed loop holds a node beside its head.
@@ -82,26 +87,28 @@ impl Loops {
     }
 
     /// The nodes from which paths lead back to the head, if all of them begin at it.
-    fn closed(&mut self, head: NodeId) -> Option<Vec<NodeId>> {
+    fn closed(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
         if self.outermost(head) != head {
             return None;
         }
-        self.held_by[head] = head;
+        self.search += 1;
+        self.held_by[head] = self.search;
         let mut nodes = vec![head];
         let mut open: Vec<NodeId> = self.backwards_to(head).collect();
         while let Some(id) = open.pop() {
             let id = self.outermost(id);
-            if self.held_by[id] == head {
+            if self.holds(id) {
                 continue;
             }
             let before = &self.before[id];
+            work.take(1 + before.len())?;
             let is_entered = before
                 .iter()
                 .any(|from| self.rings[*from] != self.rings[head]);
             if is_entered || self.is_entry[id] {
                 return None;
             }
-            self.held_by[id] = head;
+            self.held_by[id] = self.search;
             nodes.push(id);
             open.extend(before);
         }
@@ -112,31 +119,28 @@ impl Loops {
         Some(nodes)
     }
 
-    fn open(&mut self, head: NodeId) -> Vec<NodeId> {
-        let mut leads_back = vec![false; self.next.len()];
-        leads_back[head] = true;
+    fn open(&mut self, head: NodeId, work: &Work) -> Option<Vec<NodeId>> {
+        // What an attempt at a closed loop found is none of it.
+        self.search += 1;
+        self.leads_back[head] = self.search;
         let mut open: Vec<NodeId> = self.backwards_to(head).collect();
         while let Some(id) = open.pop() {
-            if !std::mem::replace(&mut leads_back[id], true) {
+            if std::mem::replace(&mut self.leads_back[id], self.search) != self.search {
+                work.take(1 + self.before[id].len())?;
                 open.extend(self.on_ring_of(head, &self.before[id]));
             }
         }
         let mut nodes = Vec::new();
         let mut open = vec![head];
-        // What an attempt at a closed loop found is none of it.
-        self.held_by
-            .iter_mut()
-            .filter(|by| **by == head)
-            .for_each(|by| *by = NodeId::MAX);
         while let Some(id) = open.pop() {
-            if self.held_by[id] != head {
-                self.held_by[id] = head;
+            if !self.holds(id) {
+                self.held_by[id] = self.search;
                 nodes.push(id);
                 let next = self.next[id].iter().copied();
-                open.extend(next.filter(|next| leads_back[*next]));
+                open.extend(next.filter(|next| self.leads_back[*next] == self.search));
             }
         }
-        nodes
+        Some(nodes)
     }
 
     /// The head of the closed loop that is around all others around a node; the node itself if there is none.

@@ -1,14 +1,17 @@
 //! Cycle counts as a table for people, and as lines for tools.
 
-use super::{Part, Sampling, Span, Stop};
+use super::{Part, Parts, Sampling, Span, Stop};
 use std::fmt::Write;
 use tip_runtime::printable::Printable;
 use tipc::language::Keyword;
 use tipc::program::{Action, Op, Program, StepId};
 use tipc::render::{push_member, push_number, push_string};
 
+/// What is said where counting ended early.
+const MORE: &str = "further parts are not counted: their paths cross too often";
+
 /// A table: part, lines, cycles, ms at the robot's standard sampling time.
-pub fn human(program: &Program, parts: &[Part], sampling: Sampling) -> String {
+pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
     let name = Printable::line(program.source_name());
     let robot = program.signature().robot;
     let mut out = format!("{name} for {robot}, {} ms a cycle\n", sampling.standard);
@@ -18,7 +21,12 @@ pub fn human(program: &Program, parts: &[Part], sampling: Sampling) -> String {
         out += &note;
     }
     let mut rows = vec![["part", "lines", "cycles", "ms", ""].map(str::to_owned)];
-    rows.extend(parts.iter().map(|part| row(program, part, sampling)));
+    rows.extend(
+        parts
+            .counted
+            .iter()
+            .map(|part| row(program, part, sampling)),
+    );
     let width = |column: usize| {
         let widths = rows.iter().map(|row| row[column].chars().count());
         widths.max().unwrap_or_default()
@@ -33,12 +41,15 @@ pub fn human(program: &Program, parts: &[Part], sampling: Sampling) -> String {
         out += line.trim_end();
         out.push('\n');
     }
+    if parts.has_more {
+        out = out + MORE + "\n";
+    }
     out
 }
 
-/// One line a part: `FILE:LINE: part: cycles`.
-pub fn short(program: &Program, parts: &[Part], sampling: Sampling) -> String {
-    let lines = parts.iter().map(|part| {
+/// One line a part: `FILE:LINE: part: cycles`; a last one without a line of the file if there are more.
+pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
+    let lines = parts.counted.iter().map(|part| {
         let [what, _, cycles, ms, waits] = row(program, part, sampling);
         let line = line_of(program, first_step(program, &part.span));
         let waits = if waits.is_empty() { "" } else { ", waits" };
@@ -46,16 +57,26 @@ pub fn short(program: &Program, parts: &[Part], sampling: Sampling) -> String {
         let plural = if cycles == "1" { "" } else { "s" };
         format!("{name}:{line}: {what}: {cycles} cycle{plural}, {ms} ms{waits}\n")
     });
-    lines.collect()
+    let more = parts.has_more.then(|| {
+        let name = Printable::line(program.source_name());
+        format!("{name}: {MORE}\n")
+    });
+    lines.chain(more).collect()
 }
 
 /// One object a line: `part` (`subroutine`, `turn`, `stretch`), `name`, `file`, `line`, of a stretch `to`, of a
-/// FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`.
-pub fn json(program: &Program, parts: &[Part], sampling: Sampling) -> String {
-    parts
-        .iter()
-        .map(|part| object(program, part, sampling) + "\n")
-        .collect()
+/// FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`. A last object
+/// without `part`, with `file` and `note`, if there are more.
+pub fn json(program: &Program, parts: &Parts, sampling: Sampling) -> String {
+    let objects = parts.counted.iter();
+    let objects = objects.map(|part| object(program, part, sampling) + "\n");
+    let more = parts.has_more.then(|| {
+        let mut out = String::from("{\"file\":");
+        push_string(&mut out, program.source_name());
+        push_member(&mut out, "note", MORE);
+        out + "}\n"
+    });
+    objects.chain(more).collect()
 }
 
 fn object(program: &Program, part: &Part, sampling: Sampling) -> String {
@@ -179,9 +200,11 @@ fn begin(program: &Program, span: &Span) -> String {
 
 /// The label that stands for a step.
 fn label(program: &Program, step: StepId) -> Option<&str> {
-    let mut labels = program.labels().iter();
-    let label = labels.find(|label| label.step == step)?;
-    Some(&label.name)
+    let labels = program.labels();
+    let place = labels
+        .binary_search_by_key(&step, |label| label.step)
+        .ok()?;
+    Some(&labels[place].name)
 }
 
 fn end(program: &Program, stop: Stop) -> String {

@@ -1,5 +1,6 @@
 //! Which subroutines call which.
 
+use super::distance::Work;
 use super::rings::rings;
 use std::collections::{BTreeMap, BTreeSet};
 use tipc::analysis::flow::{Flow, NodeId};
@@ -13,16 +14,16 @@ pub(super) struct Calls {
 }
 
 impl Calls {
-    /// Those of a flow.
-    pub(super) fn new(flow: &Flow) -> Self {
+    /// Those of a flow; `None` if they share more steps than there is work left for.
+    pub(super) fn new(flow: &Flow, work: &Work) -> Option<Self> {
         let entries: BTreeSet<NodeId> = flow.calls().map(|call| call.entry).collect();
         let numbers: BTreeMap<NodeId, usize> = entries.iter().copied().zip(0..).collect();
         let mut seen = vec![NodeId::MAX; flow.nodes().len()];
         let called = entries.iter().map(|entry| {
-            let called = called(flow, *entry, &mut seen);
-            called.into_iter().map(|entry| numbers[&entry]).collect()
+            let called = called(flow, *entry, &mut seen, work)?;
+            Some(called.into_iter().map(|entry| numbers[&entry]).collect())
         });
-        let called: Vec<Vec<usize>> = called.collect();
+        let called: Vec<Vec<usize>> = called.collect::<Option<_>>()?;
         let mut callers = vec![Vec::new(); called.len()];
         for (caller, called) in called.iter().enumerate() {
             called
@@ -49,11 +50,11 @@ impl Calls {
                 .map(|caller| places[*caller])
                 .collect()
         };
-        Calls {
+        Some(Calls {
             entries: order.iter().map(|number| entries[*number]).collect(),
             callers: order.iter().map(placed).collect(),
             is_recursive: order.iter().map(recursive).collect(),
-        }
+        })
     }
 
     /// How many there are.
@@ -78,17 +79,23 @@ impl Calls {
 }
 
 /// The entries that a subroutine calls itself.
-fn called(flow: &Flow, entry: NodeId, seen: &mut [NodeId]) -> BTreeSet<NodeId> {
+fn called(
+    flow: &Flow,
+    entry: NodeId,
+    seen: &mut [NodeId],
+    work: &Work,
+) -> Option<BTreeSet<NodeId>> {
     let mut called = BTreeSet::new();
     let mut open = vec![entry];
     while let Some(id) = open.pop() {
         if std::mem::replace(&mut seen[id], entry) == entry {
             continue;
         }
+        work.take(1)?;
         let node = &flow.nodes()[id];
         open.extend(node.next.iter());
         open.extend(node.call.map(|call| call.back));
         called.extend(node.call.map(|call| call.entry));
     }
-    called
+    Some(called)
 }

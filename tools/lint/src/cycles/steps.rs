@@ -26,6 +26,11 @@ impl Steps {
         Steps(runs)
     }
 
+    /// How many runs of neighbours they are.
+    pub(super) fn pieces(&self) -> usize {
+        self.0.len()
+    }
+
     /// Whether a step is one of them.
     pub fn contains(&self, step: StepId) -> bool {
         let behind = self.0.partition_point(|(first, _)| *first <= step);

@@ -207,7 +207,10 @@ fn deep_nesting_ends_in_no_bound() {
         let opened = "FOR I = 1 TO 1\n".repeat(depth);
         let text = format!("DEF_VAR I\n{opened}{}END", "NEXT\n".repeat(depth));
         let program = program(&text);
-        let stretch = parts(&program, TITAN).pop().expect("from start to END");
+        let stretch = parts(&program, TITAN)
+            .counted
+            .pop()
+            .expect("from start to END");
         stretch.cycles.max
     };
     // All loops count the same variable, so that only the innermost is counted at all.
@@ -225,6 +228,7 @@ fn deep_nesting_ends_in_no_bound() {
             "NEXT\n".repeat(depth)
         );
         let stretch = parts(&program(&text), TITAN)
+            .counted
             .pop()
             .expect("from start to END");
         stretch.cycles.max
@@ -249,7 +253,7 @@ fn long_programs_take_time_in_proportion() {
         }
         let program = program(&(text + "EXIT\nR: RETURN\nEND"));
         let start = Instant::now();
-        assert!(parts(&program, TITAN).len() > steps / 10);
+        assert!(parts(&program, TITAN).counted.len() > steps / 10);
         start.elapsed()
     };
     let _warm = time(1_000);

@@ -3,9 +3,10 @@
 
 use allocation_counter::{AllocationInfo, measure};
 use std::fmt::Write;
-use tip_lint::cycles::{Sampling, parts};
+use tip_lint::cycles::{Sampling, human, json, parts, short};
 use tip_lint::load;
 use tip_lint::migrate::migrate;
+use tipc::analysis::assignment::{Assigned, Assignment, Read};
 use tipc::emit::{Options as Spelling, pretty};
 use tipc::program::Program;
 use tipc::source::Encoding;
@@ -29,7 +30,7 @@ fn require_linear(what: &str, cost: impl Fn(usize) -> u64) {
 fn cycles(statements: &str) -> u64 {
     let program = program(statements);
     let sampling = Sampling::of(Robot::Titan8);
-    measure(|| assert!(!parts(&program, sampling).is_empty())).bytes_total
+    measure(|| assert!(!parts(&program, sampling).counted.is_empty())).bytes_total
 }
 
 /// A line for each number.
@@ -85,6 +86,117 @@ fn cycles_are_counted_in_proportion_to_labels() {
         let routine = |n| format!("L{n}: IF KB_HIT GOSUB L{}:\nRETURN", (n + 1) % count);
         cycles(&format!("GOSUB L0:\nEXIT\n{}", lines(count, routine)))
     });
+}
+
+/// Jumps across the whole program, forwards and backwards.
+fn tangled(count: usize) -> String {
+    lines(count, |n| {
+        format!("L{n}: REM\nIF KB_HIT GOTO L{}:", n * 7919 % count)
+    })
+}
+
+#[test]
+fn cycles_of_loops_entered_from_aside_are_counted_in_proportion() {
+    require_linear("loops in a row", |count| {
+        cycles(&lines(count, |n| {
+            format!("IF KB_HIT GOTO A{n}:\nL{n}: REM\nA{n}: IF KB_HIT GOTO L{n}:")
+        }))
+    });
+}
+
+#[test]
+fn counting_ends_where_paths_cross_too_often() {
+    let shared = |count: usize| {
+        let calls = lines(count, |n| format!("IF KB_HIT GOSUB L{n}:"));
+        let begins = lines(count, |n| format!("L{n}: REM"));
+        format!("{calls}EXIT\n{begins}RETURN")
+    };
+    let fans = |count: usize| {
+        let begins = lines(count, |n| format!("L{n}: REM\nELSEIF KB_HIT THEN"));
+        let ends = lines(count, |n| format!("IF KB_HIT GOTO M{n}:"));
+        let after = lines(count, |n| format!("M{n}: REM"));
+        format!("IF KB_HIT THEN\n{begins}ENDIF\n{ends}{after}")
+    };
+    let entered = |depth: usize| {
+        let open = lines(depth, |n| format!("L{n}: REM"));
+        let close = lines(depth, |n| format!("IF KB_HIT GOTO L{}:", depth - 1 - n));
+        format!("IF KB_HIT GOTO A:\n{open}A: REM\n{close}")
+    };
+    let left = |depth: usize| {
+        let (open, close) = ("WHILE KB_HIT\n".repeat(depth), "WEND\n".repeat(depth));
+        let jumps = lines(depth, |n| format!("IF KB_HIT GOTO L{n}:"));
+        let labels = lines(depth, |n| format!("L{n}: REM"));
+        format!("{open}{jumps}{close}{labels}")
+    };
+    let kinds: [(&str, &dyn Fn(usize) -> String); 5] = [
+        ("jumps over the program", &tangled),
+        ("routines that share their ends", &shared),
+        ("stretches between all labels", &fans),
+        ("nested loops entered from aside", &entered),
+        ("nested loops with many ways out", &left),
+    ];
+    for (kind, text) in kinds {
+        let counted = |count: usize| {
+            let program = program(&text(count));
+            let sampling = Sampling::of(Robot::Titan8);
+            let mut has_more = false;
+            let run = || has_more = parts(&program, sampling).has_more;
+            (measure(run).bytes_total, has_more)
+        };
+        let ((_, few), (short, many), (long, most)) =
+            (counted(100), counted(2_000), counted(8_000));
+        assert_eq!([few, many, most], [false, true, true], "{kind}");
+        assert!(long < 5 * short, "{kind}: {short} bytes, then {long}");
+    }
+}
+
+#[test]
+fn a_count_that_ends_early_says_so() {
+    let program = program(&tangled(2_000));
+    let sampling = Sampling::of(Robot::Titan8);
+    let found = parts(&program, sampling);
+    let note = "further parts are not counted: their paths cross too often";
+    let last = |text: String| text.lines().last().map(str::to_owned);
+    let table = last(human(&program, &found, sampling));
+    assert_eq!(table.as_deref(), Some(note));
+    let line = last(short(&program, &found, sampling));
+    assert_eq!(line, Some(format!("test.prg: {note}")));
+    let object = last(json(&program, &found, sampling));
+    let expected = format!(r#"{{"file":"test.prg","note":"{note}"}}"#);
+    assert_eq!(object, Some(expected));
+}
+
+/// What everything costs that is found of a program.
+fn check(statements: &str) -> u64 {
+    let text = format!("3.1\ntest\n{statements}\nEND\n");
+    let options = Options::default();
+    let run = || {
+        assert!(
+            load("test.prg", text.as_bytes(), &options)
+                .program
+                .is_some()
+        )
+    };
+    measure(run).bytes_total
+}
+
+#[test]
+fn reads_are_judged_up_to_a_bound() {
+    let text = |count: usize| {
+        let begin = lines(count, |n| format!("DEF_VAR V{n}\nV{n} = 1"));
+        let reads = lines(count, |n| format!("IF KB_HIT THEN\nSLEEP V{n}\nENDIF"));
+        begin + &reads
+    };
+    let cost = |count: usize| check(&text(count));
+    let (short, long) = (cost(4_000), cost(16_000));
+    assert!(long < 5 * short, "{short} bytes, then {long}");
+    // What is not judged is neither proved nor doubted.
+    let program = program(&text(16_000));
+    let assignment = Assignment::of(&program);
+    let judged = assignment.reads().len();
+    assert!((1_000..16_000).contains(&judged), "{judged}");
+    let is_always = |read: &Read| read.assigned == Assigned::Always;
+    assert!(assignment.reads().iter().all(is_always));
 }
 
 fn migration(statements: &str) -> u64 {
