@@ -17,6 +17,7 @@ mod escape;
 mod explain;
 mod fix;
 mod fmt;
+mod framing;
 mod help;
 mod input;
 mod interrupt;
