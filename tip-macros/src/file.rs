@@ -1,11 +1,9 @@
 //! Finding the file of `include_tip!`.
-#![expect(
-    clippy::disallowed_methods,
-    reason = "the macro is there to read this file"
-)]
 
+use std::env;
 use std::path::{Path, PathBuf};
-use std::{env, fs, io};
+use tipc::embed;
+use tipc::message::Reading;
 
 /// A source file.
 #[derive(Debug)]
@@ -25,18 +23,18 @@ pub(crate) fn find(path: &str, invoking: Option<&Path>) -> Result<Found, String>
 fn search(path: &Path, folders: impl Iterator<Item = PathBuf>) -> Result<Found, String> {
     let mut tried: Vec<PathBuf> = Vec::new();
     for candidate in folders.map(|folder| folder.join(path)) {
-        match fs::read(&candidate) {
+        match embed::read_file(&candidate, embed::LIMIT) {
             Ok(bytes) => {
                 let path = std::path::absolute(&candidate).unwrap_or(candidate);
                 return Ok(Found { path, bytes });
             }
             // An absolute path is the same below every folder.
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(Reading::NoFile) => {
                 if !tried.contains(&candidate) {
                     tried.push(candidate);
                 }
             }
-            Err(error) => return Err(format!("{}: {error}", candidate.display())),
+            Err(reason) => return Err(format!("{}: {reason}", candidate.display())),
         }
     }
     let tried: Vec<String> = tried
@@ -69,5 +67,19 @@ mod tests {
         let folders = ["one", "two"].map(PathBuf::from).into_iter();
         let message = search(Path::new("/gone.prg"), folders).unwrap_err();
         assert_eq!(message, "looked for /gone.prg");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_not_read() {
+        let message = search(
+            Path::new("/dev/zero"),
+            ["one"].map(PathBuf::from).into_iter(),
+        );
+        let message = message.unwrap_err();
+        assert!(
+            message.contains("a device, a pipe or a socket"),
+            "{message}"
+        );
     }
 }

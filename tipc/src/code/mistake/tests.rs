@@ -5,7 +5,10 @@ use std::collections::HashSet;
 
 /// Rows that are reasons of codes which cover one kind of mistake only.
 const PLAIN: &[(&str, &str)] = &[
-    ("Reading", "System Folder NoFile NotAllowed OtherCharacters"),
+    (
+        "Reading",
+        "System Folder NoFile NotAllowed NotRegular TooLarge Changed Linked OtherCharacters",
+    ),
     (
         "Parsing",
         "OtherVersion NoVersion MoreThanVersion ProgramEndsHere TextEndsHere TextTooLong",
