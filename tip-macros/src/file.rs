@@ -1,12 +1,9 @@
 //! Finding the file of `include_tip!`.
-#![expect(
-    clippy::disallowed_methods,
-    reason = "the macro is there to read this file"
-)]
 
 use crate::literal::Text;
 use std::path::{Path, PathBuf};
-use std::{env, fs, io};
+use std::{env, fs};
+use tipc::embed;
 use tipc::message::Reading;
 
 /// A source file.
@@ -48,7 +45,7 @@ fn search(path: &Path, folders: impl Iterator<Item = PathBuf>) -> Result<Found, 
         if tried.contains(&candidate) {
             continue;
         }
-        match (fs::read(&candidate), &found) {
+        match (embed::read_file(&candidate, embed::LIMIT), &found) {
             (Ok(_), Some(first)) if is_same(&first.path, &candidate) => {}
             (Ok(_), Some(first)) => {
                 return Err(Fault::Two(Reading::TwoFiles {
@@ -60,9 +57,9 @@ fn search(path: &Path, folders: impl Iterator<Item = PathBuf>) -> Result<Found, 
                 let path = absolute(&candidate);
                 found = Some(Found { path, bytes });
             }
-            (Err(error), _) if error.kind() == io::ErrorKind::NotFound => {}
-            (Err(error), _) => {
-                let error = format!("{}: {error}", candidate.display()).into();
+            (Err(Reading::NoFile), _) => {}
+            (Err(reason), _) => {
+                let error = format!("{}: {reason}", candidate.display()).into();
                 return Err(Fault::NotRead(Reading::System { error }));
             }
         }
@@ -135,5 +132,22 @@ mod tests {
         let message = looked("gone.prg");
         assert!(message.contains("gone.prg and "), "{message}");
         assert_eq!(looked("/gone.prg"), "looked for /gone.prg");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_not_read() {
+        let message = search(
+            Path::new("/dev/zero"),
+            ["one"].map(PathBuf::from).into_iter(),
+        );
+        let Err(Fault::NotRead(reason)) = message else {
+            panic!("{message:?}")
+        };
+        let message = reason.to_string();
+        assert!(
+            message.contains("a device, a pipe or a socket"),
+            "{message}"
+        );
     }
 }

@@ -114,3 +114,52 @@ fn a_pipe_without_a_reader_is_refused_at_once_and_one_with_a_reader_is_written()
     file.commit().expect("nothing to be put in its place");
     assert_eq!(reader.join().expect("it ends").expect("text"), text);
 }
+
+#[test]
+fn a_file_keeps_its_names_and_loses_set_user_id() {
+    let folder = folder("names");
+    let (one, two) = (folder.join("one"), folder.join("two"));
+    fs::write(&one, "a longer text").expect("the folder is writable");
+    fs::hard_link(&one, &two).expect("the folder is writable");
+    fs::set_permissions(&one, Permissions::from_mode(0o6754)).expect("it is ours");
+    for text in ["short", "", "a text that is longer than all before it"] {
+        write(&one, text).expect("it can be replaced");
+        assert_eq!(fs::read_to_string(&two).expect("it is there"), text);
+    }
+    assert_eq!(mode(&two), 0o754);
+    fs::remove_file(&two).expect("it is there");
+    fs::set_permissions(&one, Permissions::from_mode(0o4700)).expect("it is ours");
+    write(&one, "alone").expect("it can be replaced");
+    assert_eq!(mode(&one), 0o700);
+    assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 1);
+}
+
+#[test]
+fn what_a_link_leads_to_is_written_and_the_link_stays() {
+    use std::os::unix::fs::symlink;
+    let folder = folder("links");
+    let link = folder.join("link");
+    symlink("chain", &link).expect("the folder is writable");
+    fs::write(folder.join("target"), "old").expect("the folder is writable");
+    symlink("target", folder.join("chain")).expect("the folder is writable");
+    for text in ["new", "again"] {
+        write(&link, text).expect("the folder is writable");
+        let target = fs::read_to_string(folder.join("target"));
+        assert_eq!(target.expect("it is there"), text);
+        let link = fs::symlink_metadata(&link).expect("it is there");
+        assert!(link.is_symlink());
+    }
+}
+
+/// Only the system administrator can give a file away; for others the test says nothing.
+#[test]
+fn a_replaced_file_keeps_its_owner() {
+    use std::os::unix::fs::{MetadataExt, chown};
+    let path = folder("owner").join("file");
+    fs::write(&path, "old").expect("the folder is writable");
+    if chown(&path, Some(4711), Some(4712)).is_ok() {
+        write(&path, "new").expect("it can be replaced");
+        let found = fs::metadata(&path).expect("it is there");
+        assert_eq!((found.uid(), found.gid()), (4711, 4712));
+    }
+}

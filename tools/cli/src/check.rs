@@ -85,7 +85,7 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
 /// Checks until Ctrl-C.
 fn again_and_again(arguments: &Check) -> Result<Status, Error> {
     let lang = arguments.source.shown.lang();
-    if arguments.files.iter().any(|file| input::is_standard(file)) {
+    if arguments.files.iter().any(|file| input::is_stream(file)) {
         return Err(Error::Usage(Using::WatchInput.in_lang(lang).to_string()));
     }
     interrupt::catch();

@@ -20,18 +20,20 @@ pub(super) fn fix(
     total: &Total,
     shown: Shown,
 ) -> Result<Loaded, Error> {
-    let repaired = repair(input::load(path, options), options, least);
+    let loaded = input::load(path, options);
+    let read = loaded.source.bytes();
+    let repaired = repair(loaded, options, least);
     let said = said(&repaired, shown);
     let Repaired { applied, loaded } = repaired;
     // Standard output is the program's.
-    if input::is_standard(path) && input::was_read(&loaded) {
+    if input::is_stream(path) && input::was_read(&loaded) {
         output::print(loaded.source.bytes())?;
         report::complain(&said);
         report::findings(&loaded, shown);
         return Ok(loaded);
     }
     if !applied.is_empty() {
-        output::replace(path, loaded.source.bytes())?;
+        output::update(path, &read, &loaded.source.bytes(), shown.lang())?;
     }
     match shown.message_format {
         Format::Human => report::complain(&said),

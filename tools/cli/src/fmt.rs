@@ -122,10 +122,10 @@ impl Fmt {
             }
             return Ok(!changes);
         }
-        if input::is_standard(path) {
+        if input::is_stream(path) {
             output::print(&formatted)?;
         } else if changes {
-            output::replace(path, &formatted)?;
+            output::update(path, bytes, &formatted, self.shown.lang())?;
         }
         Ok(true)
     }

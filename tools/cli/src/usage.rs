@@ -54,6 +54,16 @@ pub(super) fn count(text: &str) -> Result<u64, Wrong> {
         .map_err(|_| Wrong(Using::NotACount { text: text_of() }))
 }
 
+/// A whole number that is not 0: how many runs or cycles are compared.
+pub(super) fn positive(text: &str) -> Result<u64, Wrong> {
+    match count(text)? {
+        0 => Err(Wrong(Using::NotPositive {
+            text: text.to_owned(),
+        })),
+        count => Ok(count),
+    }
+}
+
 /// Says what is wrong, or gives the help that is asked for.
 pub(super) fn report(error: &clap::Error) {
     let lang = lang();

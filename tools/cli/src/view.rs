@@ -4,7 +4,7 @@ use super::error::Error;
 use super::plant::Ours;
 use super::recorded::{RecordedArguments, STOPPED};
 use super::report::plural;
-use super::{Status, interrupt, output, report};
+use super::{Status, input, interrupt, output, report};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
@@ -82,12 +82,15 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     })
 }
 
+/// The size limit of a trace, MiB: some hours of the robot's time.
+const LARGEST_TRACE: usize = 1024;
+
 impl View {
     /// Where the page goes.
     fn out(&self) -> PathBuf {
         match &self.out {
             Some(out) => out.clone(),
-            None if self.recorded.file.as_os_str() == "-" => PathBuf::from("run.html"),
+            None if input::is_stream(&self.recorded.file) => PathBuf::from("run.html"),
             None => self.recorded.file.with_extension("html"),
         }
     }
@@ -95,7 +98,10 @@ impl View {
     fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
         let name = Printable::line(self.recorded.file.display()).to_string();
         let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
-        let trace = std::fs::read_to_string(&self.recorded.file).map_err(|error| failed(&error))?;
+        let lang = self.recorded.source.shown.lang();
+        let trace = input::read(&self.recorded.file, LARGEST_TRACE)
+            .map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
         let read = Recording::from_trace(&trace, loaded, robot);
         read.map_err(|error: BadTrace| failed(&error))
     }

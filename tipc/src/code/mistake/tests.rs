@@ -7,7 +7,7 @@ use std::collections::HashSet;
 const PLAIN: &[(&str, &str)] = &[
     (
         "Reading",
-        "System Folder NoFile NotAllowed TwoFiles OtherCharacters",
+        "System Folder NoFile NotAllowed NotRegular TooLarge Changed Linked TwoFiles OtherCharacters",
     ),
     (
         "Parsing",

@@ -33,7 +33,7 @@ impl Host for Files {
             encoding: encoding.encoding(),
             ..robot.options()
         };
-        let loaded = input::load(path, &options);
+        let loaded = input::load_file(path, &options);
         let Some(program) = loaded.program.clone() else {
             return Err(findings(&loaded, lang));
         };

@@ -1,7 +1,7 @@
 //! `tipc robot import`: a description of a URDF file.
 
 use super::foot::{Feet, feet};
-use super::{Status, output, report};
+use super::{Status, input, output, report};
 use crate::choices::LangName;
 use crate::error::Error;
 use crate::message::Using;
@@ -9,10 +9,10 @@ use crate::message::running::Weight;
 use crate::shown;
 use crate::usage::Wrong;
 use clap::Args;
-use std::fs;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::urdf;
+use tipc::embed::LIMIT;
 use tipc::message::Lang;
 
 /// `tipc robot import`
@@ -78,7 +78,7 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 
 /// The description that a URDF file makes; why there is none goes to standard error.
 pub(super) fn read(path: &Path, choices: &urdf::Choices, lang: Lang) -> Option<urdf::Import> {
-    let read = fs::read(path).map_err(|reason| reason.to_string());
+    let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
     let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let imported = text.and_then(|text| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();

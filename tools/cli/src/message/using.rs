@@ -25,6 +25,9 @@ tipc::message_table! {
     NotACount { text: String }
         "`{text}` is not a count: write a whole number, 0 or more",
         "`{text}` は数えられません。0以上の整数を指定してください";
+    NotPositive { text: String }
+        "`{text}` compares nothing: write a whole number, 1 or more",
+        "`{text}` では何も比較されません。1以上の整数を指定してください";
     NotAFoot { text: String }
         "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a place in its frame, in metres, as `shank=0,0,-0.13`",
         "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";

@@ -10,6 +10,8 @@ mod emit;
 mod external;
 #[cfg(target_os = "linux")]
 mod faults;
+#[cfg(target_os = "linux")]
+mod files;
 mod fix;
 mod fmt;
 #[cfg(unix)]
