@@ -65,8 +65,8 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
         },
     ];
     let mut postures = match &found.stands {
-        Stands::AsAsked { postures, .. } | Stands::Assumed { postures, .. } => postures,
-        Stands::Middle => &[],
+        Stands::AsAsked { postures, .. } | Stands::Assumed { postures, .. } => postures.as_slice(),
+        Stands::Middle => [].as_slice(),
     }
     .iter()
     .map(Vec::as_slice);
