@@ -12,6 +12,24 @@ tipc::message_table! {
     Next
         "next:",
         "次のコマンド:";
+    Walks { travel: f64 }
+        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall, with mass and without",
+        "動作を試しました: シミュレーションのロボットは、質量の有無にかかわらず倒れずに{travel} mm前進します";
+    WalksWithoutMass { travel: f64 }
+        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall; with mass (`--plant dynamic`) it falls, or comes less far",
+        "動作を試しました: シミュレーションのロボットは倒れずに{travel} mm前進しますが、質量を持つプラント(`--plant dynamic`)では倒れるか、そこまで進みません";
+    NoGait { falls: u32 }
+        "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times in it:",
+        "歩容が見つからないので、脚を1本ずつ曲げる動作にしました。シミュレーションで倒れる回数は{falls}です。理由:";
+    TooFewLegs
+        "a robot that stands on its feet needs four legs to lift one",
+        "1本を上げて立つには脚が4本必要です";
+    OutOfReach
+        "feet do not reach where a gait has them, or slip: set another `initial`, as by `tipc robot import --stand`, or wider limits",
+        "足先が歩容の位置に届かないか、滑ります。`tipc robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+    Falls
+        "the simulated robot falls on every gait that was tried: set another `initial`, as by `tipc robot import --stand`",
+        "試したどの歩容でも、シミュレーションのロボットが倒れます。`tipc robot import --stand` などで `initial` を変えてください";
     FolderTaken { folder: Text }
         "`{folder}` is there already: choose another name, or move it away",
         "`{folder}` はすでにあります。別の名前を指定するか、移動してください";

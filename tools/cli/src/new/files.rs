@@ -110,6 +110,7 @@ impl Holes {
             ("motion", kit.motion.stem.to_owned()),
             ("Program", type_name(kit.motion.stem)),
             ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
+            ("travel", format!("{:?}", kit.motion.travel)),
             ("legs", kit.legs.to_string()),
             ("joints", kit.joints.to_string()),
         ];

@@ -21,6 +21,15 @@ tipc::message_table! {
     TooDeep { element: String, most: u32 }
         "element `{element}` is nested deeper than {most} levels: no robot needs that",
         "要素 `{element}` の入れ子が{most}段を超えています。ロボットにそこまでの深さは要りません";
+    TooManyAttributes { at: Place, element: String, most: u32 }
+        "{at}: element `{element}` has more than {most} attributes: no robot needs so many",
+        "{at}: 要素 `{element}` の属性が{most}個を超えています。ロボットにそんなに多くの属性は要りません";
+    UnknownEncoding { encoding: String }
+        "the file says that its encoding is `{encoding}`, which cannot be read: save it as UTF-8",
+        "文字コードが `{encoding}` と書かれていますが、読めない文字コードです。UTF-8で保存してください";
+    NotInEncoding { at: Place, encoding: &'static str }
+        "{at}: these bytes are not {encoding}: save the file as UTF-8, or say which encoding it has, as `<?xml version=\"1.0\" encoding=\"Shift_JIS\"?>`",
+        "{at}: {encoding}として読めないバイトがあります。UTF-8で保存するか、`<?xml version=\"1.0\" encoding=\"Shift_JIS\"?>` のように文字コードを書いてください";
     Doctype
         "the file has a DTD, and entities of its own are not read: leave `<!DOCTYPE …>` out, and write what its entities stand for",
         "DTDがあります。独自の実体参照は読みません。`<!DOCTYPE …>` を取り、実体の中身をそのまま書いてください";
@@ -72,6 +81,9 @@ tipc::message_table! {
     NoRobot { line: String, faults: Faults }
         "its numbers describe no robot, in m, kg, rad and N·m as URDF has them: {faults}; see what comes of them: `{line}`",
         "URDFの単位 (m、kg、rad、N·m) で読むと、この数値ではロボットになりません: {faults}。変換結果: `{line}`";
+    OnItsSide { up: &'static str }
+        "the first joints of all legs are in one upright plane, so that the robot lies on its side: import it with `--up {up}` if {up} is up in the file, or with `--up z` if it really is like that",
+        "全ての脚の第1関節が鉛直な平面の中にあり、ロボットが横倒しになっています。ファイルの上向きが{up}なら `--up {up}` を、本当にこの形なら `--up z` を付けてください";
     TooManyChains { chains: usize, most: usize }
         "{chains} chains begin on the body, and a robot has {most} legs at most: leave out those that are no legs with `--skip`",
         "胴体から{chains}本の連鎖が出ていますが、脚は{most}本までです。脚でない連鎖は `--skip` で除いてください";
@@ -81,9 +93,12 @@ tipc::message_table! {
     OtherNumberOfJoints { leg: String, joints: usize, first: String, wanted: usize }
         "the leg of joint `{leg}` has {joints} joints, that of joint `{first}` has {wanted}: every leg needs the same number, so leave one out with `--skip`, end one earlier with `--foot`, or make the others fixed",
         "関節 `{leg}` の脚は{joints}関節、関節 `{first}` の脚は{wanted}関節です。全ての脚で同じ数になるよう、`--skip` で一方を除くか、`--foot` で手前を足先にするか、余りをfixedにしてください";
-    LinkTwice { link: String }
-        "link `{link}` stands there twice",
-        "リンク `{link}` が2つあります";
+    LinkTwice { link: String, first: Place, second: Place }
+        "link `{link}` stands there twice, at {first} and at {second}: give each a name of its own",
+        "リンク `{link}` が2つあります({first}と{second})。別々の名前にしてください";
+    JointTwice { joint: String, first: Place, second: Place }
+        "joint `{joint}` stands there twice, at {first} and at {second}: give each a name of its own",
+        "関節 `{joint}` が2つあります({first}と{second})。別々の名前にしてください";
     NoSuchLink { joint: String, link: String }
         "joint `{joint}` names link `{link}`, which is not there",
         "関節 `{joint}` の指すリンク `{link}` がありません";
@@ -178,18 +193,54 @@ tipc::message_table! {
     Stands { height: f64 }
         "the initial posture has all feet {height} mm below the robot frame, as asked",
         "初期姿勢では、指定どおり全ての足先がロボット座標系の{height} mm下にあります";
+    StandsByItself { height: f64 }
+        "assumed: the initial posture has all feet {height} mm below the robot frame, since the robot would fall in the middle of its limits; set `initial`, or choose a height with `--stand`",
+        "仮定: 限界の中央の姿勢では倒れるので、初期姿勢では全ての足先をロボット座標系の{height} mm下に置きます。`initial` を設定するか、`--stand` で高さを選んでください";
+    DoesNotStand
+        "doubtful: the robot falls in its initial posture, and no height was found at which it stands: set `initial`",
+        "要確認: 初期姿勢で倒れます。立っていられる高さも見つかりません。`initial` を設定してください";
     Leg { number: usize, joint: String, link: String }
         "F{number}: joint {joint} to link {link}",
         "F{number}: 関節{joint}からリンク{link}まで";
+    LegsByPlace { joints: List }
+        "the legs are numbered by where they are, from front to rear and left before right: {joints}; `--order` chooses another order",
+        "脚の番号は位置による順です(前から後ろ、左が先): {joints}。`--order` で変えられます";
+    LegsWithoutPlace { joints: List }
+        "doubtful: where the legs are does not tell front from rear and left from right, so that they are numbered in the order of the file: {joints}; say it with `--order`",
+        "要確認: 脚の位置から前後左右が決まらないので、番号はファイルの順です: {joints}。`--order` で指定してください";
+    LegsOfFile { joints: List }
+        "F1, F2, … are in the order of the file: {joints}; `--order` chooses another order",
+        "F1、F2、…の番号はファイルの順です: {joints}。`--order` で変えられます";
+    UnknownVersion { version: String, read_as: &'static str }
+        "doubtful: `{version}` is no version of URDF that is known, so that the file was read as {read_as}",
+        "要確認: `{version}` というURDFの版は知られていないので、{read_as}として読みました";
+    OldQuaternion { at: Place, elements: usize }
+        "dropped: `quat_xyzw`, which URDF has since 1.1, {elements} times, first at {at}: write `version=\"1.1\"` in `<robot>`, or `rpy`, if it is to count",
+        "読み捨てたもの: {elements}個の要素の `quat_xyzw`(最初は{at})。URDF 1.1からの属性です。使うなら `<robot>` に `version=\"1.1\"` と書くか、`rpy` で書いてください";
     OmegaMax
         "OMEGA_MAX is the velocity of the slowest joint",
         "OMEGA_MAXは最も遅い関節の速度です";
     TurnsAllRound { joints: List }
         "assumed: limits of -180 and 180 deg, for want of any: {joints}",
         "仮定: 限界がないので-180と180 deg: {joints}";
+    InfiniteLimits { joints: List }
+        "assumed: limits of -180 and 180 deg in place of infinite ones: {joints}",
+        "仮定: 限界が無限大なので-180と180 deg: {joints}";
+    LimitsOfContinuous { joints: List }
+        "dropped: what continuous joints say of `lower` and `upper`, since they turn without end; their limits are -180 and 180 deg: {joints}",
+        "読み捨てたもの: 連続回転(continuous)の関節の `lower` と `upper`。端がないので限界は-180と180 deg: {joints}";
+    OpenLimits { joints: List }
+        "assumed: one end of the limits, which is not stated or infinite; the other one is kept: {joints}",
+        "仮定: 限界の一方が書かれていないか無限大。もう一方は書かれたとおり: {joints}";
+    SwappedLimits { joints: List }
+        "doubtful: `lower` is above `upper`, and the two were swapped: {joints}",
+        "要確認: `lower` が `upper` より大きいので、入れ替えました: {joints}";
+    LockedJoints { joints: List }
+        "locked: `lower` and `upper` are equal, and the joint stays there: {joints}",
+        "固定: `lower` と `upper` が等しいので、関節はその角度のままです: {joints}";
     Motor { joints: List }
-        "assumed: motors of 10 N·m, for want of an effort: {joints}",
-        "仮定: effortがないのでモータは10 N·m: {joints}";
+        "assumed: motors of 10 N·m, for want of an effort above 0 and up to 100000 N·m: {joints}",
+        "仮定: 0より大きく100000 N·m以下のeffortがないので、モータは10 N·m: {joints}";
     DoubtfulLimits { joints: List }
         "doubtful: limits of half a turn or more on both sides look like placeholders; set `limits`: {joints}",
         "要確認: 両側とも半回転以上の限界は仮の値のようです。`limits` を設定してください: {joints}";
@@ -217,6 +268,9 @@ tipc::message_table! {
     Walks
         "assumed: the robot walks; its body is a box around the first joints, 100 mm high: measure it, or leave [body] out if it is bolted down as a hand is",
         "仮定: ロボットは歩く。胴体は第1関節を囲む高さ100 mmの箱。実測してください。ハンドのように固定されているなら[body]を削除してください";
+    ThickBody { axes: List }
+        "doubtful: the first joints are in one plane, and the body is taken to be 100 mm thick there: set `{axes}`",
+        "要確認: 第1関節が一平面にあるので、そこでの胴体の厚さを100 mmとしました。`{axes}` を設定してください";
     BodyOfShapes
         "assumed: the robot walks; its body is the box around the collision shapes of its base: leave [body] out if it is bolted down as a hand is",
         "仮定: ロボットは歩く。胴体は基部の衝突形状を囲む箱。ハンドのように固定されているなら[body]を削除してください";

@@ -1,9 +1,9 @@
 //! Robots as models of MuJoCo: names, motors, and where everything is. What MuJoCo itself makes of them, `tests/urdf/run` asks.
 
 use roxmltree::{Document, Node};
-use tip_runtime::model::{hand, titan8};
+use tip_runtime::model::{Body, Model, Range, hand, titan8};
 use tip_runtime::plant::{Block, DynamicPlant, Floor, Object, Scene, Shape};
-use tip_sim::{Robot, mjcf};
+use tip_sim::{Robot, mjcf, urdf};
 
 const NAMED: [&str; 8] = [
     "titan8",
@@ -236,4 +236,45 @@ fn a_link_that_weighs_nothing_leaves_its_inertia_to_the_bounds() {
     assert_eq!(inertial(&light, "fullinertia"), None);
     assert_eq!(inertial(&heavy, "diaginertia"), None);
     assert!(inertial(&heavy, "fullinertia").is_some());
+}
+
+/// Readers refuse sizes of nothing.
+#[test]
+fn no_size_is_nothing() {
+    let flat = Body {
+        x: Range::new(7.0, 7.0),
+        z: Range::new(0.0, 0.0),
+        ..titan8::MODEL.body.expect("it walks")
+    };
+    let model: &Model<4, 3> = Box::leak(Box::new(Model {
+        body: Some(flat),
+        ..titan8::MODEL
+    }));
+    // A link that is nearly nothing, of which no rod is made.
+    let short = "name = \"short\"\nleg = [{ base = [0, 0, 0] }]\njoint = [
+        { axis = \"x\", link = [0, 0, 1e-9] }, { axis = \"x\", link = [0, 0, -50] }]";
+    let short = Robot::description(short).expect("a description");
+    for robot in [Robot::of(model), short] {
+        let [mjcf, urdf] = [mjcf::export(&robot), urdf::export(&robot)];
+        for text in [&mjcf, &urdf] {
+            let model = read(text);
+            let geometries = model
+                .descendants()
+                .filter(|node| node.attribute("type") != Some("plane"));
+            for node in geometries {
+                for attribute in ["size", "radius", "length"] {
+                    // In m, of which MuJoCo takes 1e-15 for nothing.
+                    let sizes = numbers(node, attribute);
+                    assert!(sizes.iter().all(|size| *size >= 1e-10), "{node:?}");
+                }
+                if let [x, y, z, to @ ..] = &*numbers(node, "fromto") {
+                    let apart = to
+                        .iter()
+                        .zip([x, y, z])
+                        .any(|(to, from)| (to - from).abs() > 1e-10);
+                    assert!(apart, "{node:?}");
+                }
+            }
+        }
+    }
 }

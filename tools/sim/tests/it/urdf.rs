@@ -4,6 +4,7 @@
 mod broken;
 mod choices;
 mod doubts;
+mod encodings;
 mod export;
 mod frames;
 mod refusals;
@@ -100,7 +101,7 @@ fn an_arm_of_turned_frames_moves_as_its_urdf_does() {
 }
 
 #[test]
-fn a_quadruped_stands_on_four_legs_in_the_order_of_the_file() {
+fn a_quadruped_stands_on_four_legs() {
     let joints = quadruped();
     let (import, description) = imported(&urdf(&joints));
     let model: Model<4, 3> = description.model().expect("four legs of three joints");
@@ -164,8 +165,8 @@ fn what_urdf_does_not_say_is_assumed_and_told() {
     );
     let said = told(&import);
     for line in [
-        "assumed: limits of -180 and 180 deg, for want of any: a",
-        "assumed: motors of 10 N·m, for want of an effort: a",
+        "dropped: what continuous joints say of `lower` and `upper`, since they turn without end; their limits are -180 and 180 deg: a",
+        "assumed: motors of 10 N·m, for want of an effort above 0 and up to 100000 N·m: a",
     ] {
         assert!(said.lines().any(|it| it == line), "{said}");
     }

@@ -237,12 +237,6 @@ fn since_1_2_numbers_are_possible() {
     );
     refused(
         "1.2",
-        "lower=\"-1\"",
-        "lower=\"nan\"",
-        "line 15, column 8: attribute `lower` of element `limit` is `nan`, which is not a number: write one, as `lower=\"-1\"`",
-    );
-    refused(
-        "1.2",
         "effort=\"2\"",
         "effort=\"2\" jerk=\"x\"",
         "line 15, column 40: attribute `jerk` of element `limit` is `x`, which is not a number: write one, as `jerk=\"100\"`",
@@ -251,12 +245,96 @@ fn since_1_2_numbers_are_possible() {
         ("radius=\"1\"", "radius=\"0\""),
         ("effort=\"2\"", "effort=\"-2\""),
         ("upper=\"1\"", "upper=\"-2\""),
-        ("lower=\"-1\"", "lower=\"nan\""),
         ("effort=\"2\"", "effort=\"2\" jerk=\"x\""),
     ] {
         taken("1.1", from, to);
     }
     taken("1.2", "upper=\"1\"", "upper=\"-1\"");
+}
+
+#[test]
+fn nan_is_no_number_in_any_version() {
+    for version in ["1.0", "1.1", "1.2"] {
+        refused(
+            version,
+            "lower=\"-1\"",
+            "lower=\"nan\"",
+            "line 15, column 8: attribute `lower` of element `limit` is `nan`, which is not a number: write one, as \
+             `lower=\"-1\"`",
+        );
+        refused(
+            version,
+            "effort=\"2\"",
+            "effort=\"NaN\"",
+            "line 15, column 29: attribute `effort` of element `limit` is `NaN`, which is not a number: write one, as \
+             `effort=\"5\"`",
+        );
+    }
+}
+
+/// What the report of a file in a version says.
+fn said(version: &str, from: &str, to: &str) -> String {
+    let import = import("test.urdf", &file(version, from, to));
+    crate::told(&import.unwrap_or_else(|error| panic!("{error}")))
+}
+
+#[test]
+fn a_quaternion_that_does_not_count_is_reported_at_its_place() {
+    let dropped = said(
+        "1.0",
+        "rpy=\"0 0 0\"",
+        "rpy=\"0 0 0\" quat_xyzw=\"0 0 2 2\"",
+    );
+    let line = "dropped: `quat_xyzw`, which URDF has since 1.1, 1 times, first at line 13, column 33: write \
+                `version=\"1.1\"` in `<robot>`, or `rpy`, if it is to count";
+    assert!(dropped.lines().any(|it| it == line), "{dropped}");
+    let counts = said("1.1", "rpy=\"0 0 0\"", "quat_xyzw=\"0 0 2 2\"");
+    assert!(!counts.contains("quat_xyzw"), "{counts}");
+}
+
+#[test]
+fn a_version_that_is_not_known_is_reported_with_the_one_it_is_read_as() {
+    let version = |version| said(version, "name=\"leg\"", "name=\"leg\"");
+    for (text, read_as) in [
+        ("2.0", "1.2"),
+        ("1.3", "1.2"),
+        ("0.9", "1.0"),
+        ("1", "1.0"),
+        ("new", "1.0"),
+    ] {
+        let line = format!(
+            "doubtful: `{text}` is no version of URDF that is known, so that the file was read as {read_as}"
+        );
+        let said = version(text);
+        assert!(said.lines().any(|it| it == line), "{text}: {said}");
+    }
+    for known in ["1.0", "1.1", "1.2"] {
+        assert!(!version(known).contains("version"), "{known}");
+    }
+}
+
+#[test]
+fn what_is_dropped_anyway_need_not_be_whole() {
+    let plain = taken("1.0", "</robot>", "</robot>");
+    for more in [
+        "<material name=\"a\"><texture/></material>",
+        "<material><color/></material>",
+        "<material name=\"a\"><color rgba=\"red\"/><color/></material>",
+    ] {
+        assert_eq!(taken("1.0", "</robot>", &format!("{more}</robot>")), plain);
+        assert_eq!(
+            taken("1.0", "</visual>", &format!("{more}</visual>")),
+            plain
+        );
+    }
+    for more in [
+        "<calibration rising=\"?\"/>",
+        "<dynamics/><dynamics/>",
+        "<safety_controller/>",
+    ] {
+        assert_eq!(taken("1.0", "<axis", &format!("{more}<axis")), plain);
+    }
+    assert_eq!(taken("1.2", "<sphere radius=\"1\"/>", "<mesh/>"), plain);
 }
 
 #[test]

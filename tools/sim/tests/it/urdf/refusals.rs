@@ -90,12 +90,49 @@ fn what_is_no_tree_is_refused_by_name() {
     assert!(error.contains("`base` and `lost`"), "{error}");
     let circle = [joint("a", "two", "one"), joint("b", "one", "two")];
     refused(&circle, &["does not hang on the base `base`", "circle"]);
-    let text =
-        urdf(&[joint("a", "base", "one")]).replace("</robot>", "<link name=\"one\"/></robot>");
-    let error = import("test.urdf", &text)
-        .expect_err("a link twice")
-        .to_string();
-    assert!(error.contains("link `one` stands there twice"), "{error}");
+}
+
+#[test]
+fn a_name_is_given_once_to_links_and_once_to_joints() {
+    let joint = |name, parent, child| revolute(name, parent, child, PLAIN);
+    let whole = urdf(&[
+        joint("one", "base", "one"),
+        joint("two", "one", "two"),
+        fixed("two", "foot", TIP),
+    ]);
+    assert!(
+        import("test.urdf", &whole).is_ok(),
+        "a link may be called as a joint"
+    );
+    says(
+        &whole.replace("</robot>", "<link name=\"one\"/></robot>"),
+        "link `one` stands there twice, at line 4, column 1 and at line 13, column 1: give each a name of its own",
+    );
+    says(
+        &whole.replace("<joint name=\"two\"", "<joint name=\"one\""),
+        "joint `one` stands there twice, at line 5, column 1 and at line 8, column 1: give each a name of its own",
+    );
+}
+
+/// The parser's time grows with the square of the attributes of an element, and of what is around it.
+#[test]
+fn an_element_of_very_many_attributes_is_refused_before_it_is_parsed() {
+    let robot = |count: usize| {
+        let attributes: String = (0..count)
+            .map(|number| format!(" a{number}='>\"'"))
+            .collect();
+        let text = urdf(ARM).replace(
+            "<link name=\"base\"/>",
+            &format!("<!-- <x> -->\n <link{attributes} name=\"base\"/>"),
+        );
+        import("wide.urdf", &text).map_err(|error| error.to_string())
+    };
+    assert!(robot(99).is_ok());
+    let refused =
+        "line 4, column 2: element `link` has more than 100 attributes: no robot needs so many";
+    for count in [100, 100_000] {
+        assert_eq!(robot(count).map(|_| ()), Err(refused.to_owned()), "{count}");
+    }
 }
 
 #[test]
