@@ -4,6 +4,7 @@
 mod falls;
 mod gait;
 mod pose;
+mod random;
 mod rig;
 mod sensors;
 mod servos;
