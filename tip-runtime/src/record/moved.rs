@@ -100,3 +100,17 @@ fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
     }
     out.write_char(']')
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::String;
+
+    #[test]
+    fn numbers_that_json_lacks_are_null() {
+        let mut out = String::new();
+        let all = [1.5, f64::NAN, -0.0, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+        assert_eq!(numbers(&mut out, &all), Ok(()));
+        assert_eq!(out, "[1.5,null,-0.0,null,null,1e300]");
+    }
+}
