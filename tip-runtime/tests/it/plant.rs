@@ -3,6 +3,7 @@
 mod falls;
 mod gait;
 mod pose;
+mod random;
 mod rig;
 mod sensors;
 mod servos;

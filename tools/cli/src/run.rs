@@ -308,7 +308,9 @@ impl Watch<'_> {
         };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
             let lang = self.job.arguments.source.shown.lang();
-            let text = fall(&found, &weight, &self.job.loaded.source, program, lang);
+            let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
+            let source = &self.job.loaded.source;
+            let text = fall(&found, &weight, has_mass, source, program, lang);
             screen.above(|| report::complain(&text));
         }
     }

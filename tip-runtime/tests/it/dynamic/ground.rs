@@ -1,10 +1,12 @@
 //! On the ground: rest, friction, falls.
 
-use crate::dynamic::rig::{GRAVITY, Numbers, falls, go, hold, loads, titan};
+use crate::dynamic::rig::{GRAVITY, Numbers, all, falls, go, hold, loads, titan};
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, HardwareFault, JointCommand};
 use tip_runtime::kinematics::inverse;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::dynamic::Twist;
-use tip_runtime::plant::{Block, DynamicPlant, Floor, Plant, Scene};
+use tip_runtime::plant::{Block, DynamicPlant, Floor, Motion, Plant, Scene, SimulatedPlant};
 
 const WEIGHT: f64 = 20.0 * GRAVITY;
 
@@ -296,4 +298,153 @@ fn nonsense_moves_nothing_and_breaks_nothing() {
     hold(&mut plant, [[f64::MAX; 3]; 4], 50);
     hold(&mut plant, [[-1e300; 3]; 4], 50);
     assert!(plant.body().position.iter().all(|place| place.is_finite()));
+}
+
+#[test]
+fn a_simulation_that_diverges_says_so_and_stays_as_it_was() {
+    for force in [1e300, f64::MAX, f64::NAN, f64::INFINITY] {
+        let mut plant = titan();
+        hold(&mut plant, initial(), 5);
+        let before = (plant.body(), plant.angles());
+        assert!(plant.push([force, 0.0, 0.0], 3));
+        let outputs = all(initial().map(|leg| leg.map(JointCommand::at)), 20.0);
+        let HardwareFault(what) = plant.write(&outputs).expect_err("no robot bears it");
+        assert!(what.starts_with("the simulation diverged"), "{what}");
+        assert_eq!((plant.body(), plant.angles()), before);
+        plant.stop(&Fault::EmergencyKey);
+        let limbs = plant.limbs().expect("legs");
+        let loads = limbs.loads.expect("it walks");
+        let numbers = limbs.angles.into_iter().flatten().chain(loads);
+        assert!(numbers.into_iter().all(f64::is_finite), "{force}");
+    }
+}
+
+/// The motion after the feet have gone to `from` and then, without a pause, to `to`.
+fn dropped(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
+    let mut plant = titan();
+    go(&mut plant, from);
+    go(&mut plant, to);
+    plant.motion().expect("it walks")
+}
+
+/// The same without mass.
+fn dropped_without_mass(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
+    let mut plant = SimulatedPlant::new(&titan8::MODEL);
+    for to in [from, to] {
+        let from = plant.angles();
+        for cycle in 1..=100 {
+            let share = (f64::from(cycle) / 50.0).min(1.0);
+            let mut angles = from;
+            for (angle, to) in angles.iter_mut().flatten().zip(to.iter().flatten()) {
+                *angle += (to - *angle) * share;
+            }
+            let outputs = all(angles.map(|leg| leg.map(JointCommand::at)), 20.0);
+            plant.write(&outputs).expect("it is simulated");
+        }
+    }
+    plant.motion().expect("it walks")
+}
+
+/// Standing so high (mm), and with the feet of some legs lifted by so much.
+fn lifted(height: f64, legs: &[usize], by: f64) -> [[f64; 3]; 4] {
+    let (mut feet, up) = (standing(height), standing(height - by));
+    for leg in legs {
+        feet[*leg] = up[*leg];
+    }
+    feet
+}
+
+#[test]
+fn both_plants_agree_on_what_brings_a_body_down() {
+    // The height of the body, which feet are lifted by how much, and whether that leaves the body on the floor.
+    for (height, legs, by, comes_down) in [
+        // Left, right, front and rear: the body comes to lie on an edge.
+        (260.0, &[0, 2][..], 120.0, true),
+        (260.0, &[1, 3], 120.0, true),
+        (260.0, &[0, 1], 120.0, true),
+        (260.0, &[2, 3], 120.0, true),
+        (230.0, &[0, 2], 80.0, true),
+        (300.0, &[0, 2], 160.0, true),
+        // 80 mm of 782 lean it by 5.9 deg, and its left edge stays 7 mm above the floor: it stands on four feet.
+        (260.0, &[0, 2], 80.0, false),
+        // One foot, over three that hold it or nearly do.
+        (260.0, &[0], 60.0, false),
+        // All feet: it sits down.
+        (260.0, &[0, 1, 2, 3], 60.0, false),
+        (260.0, &[0, 1, 2, 3], 100.0, false),
+        // Nothing.
+        (260.0, &[], 0.0, false),
+    ] {
+        let case = (standing(height), lifted(height, legs, by));
+        for motion in [
+            dropped(case.0, case.1),
+            dropped_without_mass(case.0, case.1),
+        ] {
+            let down = motion.falls - motion.upright_falls;
+            assert_eq!(down, u32::from(comes_down), "{legs:?} {by}: {motion:?}");
+        }
+    }
+}
+
+#[test]
+fn a_push_makes_a_robot_fall_that_it_tips_or_throws() {
+    // Friction, the force along x and y (N), and whether it falls. Where feet slide, nothing tips it over.
+    for (friction, push, falls) in [
+        (0.2, [1500.0, 0.0], false),
+        (0.6, [1500.0, 0.0], false),
+        (0.4, [0.0, 700.0], false),
+        (0.8, [0.0, 700.0], true),
+        (1.0, [0.0, 1500.0], true),
+    ] {
+        let mut scene = Scene::EMPTY;
+        scene.friction = friction;
+        let mut plant = titan().with_scene(&scene);
+        go(&mut plant, standing(260.0));
+        let [x, y] = push;
+        assert!(plant.push([x, y, 0.0], 10));
+        hold(&mut plant, standing(260.0), 150);
+        let motion = plant.motion().expect("it walks");
+        assert_eq!(motion.falls > 0, falls, "{friction} {push:?}: {motion:?}");
+    }
+    // Thrown up, it is in the air for 0.6 s.
+    let mut plant = titan();
+    go(&mut plant, standing(260.0));
+    assert!(plant.push([0.0, 0.0, 500.0], 10));
+    hold(&mut plant, standing(260.0), 150);
+    let motion = plant.motion().expect("it walks");
+    assert_eq!(motion.falls, 1, "{motion:?}");
+}
+
+#[test]
+fn what_could_not_be_followed_is_counted_as_without_mass() {
+    let mut heavy = titan();
+    let mut light = SimulatedPlant::new(&titan8::MODEL);
+    go(&mut heavy, standing(250.0));
+    let follows = |motion: Option<Motion>| motion.expect("it walks").following;
+    assert!(follows(heavy.motion()).is_empty(), "{heavy:?}");
+    // A foot outwards and forwards, faster than its yaw can turn: 500 deg/s for ten cycles.
+    let mut angles = standing(250.0);
+    for _ in 0..10 {
+        angles[1][0] += 6.0;
+        angles[1][2] -= 3.0;
+        let mut joints = angles.map(|leg| leg.map(JointCommand::at));
+        joints[1][0] = JointCommand::Angle {
+            angle: angles[1][0],
+            rate: 500.0,
+        };
+        let outputs = all(joints, 20.0);
+        heavy.write(&outputs).expect("it is simulated");
+        light.write(&outputs).expect("it is simulated");
+    }
+    let counted = [follows(heavy.motion()), follows(light.motion())];
+    assert_eq!(counted.map(|counted| counted.hurries), [10, 10]);
+    // Down to the floor and on: a foot that the floor holds is beside its path.
+    let mut plant = titan();
+    for cycle in 0..40 {
+        let mut angles = initial();
+        angles[0][1] -= f64::from(cycle);
+        angles[0][0] += f64::from(cycle);
+        hold(&mut plant, angles, 1);
+    }
+    assert!(follows(plant.motion()).farthest_stray > 1.0);
 }

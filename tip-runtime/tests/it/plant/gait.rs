@@ -54,8 +54,15 @@ fn crawl(rig: &mut Rig, flaw: Flaw) {
 }
 
 #[test]
-fn the_body_travels_one_stride_with_each_cycle_of_a_crawl() {
+fn the_body_travels_one_stride_with_each_cycle_of_a_crawl_whatever_the_period() {
+    for period in [20.0, 1.0] {
+        travels(period);
+    }
+}
+
+fn travels(period: f64) {
     let mut rig = Rig::standing();
+    rig.period = period;
     for cycle in 1..=3 {
         crawl(&mut rig, Flaw::None);
         let body = rig.plant.body();

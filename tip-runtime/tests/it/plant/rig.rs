@@ -18,6 +18,8 @@ const CORNERS: [[f64; 2]; 4] = [[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.
 pub(crate) struct Rig {
     pub(crate) plant: SimulatedPlant<4, 3>,
     pub(crate) feet: Feet,
+    /// The sampling time: ms.
+    pub(crate) period: f64,
 }
 
 /// Feet below mid-stroke, at a height under the body.
@@ -34,6 +36,7 @@ impl Rig {
         Rig {
             plant,
             feet: stance(-200.0),
+            period: 20.0,
         }
     }
 
@@ -44,13 +47,14 @@ impl Rig {
         rig
     }
 
-    /// Moves all feet at 5 mm each cycle, then lets the servos arrive.
+    /// Moves all feet at 5 mm each 20 ms, then lets the servos arrive.
     pub(crate) fn move_to(&mut self, to: Feet) {
         let from = self.feet;
         let longest = (from.iter().flatten().zip(to.iter().flatten()))
             .map(|(from, to)| (to - from).abs())
             .fold(0.0, f64::max);
-        let cycles = (longest / 5.0).ceil().max(1.0) as u32;
+        let shorter = 20.0 / self.period;
+        let cycles = (longest / 5.0).ceil().max(1.0) as u32 * shorter as u32;
         for cycle in 1..=cycles {
             let share = f64::from(cycle) / f64::from(cycles);
             let mut feet = from;
@@ -59,7 +63,7 @@ impl Rig {
             }
             self.tell(&feet);
         }
-        for _ in 0..20 {
+        for _ in 0..20 * shorter as u32 {
             self.tell(&to);
         }
         self.feet = to;
@@ -73,7 +77,10 @@ impl Rig {
     }
 
     pub(crate) fn tell(&mut self, feet: &Feet) {
-        self.command(angles(feet).map(|leg| leg.map(JointCommand::at)), 20.0);
+        self.command(
+            angles(feet).map(|leg| leg.map(JointCommand::at)),
+            self.period,
+        );
     }
 
     pub(crate) fn command(&mut self, joints: [[JointCommand; 3]; 4], period: f64) {

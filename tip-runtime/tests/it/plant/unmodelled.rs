@@ -254,10 +254,10 @@ fn joints_that_are_to_turn_faster_than_their_servos_are_counted() {
     };
     rig.command(turning(360.0), 20.0);
     rig.command(turning(-360.0), 20.0);
-    assert_eq!(seen(&rig).hurries, 0);
+    assert_eq!(rig.plant.following().hurries, 0);
     rig.command(turning(-361.0), 20.0);
     rig.command(turning(859.0), 20.0);
-    assert_eq!(seen(&rig).hurries, 2);
+    assert_eq!(rig.plant.following().hurries, 2);
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn a_foot_beside_its_line_is_counted() {
             feet[1] = [391.0 - gone, 201.0 + gone, -180.0];
             rig.tell(&feet);
         }
-        seen(&rig)
+        rig.plant.following()
     };
     let fast = slanting(360.0);
     assert_eq!(fast.strays, 0, "{fast:?}");

@@ -222,10 +222,12 @@ impl<H: Host> Session<H> {
         let (id, text) = match &debuggee.debugger.stop().reason {
             Reason::Fault(emergency) => (emergency.fault.kind().to_string(), emergency.to_string()),
             Reason::Fall(fall) => {
-                let outside = format!("{:.1}", -fall.margin).into();
-                let fell = Debugging::FellBy {
-                    cycle: count(fall.cycle),
-                    outside,
+                let cycle = count(fall.cycle);
+                let fell = if fall.margin < 0.0 {
+                    let outside = format!("{:.1}", -fall.margin).into();
+                    Debugging::FellBy { cycle, outside }
+                } else {
+                    Debugging::FellIn { cycle }
                 };
                 ("fall".to_owned(), fell.in_lang(lang).to_string())
             }

@@ -28,6 +28,12 @@ tipc::message_table! {
     Falls { count: String, time: String, line: u32 }
         "{count}, the first after {time} s at line {line}",
         "{count}回、最初は{time} sに{line}行目で";
+    WouldFall { count: String, time: String, line: u32 }
+        "would fall: {count}, the first after {time} s at line {line}; the body stays upright",
+        "転倒のおそれ{count}回、最初は{time} sに{line}行目で(胴体は倒れていません)";
+    UprightFalls { count: String, upright: String, time: String, line: u32 }
+        "{count}, the first after {time} s at line {line}; the body stays upright in {upright}",
+        "{count}回、最初は{time} sに{line}行目で(うち{upright}回は胴体が倒れていません)";
     AtMost { value: String }
         "{value} mm at most",
         "最大{value} mm";
@@ -82,6 +88,12 @@ tipc::message_table! {
     Fell { time: String, cycle: String }
         "the robot fell after {time} s, in cycle {cycle}",
         "ロボットが{time} s、周期{cycle}で転倒しました";
+    WouldHaveFallen { time: String, cycle: String }
+        "the robot would fall after {time} s, in cycle {cycle}: its feet do not hold its centre of mass",
+        "ロボットは{time} s、周期{cycle}で転倒するおそれがあります: 足が重心を支えていません";
+    Unsupported { time: String, cycle: String }
+        "the robot lost its support after {time} s, in cycle {cycle}",
+        "ロボットが{time} s、周期{cycle}で支えを失いました";
 }
 
 tipc::message_table! {

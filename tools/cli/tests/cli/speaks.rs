@@ -206,8 +206,12 @@ fn a_fall_is_reported_with_its_time_and_source_line() {
     let (before, cycle) = warning
         .split_once(" s, in cycle ")
         .expect("a time and a cycle");
+    // Its body is upright then, and comes down to the floor later.
+    let cycle = cycle
+        .strip_suffix(": its feet do not hold its centre of mass")
+        .expect("the reason");
     let time = before
-        .strip_prefix("warning: the robot fell after ")
+        .strip_prefix("warning: the robot would fall after ")
         .expect("a warning");
     let (time, cycle): (f64, f64) = (time.parse().expect("s"), cycle.parse().expect("a cycle"));
     assert!((time - cycle * 0.02).abs() < 1e-9);
@@ -216,6 +220,79 @@ fn a_fall_is_reported_with_its_time_and_source_line() {
     let falls = format!("  falls   1, the first after {time:.3} s at line 7\n");
     assert!(rest.contains(&falls), "{rest}");
     assert!(number(rest, "margin", " mm at least") < 0.0);
+}
+
+#[test]
+fn a_body_that_stays_upright_would_fall_and_one_that_comes_down_falls() {
+    let lifts = |by: u32| {
+        format!(
+            "STAND_UP 60\nWAIT_INPOS ALL\nREL_PTP F1 0 0 {by}\nREL_PTP F3 0 0 {by}\nSLEEP 3000\nEND"
+        )
+    };
+    let folder = Folder::new("speaks-upright")
+        .program("leans.prg", &lifts(80))
+        .program("drops.prg", &lifts(120));
+    let falls = |program, plant| {
+        let all = [
+            "run", program, "--plant", plant, "--quiet", "--deny", "falls",
+        ];
+        let status = folder.tipc(&all).status;
+        let shown = folder.tipc(&all[..4]).expect(0).err;
+        let line = shown.lines().find(|line| line.starts_with("  falls "));
+        (status, line.expect("a line of falls").to_owned())
+    };
+    let (status, line) = falls("leans.prg", "quasi-static");
+    assert_eq!(status, 4);
+    assert!(
+        line.starts_with("  falls   would fall: 1, the first after "),
+        "{line}"
+    );
+    assert!(line.ends_with("; the body stays upright"), "{line}");
+    assert_eq!(
+        falls("leans.prg", "dynamic"),
+        (0, "  falls   none".to_owned())
+    );
+    for plant in ["quasi-static", "dynamic"] {
+        let (status, line) = falls("drops.prg", plant);
+        assert_eq!(status, 4, "{plant}");
+        assert!(line.starts_with("  falls   1, the first after "), "{line}");
+        assert!(line.ends_with(" at line 7"), "{line}");
+    }
+}
+
+#[test]
+fn a_simulation_that_diverges_ends_and_leaves_a_trace_of_json() {
+    let folder = Folder::new("speaks-diverges").program("p.prg", "STAND_UP 60\nSLEEP 3000\nEND");
+    let outcome = folder
+        .tipc(&[
+            "run",
+            "p.prg",
+            "--plant",
+            "dynamic",
+            "--trace",
+            "-",
+            "--trace-motion",
+            "--events",
+            "10:push 1e300 0 0 for 5",
+        ])
+        .expect(3);
+    assert!(
+        outcome.err.contains("the simulation diverged"),
+        "{outcome:#?}"
+    );
+    let records = outcome
+        .out
+        .lines()
+        .map(serde_json::from_str::<serde_json::Value>);
+    let records: Vec<_> = records.map(|record| record.expect("JSON")).collect();
+    let [.., last, end] = &records[..] else {
+        panic!("{outcome:#?}")
+    };
+    assert_eq!(
+        (&last["cycle"], &end["end"]),
+        (&10.into(), &"EMERGENCY".into())
+    );
+    assert!(last["pose"][0].is_f64(), "{last}");
 }
 
 #[test]
@@ -230,7 +307,7 @@ fn a_denied_fall_is_status_4_unless_something_worse_happened() {
     // It runs to its end.
     assert_eq!(fell.out, "still here\n");
     assert!(
-        fell.err.starts_with("error: the robot fell after "),
+        fell.err.starts_with("error: the robot would fall after "),
         "{fell:#?}"
     );
     run("falls.prg", &[]).expect(0);

@@ -3,8 +3,7 @@
 use super::ImportError;
 use super::frame::length;
 use crate::message::Importing;
-use crate::{Limb, Limit, Plant, Robot, Run};
-use tip_lint::load;
+use crate::{Limb, Limit, Plant, Robot, Run, load};
 use tip_runtime::kinematics::{Chain, inverse_from};
 use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
 use tipc::description::{Description, WithModel};

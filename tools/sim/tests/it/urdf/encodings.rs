@@ -1,6 +1,6 @@
 //! Files in other encodings than UTF-8, and with something before their declarations.
 
-use crate::robots::{PLAIN, TIP, fixed, revolute, urdf};
+use crate::urdf::robots::{PLAIN, TIP, fixed, revolute, urdf};
 use tip_sim::urdf::{decode, import};
 
 /// A robot whose joint has a name of Japanese, and whose declaration says more.
