@@ -29,7 +29,7 @@ pub use line::{LONG_VOWEL, narrow};
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Edition;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 use crate::language::commands;
 use crate::lex::Token;
 use crate::message::Parsing;
@@ -66,7 +66,7 @@ pub fn parse_taking(
 }
 
 /// Finds the first statement after END, with the label before it. Other text may stand there: it is a note.
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub(crate) fn after_end(source: &Source, module: &Module) -> Option<Span> {
     let end = module.statements.last()?;
     let mut parser = Parser::new(source, module.edition.number());
@@ -197,7 +197,7 @@ impl Parser<'_> {
     }
 
     /// Whether a statement after END, on the line that was read last, is more than the words of a note.
-    #[cfg(any(feature = "build", feature = "tools"))]
+    #[cfg(feature = "build")]
     fn is_meant(&self, statement: &Statement) -> bool {
         let span = statement.span;
         let is_wrong = |it: &Diagnostic| {

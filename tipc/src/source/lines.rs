@@ -100,6 +100,15 @@ impl Source {
         }
     }
 
+    /// Returns the lines from one on, counted from 1.
+    pub(crate) fn lines_from(&self, number: u32) -> Lines<'_> {
+        Lines {
+            bytes: self.text.as_bytes(),
+            at: self.line_start(number),
+            number: number.saturating_sub(1),
+        }
+    }
+
     /// A line by its number, from 1. A line that does not exist is empty, at the end.
     pub fn line(&self, number: u32) -> Line {
         let start = self.line_start(number);

@@ -11,13 +11,13 @@ use super::plant::{self, Ours};
 use super::robot::ChosenRobot;
 use super::usage::positive;
 use super::{Status, interrupt, output, scene};
+use crate::message::Using;
 use certificate::certificate;
 use clap::Args;
 use finding::finding;
 use std::path::PathBuf;
 use tip_sim::search::{self, Failed};
 use tip_sim::verify::{Project, Subject};
-use tipc::message::Using;
 use watched::{Watched, building, interrupted_building};
 
 /// `tipc verify`

@@ -1,9 +1,6 @@
 //! Short random programs that move joints: whatever legs do, the body goes where feet and gravity take it.
 
-#[path = "../list/mod.rs"]
-mod list;
-
-use list::List;
+use crate::list::List;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::machine::Machine;

@@ -1,11 +1,11 @@
 //! A gait for any robot that walks: it crawls, one foot after the other. It is tried before it is given away.
 
+use crate::message::Making;
 use std::fmt::Write as _;
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
 use tip_sim::{Anatomy, Limit, Plant, Robot, Run, load};
-use tipc::format::format;
-use tipc::message::Making;
+use tip_lint::format::format;
 
 /// Lengths of a stride that are tried, as shares of the longest leg.
 const STRIDES: [f64; 3] = [0.2, 0.12, 0.06];

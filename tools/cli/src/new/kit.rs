@@ -3,13 +3,13 @@
 use super::{bend, gait};
 use crate::choices::RobotName;
 use crate::input;
+use crate::message::Making;
 use crate::robot::RobotChoice;
 use crate::usage::Wrong;
 use std::str::FromStr;
 use tip_runtime::model::{Model as RobotModel, hand, titan8};
 use tip_sim::Robot;
 use tipc::Loaded;
-use tipc::message::Making;
 
 /// The description of six legs that comes with this command.
 const HEXAPOD: &str = include_str!("../../templates/hexapod.toml");
