@@ -81,7 +81,7 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
     for (file, reason) in [
         ("sliding.urdf", "joint `hinge` on link `base` is prismatic"),
         ("broken.urdf", "this is not URDF"),
-        ("gone.urdf", "No such file"),
+        ("gone.urdf", "there is no such file"),
     ] {
         let outcome = folder
             .tipc(&["robot", "import", file, "-o", "out.toml"])
