@@ -44,9 +44,9 @@ pub struct Motion {
     pub pose: Pose,
     /// How far it has come from where it began.
     pub travel: Travel,
-    /// How often it has fallen so far: its body came down, or its support was lost.
+    /// Number of falls so far: its body came down, or its support was lost.
     pub falls: u32,
-    /// How many of these falls left the body upright. One without mass would have fallen; one with mass caught itself.
+    /// Number of these falls that left the body upright. One without mass would have fallen; one with mass caught itself.
     pub upright_falls: u32,
     /// How far inside the support polygon the centre of mass is: mm; negative outside.
     pub margin: f64,
@@ -54,7 +54,7 @@ pub struct Motion {
     pub least_margin: f64,
     /// The farthest that any foot has slipped on one stance so far: mm.
     pub slip: f64,
-    /// How joints and feet followed their commands.
+    /// Commands that joints and feet could not follow.
     pub following: Following,
     /// What the simulation leaves out, counted; none if it leaves nothing out.
     pub unmodelled: Option<Unmodelled>,

@@ -189,7 +189,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.margin
     }
 
-    /// How often it fell, or would have: most falls of a robot without mass leave the body upright.
+    /// Returns the number of falls; most of those without mass leave the body upright: it would fall.
     pub fn falls(&self) -> u32 {
         self.ground.falls.falls.count
     }
@@ -204,7 +204,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.doubts.counted
     }
 
-    /// How its joints and feet followed their commands.
+    /// Returns what joints and feet could not follow.
     pub fn following(&self) -> Following {
         self.ground.doubts.following
     }

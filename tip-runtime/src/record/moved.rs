@@ -103,6 +103,8 @@ fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use super::*;
     use std::string::String;
 

@@ -61,7 +61,7 @@ pub struct Fall {
     pub time: f64,
     /// The step that ran in it.
     pub step: u32,
-    /// How far inside the support polygon the centre of mass was: mm; negative outside.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
     /// Its body was upright then: one without mass would fall.
     pub is_upright: bool,

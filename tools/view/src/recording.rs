@@ -42,7 +42,7 @@ pub struct Recording {
     pub flags: Vec<At<Vec<Flag>>>,
     /// How feet or joints, and a slider, were controlled, where that changed; the first is that of cycle 0. A trace does not say.
     pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls, with how far inside the support polygon the centre of mass was: mm; negative outside.
+    /// Falls, with the distance of the centre of mass from the edge of the support polygon: mm; negative outside.
     pub falls: Vec<At<f64>>,
     /// Feet that slipped while they stood.
     pub slips: Vec<At<Slip>>,

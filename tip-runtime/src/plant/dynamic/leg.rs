@@ -76,7 +76,7 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// How far the foot is beside the path of its commands: mm.
+    /// Returns the distance of the foot from the path of its commands, mm.
     pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
         let angles = self.servos.map(|servo| servo.angle.to_degrees());
         self.path.stray_at(&self.model, commands, angles)

@@ -14,7 +14,7 @@ use core::f64::consts::{PI, TAU};
 const UP: f64 = 200.0;
 /// A robot that nothing has carried for so long, or nothing near its centre of mass, has lost its support: ms.
 const LOST: f64 = 200.0;
-/// How far outside the support polygon the centre of mass is then: a share of its height above the feet.
+/// Distance of the centre of mass from the support polygon then: a share of its height above the feet.
 const OUTSIDE: f64 = 0.25;
 
 /// What has been seen so far.

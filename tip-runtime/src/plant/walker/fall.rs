@@ -20,13 +20,13 @@ const LEANING: f64 = 0.5;
 pub struct Fall {
     /// The control cycle, from 0.
     pub cycle: u64,
-    /// How far inside the support polygon the centre of mass was: mm; negative outside.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
     /// Its body was upright then: it had lost its support, and a robot without mass does not come down by that.
     pub is_upright: bool,
 }
 
-/// How a robot stands at one instant.
+/// The posture of a robot at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct Posture {
     /// Its body touches the ground.
@@ -39,7 +39,7 @@ pub(in crate::plant) struct Posture {
     pub(in crate::plant) is_lost: bool,
     /// It stands on its feet alone, and has got up if it had fallen.
     pub(in crate::plant) is_up: bool,
-    /// How far inside the support polygon its centre of mass is: mm.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub(in crate::plant) margin: f64,
 }
 
@@ -53,7 +53,7 @@ pub(in crate::plant) struct Posture {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct FallCounter {
     pub(in crate::plant) count: u32,
-    /// How many of these brought the body down.
+    /// Number of these that brought the body down.
     down: u32,
     pub(in crate::plant) first: Option<Fall>,
     is_falling: bool,
@@ -76,7 +76,7 @@ impl FallCounter {
         was_held: true,
     };
 
-    /// How many falls left the body upright.
+    /// Returns the number of falls that left the body upright.
     pub(in crate::plant) const fn upright(&self) -> u32 {
         self.count - self.down
     }

@@ -8,7 +8,7 @@ use crate::model::Leg;
 /// A joint is commanded to turn faster than its servo can beyond so many times its speed: rounding aside.
 const FASTER: f64 = 1.0 + 1e-9;
 
-/// How far a foot may be beside its path: mm.
+/// Greatest distance of a foot from its path that is not counted: mm.
 const STRAY: f64 = 10.0;
 
 /// Places that differ by less are the same, and lead nowhere: mm.
@@ -57,7 +57,7 @@ pub(in crate::plant) fn hurries(commands: &[JointCommand], speed: f64) -> bool {
 /// Where commands lead a foot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct Path {
-    /// Where the last command puts the foot: mm; not a number before the first one.
+    /// The place to which the last command leads the foot: mm; not a number before the first one.
     place: Vector,
     /// In which direction the foot was led there; zero if in none.
     along: Vector,
@@ -95,7 +95,7 @@ impl Path {
         (off - self.along * self.along.dot(&off)).norm()
     }
 
-    /// The same for a foot that `angles` (deg) put where it is.
+    /// Returns the same for a foot at joint angles (deg).
     pub(in crate::plant) fn stray_at<const J: usize>(
         &mut self,
         leg: &Leg<J>,
@@ -106,7 +106,7 @@ impl Path {
     }
 }
 
-/// Where angles (deg) put the foot: mm.
+/// Returns the place of the foot at joint angles (deg): mm.
 fn reached<const J: usize>(leg: &Leg<J>, angles: [f64; J]) -> Vector {
     let mut links = LegLinks::NOWHERE;
     links.place(leg, angles);

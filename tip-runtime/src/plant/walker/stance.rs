@@ -14,7 +14,7 @@ pub(super) struct Stance<const L: usize> {
     touchdowns: [Option<Vector2<f64>>; L],
     slips: [f64; L],
     worst: f64,
-    /// How fast the body goes along the floor: mm/s.
+    /// Speed of the body along the floor: mm/s.
     speed: f64,
 }
 

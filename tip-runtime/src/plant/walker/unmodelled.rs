@@ -36,7 +36,7 @@ impl Unmodelled {
     }
 }
 
-/// What legs do in a cycle, and what they were commanded to.
+/// Events of a cycle that are counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Oddities {
     pub(super) crosses: bool,

@@ -327,7 +327,7 @@ fn dropped(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
     plant.motion().expect("it walks")
 }
 
-/// The same without mass.
+/// Returns the same motion without mass.
 fn dropped_without_mass(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
     let mut plant = SimulatedPlant::new(&titan8::MODEL);
     for to in [from, to] {

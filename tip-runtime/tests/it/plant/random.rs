@@ -10,10 +10,10 @@ use tip_runtime::plant::{Pose, SimulatedPlant};
 /// Of free fall: mm/s².
 const GRAVITY: f64 = 9806.65;
 
-/// How far a body may go within 20 ms: mm. Feet take it some 5 mm, and a fall over one of them the rest.
+/// Greatest step of a body within 20 ms: mm. Feet take it some 5 mm, and a fall over one of them the rest.
 const FARTHEST: f64 = 20.0;
 
-/// How far a body may turn about the vertical within 20 ms: deg.
+/// Greatest turn of a body about the vertical within 20 ms: deg.
 const WIDEST: f64 = 5.0;
 
 /// A leg on the left (−1) or right (+1) of a robot with six.
@@ -116,7 +116,7 @@ fn stays_together(name: &str, poses: &[Pose], apart: usize) {
     }
 }
 
-/// How far the middle and the lower corners of the body have sunk, where they sank farthest: mm.
+/// Returns how far the middle and the lower corners of the body have sunk, where they sank farthest: mm.
 fn sunk<const L: usize>(model: &Model<L, 3>, from: &Pose, to: &Pose) -> f64 {
     let body = model.body.expect("it walks");
     let height = |pose: &Pose, [x, y, z]: [f64; 3]| {
@@ -156,7 +156,7 @@ fn try_out<const L: usize>(model: &Model<L, 3>, numbers: &mut Numbers, round: u3
     let by_20 = poses(model, &program, 20.0);
     stays_together(model.name, &by_20, 1);
     falls_freely(model, &by_20);
-    if round % 10 == 0 {
+    if round.is_multiple_of(10) {
         stays_together(model.name, &poses(model, &program, 1.0), 20);
     }
 }

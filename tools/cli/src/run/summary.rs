@@ -183,7 +183,7 @@ impl Lines {
     }
 }
 
-/// How often the robot fell, or would have.
+/// Returns the line about falls.
 fn falls(motion: &Motion, first: Option<Fall>, run: &Run) -> Running {
     let Some(Fall { time, step, .. }) = first else {
         return Running::NoFall;
