@@ -18,6 +18,18 @@ messages! {
     Waits { line: u32, statement: Text, until: Until }
         "line {line}: {statement}, which waits until {until}",
         "{line}行目: {statement} ({until}待ちます)";
+    IsWaiting { wait: Waiting }
+        "{wait}",
+        "{wait}";
+    GoesOn { wait: Waiting }
+        "{wait}; --cycles sets an end, Ctrl-C ends the run",
+        "{wait}。--cyclesで終わりを指定するか、Ctrl-Cで終了できます";
+    StopsWaiting { wait: Waiting, time: String }
+        "stopped after {time} s without a motion: {wait}; --cycles sets another end",
+        "{time} s間動作がないため終了しました。{wait}。--cyclesで別の終わりを指定できます";
+    StopsInTime { minutes: String }
+        "stopped after {minutes} minutes of the robot's time; --cycles sets another end",
+        "ロボットの時間で{minutes}分たったため終了しました。--cyclesで別の終わりを指定できます";
     Travel { y: String, along: Along, x: String, aside: Aside, z: String, upright: Upright }
         "{y} mm {along}, {x} mm {aside}, {z} mm {upright}",
         "胴体が{along}{y} mm、{aside}{x} mm、{upright}{z} mm";
@@ -107,6 +119,7 @@ messages! {
     Figure;
 
     Next "next", "次";
+    Waits "waits", "待機";
     Travel "travel", "移動";
     Turn "turn", "旋回";
     Falls "falls", "転倒";
@@ -160,6 +173,32 @@ messages! {
     Native "its native code is done", "ネイティブコードが終わるまで";
 }
 
+messages! {
+    /// Where a run waits, for what, and for how long.
+    Waiting;
+
+    Line { line: u32, what: Awaited, since: String, time: String }
+        "line {line} waits for {what} since {since} s, for {time} s",
+        "{line}行目が{what}を待っています({since} sから{time} s間)";
+    Loop { first: u32, last: u32, what: Awaited, since: String, time: String }
+        "lines {first} to {last} wait for {what} since {since} s, for {time} s",
+        "{first}~{last}行目が{what}を待って繰り返しています({since} sから{time} s間)";
+    Endless { first: u32, last: u32, since: String, time: String }
+        "lines {first} to {last} repeat without a motion since {since} s, for {time} s",
+        "{first}~{last}行目が動作のないまま繰り返しています({since} sから{time} s間)";
+}
+
+messages! {
+    /// What a run waits for, in one word where the language has one.
+    Awaited;
+
+    Flags { names: Text } "{names}", "{names}";
+    Key "a key", "キー入力";
+    Motion "the end of its motion", "動作の完了";
+    Touch "a contact", "接触";
+    Native "its native code", "ネイティブコードの完了";
+}
+
 /// The rows of parts of sentences.
 #[cfg(test)]
 pub(crate) const PHRASES: &[&[crate::message::tests::Row]] = &[
@@ -170,4 +209,6 @@ pub(crate) const PHRASES: &[&[crate::message::tests::Row]] = &[
     Aside::ROWS,
     Upright::ROWS,
     Until::ROWS,
+    Waiting::ROWS,
+    Awaited::ROWS,
 ];

@@ -47,6 +47,7 @@ fn end() {
             // The process ends in any case.
             let _ = fs::remove_file(part);
         }
+        tip_sim::end_processes();
         process::exit(130);
     }
 }

@@ -43,7 +43,9 @@ mod transcript;
 pub mod urdf;
 #[cfg(feature = "verify")]
 pub mod verify;
+mod waits;
 
+pub use apart::end_processes;
 pub use body::{Anatomy, Limb};
 pub use cycle::{Asked, Cycle};
 #[cfg(feature = "robot-files")]
@@ -60,3 +62,4 @@ pub use robot::{GraspsNothing, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Run};
 pub use snapshot::Snapshot;
 pub use tipc;
+pub use waits::{Wait, Waits};
