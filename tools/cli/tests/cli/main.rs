@@ -23,6 +23,8 @@ mod motion;
 mod new;
 #[cfg(unix)]
 mod printable;
+#[cfg(target_os = "linux")]
+mod printed;
 mod project;
 mod quiet;
 mod readme;
