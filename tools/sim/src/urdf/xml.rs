@@ -1,8 +1,24 @@
 //! How values are spelled in XML.
 
+/// Returns a text with U+FFFD in place of each character that XML cannot hold, escaped or not: control characters and what
+/// Unicode reserves for no character.
+pub fn permitted(text: &str) -> String {
+    let is_permitted = |char| match char {
+        '\t' | '\n' | '\r' => true,
+        // Surrogates are no characters of Rust.
+        char => char >= ' ' && !matches!(char, '\u{fffe}' | '\u{ffff}'),
+    };
+    let permitted = |char| match is_permitted(char) {
+        true => char,
+        false => char::REPLACEMENT_CHARACTER,
+    };
+    text.chars().map(permitted).collect()
+}
+
 /// A text as an attribute holds it.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
+    permitted(text)
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
