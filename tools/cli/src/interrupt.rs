@@ -99,6 +99,7 @@ fn end() {
             // The process ends in any case.
             let _ = fs::remove_file(part);
         }
+        tip_sim::end_processes();
         process::exit(status().into());
     }
 }

@@ -12,16 +12,16 @@ mod viewer;
 use super::error::Error;
 use super::plant::Ours;
 use super::recorded::RecordedArguments;
+use super::robot::ChosenRobot;
 use super::watch::Watch;
 use super::{Status, input, interrupt, output, project, report};
 use crate::message::Using;
 use clap::Args;
 use file::ServedFile;
 use guard::Guard;
-use hub::{Hub, News};
+use hub::{Hub, News, Post};
 use std::net::SocketAddr;
 use std::path::Path;
-use std::sync::mpsc::SyncSender;
 use std::thread;
 use tip_view::live::{Session, Setup};
 
@@ -67,14 +67,14 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     if input::is_stream(path) {
         return Err(Error::Usage(Using::ServeInput.in_lang(lang).to_string()));
     }
-    let Some((session, file)) = arguments.session(path)? else {
+    let Some((session, file, robot)) = arguments.session(path)? else {
         return Ok(Status::Failure);
     };
     let failed = |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
     let listener = listen::open(arguments.listen).map_err(failed)?;
     let own = listener.local_addr().map_err(failed)?;
     let guard = Guard::new(own).map_err(Error::Failed)?;
-    let (hub, news) = Hub::new(session, file);
+    let (hub, post) = Hub::new(session, file, robot);
     output::print(format!("{}\n", guard.address()))?;
     let says = |message: Using| report::complain(&format!("{}\n", message.in_lang(lang)));
     if !arguments.quiet && !own.ip().is_loopback() {
@@ -83,19 +83,21 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     if !arguments.quiet {
         says(Using::ServeEnds);
     }
-    watch(path, news.clone())?;
-    listen::accept(listener, guard, news);
+    watch(path, post.clone())?;
+    listen::accept(listener, guard, post);
     hub.run();
     Ok(Status::Interrupted)
 }
 
 impl Serve {
-    /// The program on its robot; none if something was found, and reported.
-    fn session(&self, path: &Path) -> Result<Option<(Session, ServedFile)>, Error> {
+    /// Returns the program on its robot, its file, and the choice of the robot; none if something was found, and reported.
+    fn session(&self, path: &Path) -> Result<Option<(Session, ServedFile, ChosenRobot)>, Error> {
         let recorded = &self.recorded;
         let lang = recorded.source.shown.lang();
         let place = project::real(path);
-        let Some((loaded, robot)) = recorded.load(path, self.quiet, Ours::Again("serve"))? else {
+        let Some((loaded, robot, chosen)) =
+            recorded.load(path, self.quiet, Ours::Again("serve"))?
+        else {
             return Ok(None);
         };
         let inputs = recorded.inputs.inputs();
@@ -112,14 +114,14 @@ impl Serve {
         if !self.paused {
             session.play();
         }
-        Ok(Some((session, ServedFile::new(place, bytes, lang))))
+        Ok(Some((session, ServedFile::new(place, bytes, lang), chosen)))
     }
 }
 
 /// Tells the hub of each change of the file.
-fn watch(path: &Path, news: SyncSender<News>) -> Result<(), Error> {
+fn watch(path: &Path, post: Post) -> Result<(), Error> {
     let watch = Watch::begin([path])?;
-    thread::spawn(move || while watch.changed() && news.send(News::FileChanged).is_ok() {});
+    thread::spawn(move || while watch.changed() && post.send(News::FileChanged) {});
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use super::error::Error;
 use super::plant::Ours;
-use super::recorded::{RecordedArguments, STOPPED};
+use super::recorded::RecordedArguments;
 use super::report::plural;
 use super::{Status, input, interrupt, output, report};
 use clap::Args;
@@ -26,7 +26,8 @@ The page is one file that asks for nothing: it opens by double click, and can be
 another page. It shows the robot in three dimensions beside the line that runs, with messages,
 falls, slips, forces and plots on one time axis. Its address takes #cycle=611.
 
-A run is recorded for ten minutes of the robot's time, or for --cycles. However it ends, the page
+A run is recorded for ten minutes of the robot's time, or for --cycles; without --cycles it also ends
+when it has waited for a minute without a motion. However it ends, the page
 is written.
 
 Exit status: 0 written, 1 the program does not load or a file cannot be read or written,
@@ -52,7 +53,8 @@ pub(super) struct View {
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
     let program = arguments.program.as_deref().unwrap_or(&recorded.file);
-    let Some((loaded, robot)) = recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
+    let Some((loaded, robot, _)) =
+        recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
     else {
         return Ok(Status::Failure);
     };
@@ -72,8 +74,8 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     output::replace(&out, &page)?;
     if !arguments.quiet {
         report::complain(&summary(&recording, &out, page.len()));
-        if arguments.program.is_none() && recorded.has_no_end(&recording) {
-            report::complain(STOPPED);
+        if arguments.program.is_none() {
+            recorded.say_wait(&recording);
         }
     }
     Ok(match recording.outcome {

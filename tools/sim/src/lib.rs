@@ -38,7 +38,9 @@ mod trace;
 mod transcript;
 pub mod urdf;
 pub mod verify;
+mod waits;
 
+pub use apart::end_processes;
 pub use body::{Anatomy, Limb};
 pub use cycle::{Asked, Cycle};
 pub use described::NotDescribed;
@@ -54,3 +56,4 @@ pub use robot::{GraspsNothing, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Run};
 pub use snapshot::Snapshot;
 pub use tipc;
+pub use waits::{Wait, Waits};

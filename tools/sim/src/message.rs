@@ -14,6 +14,8 @@ pub use debugging::Debugging;
 pub use importing::Importing;
 pub use simulating::Simulating;
 
+use tipc::message::Text;
+
 tipc::message_table! {
     /// A place in a file: line and column, from 1.
     Place;
@@ -30,4 +32,15 @@ tipc::message_table! {
     Floating "floating", "浮遊(floating)";
     Planar "planar", "平面(planar)";
     Spherical "spherical", "球(spherical)";
+}
+
+tipc::message_table! {
+    /// The condition that ends a wait, in one word where the language has one.
+    Awaited;
+
+    Flags { names: Text } "{names}", "{names}";
+    Key "a key", "キー入力";
+    Motion "the end of its motion", "動作の完了";
+    Touch "a contact", "接触";
+    Native "its native code", "ネイティブコードの完了";
 }

@@ -53,7 +53,7 @@ mod version;
 mod weight;
 mod write;
 mod xacro;
-pub(crate) mod xml;
+pub mod xml;
 
 pub use choices::Choices;
 pub use export::export;

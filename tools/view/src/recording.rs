@@ -6,7 +6,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
-use tip_sim::{Asked, Timed};
+use tip_sim::{Asked, Timed, Wait};
 
 /// What a program did, from its first cycle to its last.
 ///
@@ -50,6 +50,8 @@ pub struct Recording {
     pub events: Vec<Timed>,
     /// How it ended.
     pub outcome: Outcome,
+    /// What the program waited for when someone else ended it, if it did. A trace does not say.
+    pub wait: Option<Wait>,
 }
 
 /// Something in a cycle, counted from 0.

@@ -1,6 +1,9 @@
 //! Random programs of fixed seeds on both engines in lock-step: the part of the differential campaign that every run of
 //! the tests goes through.
-#![allow(unreachable_pub, reason = "the programs are generated for other crates too")]
+#![allow(
+    unreachable_pub,
+    reason = "the programs are generated for other crates too"
+)]
 
 use ::lockstep::{Figures, Script, Subject, Verdict, compare, interpreter};
 use std::thread;

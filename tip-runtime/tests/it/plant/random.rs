@@ -1,6 +1,6 @@
 //! Short random programs that move joints: whatever legs do, the body goes where feet and gravity take it.
 
-use crate::list::List;
+use crate::list::{List, Step};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::machine::Machine;
@@ -67,7 +67,7 @@ impl Numbers {
     }
 }
 
-type Steps = Vec<list::Step<Vec<f64>>>;
+type Steps = Vec<Step<Vec<f64>>>;
 
 /// Stands on feet below the initial ones and moves three legs, joint by joint.
 fn program<const L: usize>(model: &Model<L, 3>, numbers: &mut Numbers) -> Steps {

@@ -2,6 +2,7 @@
 
 use super::count::Cycles;
 use tip_runtime::command::Target;
+use tip_sim::message::Awaited;
 use tipc::language::Keyword;
 use tipc::message::Text;
 
@@ -18,6 +19,18 @@ tipc::message_table! {
     Waits { line: u32, statement: Text, until: Until }
         "line {line}: {statement}, which waits until {until}",
         "{line}行目: {statement} ({until}待ちます)";
+    IsWaiting { wait: Waiting }
+        "{wait}",
+        "{wait}";
+    GoesOn { wait: Waiting }
+        "{wait}; --cycles sets an end, Ctrl-C ends the run",
+        "{wait}。--cyclesで終わりを指定するか、Ctrl-Cで終了できます";
+    StopsWaiting { wait: Waiting, time: String }
+        "stopped after {time} s without a motion: {wait}; --cycles sets another end",
+        "{time} s間動作がないため終了しました。{wait}。--cyclesで別の終わりを指定できます";
+    StopsInTime { minutes: String }
+        "stopped after {minutes} minutes of the robot's time; --cycles sets another end",
+        "ロボットの時間で{minutes}分たったため終了しました。--cyclesで別の終わりを指定できます";
     Travel { y: String, along: Along, x: String, aside: Aside, z: String, upright: Upright }
         "{y} mm {along}, {x} mm {aside}, {z} mm {upright}",
         "胴体が{along}{y} mm、{aside}{x} mm、{upright}{z} mm";
@@ -119,6 +132,7 @@ tipc::message_table! {
     Figure;
 
     Next "next", "次";
+    Waits "waits", "待機";
     Travel "travel", "移動";
     Turn "turn", "旋回";
     Falls "falls", "転倒";
@@ -170,4 +184,19 @@ tipc::message_table! {
     Motion "its motion is done", "動作が終わるまで";
     Touch "it feels a contact", "接触を感じるまで";
     Native "its native code is done", "ネイティブコードが終わるまで";
+}
+
+tipc::message_table! {
+    /// The place, condition and duration of a wait.
+    Waiting;
+
+    Line { line: u32, what: Awaited, since: String, time: String }
+        "line {line} waits for {what} since {since} s, for {time} s",
+        "{line}行目が{what}を待っています({since} sから{time} s間)";
+    Loop { first: u32, last: u32, what: Awaited, since: String, time: String }
+        "lines {first} to {last} wait for {what} since {since} s, for {time} s",
+        "{first}~{last}行目が{what}を待って繰り返しています({since} sから{time} s間)";
+    Endless { first: u32, last: u32, since: String, time: String }
+        "lines {first} to {last} repeat without a motion since {since} s, for {time} s",
+        "{first}~{last}行目が動作のないまま繰り返しています({since} sから{time} s間)";
 }

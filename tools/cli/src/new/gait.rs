@@ -2,10 +2,10 @@
 
 use crate::message::Making;
 use std::fmt::Write as _;
+use tip_lint::format::format;
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
 use tip_sim::{Anatomy, Limit, Plant, Robot, Run, load};
-use tip_lint::format::format;
 
 /// Lengths of a stride that are tried, as shares of the longest leg.
 const STRIDES: [f64; 3] = [0.2, 0.12, 0.06];

@@ -6,7 +6,6 @@ use crate::project::real;
 use std::path::{Component, Path, PathBuf, absolute};
 use tipc::embed::{LIMIT, read_file};
 
-
 /// The version of this command; that of the crates must be the same.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 

@@ -10,7 +10,7 @@ use std::io::{self, IsTerminal};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
-use tip_sim::Run;
+use tip_sim::{Run, Waits};
 use tipc::message::Lang;
 use tipc::source::Source;
 
@@ -54,10 +54,10 @@ impl Live {
     }
 
     /// A cycle was simulated: says how the robot is, and waits until the cycle is over.
-    pub(super) fn after(&mut self, run: &mut Run, source: &Source) {
+    pub(super) fn after(&mut self, run: &mut Run, waits: &Waits, source: &Source) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = Some(Instant::now() + self.every);
-            let text = status(run, source, self.lang);
+            let text = status(run, waits.now(run).as_ref(), source, self.lang);
             if let Some(screen) = run.console_mut::<Screen>() {
                 screen.status(text);
             }

@@ -1,7 +1,7 @@
 //! What a run says about itself: its summary, and a fall.
 
 use super::super::place::place;
-use super::waiting::until;
+use super::waiting::{said, until};
 use crate::message::Running;
 use crate::message::count::Cycles;
 use crate::message::running::{Along, Aside, Figure, How, Upright, Weight};
@@ -11,13 +11,20 @@ use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Fall, Grasp, Interpreter, Run};
+use tip_sim::{Fall, Grasp, Interpreter, Run, Wait};
 use tipc::language::Keyword;
 use tipc::message::Lang;
 use tipc::source::Source;
 
-/// How and where it ended, and what the robot did. A robot without such figures has no lines about them.
-pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) -> String {
+/// How and where it ended, what it waited for then, and what the robot did. A robot without such figures has no lines about
+/// them.
+pub(super) fn summary(
+    run: &Run,
+    ending: Ending,
+    wait: Option<&Wait>,
+    source: &Source,
+    lang: Lang,
+) -> String {
     let program = run.program();
     let (how, step) = match ending {
         Ending::Program(End::End) => (How::By { word: Keyword::End }, program.at()),
@@ -44,6 +51,9 @@ pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) ->
     };
     if let Ending::Interrupted | Ending::Limit = ending {
         lines.next(run);
+        if let Some(wait) = wait.map(said) {
+            lines.add(Figure::Waits, &Running::IsWaiting { wait });
+        }
     }
     if let Some(travel) = run.travel() {
         lines.travel(&travel);
@@ -204,8 +214,8 @@ fn falls(motion: &Motion, first: Option<Fall>, run: &Run) -> Running {
     }
 }
 
-/// How the robot is now, in one line: the time, its motion, and the statement that is next.
-pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
+/// How the robot is now, in one line: the time, its motion, and what the program waits for or the statement that is next.
+pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang) -> String {
     let program = run.program();
     let line = program.line(program.at());
     let mut text = format!("{} s", seconds(run.time()));
@@ -229,6 +239,10 @@ pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
         let forces = forces.map(|tip| format!("{:.2}", tip.force()));
         let forces = forces.collect::<Vec<_>>().join(" ");
         let _ = write!(text, " | {}", Running::Pushes { forces }.in_lang(lang));
+    }
+    if let Some(wait) = wait {
+        let _ = write!(text, " | {}", said(wait).in_lang(lang));
+        return text;
     }
     let statement = Printable::line(source.line_text(line).trim());
     let statement = statement.to_string().into();

@@ -25,6 +25,8 @@ mod motion;
 mod new;
 #[cfg(unix)]
 mod printable;
+#[cfg(target_os = "linux")]
+mod printed;
 mod project;
 mod quiet;
 mod readme;

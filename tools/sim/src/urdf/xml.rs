@@ -1,10 +1,10 @@
 //! How text is spelled in XML: encodings, sizes and values.
 
 use super::ImportError;
-use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
-use std::borrow::Cow;
 use crate::message::Importing;
 use crate::message::Place;
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
+use std::borrow::Cow;
 
 /// URDF needs six levels; what simulators add to it, a few more.
 const DEEPEST: u32 = 100;
@@ -200,9 +200,25 @@ fn place(text: &str, byte: usize) -> Place {
     }
 }
 
+/// Returns a text with U+FFFD in place of each character that XML cannot hold, escaped or not: control characters and what
+/// Unicode reserves for no character.
+pub fn permitted(text: &str) -> String {
+    let is_permitted = |char| match char {
+        '\t' | '\n' | '\r' => true,
+        // Surrogates are no characters of Rust.
+        char => char >= ' ' && !matches!(char, '\u{fffe}' | '\u{ffff}'),
+    };
+    let permitted = |char| match is_permitted(char) {
+        true => char,
+        false => char::REPLACEMENT_CHARACTER,
+    };
+    text.chars().map(permitted).collect()
+}
+
 /// A text as an attribute holds it.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
+    permitted(text)
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")

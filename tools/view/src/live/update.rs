@@ -125,13 +125,13 @@ fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
             text: &draft.text,
         }));
     }
-    if viewer.findings != draft.checked {
-        viewer.findings = draft.checked;
+    if viewer.findings != draft.checked() {
+        viewer.findings = draft.checked();
         return Some(json(&Found {
             r#type: "findings",
-            version: draft.checked,
+            version: draft.checked(),
             findings: draft.findings(),
-            good: draft.is_program(),
+            good: draft.program().is_some(),
         }));
     }
     let status = status(session);

@@ -6,11 +6,18 @@ use tip_view::{Extent, Pace, Recording};
 const TEXT: &str = "3.1\nTable\nDEF_VAR COUNT\nCOUNT = 1\nMESSAGE one, \"two\"\nLAMP_ON 2\nREL_PTP_ANGLE HS J11 1\nCOUNT = 2\nREM\nEND\n";
 
 fn table(every: u64) -> Vec<Vec<String>> {
+    rows(&record(TEXT, every))
+}
+
+fn record(text: &str, every: u64) -> Recording {
     let robot = Robot::named("titan8").expect("it has a name");
-    let loaded = tipc::load("test.prg", TEXT.as_bytes(), &robot.options());
+    let loaded = tipc::load("test.prg", text.as_bytes(), &robot.options());
     let (extent, pace) = (Extent::cycles(100), Pace::Every(every));
     let recording = Recording::paced(&loaded, &robot, &Events::NONE, extent, pace, || true);
-    let recording = recording.expect("it runs");
+    recording.expect("it runs")
+}
+
+fn rows(recording: &Recording) -> Vec<Vec<String>> {
     let mut bytes = Vec::new();
     recording.csv(&mut bytes).expect("memory takes it");
     let text = String::from_utf8(bytes).expect("it is UTF-8");
@@ -88,4 +95,30 @@ fn rows_may_be_farther_apart() {
         ["", "REL_PTP_ANGLE HS J11 1.0", ""]
     );
     assert_eq!(column(&table, "COUNT"), ["1", "1", "2"]);
+}
+
+#[test]
+fn no_text_is_a_formula_and_each_figure_is_a_number() {
+    let said = [
+        ("=1+1", "'=1+1"),
+        ("+A1", "'+A1"),
+        ("-1+A1", "'-1+A1"),
+        ("@SUM(A1)", "'@SUM(A1)"),
+        ("-inf", "'-inf"),
+        ("-0.5", "-0.5"),
+        ("+3", "+3"),
+        ("a=1", "a=1"),
+        ("'=1", "'=1"),
+    ];
+    let lines: String = said
+        .iter()
+        .map(|(text, _)| format!("MESSAGE {text}\n"))
+        .collect();
+    let mut recording = record(&format!("3.1\nt\n{lines}END\n"), 1);
+    recording.frames[1].angles[0] = vec![f64::NAN, f64::INFINITY, -0.5];
+    let table = rows(&recording);
+    let expected: Vec<_> = said.iter().map(|(_, shown)| *shown).collect();
+    assert_eq!(column(&table, "message")[..said.len()], expected);
+    let joints = ["J11_deg", "J12_deg", "J13_deg"].map(|name| column(&table, name)[1].clone());
+    assert_eq!(joints, ["", "", "-0.5"]);
 }

@@ -109,3 +109,24 @@ fn colours_follow_the_ground_of_the_reader() {
             .expect("the same")
     );
 }
+
+#[test]
+fn what_xml_cannot_hold_is_not_in_a_diagram() {
+    let text = "3.1\na\u{1}b\u{1b}[31m<c>\u{fffe}&\u{ffff}\nSLEEP 100\nEND\n";
+    let robot = Robot::named("titan8").expect("it has a name");
+    let loaded = tipc::load("t.prg", text.as_bytes(), &robot.options());
+    let recording = Recording::of(&loaded, &robot, &Events::NONE, Extent::cycles(9), || true);
+    let recording = recording.expect("it runs");
+    let svg = recording
+        .plot(&Diagram::ALL, Lang::English)
+        .expect("it stood");
+    let is_char = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);
+    assert!(svg.chars().all(is_char));
+    assert!(
+        svg.contains("a\u{fffd}b\u{fffd}[31m&lt;c&gt;\u{fffd}&amp;\u{fffd}"),
+        "{svg:.600}"
+    );
+    let page = recording.to_page();
+    let title = page.split("</title>").next().expect("a title");
+    assert!(title.chars().all(is_char), "{title:.200}");
+}

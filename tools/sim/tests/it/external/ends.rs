@@ -149,6 +149,40 @@ fn lives(process: &str) -> bool {
     asked.is_ok_and(|asked| asked.status.success())
 }
 
+/// Waits until a process has ended; one that nobody has waited for counts as ended.
+fn ends(process: &str) {
+    let begin = Instant::now();
+    let lives = || {
+        let shown = Command::new("ps")
+            .args(["-o", "stat=", "-p", process])
+            .output();
+        let state = shown.expect("there is ps").stdout;
+        !state.is_empty() && !state.starts_with(b"Z")
+    };
+    while lives() {
+        assert!(begin.elapsed() < Duration::from_secs(20), "{process} lives");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn what_it_started_is_not_left_behind() -> Outcome {
+    for does in [
+        // The simulator of a pipe; one in the background; one whose parent is gone.
+        "sh -c 'echo $$ >&2; exec sleep 300' | cat",
+        "sleep 300 & echo $! >&2; wait",
+        "sleep 300 & echo $! >&2; exit 1",
+    ] {
+        let (plant, lines) = heard(in_cycle_3(does).with_patience(SHORT));
+        let mut run = run(NOD, &plant)?;
+        run.to_end(Limit::cycles(4));
+        let process = said_first(&lines);
+        drop(run);
+        ends(&process);
+    }
+    Ok(())
+}
+
 /// What it says on its standard error.
 fn heard(plant: ExternalPlant) -> (ExternalPlant, Arc<Mutex<Vec<String>>>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
@@ -157,6 +191,16 @@ fn heard(plant: ExternalPlant) -> (ExternalPlant, Arc<Mutex<Vec<String>>>) {
         into.lock().expect("no panic").push(line.to_owned());
     });
     (plant, lines)
+}
+
+/// Waits for its first line: its thread is in no hurry.
+fn said_first(lines: &Mutex<Vec<String>>) -> String {
+    loop {
+        if let Some(line) = lines.lock().expect("no panic").first() {
+            return line.clone();
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
 }
 
 #[test]
@@ -173,13 +217,7 @@ fn nothing_is_left_behind() -> Outcome {
         let (plant, lines) = heard(plant);
         let mut run = run(NOD, &plant)?;
         run.to_end(Limit::cycles(4));
-        let process = loop {
-            // Its thread is in no hurry.
-            match lines.lock().expect("no panic").first() {
-                Some(line) => break line.clone(),
-                None => std::thread::sleep(Duration::from_millis(5)),
-            }
-        };
+        let process = said_first(&lines);
         if does == ECHO {
             assert!(lives(&process), "until the run is over");
         }

@@ -4,7 +4,7 @@ use crate::live::bench::{COUNTS, Memory, answer, ask, does, refuses, session_of}
 use crate::live::page::Page;
 use serde_json::json;
 use tip_sim::Robot;
-use tip_view::live::{MOST_BYTES, NoFile, Session, Setup};
+use tip_view::live::{Asked, MOST_BYTES, NoFile, Reader, Session, Setup};
 
 #[test]
 fn an_error_is_found_where_it_is_and_goes_when_it_is_put_right() {
@@ -252,4 +252,79 @@ fn what_is_no_request_is_refused() {
         assert_eq!(ask(r#"{"do":"event","event":"key A"}"#)["ok"], true);
     }
     assert_eq!(ask(r#"{"do":"event","event":"key A"}"#)["error"], "many");
+}
+
+#[test]
+fn a_text_is_checked_apart_from_the_run() {
+    let mut session = session_of(COUNTS);
+    let mut reader = Reader::new(Robot::named("titan8").expect("it has a name"));
+    session.hand_over();
+    let mut check = |session: &mut Session| {
+        let unread = session.unread().expect("a text");
+        assert!(session.unread().is_none(), "once");
+        session.checked(reader.read(unread));
+        let hover = Asked::read(r#"{"do":"hover","at":[4,1]}"#);
+        reader.answer(&hover).expect("it knows")
+    };
+    assert!(check(&mut session).contains("MESSAGE") || session.unread().is_none());
+    let edit =
+        json!({"do": "edit", "text": "3.1\nother\nREM\nSLEEP 20\nEND\n", "base": 1, "by": "me"});
+    does(&mut session, edit);
+    session.advance(0.0, || true);
+    let restart = Asked::read(r#"{"do":"restart"}"#);
+    assert_eq!(
+        session.ask(&restart, &mut NoFile),
+        None,
+        "it is not checked"
+    );
+    let stop = Asked::read(r#"{"do":"event","event":"key 0x0D"}"#);
+    assert!(stop.is_stop() && !restart.is_stop());
+    let done = json!({"type": "answer", "ok": true}).to_string();
+    let answer: serde_json::Value =
+        serde_json::from_str(&session.ask(&stop, &mut NoFile).expect("at once")).expect("JSON");
+    assert_eq!(answer.to_string(), done);
+    let mut page = Page::default();
+    page.look(&session);
+    assert_eq!((&page.status["over"], page.runs), (&json!(true), 1));
+    let hover = check(&mut session);
+    assert!(hover.contains("SLEEP"), "{hover}");
+    assert!(session.ask(&restart, &mut NoFile).is_some());
+    page.look(&session);
+    assert_eq!((page.runs, &page.status["running"]), (2, &json!(2)));
+}
+
+#[test]
+fn a_file_that_changed_before_a_stop_does_not_run_after_it() {
+    let mut session = session_of(COUNTS);
+    session.hand_over();
+    let mut reader = Reader::new(Robot::named("titan8").expect("it has a name"));
+    let mut next = |session: &mut Session| {
+        let unread = session.unread().expect("a text");
+        session.checked(reader.read(unread));
+    };
+    next(&mut session);
+    session.file_changed(b"3.1\nother\nREM\nSLEEP 20\nEND\n");
+    does(&mut session, json!({"do": "event", "event": "key 0x0D"}));
+    next(&mut session);
+    let mut page = Page::default();
+    page.look(&session);
+    assert_eq!((page.runs, &page.status["over"]), (1, &json!(true)));
+    session.file_changed(b"3.1\nthird\nREM\nSLEEP 20\nEND\n");
+    next(&mut session);
+    page.look(&session);
+    assert_eq!((page.runs, &page.status["over"]), (2, &json!(false)));
+}
+
+#[test]
+fn a_robot_can_be_stopped_however_much_waits() {
+    let mut session = session_of(COUNTS);
+    for _ in 0..64 {
+        does(&mut session, json!({"do": "event", "event": "key F"}));
+    }
+    let key = json!({"do": "event", "event": "key F"});
+    refuses(&mut session, key, "many");
+    does(&mut session, json!({"do": "event", "event": "key 0x0D"}));
+    let mut page = Page::default();
+    page.look(&session);
+    assert_eq!(page.status["outcome"]["how"], "emergency");
 }
