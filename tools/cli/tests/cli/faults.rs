@@ -47,9 +47,9 @@ What would take time or memory without end, and what bounds it. Work is counted 
 
 | where | what | bound | test |
 |---|---|---|---|
-| `tipc cycles` | loops in loops, labels, calls in calls | in proportion to the steps; a loop that a jump enters from aside takes as long as what is around it, and the stretches between labels as long as there are stretches | `tipc/tests/bounded.rs` |
-| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tipc/tests/bounded.rs` |
-| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tipc/tests/bounded.rs` |
+| `tipc cycles` | loops in loops, labels, calls in calls | in proportion to the steps; a loop that a jump enters from aside takes as long as what is around it, and the stretches between labels as long as there are stretches | `tools/lint/tests/it/bounded.rs` |
+| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tools/lint/tests/it/bounded.rs` |
+| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
 | messages | words that a program, a description or a URDF file holds | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
 | messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
 | VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/log_files.rs` |
