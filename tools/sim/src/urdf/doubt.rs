@@ -3,9 +3,8 @@
 use super::chain::{Chain, Turning};
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link};
-use super::values::printed;
+use super::values::{measure, printed};
 use super::weight;
-use super::write::measure;
 use crate::message::Importing;
 use std::f64::consts::{PI, TAU};
 use tipc::message::list::List;

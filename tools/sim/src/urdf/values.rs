@@ -1,4 +1,4 @@
-//! What texts of attributes stand for.
+//! Values of attributes, and of descriptions.
 
 /// A name as a comment or a report may hold it.
 pub(super) fn printed(name: &str) -> String {
@@ -52,4 +52,15 @@ pub(super) fn roll_pitch_yaw(quaternion: [f64; 4]) -> [f64; 3] {
             libm::atan2(2.0 * (x * y + w * z), ww + xx - yy - zz),
         ]
     }
+}
+
+/// Rounds a measure to a millionth: changes of units and frames leave noise beyond that.
+pub(super) fn measure(value: f64) -> f64 {
+    to(1e6, value)
+}
+
+/// A value to so many parts of its unit.
+pub(super) fn to(parts: f64, value: f64) -> f64 {
+    // Adding 0 makes of −0 a plain 0.
+    (value * parts).round() / parts + 0.0
 }

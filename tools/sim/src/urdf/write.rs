@@ -6,7 +6,7 @@ use super::doubt;
 use super::pose::{self, Pose};
 use super::robot::Link;
 use super::stand::Postures;
-use super::values::printed;
+use super::values::{measure, printed, to};
 use super::weight;
 use crate::message::Importing;
 use std::fmt::Write as _;
@@ -275,11 +275,6 @@ fn interval(range: Range) -> String {
     format!("[{}, {}]", measure(range.min), measure(range.max))
 }
 
-/// A measure without the dust that changes of units and frames leave: to a millionth.
-pub(super) fn measure(value: f64) -> f64 {
-    to(1e6, value)
-}
-
 /// A length (mm) without that dust, and fine enough for what lies in one line to stay there: closed forms ask for that.
 fn place(value: f64) -> f64 {
     to(1e9, value)
@@ -289,12 +284,6 @@ fn place(value: f64) -> f64 {
 fn direction(axis: [f64; 3]) -> [f64; 3] {
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
     axis.map(|part| to(1e12, part / length))
-}
-
-/// A value to so many parts of its unit.
-fn to(parts: f64, value: f64) -> f64 {
-    // Adding 0 makes of −0 a plain 0.
-    (value * parts).round() / parts + 0.0
 }
 
 fn vector([x, y, z]: [f64; 3]) -> String {
