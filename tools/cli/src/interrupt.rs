@@ -34,17 +34,18 @@ pub(super) fn catch() {
     ONCE.call_once(listen);
 }
 
-/// Listens to signals. One that was ignored before the process began, as `nohup` and background jobs have it, stays ignored.
-/// Where handlers are not to be had, Ctrl-C keeps its usual meaning.
+/// Takes signals in a thread of its own. A signal that was ignored before the process began, as `nohup` and background jobs
+/// have it, stays ignored. Blocked signals wait for the thread, so that none is lost while it begins, as one between the
+/// installation of a handler and of what the handler does would be. The standard library unblocks them in child processes.
 #[cfg(unix)]
 fn listen() {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-    let signals = [SIGINT, SIGTERM, SIGHUP].into_iter();
-    let signals = signals.filter(|signal| !is_ignored(*signal));
-    if let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) {
+    use nix::sys::signal::{SigSet, Signal};
+    let signals = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter();
+    let signals: SigSet = signals.filter(|signal| !is_ignored(*signal as i32)).collect();
+    if signals.thread_block().is_ok() {
         thread::spawn(move || {
-            for signal in signals.forever() {
-                signalled(u8::try_from(signal).unwrap_or(self::SIGINT));
+            while let Ok(signal) = signals.wait() {
+                signalled(u8::try_from(signal as i32).unwrap_or(SIGINT));
             }
         });
     }

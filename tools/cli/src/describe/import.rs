@@ -48,7 +48,7 @@ pub(crate) struct Import {
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     order: Vec<String>,
 
-    /// The axis that points up in the file, in place of z; x stays forward, and with x up -z is
+    /// The axis of the file that points up, if that is not z; forward is x, or -z where x points up
     #[arg(long, value_enum, value_name = "x|y|z")]
     up: Option<Up>,
 
