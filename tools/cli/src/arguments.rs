@@ -4,12 +4,14 @@ mod inputs;
 
 pub(super) use inputs::InputArguments;
 
-use super::choices::{EncodingName, RobotName};
+use super::choices::{EncodingName, LangName, RobotName};
+use super::project::Given;
 use super::robot::RobotChoice;
 use super::shown::Shown;
 use super::usage::Wrong;
 use crate::message::Using;
 use clap::Args;
+use tipc::message::Lang;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -24,7 +26,7 @@ pub(super) struct SourceArguments {
     pub(super) robot: Option<RobotChoice>,
 
     /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
+    #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
     tip_version: f64,
 
     /// How the file spells text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
@@ -33,9 +35,31 @@ pub(super) struct SourceArguments {
 
     #[command(flatten)]
     pub(super) shown: Shown,
+
+    /// What the nearest tip.toml gives, once it was read.
+    #[arg(skip)]
+    pub(super) given: Option<Given>,
 }
 
+/// The version of the language.
+const TIP_VERSION: f64 = 3.1;
+
 impl SourceArguments {
+    /// The arguments of a client that has no command line.
+    pub(super) fn of_client(
+        robot: Option<RobotChoice>,
+        encoding: Option<EncodingName>,
+        lang: Lang,
+    ) -> Self {
+        SourceArguments {
+            robot,
+            tip_version: TIP_VERSION,
+            encoding,
+            shown: Shown::of(LangName::of(lang)),
+            given: None,
+        }
+    }
+
     /// The robot.
     pub(super) fn robot(&self) -> &RobotChoice {
         self.robot.as_ref().unwrap_or(&TITAN)

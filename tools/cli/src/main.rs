@@ -3,7 +3,6 @@
 
 mod arguments;
 mod check;
-mod checked;
 mod choices;
 mod cycles;
 mod dap;
@@ -21,6 +20,7 @@ mod framing;
 mod help;
 mod input;
 mod interrupt;
+mod loader;
 mod log;
 mod lsp;
 mod message;

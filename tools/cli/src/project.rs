@@ -105,6 +105,7 @@ impl SourceArguments {
             complete(&mut self.robot, &mut given.robot);
             complete(&mut self.encoding, &mut given.encoding);
         }
+        self.given.clone_from(&given);
         Ok(given.filter(Given::is_something))
     }
 

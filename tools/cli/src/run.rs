@@ -14,8 +14,9 @@ pub(super) mod waiting;
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
 use super::error::Error;
+use super::loader::{self, Subject};
 use super::plant::PlantChoice;
-use super::{Status, input, interrupt, report, scene};
+use super::{Status, input, interrupt, report};
 use crate::message::running::Weight;
 use crate::message::{Running, Using};
 use clap::Args;
@@ -27,7 +28,7 @@ use std::path::PathBuf;
 use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits, reach, special};
+use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits};
 use tipc::Loaded;
 use tipc::program::Program;
 use trace::{Extras, Trace};
@@ -106,37 +107,21 @@ pub(super) struct Run {
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
-    let robot = match arguments.source.robot().load() {
-        Ok(robot) => robot,
-        Err(loaded) => {
-            report::findings(&loaded, arguments.source.shown);
-            return Ok(Status::Failure);
-        }
-    };
     let plant = arguments.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
     if process.is_some() {
         refuse_ours(arguments)?;
     }
-    let Some(scene) = scene::load(
-        arguments.inputs.scene.as_ref(),
-        plant.and_then(PlantChoice::name),
-        arguments.source.shown,
-    ) else {
+    let source = &arguments.source;
+    let subject = loader::load(&arguments.file, source, &arguments.inputs, None);
+    let subject = loader::reported(subject, source, arguments.quiet)?;
+    let Some(Subject {
+        mut loaded, robot, ..
+    }) = subject
+    else {
         return Ok(Status::Failure);
     };
-    let robot = scene::around(robot.simulated()?, &scene)?;
     let inputs = arguments.inputs.inputs();
-    check_inputs(&robot, &inputs)?;
-    let mut loaded = input::load(
-        &arguments.file,
-        &arguments.source.options(robot.options().robot),
-    );
-    reach::warn(&mut loaded, &robot);
-    special::warn(&mut loaded, &robot);
-    if loaded.program.is_none() || !arguments.quiet {
-        report::findings(&loaded, arguments.source.shown);
-    }
     if arguments.deny.refuses(&loaded) {
         return Ok(Status::Failure);
     }
@@ -191,7 +176,7 @@ impl Job<'_> {
     fn begin(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
         let run = self.start(Interpreter::new(program), robot)?;
         run.with_events(&self.inputs.events)
-            .map_err(|refused| Error::Usage(refused.to_string()))
+            .map_err(|refused| Error::Usage(refused.text(self.arguments.source.shown.lang())))
     }
 
     /// Runs it, and reports how it ended.
@@ -393,16 +378,4 @@ fn refuse_ours(arguments: &Run) -> Result<(), Error> {
     };
     let lang = arguments.source.shown.lang();
     Err(Error::Usage(refused.in_lang(lang).to_string()))
-}
-
-/// Refuses inputs that the robot lacks.
-pub(super) fn check_inputs(robot: &Robot, inputs: &Inputs) -> Result<(), Error> {
-    let mut ports = inputs.events.ports();
-    match ports.find(|port| !robot.has_input(*port)) {
-        None => Ok(()),
-        Some(port) => {
-            let robot = robot.name();
-            Err(Error::Usage(format!("{robot} has no input {port}")))
-        }
-    }
 }

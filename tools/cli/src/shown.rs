@@ -24,6 +24,15 @@ pub(super) struct Shown {
 }
 
 impl Shown {
+    /// The form for people, in a language.
+    pub(super) fn of(lang: LangName) -> Self {
+        Shown {
+            message_format: Format::Human,
+            lang: Some(lang),
+            color: ColourName::Never,
+        }
+    }
+
     /// The language that is asked for; else that of the locale.
     pub(super) fn lang(self) -> Lang {
         lang(self.lang)

@@ -7,7 +7,7 @@ use clap::Args;
 use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 
 /// What happens around a simulated robot, and how long it runs.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct InputArguments {
     /// Stop after this many control cycles
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
@@ -40,6 +40,20 @@ pub(crate) struct InputArguments {
 }
 
 impl InputArguments {
+    /// The arguments of a client that has no command line.
+    pub(crate) fn of_client(
+        events: Option<Events>,
+        scene: Option<SceneChoice>,
+        plant: Option<PlantChoice>,
+    ) -> Self {
+        InputArguments {
+            events,
+            scene,
+            plant,
+            ..InputArguments::default()
+        }
+    }
+
     /// What happens to the run.
     pub(crate) fn inputs(&self) -> Inputs {
         let keys = self.keys.clone().unwrap_or_default().0;

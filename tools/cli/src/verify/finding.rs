@@ -1,6 +1,6 @@
 //! A divergence, shown: where, the two records, and how to see it again.
 
-use super::super::checked::Checked;
+use super::super::loader::Checked;
 use super::super::place::place;
 use std::env;
 use tip_runtime::printable::Printable;
