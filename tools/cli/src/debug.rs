@@ -6,9 +6,7 @@ mod draw;
 mod figure;
 mod keys;
 mod panes;
-mod question;
 mod variables;
-mod words;
 
 #[cfg(test)]
 mod tests;

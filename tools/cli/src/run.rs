@@ -1,15 +1,13 @@
 //! `tipc run`: a program on the simulated robot, by the reference interpreter.
 
 mod emergency;
+mod files;
 mod live;
-mod logs;
 mod progress;
 mod screen;
 mod summary;
-mod targets;
 mod trace;
 mod values;
-pub(super) mod waiting;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
@@ -17,8 +15,7 @@ use super::error::Error;
 use super::loader::{self, Subject};
 use super::plant::PlantChoice;
 use super::{Status, input, interrupt, report};
-use crate::message::running::Weight;
-use crate::message::{Running, Using};
+use crate::message::{Running, Using, Weight};
 use clap::Args;
 use emergency::Stopped;
 use live::Live;
@@ -26,13 +23,15 @@ use progress::Progress;
 use screen::Screen;
 use std::path::PathBuf;
 use summary::{fall, summary};
+
+pub(super) use summary::said;
+
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
 use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits};
 use tipc::Loaded;
 use tipc::program::Program;
 use trace::{Extras, Trace};
-use waiting::said;
 
 /// A robot that rests so long probably waits for something that does not come: ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;
@@ -126,7 +125,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         return Ok(Status::Failure);
     }
     if loaded.program.is_some() {
-        targets::check(arguments)?;
+        files::check(arguments)?;
     }
     let program = loaded.program.take();
     let job = Job {
@@ -152,7 +151,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         _ => None,
     };
     let logs = match &arguments.out_dir {
-        Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
+        Some(folder) if input::was_read(&loaded) => Some(files::claim(folder, &loaded)?),
         _ => None,
     };
     match begun {
