@@ -2,13 +2,13 @@
 
 use super::choices::{EncodingName, LangName, RobotName};
 use super::plant::PlantChoice;
-use super::project::Given;
 use super::robot::RobotChoice;
 use super::scene::SceneChoice;
 use super::shown::Shown;
 use super::usage::{Wrong, count};
 use crate::message::Using;
 use clap::Args;
+use std::path::PathBuf;
 use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
 use tipc::message::Lang;
 use tipc::source::Encoding;
@@ -35,9 +35,9 @@ pub(super) struct SourceArguments {
     #[command(flatten)]
     pub(super) shown: Shown,
 
-    /// What the nearest tip.toml gives, once it was read.
+    /// The tip.toml that gives the robot, and that robot.
     #[arg(skip)]
-    pub(super) given: Option<Given>,
+    pub(super) given: Option<(PathBuf, RobotChoice)>,
 }
 
 /// The version of the language.

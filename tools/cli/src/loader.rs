@@ -109,7 +109,7 @@ fn judged(path: &Path, source: &SourceArguments, robot: &Robot) -> Loaded {
     let mut loaded = input::load(path, &source.options(robot.options().robot));
     robot.warn(&mut loaded);
     let given = source.given.as_ref();
-    let other = given.and_then(|given| embedded::warning(path, given));
+    let other = given.and_then(|(file, robot)| embedded::warning(path, file, robot));
     loaded.add(other.into_iter().collect());
     loaded
 }
