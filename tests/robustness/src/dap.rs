@@ -70,6 +70,7 @@ impl Host for OneProgram {
             debugger: debugger.map_err(|refused| refused.to_string())?,
             source: loaded.source,
             path: launch.program.clone(),
+            warnings: String::new(),
         })
     }
 }

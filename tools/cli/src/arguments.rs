@@ -1,15 +1,16 @@
 //! What every command that reads a program takes.
 
-mod inputs;
-
-pub(super) use inputs::InputArguments;
-
-use super::choices::{EncodingName, RobotName};
+use super::choices::{EncodingName, LangName, RobotName};
+use super::plant::PlantChoice;
 use super::robot::RobotChoice;
+use super::scene::SceneChoice;
 use super::shown::Shown;
-use super::usage::Wrong;
+use super::usage::{Wrong, count};
 use crate::message::Using;
 use clap::Args;
+use std::path::PathBuf;
+use tip_sim::event::{Event, Events, Inputs, Keys, SensorAt};
+use tipc::message::Lang;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
@@ -24,7 +25,7 @@ pub(super) struct SourceArguments {
     pub(super) robot: Option<RobotChoice>,
 
     /// The version of the language that line 1 must name
-    #[arg(long, value_name = "NUMBER", default_value = "3.1", value_parser = version_number)]
+    #[arg(long, value_name = "NUMBER", default_value_t = TIP_VERSION, value_parser = version_number)]
     tip_version: f64,
 
     /// How the file spells text; auto, unless tip.toml says otherwise, takes UTF-8 if it is valid, else Shift_JIS
@@ -33,9 +34,31 @@ pub(super) struct SourceArguments {
 
     #[command(flatten)]
     pub(super) shown: Shown,
+
+    /// The tip.toml that gives the robot, and that robot.
+    #[arg(skip)]
+    pub(super) given: Option<(PathBuf, RobotChoice)>,
 }
 
+/// The version of the language.
+const TIP_VERSION: f64 = 3.1;
+
 impl SourceArguments {
+    /// The arguments of a client that has no command line.
+    pub(super) fn of_client(
+        robot: Option<RobotChoice>,
+        encoding: Option<EncodingName>,
+        lang: Lang,
+    ) -> Self {
+        SourceArguments {
+            robot,
+            tip_version: TIP_VERSION,
+            encoding,
+            shown: Shown::of(LangName::of(lang)),
+            given: None,
+        }
+    }
+
     /// The robot.
     pub(super) fn robot(&self) -> &RobotChoice {
         self.robot.as_ref().unwrap_or(&TITAN)
@@ -58,5 +81,67 @@ pub(super) fn version_number(text: &str) -> Result<f64, Wrong> {
         _ => Err(Wrong(Using::NotAVersion {
             text: text.to_owned(),
         })),
+    }
+}
+
+/// What happens around a simulated robot, and how long it runs.
+#[derive(Debug, Default, Args)]
+pub(super) struct InputArguments {
+    /// Stop after this many control cycles
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    cycles: Option<u64>,
+
+    /// Keys that are pressed before the step of a cycle: one ASCII character each, or 0x1B form
+    #[arg(long, value_name = "CYCLE:CHAR,...")]
+    keys: Option<Keys>,
+
+    /// Request a halt before the step of this cycle
+    #[arg(long, value_name = "CYCLE", value_parser = count, allow_negative_numbers = true)]
+    halt: Option<u64>,
+
+    /// Make an input read this voltage from a cycle on: VR1-3, PAW1-4, ANTENNA, J11 and so on
+    #[arg(long = "sensor", value_name = "NAME=VALUE@CYCLE")]
+    sensors: Vec<SensorAt>,
+
+    /// Events before the step of a cycle, such as '10:key F, 300:VR1=8, 500:push 80 0 0 for 5, 900:halt'
+    #[arg(long, value_name = "CYCLE:EVENT,...")]
+    events: Option<Events>,
+
+    /// What surrounds the robot: cylinder, an object under a hand, or a scene of your own
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    pub(super) scene: Option<SceneChoice>,
+
+    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tipc run' also exec:COMMAND,
+    /// a process of yours that simulates any robot
+    #[arg(long, value_name = "PLANT")]
+    pub(super) plant: Option<PlantChoice>,
+}
+
+impl InputArguments {
+    /// The arguments of a client that has no command line.
+    pub(super) fn of_client(
+        events: Option<Events>,
+        scene: Option<SceneChoice>,
+        plant: Option<PlantChoice>,
+    ) -> Self {
+        InputArguments {
+            events,
+            scene,
+            plant,
+            ..InputArguments::default()
+        }
+    }
+
+    /// What happens to the run.
+    pub(super) fn inputs(&self) -> Inputs {
+        let keys = self.keys.clone().unwrap_or_default().0;
+        let sensors = self.sensors.iter().map(|sensor| sensor.0.clone());
+        let halt = self.halt.map(|cycle| Event::Halt.at(cycle));
+        let events = self.events.clone().unwrap_or_default();
+        let all = keys.into_iter().chain(sensors).chain(halt).chain(events);
+        Inputs {
+            events: all.collect(),
+            cycles: self.cycles,
+        }
     }
 }

@@ -4,13 +4,13 @@ use super::arguments::SourceArguments;
 use super::choices::Format;
 use super::deny::Deny;
 use super::error::Error;
+use super::loader::{self, NotLoaded};
 use super::watch::Watch;
-use super::{Status, embedded, fix, input, interrupt, project, report};
+use super::{Status, fix, input, interrupt, project, report};
 use crate::message::{Checking, Using};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
-use tip_sim::{reach, special};
 use tipc::diagnostic::Applicability;
 
 /// `tipc check`
@@ -124,33 +124,30 @@ fn once(arguments: &Check) -> Result<Status, Error> {
     let mut fixable = fix::Fixable::default();
     for file in &arguments.files {
         let mut source = arguments.source.clone();
-        let is_asked = source.robot.is_some();
-        let given = source.complete(file);
-        let chosen = given.and_then(|given| Ok((given, source.robot().load()?)));
-        let (given, robot) = match chosen {
-            Ok(chosen) => chosen,
-            Err(loaded) => {
+        let given = source.complete(file).map_err(NotLoaded::Found);
+        let found = given.and_then(|_| match arguments.least() {
+            Some(least) => {
+                let options = source.options(source.robot().load()?.robot());
+                let loaded = fix::fix(file, &options, least, &total, shown)?;
+                Ok((loaded, options))
+            }
+            None => {
+                let subject = loader::check(file, &source)?;
+                let options = source.options(subject.chosen.robot());
+                let loaded = fix::offered(subject.loaded, &options, shown);
+                total.check(&loaded, shown)?;
+                Ok((loaded, options))
+            }
+        });
+        let (loaded, options) = match found {
+            Ok(found) => found,
+            Err(NotLoaded::Found(loaded)) => {
                 total.check(&loaded, shown)?;
                 total.add(&loaded);
                 total.report(shown)?;
                 return Ok(Status::Failure);
             }
-        };
-        let options = source.options(robot.robot());
-        let robot = robot.simulated()?;
-        let loaded = match arguments.least() {
-            Some(least) => fix::fix(file, &options, least, &total, shown)?,
-            None => {
-                let mut loaded = input::load(file, &options);
-                reach::warn(&mut loaded, &robot);
-                special::warn(&mut loaded, &robot);
-                let given = given.filter(|_| !is_asked);
-                let other = given.and_then(|given| embedded::warning(file, &given));
-                loaded.add(other.into_iter().collect());
-                let loaded = fix::offered(loaded, &options, shown);
-                total.check(&loaded, shown)?;
-                loaded
-            }
+            Err(NotLoaded::Failed(error)) => return Err(error),
         };
         total.add(&loaded);
         fixable.add(&loaded, &options, shown);

@@ -95,6 +95,13 @@ pub(super) enum LangName {
 }
 
 impl LangName {
+    pub(super) fn of(lang: Lang) -> Self {
+        match lang {
+            Lang::Japanese => LangName::Ja,
+            _ => LangName::En,
+        }
+    }
+
     pub(super) fn lang(self) -> Lang {
         match self {
             LangName::En => Lang::English,

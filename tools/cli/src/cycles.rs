@@ -1,9 +1,9 @@
 //! `tipc cycles`: how many control cycles the parts of a program take.
 
 use super::arguments::SourceArguments;
-use super::checked::checked;
 use super::choices::Format;
 use super::error::Error;
+use super::loader::{check, checked};
 use super::{Status, output};
 use clap::Args;
 use std::path::PathBuf;
@@ -32,7 +32,8 @@ pub(super) struct Cycles {
 
 /// Writes the counts of one program to standard output.
 pub(super) fn cycles(arguments: &Cycles) -> Result<Status, Error> {
-    let Some(checked) = checked(&arguments.file, &arguments.source) else {
+    let source = &arguments.source;
+    let Some(checked) = checked(check(&arguments.file, source), source)? else {
         return Ok(Status::Failure);
     };
     let sampling = Sampling::of(checked.robot.robot());

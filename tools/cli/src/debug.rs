@@ -6,17 +6,16 @@ mod draw;
 mod figure;
 mod keys;
 mod panes;
-mod question;
 mod variables;
-mod words;
 
 #[cfg(test)]
 mod tests;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
-use super::plant::{self, Ours};
-use super::{Status, input, interrupt, report, scene};
+use super::loader::{self, Subject};
+use super::plant::Ours;
+use super::{Status, interrupt};
 use app::App;
 use clap::Args;
 use ratatui::DefaultTerminal;
@@ -85,34 +84,18 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
 /// The program on its robot; none, with its findings reported, if something does not load.
 fn load(arguments: &Debug) -> Result<Option<App>, Error> {
     let shown = arguments.source.shown;
-    let plant = plant::ours(
-        arguments.inputs.plant.as_ref(),
-        Ours::Again("debug"),
-        shown.lang(),
-    )?;
-    let robot = match arguments.source.robot().load() {
-        Ok(robot) => robot,
-        Err(loaded) => {
-            report::findings(&loaded, shown);
-            return Ok(None);
-        }
-    };
-    let Some(scene) = scene::load(arguments.inputs.scene.as_ref(), plant, shown) else {
+    let (source, inputs) = (&arguments.source, &arguments.inputs);
+    let subject = loader::load(&arguments.file, source, inputs, Some(Ours::Again("debug")));
+    let Some(Subject { loaded, robot, .. }) = loader::reported(subject, source, false)? else {
         return Ok(None);
     };
-    let robot = scene::around(robot.simulated()?, &scene)?;
-    let loaded = input::load(
-        &arguments.file,
-        &arguments.source.options(robot.options().robot),
-    );
-    let Some(program) = loaded.program.clone() else {
-        report::findings(&loaded, shown);
+    let Some(program) = loaded.program else {
         return Ok(None);
     };
     let usage = |refused: &dyn std::fmt::Display| Error::Usage(refused.to_string());
     let mut debugger = Debugger::new(program, &robot)
         .map_err(|mismatch| usage(&mismatch))?
-        .with_events(&arguments.inputs.inputs().events)
+        .with_events(&inputs.inputs().events)
         .map_err(|refused| usage(&refused))?;
     debugger.stop_at_fall(true);
     Ok(Some(App::new(

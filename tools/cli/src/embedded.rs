@@ -3,7 +3,7 @@
 
 mod sites;
 
-use super::project::{Given, shown};
+use super::project::shown;
 use super::robot::RobotChoice;
 use sites::{Said, Site};
 use std::fs;
@@ -21,12 +21,11 @@ const LONGEST: usize = 1;
 /// Folders below `src` that are looked into.
 const DEPTH: usize = 16;
 
-/// The warning that the crate compiles the program for another robot than `tip.toml` gives it, and nowhere for that one. What
+/// The warning that the crate compiles the program for another robot than the `tip.toml` at `project` gives it, and nowhere for that one. What
 /// cannot be read for certain says nothing.
-pub(super) fn warning(program: &Path, given: &Given) -> Option<Diagnostic> {
-    let robot = given.robot.as_ref()?;
+pub(super) fn warning(program: &Path, project: &Path, robot: &RobotChoice) -> Option<Diagnostic> {
     let found = differing(program, robot)?;
-    let project = given.file().display().to_string();
+    let project = project.display().to_string();
     let place = Span::new(0, 0);
     let reason = Warning::CompiledForAnother {
         project: project.clone().into(),

@@ -1,8 +1,8 @@
 //! `tipc emit`: a program in another form.
 
 use super::arguments::SourceArguments;
-use super::checked::checked;
 use super::error::Error;
+use super::loader::{check, checked};
 use super::{Status, output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -55,7 +55,8 @@ pub(super) struct Emit {
 
 /// Writes one form of a program to a file or to standard output.
 pub(super) fn emit(arguments: &Emit) -> Result<Status, Error> {
-    let Some(checked) = checked(&arguments.file, &arguments.source) else {
+    let source = &arguments.source;
+    let Some(checked) = checked(check(&arguments.file, source), source)? else {
         return Ok(Status::Failure);
     };
     let program = &checked.program;

@@ -1,12 +1,9 @@
 //! The help of the command line in Japanese. The English one is what the commands say of themselves.
 
-mod texts;
-
 use super::Arguments;
 use clap::builder::{PossibleValue, StyledStr};
 use clap::{Arg, Command, CommandFactory};
 use std::fmt::Write as _;
-use texts::{endings, lines};
 use tipc::message::Lang;
 
 /// As clap has it, but for the words that it says in English only.
@@ -93,6 +90,21 @@ fn line(english: &StyledStr) -> String {
     let english = english.to_string();
     let row = lines().find(|(row, _)| *row == english);
     row.map_or(english, |(_, japanese)| japanese.to_owned())
+}
+
+const LINES: &str = include_str!("../help/lines.txt");
+const ENDINGS: &str = include_str!("../help/endings.txt");
+
+/// What a command, an option or a value is said to be in English, and in Japanese.
+fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let rows = LINES.split("\n\n").filter(|row| !row.starts_with('#'));
+    rows.filter_map(|row| row.trim_end().split_once('\n'))
+}
+
+/// A command, its words joined by `_`, and what stands below its options: examples, and what it does and answers.
+fn endings() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let texts = ENDINGS.trim_start_matches("== ").split("\n== ");
+    texts.filter_map(|text| text.split_once('\n'))
 }
 
 #[cfg(test)]

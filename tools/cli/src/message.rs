@@ -1,14 +1,463 @@
 //! The messages of the command.
 
-mod checking;
-pub(crate) mod count;
-mod making;
-pub(crate) mod running;
-mod stopping;
-mod using;
+use count::{Cycles, Errors, Files, Steps, Warnings};
+use smol_str::SmolStr;
+use tip_runtime::command::Target;
+use tip_sim::message::Awaited;
+use tipc::language::Keyword;
+use tipc::message::Text;
+use tipc::message::list::{Each, List};
 
-pub(crate) use checking::Checking;
-pub(crate) use making::Making;
-pub(crate) use running::Running;
-pub(crate) use stopping::Stopping;
-pub(crate) use using::Using;
+/// So many of something, as an argument of messages.
+pub(crate) mod count {
+    tipc::count_table! {
+        /// So many errors.
+        Errors: "1 error", "エラー1件"; "{count} errors", "エラー{count}件";
+    }
+
+    tipc::count_table! {
+        /// So many warnings.
+        Warnings: "1 warning", "警告1件"; "{count} warnings", "警告{count}件";
+    }
+
+    tipc::count_table! {
+        /// So many steps.
+        Steps: "1 step", "1ステップ"; "{count} steps", "{count}ステップ";
+    }
+
+    tipc::count_table! {
+        /// So many control cycles.
+        Cycles: "1 cycle", "1周期"; "{count} cycles", "{count}周期";
+    }
+
+    tipc::count_table! {
+        /// So many files.
+        Files: "1 file", "1ファイル"; "{count} files", "{count}ファイル";
+    }
+
+    tipc::count_table! {
+        /// What is not shown.
+        More: "... and 1 more finding", "……ほかに1件あります"; "... and {count} more findings", "……ほかに{count}件あります";
+    }
+}
+
+tipc::message_table! {
+    /// Wrong usage of the command `tipc`.
+    Using;
+
+    RunThat { file: Text }
+        "`{file}` is not a command of tipc: did you mean `tipc run {file}`?",
+        "`{file}` はtipcのコマンドではありません。`tipc run {file}` のことですか?";
+    OtherWord { word: String, command: String }
+        "`{word}` is not a command of tipc: did you mean `tipc {command}`?",
+        "`{word}` はtipcのコマンドではありません。`tipc {command}` のことですか?";
+    NoCommand { word: String, commands: Each }
+        "`{word}` is not a command of tipc; the commands are {commands}",
+        "`{word}` はtipcのコマンドではありません。コマンドは{commands}です";
+    NoFile { command: String }
+        "which program? `tipc {command}` needs a file, as `tipc {command} walk.prg`",
+        "どのプログラムですか? `tipc {command} walk.prg` のようにファイルを指定してください";
+    NoCode { code: String, codes: Each }
+        "no finding has the code {code}; the codes are {codes}",
+        "{code}というコードはありません。コードは{codes}です";
+    NotACount { text: String }
+        "`{text}` is not a count: write a whole number, 0 or more",
+        "`{text}` は数えられません。0以上の整数を指定してください";
+    NotPositive { text: String }
+        "`{text}` compares nothing: write a whole number, 1 or more",
+        "`{text}` では何も比較されません。1以上の整数を指定してください";
+    NotAFoot { text: String }
+        "`{text}` is not a foot: write the name of a link, or `LINK=X,Y,Z` for a place in its frame, in metres, as `shank=0,0,-0.13`",
+        "`{text}` は足先の指定ではありません。リンクの名前か、`shank=0,0,-0.13` のようにリンク座標系での位置(メートル)を付けて書いてください";
+    NotAHeight { text: String }
+        "`{text}` is not a height: write a number of mm above 0, as 250",
+        "`{text}` は高さではありません。250のように0より大きいmmの値を指定してください";
+    NoRobot { word: String, robots: Each }
+        "no robot is called `{word}`; there are {robots}, and yours in a FILE.toml",
+        "`{word}` というロボットはありません。{robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
+    NearRobot { word: String, near: String, robots: Each }
+        "no robot is called `{word}`: did you mean `{near}`? There are {robots}, and yours in a FILE.toml",
+        "`{word}` というロボットはありません。`{near}` のことですか? {robots}か、自分のロボットのファイル(FILE.toml)を指定してください";
+    NoPlant { word: String, plants: Each }
+        "no plant is called `{word}`; there are {plants}, and a process of yours as `exec:COMMAND`",
+        "`{word}` というプラントはありません。{plants}か、自分のプロセスを `exec:COMMAND` の形で指定してください";
+    NoProcess { command: String }
+        "`{command}` is not a command line: write a program and its arguments, and close every quote, as in `exec:python3 simulate.py`",
+        "`{command}` はコマンドラインではありません。`exec:python3 simulate.py` のようにプログラムと引数を書き、引用符は閉じてください";
+    ProcessRunsOnce { command: &'static str }
+        "`tipc {command}` runs programs again or backwards, and a process can neither be copied nor taken back: take --plant dynamic here, and the process with `tipc run`",
+        "`tipc {command}` はプログラムを繰り返し、または逆向きに実行しますが、プロセスはコピーも巻き戻しもできません。ここでは --plant dynamic を使い、プロセスは `tipc run` で使ってください";
+    ProcessIsRun { command: &'static str }
+        "`tipc {command}` records our plants only; `tipc run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tipc view FILE --program PROGRAM` shows what it did",
+        "`tipc {command}` が記録できるのは内蔵のプラントだけです。プロセスは `tipc run --plant exec:COMMAND --trace FILE --trace-motion` で実行し、`tipc view FILE --program PROGRAM` で表示してください";
+    SceneIsElsewhere
+        "--scene surrounds our plants, and a process has its own surroundings: give the scene to the process",
+        "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
+    FallsAreElsewhere
+        "--deny falls needs a plant of ours: nobody counts the falls of a process's robot",
+        "--deny falls を使えるのは内蔵のプラントだけです。プロセスのロボットの転倒は数えられません";
+    NotAVersion { text: String }
+        "`{text}` is not a version of the language, as 3.1 is",
+        "`{text}` は3.1のような言語のバージョンではありません";
+    NotACrateName { name: String, near: String }
+        "`{name}` cannot be the name of a crate: begin with a small letter, go on with small letters and digits, and put a single `-` or `_` between them, as in `{near}`",
+        "`{name}` はクレート名にできません。`{near}` のように、英小文字で始め、英小文字と数字を使い、その間を `-` か `_` 1つでつないでください";
+    CrateNameTaken { name: String, near: String }
+        "`{name}` means something else to Rust or cargo, and cannot be the name of a crate: `{near}` can",
+        "`{name}` はRustやcargoで別の意味をもつため、クレート名にできません。`{near}` なら使えます";
+    // What the library of the command line says in English itself.
+    NoOption { option: String }
+        "there is no option `{option}`",
+        "`{option}` というオプションはありません";
+    NearOption { option: String, near: String }
+        "there is no option `{option}`: did you mean `{near}`?",
+        "`{option}` というオプションはありません。`{near}` のことですか?";
+    NoSuchValue { value: String, values: Each }
+        "`{value}` is not a value of it; the values are {values}",
+        "`{value}` は指定できません。指定できるのは{values}です";
+    NeedsValue
+        "it wants a value",
+        "値を指定してください";
+    NotTogether { option: String, other: String }
+        "`{option}` and `{other}` do not go together",
+        "`{option}` と `{other}` は同時に使えません";
+    MissingArgument { what: String }
+        "`{what}` is missing",
+        "`{what}` を指定してください";
+    WhichCommand { commands: Each }
+        "which command? The commands are {commands}",
+        "コマンドを指定してください。コマンドは{commands}です";
+    WatchInput
+        "--watch needs files: standard input does not change",
+        "--watchにはファイルが必要です。標準入力は変更を検出できません";
+    ServeInput
+        "standard input cannot be saved or read again: serve a file",
+        "標準入力は保存も再読み込みもできません。ファイルを指定してください";
+    ServeOthers
+        "whoever has this address can run, edit and save the program",
+        "このアドレスを知る人は誰でも、プログラムの実行・編集・保存ができます";
+    ServeEnds
+        "Ctrl-C ends",
+        "Ctrl-Cで終了します";
+    SeeHelp { command: String }
+        "`tipc help {command}` shows examples",
+        "`tipc help {command}` で使用例を見られます";
+}
+
+tipc::message_table! {
+    /// What checks come to.
+    Checking;
+
+    Sound { file: Text, steps: Steps, robot: String, warnings: Warnings }
+        "{file}: {steps} for {robot}, {warnings}",
+        "{file}: {robot}用、{steps}、{warnings}";
+    Faulty { file: Text, errors: Errors, warnings: Warnings }
+        "{file}: {errors}, {warnings}",
+        "{file}: {errors}、{warnings}";
+    Total { files: Files, errors: Errors, warnings: Warnings }
+        "{files}: {errors}, {warnings}",
+        "{files}の合計: {errors}、{warnings}";
+    Watching { files: Files }
+        "watching {files}; Ctrl-C ends",
+        "{files}の変更を待っています。Ctrl-Cで終わります";
+    Again { count: usize }
+        "check {count}",
+        "{count}回目の検査";
+}
+
+tipc::message_table! {
+    /// What a run says of itself.
+    Running;
+
+    Ended { file: Text, how: How, line: u32, cycles: Cycles, time: String }
+        "{file}: {how} at line {line} after {cycles}, {time} s of robot time",
+        "{file}: {line}行目で{how}({cycles}、ロボットの時間で{time} s)";
+    Next { line: u32, statement: Text }
+        "line {line}: {statement}",
+        "{line}行目: {statement}";
+    Waits { line: u32, statement: Text, until: Until }
+        "line {line}: {statement}, which waits until {until}",
+        "{line}行目: {statement} ({until}待ちます)";
+    IsWaiting { wait: Waiting }
+        "{wait}",
+        "{wait}";
+    GoesOn { wait: Waiting }
+        "{wait}; --cycles sets an end, Ctrl-C ends the run",
+        "{wait}。--cyclesで終わりを指定するか、Ctrl-Cで終了できます";
+    StopsWaiting { wait: Waiting, time: String }
+        "stopped after {time} s without a motion: {wait}; --cycles sets another end",
+        "{time} s間動作がないため終了しました。{wait}。--cyclesで別の終わりを指定できます";
+    StopsInTime { minutes: String }
+        "stopped after {minutes} minutes of the robot's time; --cycles sets another end",
+        "ロボットの時間で{minutes}分たったため終了しました。--cyclesで別の終わりを指定できます";
+    Travel { y: String, along: Along, x: String, aside: Aside, z: String, upright: Upright }
+        "{y} mm {along}, {x} mm {aside}, {z} mm {upright}",
+        "胴体が{along}{y} mm、{aside}{x} mm、{upright}{z} mm";
+    Turn { angle: String, aside: Aside }
+        "{angle} deg {aside}",
+        "{aside}{angle}度";
+    NoFall "none", "なし";
+    Falls { count: String, time: String, line: u32 }
+        "{count}, the first after {time} s at line {line}",
+        "{count}回、最初は{time} sに{line}行目で";
+    WouldFall { count: String, time: String, line: u32 }
+        "would fall: {count}, the first after {time} s at line {line}; the body stays upright",
+        "転倒のおそれ{count}回、最初は{time} sに{line}行目で(胴体は倒れていません)";
+    UprightFalls { count: String, upright: String, time: String, line: u32 }
+        "{count}, the first after {time} s at line {line}; the body stays upright in {upright}",
+        "{count}回、最初は{time} sに{line}行目で(うち{upright}回は胴体が倒れていません)";
+    AtMost { value: String }
+        "{value} mm at most",
+        "最大{value} mm";
+    AtLeast { value: String }
+        "{value} mm at least",
+        "最小{value} mm";
+    ZmpOutside { cycles: Cycles, by: String }
+        "the zero moment point outside the feet in {cycles}, by {by} mm at most",
+        "{cycles}でZMPが支持多角形の外、最大{by} mm";
+    NoGrip { cycles: Cycles }
+        "the feet would slip in {cycles}",
+        "{cycles}で足が滑るはず";
+    Crosses { cycles: Cycles }
+        "legs or body in the floor, in a block or in each other in {cycles}",
+        "{cycles}で脚か胴体が床や障害物の中、または脚どうしが重なり";
+    Hurries { cycles: Cycles }
+        "commanded to turn faster than its servo can in {cycles}",
+        "{cycles}でサーボの最高速度を超える指令";
+    Strays { cycles: Cycles, by: String }
+        "a foot beside its path in {cycles}, by {by} mm at most",
+        "{cycles}で足先が経路の外、最大{by} mm";
+    MassMatters
+        "dynamics matter here: --plant dynamic",
+        "ここでは動力学が効きます: --plant dynamic";
+    Lift { object: u32, now: String, most: String }
+        "object {object}: {now} mm, {most} mm at most",
+        "物体{object}: {now} mm、最大{most} mm";
+    Force { finger: u32, now: String, most: String }
+        "F{finger}: {now} N, {most} N at most",
+        "F{finger}: {now} N、最大{most} N";
+    InTime
+        "no cycle late",
+        "遅れた周期なし";
+    Late { late: String, all: String, worst: String }
+        "{late} of {all} cycles late, {worst} ms at most",
+        "{all}周期のうち{late}周期が遅れ、最大{worst} ms";
+    Keys
+        "keys: RETURN emergency stop, ESC halt, Ctrl-C end; others reach the program",
+        "キー: RETURNは非常停止、ESCは停止要求、Ctrl-Cは終了。ほかのキーはプログラムに渡ります";
+    NoKeys
+        "keys: none, standard input is not a terminal; --keys and --events press them",
+        "キー: 標準入力が端末ではないため使えません。--keysと--eventsで押せます";
+    Walks { y: String, along: Along, margin: String, falls: String }
+        "{y} mm {along}, margin {margin} mm, falls {falls}",
+        "{along}{y} mm、余裕{margin} mm、転倒{falls}回";
+    Lifts { value: String }
+        "lift {value} mm",
+        "持上{value} mm";
+    Pushes { forces: String }
+        "force {forces} N",
+        "力{forces} N";
+    Fell { time: String, cycle: String }
+        "the robot fell after {time} s, in cycle {cycle}",
+        "ロボットが{time} s、周期{cycle}で転倒しました";
+    WouldHaveFallen { time: String, cycle: String }
+        "the robot would fall after {time} s, in cycle {cycle}: its feet do not hold its centre of mass",
+        "ロボットは{time} s、周期{cycle}で転倒するおそれがあります: 足が重心を支えていません";
+    Unsupported { time: String, cycle: String }
+        "the robot lost its support after {time} s, in cycle {cycle}",
+        "ロボットが{time} s、周期{cycle}で支えを失いました";
+}
+
+tipc::message_table! {
+    /// How bad something is.
+    Weight;
+
+    Error "error", "エラー";
+    Warning "warning", "警告";
+}
+
+tipc::message_table! {
+    /// How a run ended.
+    How;
+
+    By { word: Keyword } "{word}", "{word}で終了";
+    Emergency "emergency stop", "非常停止";
+    Interrupted "interrupted", "中断";
+    Limit "--cycles used up", "--cyclesの周期数に到達";
+}
+
+tipc::message_table! {
+    /// What a line of the summary is about.
+    Figure;
+
+    Next "next", "次";
+    Waits "waits", "待機";
+    Travel "travel", "移動";
+    Turn "turn", "旋回";
+    Falls "falls", "転倒";
+    Slip "slip", "滑り";
+    Margin "margin", "余裕";
+    Zmp "zmp", "動余裕";
+    Grip "grip", "摩擦";
+    Contact "contact", "干渉";
+    Joint "joint", "関節";
+    Path "path", "経路";
+    Note "note", "注意";
+    Lift "lift", "持上";
+    Force "force", "力";
+    Pace "pace", "周期";
+}
+
+tipc::message_table! {
+    /// Where a robot went along its front.
+    Along;
+
+    Forward "forward", "前へ";
+    Backward "backward", "後ろへ";
+}
+
+tipc::message_table! {
+    /// To which side it went or turned.
+    Aside;
+
+    Right "to the right", "右へ";
+    Left "to the left", "左へ";
+}
+
+tipc::message_table! {
+    /// Where its body went.
+    Upright;
+
+    Up "up", "上へ";
+    Down "down", "下へ";
+}
+
+tipc::message_table! {
+    /// What a statement waits for.
+    Until;
+
+    Time "the time is over", "時間がたつまで";
+    InPosition { target: Target } "{target} is within the JUST tolerance", "{target}がJUSTの許容範囲に入るまで";
+    Near { target: Target } "{target} is within the NEAR tolerance", "{target}がNEARの許容範囲に入るまで";
+    Key "a key is pressed", "キーが押されるまで";
+    Motion "its motion is done", "動作が終わるまで";
+    Touch "it feels a contact", "接触を感じるまで";
+    Native "its native code is done", "ネイティブコードが終わるまで";
+}
+
+tipc::message_table! {
+    /// The place, condition and duration of a wait.
+    Waiting;
+
+    Line { line: u32, what: Awaited, since: String, time: String }
+        "line {line} waits for {what} since {since} s, for {time} s",
+        "{line}行目が{what}を待っています({since} sから{time} s間)";
+    Loop { first: u32, last: u32, what: Awaited, since: String, time: String }
+        "lines {first} to {last} wait for {what} since {since} s, for {time} s",
+        "{first}~{last}行目が{what}を待って繰り返しています({since} sから{time} s間)";
+    Endless { first: u32, last: u32, since: String, time: String }
+        "lines {first} to {last} repeat without a motion since {since} s, for {time} s",
+        "{first}~{last}行目が動作のないまま繰り返しています({since} sから{time} s間)";
+}
+
+tipc::message_table! {
+    /// Why a run has stopped.
+    Stopping;
+
+    // What the program did.
+    NoValue { name: SmolStr }
+        "`{name}` has no value yet",
+        "`{name}` にまだ値がありません";
+    AssignFirst
+        "assign it before this statement runs",
+        "この文を実行する前に代入してください";
+    NoResult
+        "a value is out of range, or the result is not a finite number",
+        "値が範囲外か、計算結果が有限の数になりません";
+    NoCall
+        "nothing called what returns here",
+        "呼び出されていないのに戻ろうとしています";
+    OtherMode
+        "the target is under another control than this command needs",
+        "対象の制御モードがこのコマンドに合いません";
+    TooDeep
+        "more than ten calls are open at once",
+        "呼び出しの入れ子が10段を超えました";
+    LeaveSubroutines
+        "leave each SUBROUTINE with RETURN or SUBEND, and let none call itself",
+        "SUBROUTINEからはRETURNかSUBENDで戻り、自分自身を呼ばないでください";
+    NoStep
+        "there is no such step",
+        "そのようなステップはありません";
+
+    // What the robot did.
+    AtLimit { joint: Target, angle: f64, min: f64, max: f64 }
+        "{joint} is at {angle} deg and cannot go on: its limits are {min} and {max} deg",
+        "{joint}は現在{angle} degで、これ以上動けません。動作範囲は{min}から{max} degです";
+    OutOfReach { target: Target }
+        "{target} cannot reach its target, or a place on the way there",
+        "{target}が目標か、その途中の位置に届きません";
+    JointsAre { joints: List }
+        "the joints and their limits in deg: {joints}",
+        "関節の角度と動作範囲(deg): {joints}";
+    Nonsense { sensor: SmolStr }
+        "the sensor of {sensor} reads nonsense: see to it and its cable",
+        "{sensor}のセンサの値が異常です。センサと配線を確かめてください";
+    Broken { what: &'static str }
+        "the hardware of the robot failed: {what}",
+        "ロボットのハードウェアの異常です: {what}";
+    KeyPressed
+        "someone pressed RETURN, the emergency stop",
+        "RETURNキー(非常停止)が押されました";
+
+    // The moment, and its values.
+    Moment { step: u32, cycle: SmolStr, time: SmolStr }
+        "step {step}, cycle {cycle}, {time}",
+        "ステップ{step}、サイクル{cycle}、{time}";
+    Values { values: List } "{values}", "{values}";
+}
+
+tipc::message_table! {
+    /// What becomes of a new crate.
+    Making;
+
+    Made { folder: Text, robot: String }
+        "made {folder}, a crate for {robot}:",
+        "{robot}用のクレート {folder} を作成しました:";
+    Next
+        "next:",
+        "次のコマンド:";
+    Walks { travel: f64 }
+        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall, with mass and without",
+        "動作を試しました: シミュレーションのロボットは、質量の有無にかかわらず倒れずに{travel} mm前進します";
+    WalksWithoutMass { travel: f64 }
+        "the motion was tried: the simulated robot comes {travel} mm forward and does not fall; with mass (`--plant dynamic`) it falls, or comes less far",
+        "動作を試しました: シミュレーションのロボットは倒れずに{travel} mm前進しますが、質量を持つプラント(`--plant dynamic`)では倒れるか、そこまで進みません";
+    NoGait { falls: u32 }
+        "no gait was found; the motion bends one leg after the other instead, and the simulated robot falls {falls} times in it:",
+        "歩容が見つからないので、脚を1本ずつ曲げる動作にしました。シミュレーションで倒れる回数は{falls}です。理由:";
+    TooFewLegs
+        "a robot that stands on its feet needs four legs to lift one",
+        "1本を上げて立つには脚が4本必要です";
+    OutOfReach
+        "feet do not reach where a gait has them, or slip: set another `initial`, as by `tipc robot import --stand`, or wider limits",
+        "足先が歩容の位置に届かないか、滑ります。`tipc robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+    Falls
+        "the simulated robot falls on every gait that was tried: set another `initial`, as by `tipc robot import --stand`",
+        "試したどの歩容でも、シミュレーションのロボットが倒れます。`tipc robot import --stand` などで `initial` を変えてください";
+    FolderTaken { folder: Text }
+        "`{folder}` is there already: choose another name, or move it away",
+        "`{folder}` はすでにあります。別の名前を指定するか、移動してください";
+    NoFolder { folder: Text }
+        "there is no folder `{folder}`: `mkdir -p {folder}` makes it",
+        "フォルダー `{folder}` がありません。`mkdir -p {folder}` で作成できます";
+    NotMade { folder: Text, error: Text, name: String }
+        "`{folder}` cannot be made: {error}; name a folder that you may write to, as `tipc new ~/{name}` does",
+        "`{folder}` を作成できません: {error}。`tipc new ~/{name}` のように、書き込めるフォルダーを指定してください";
+    NotForManifest { folder: Text }
+        "`{folder}` is not UTF-8, or has a control character, so that a Cargo.toml cannot name it: rename the folder of the checkout",
+        "`{folder}` はUTF-8でないか制御文字を含むため、Cargo.tomlに書けません。チェックアウトのフォルダー名を変えてください";
+    NotACheckout { folder: Text, version: String }
+        "`{folder}` is not a checkout of this project in version {version}: name the folder that holds tip-runtime and tip-macros",
+        "`{folder}` はこのプロジェクト(バージョン{version})のチェックアウトではありません。tip-runtimeとtip-macrosのあるフォルダーを指定してください";
+}

@@ -7,7 +7,6 @@ mod gait;
 mod kit;
 mod name;
 mod origin;
-mod template;
 
 use super::error::Error;
 use super::shown::Shown;
@@ -92,4 +91,11 @@ fn made(place: &Place, kit: &Kit, files: &[File], lang: Lang) -> String {
     let next = Making::Next.in_lang(lang);
     let _ = writeln!(text, "{next}\n  cd {folder}\n  cargo run");
     text
+}
+
+/// The text with its holes filled.
+fn fill(text: &str, holes: &[(&str, &str)]) -> String {
+    let fill_one =
+        |text: String, (name, value): &(&str, &str)| text.replace(&format!("<<{name}>>"), value);
+    holes.iter().fold(text.to_owned(), fill_one)
 }

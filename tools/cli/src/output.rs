@@ -3,12 +3,13 @@
 use super::error::{Error, is_closed};
 use super::interrupt;
 use std::borrow::Cow;
+use std::fmt::Write as _;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::thread;
 use std::time::Duration;
-use tip_runtime::printable::Printable;
+use tip_runtime::printable::{Printable, acts};
 use tip_runtime::record::WholeFile;
 use tipc::embed;
 use tipc::message::{Lang, Reading};
@@ -131,4 +132,18 @@ pub(super) fn is_one(one: &fs::Metadata, other: &fs::Metadata) -> bool {
 #[cfg(not(unix))]
 pub(super) fn is_one(_: &fs::Metadata, other: &fs::Metadata) -> bool {
     other.is_file()
+}
+
+/// The text of a JSON value, with escapes for characters that could act on a terminal. They occur in strings only.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for char in text.chars() {
+        match char {
+            '\n' => out.push(char),
+            // Writing to a String cannot fail. All such characters are below 0x10000.
+            _ if acts(char) => drop(write!(out, "\\u{:04x}", u32::from(char))),
+            _ => out.push(char),
+        }
+    }
+    out
 }

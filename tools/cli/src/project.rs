@@ -105,6 +105,8 @@ impl SourceArguments {
             complete(&mut self.robot, &mut given.robot);
             complete(&mut self.encoding, &mut given.encoding);
         }
+        let robot = |given: &Given| Some((given.file.clone(), given.robot.clone()?));
+        self.given = given.as_ref().and_then(robot);
         Ok(given.filter(Given::is_something))
     }
 

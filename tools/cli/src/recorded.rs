@@ -2,11 +2,10 @@
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
-use super::plant::{self, Ours};
-use super::robot::ChosenRobot;
-use super::run::LONG_WAIT;
-use super::run::waiting::said;
-use super::{Status, input, interrupt, report, run, scene};
+use super::loader::{self, Subject};
+use super::plant::Ours;
+use super::run::{LONG_WAIT, said};
+use super::{Status, interrupt, report, scene};
 use crate::message::Running;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -63,7 +62,7 @@ impl RecordedArguments {
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; none if something was found, and
     /// reported.
     pub(super) fn record(&self, pace: Pace, why: Ours) -> Result<Option<Recorded>, Error> {
-        let Some((loaded, robot, _)) = self.load(&self.file, false, why)? else {
+        let Some(Subject { loaded, robot, .. }) = self.load(&self.file, false, why)? else {
             return Ok(None);
         };
         let recording = self.run(&loaded, &robot, pace)?;
@@ -82,26 +81,11 @@ impl RecordedArguments {
         program: &Path,
         quiet: bool,
         why: Ours,
-    ) -> Result<Option<(Loaded, Robot, ChosenRobot)>, Error> {
+    ) -> Result<Option<Subject>, Error> {
         interrupt::catch();
-        let plant = plant::ours(self.inputs.plant.as_ref(), why, self.source.shown.lang())?;
-        let chosen = match self.source.robot().load() {
-            Ok(robot) => robot,
-            Err(loaded) => {
-                report::findings(&loaded, self.source.shown);
-                return Ok(None);
-            }
-        };
-        let Some(scene) = scene::load(self.inputs.scene.as_ref(), plant, self.source.shown) else {
-            return Ok(None);
-        };
-        let robot = scene::around(chosen.simulated()?, &scene)?;
-        run::check_inputs(&robot, &self.inputs.inputs())?;
-        let loaded = input::load(program, &self.source.options(robot.options().robot));
-        if loaded.program.is_none() || !quiet {
-            report::findings(&loaded, self.source.shown);
-        }
-        Ok(loaded.program.is_some().then_some((loaded, robot, chosen)))
+        let subject = loader::load(program, &self.source, &self.inputs, Some(why));
+        let subject = loader::reported(subject, &self.source, quiet)?;
+        Ok(subject.filter(|subject| subject.loaded.program.is_some()))
     }
 
     /// Runs a program that loads.

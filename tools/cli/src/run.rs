@@ -1,23 +1,21 @@
 //! `tipc run`: a program on the simulated robot, by the reference interpreter.
 
 mod emergency;
+mod files;
 mod live;
-mod logs;
 mod progress;
 mod screen;
 mod summary;
-mod targets;
 mod trace;
 mod values;
-pub(super) mod waiting;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
 use super::error::Error;
+use super::loader::{self, Subject};
 use super::plant::PlantChoice;
-use super::{Status, input, interrupt, report, scene};
-use crate::message::running::Weight;
-use crate::message::{Running, Using};
+use super::{Status, input, interrupt, report};
+use crate::message::{Running, Using, Weight};
 use clap::Args;
 use emergency::Stopped;
 use live::Live;
@@ -25,13 +23,15 @@ use progress::Progress;
 use screen::Screen;
 use std::path::PathBuf;
 use summary::{fall, summary};
+
+pub(super) use summary::said;
+
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits, reach, special};
+use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits};
 use tipc::Loaded;
 use tipc::program::Program;
 use trace::{Extras, Trace};
-use waiting::said;
 
 /// A robot that rests so long probably waits for something that does not come: ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;
@@ -106,42 +106,26 @@ pub(super) struct Run {
 /// Runs the program until it ends, the cycles are used up, or someone presses Ctrl-C.
 pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
     interrupt::catch();
-    let robot = match arguments.source.robot().load() {
-        Ok(robot) => robot,
-        Err(loaded) => {
-            report::findings(&loaded, arguments.source.shown);
-            return Ok(Status::Failure);
-        }
-    };
     let plant = arguments.inputs.plant.as_ref();
     let process = plant.and_then(PlantChoice::process);
     if process.is_some() {
         refuse_ours(arguments)?;
     }
-    let Some(scene) = scene::load(
-        arguments.inputs.scene.as_ref(),
-        plant.and_then(PlantChoice::name),
-        arguments.source.shown,
-    ) else {
+    let source = &arguments.source;
+    let subject = loader::load(&arguments.file, source, &arguments.inputs, None);
+    let subject = loader::reported(subject, source, arguments.quiet)?;
+    let Some(Subject {
+        mut loaded, robot, ..
+    }) = subject
+    else {
         return Ok(Status::Failure);
     };
-    let robot = scene::around(robot.simulated()?, &scene)?;
     let inputs = arguments.inputs.inputs();
-    check_inputs(&robot, &inputs)?;
-    let mut loaded = input::load(
-        &arguments.file,
-        &arguments.source.options(robot.options().robot),
-    );
-    reach::warn(&mut loaded, &robot);
-    special::warn(&mut loaded, &robot);
-    if loaded.program.is_none() || !arguments.quiet {
-        report::findings(&loaded, arguments.source.shown);
-    }
     if arguments.deny.refuses(&loaded) {
         return Ok(Status::Failure);
     }
     if loaded.program.is_some() {
-        targets::check(arguments)?;
+        files::check(arguments)?;
     }
     let program = loaded.program.take();
     let job = Job {
@@ -167,7 +151,7 @@ pub(super) fn run(arguments: &Run) -> Result<Status, Error> {
         _ => None,
     };
     let logs = match &arguments.out_dir {
-        Some(folder) if input::was_read(&loaded) => Some(logs::claim(folder, &loaded)?),
+        Some(folder) if input::was_read(&loaded) => Some(files::claim(folder, &loaded)?),
         _ => None,
     };
     match begun {
@@ -191,7 +175,7 @@ impl Job<'_> {
     fn begin(&self, program: Program, robot: &Robot) -> Result<tip_sim::Run, Error> {
         let run = self.start(Interpreter::new(program), robot)?;
         run.with_events(&self.inputs.events)
-            .map_err(|refused| Error::Usage(refused.to_string()))
+            .map_err(|refused| Error::Usage(refused.text(self.arguments.source.shown.lang())))
     }
 
     /// Runs it, and reports how it ended.
@@ -393,16 +377,4 @@ fn refuse_ours(arguments: &Run) -> Result<(), Error> {
     };
     let lang = arguments.source.shown.lang();
     Err(Error::Usage(refused.in_lang(lang).to_string()))
-}
-
-/// Refuses inputs that the robot lacks.
-pub(super) fn check_inputs(robot: &Robot, inputs: &Inputs) -> Result<(), Error> {
-    let mut ports = inputs.events.ports();
-    match ports.find(|port| !robot.has_input(*port)) {
-        None => Ok(()),
-        Some(port) => {
-            let robot = robot.name();
-            Err(Error::Usage(format!("{robot} has no input {port}")))
-        }
-    }
 }

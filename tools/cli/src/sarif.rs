@@ -1,8 +1,8 @@
 //! Findings as one document of SARIF 2.1.0, the form in which tools exchange the results of static analysis
 //! (<https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html>).
 
-use super::escape;
 use super::explain::page;
+use super::output;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -81,7 +81,7 @@ impl Document {
                 "results": self.results,
             }],
         });
-        escape::json(&format!("{document:#}\n"))
+        output::escaped(&format!("{document:#}\n"))
     }
 }
 

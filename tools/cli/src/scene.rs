@@ -2,13 +2,13 @@
 
 use super::choices::PlantName;
 use super::error::Error;
-use super::shown::Shown;
-use super::{input, report};
+use super::input;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tip_runtime::plant::Scene;
 use tip_sim::{GraspsNothing, Robot};
+use tipc::Loaded;
 
 /// `NAME` or `FILE.toml`.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,21 +58,20 @@ impl FromStr for SceneChoice {
 }
 
 /// The scene that was asked for; without one, a level floor. The plant that was asked for wins over that of the scene.
-/// `None`, with its findings reported, if it cannot be used.
+///
+/// # Errors
+/// What is wrong with it.
 pub(super) fn load(
     choice: Option<&SceneChoice>,
     plant: Option<PlantName>,
-    shown: Shown,
-) -> Option<Scene> {
+) -> Result<Scene, Box<Loaded>> {
     let mut scene = match choice {
         None => Scene::EMPTY,
         Some(SceneChoice::Named(scene)) => **scene,
-        Some(SceneChoice::File(path)) => input::scene(path)
-            .map_err(|loaded| report::findings(&loaded, shown))
-            .ok()?,
+        Some(SceneChoice::File(path)) => input::scene(path)?,
     };
     scene.plant = plant.map(PlantName::simulation).or(scene.plant);
-    Some(scene)
+    Ok(scene)
 }
 
 /// Puts a robot into a scene.

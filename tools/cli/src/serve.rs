@@ -10,6 +10,7 @@ mod reply;
 mod viewer;
 
 use super::error::Error;
+use super::loader::Subject;
 use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::robot::ChosenRobot;
@@ -95,8 +96,12 @@ impl Serve {
         let recorded = &self.recorded;
         let lang = recorded.source.shown.lang();
         let place = project::real(path);
-        let Some((loaded, robot, chosen)) =
-            recorded.load(path, self.quiet, Ours::Again("serve"))?
+        let Some(Subject {
+            loaded,
+            robot,
+            chosen,
+            ..
+        }) = recorded.load(path, self.quiet, Ours::Again("serve"))?
         else {
             return Ok(None);
         };

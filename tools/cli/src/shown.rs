@@ -1,11 +1,14 @@
-//! How findings are shown: the form, the language and the width.
+//! How findings are shown: the form, the language and the width; and the place of a step, as snippets show it.
 
 use super::choices::{ColourName, Format, LangName};
 use clap::Args;
 use std::env;
 use std::io::{self, IsTerminal};
+use tip_runtime::printable::Printable;
 use tipc::message::Lang;
+use tipc::program::{Program, StepId};
 use tipc::render::Style;
+use tipc::source::Source;
 
 /// What the command line says of it.
 #[derive(Clone, Copy, Debug, Args)]
@@ -24,6 +27,15 @@ pub(super) struct Shown {
 }
 
 impl Shown {
+    /// The form for people, in a language.
+    pub(super) fn of(lang: LangName) -> Self {
+        Shown {
+            message_format: Format::Human,
+            lang: Some(lang),
+            color: ColourName::Never,
+        }
+    }
+
     /// The language that is asked for; else that of the locale.
     pub(super) fn lang(self) -> Lang {
         lang(self.lang)
@@ -70,4 +82,16 @@ fn wants_colour() -> bool {
         env::var_os("CLICOLOR_FORCE").is_some_and(|value| !value.is_empty() && value != "0");
     let dumb = env::var_os("TERM").is_some_and(|value| value == "dumb");
     !is_set("NO_COLOR") && (insists || io::stderr().is_terminal() && !dumb)
+}
+
+/// The line of a step under the name of its file; nothing for a step that there is none of.
+pub(super) fn place(source: &Source, program: &Program, step: StepId) -> String {
+    let Some(step) = program.steps().get(step as usize) else {
+        return String::new();
+    };
+    let (line, column) = (step.line, step.column);
+    let gutter = " ".repeat(line.to_string().len());
+    let statement = Printable::line(source.line_text(line));
+    let name = Printable::line(source.name());
+    format!("{gutter}--> {name}:{line}:{column}\n{gutter} |\n{line} | {statement}\n{gutter} |\n")
 }

@@ -3,8 +3,7 @@
 use super::choices::LangName;
 use super::report::complain;
 use super::{Arguments, shown};
-use crate::message::Using;
-use crate::message::running::Weight;
+use crate::message::{Using, Weight};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, ValueEnum};
 use std::error::Error as _;

@@ -5,12 +5,12 @@ mod finding;
 mod watched;
 
 use super::arguments::{InputArguments, SourceArguments};
-use super::checked::checked;
 use super::error::Error;
-use super::plant::{self, Ours};
+use super::loader::{checked, load};
+use super::plant::Ours;
 use super::robot::ChosenRobot;
 use super::usage::positive;
-use super::{Status, interrupt, output, scene};
+use super::{Status, interrupt, output};
 use crate::message::Using;
 use certificate::certificate;
 use clap::Args;
@@ -60,29 +60,22 @@ pub(super) struct Verify {
 pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
     let lang = arguments.source.shown.lang();
-    let plant = plant::ours(arguments.inputs.plant.as_ref(), Ours::Again("verify"), lang)?;
     let inputs = arguments.inputs.inputs();
     if let Some(0) = inputs.cycles {
         let text = "--cycles 0".to_owned();
         let reason = Using::NotPositive { text };
         return Err(Error::Usage(reason.in_lang(lang).to_string()));
     }
-    let Some(checked) = checked(&arguments.file, &arguments.source) else {
-        return Ok(Status::Failure);
-    };
-    let Some(scene) = scene::load(
-        arguments.inputs.scene.as_ref(),
-        plant,
-        arguments.source.shown,
-    ) else {
+    let (file, source) = (&arguments.file, &arguments.source);
+    let loaded = load(file, source, &arguments.inputs, Some(Ours::Again("verify")));
+    let Some(checked) = checked(loaded, source)? else {
         return Ok(Status::Failure);
     };
     let project = Project::find(arguments.manifest_path.as_deref())?;
-    scene::around(checked.robot.simulated()?, &scene)?;
     let name = arguments.file.display().to_string();
     let source = checked.source.bytes();
     let options = arguments.source.options(checked.robot.robot());
-    let subject = Subject::new(&name, &source, options, &checked.program).with_scene(scene);
+    let subject = Subject::new(&name, &source, options, &checked.program).with_scene(checked.scene);
     let subject = match &checked.robot {
         ChosenRobot::Named(_) => subject,
         ChosenRobot::Described(description) => subject.on(description),

@@ -1,6 +1,7 @@
 //! `tipc view`: a page that replays a run.
 
 use super::error::Error;
+use super::loader::Subject;
 use super::plant::Ours;
 use super::recorded::RecordedArguments;
 use super::report::plural;
@@ -53,7 +54,7 @@ pub(super) struct View {
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
     let program = arguments.program.as_deref().unwrap_or(&recorded.file);
-    let Some((loaded, robot, _)) =
+    let Some(Subject { loaded, robot, .. }) =
         recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
     else {
         return Ok(Status::Failure);

@@ -33,49 +33,40 @@
 //! ```
 
 mod ask;
-mod backward;
 mod breakpoints;
-mod change;
-mod errand;
-mod forward;
-mod goal;
 mod history;
-mod hits;
-mod learn;
-mod log;
-mod marks;
-mod progress;
-mod refused;
-mod seen;
+mod moves;
 mod stop;
 mod watch;
-mod words;
 
-pub use ask::{Asked, Value};
+pub use ask::{Asked, Frame, Value, Variable, control};
 pub use breakpoints::{Placed, When};
-pub use change::Discard;
-pub use errand::Work;
-pub use goal::Move;
-pub use hits::{Hits, NotHits};
-pub use progress::Progress;
-pub use refused::Refused;
-pub use seen::{Frame, Variable, control};
-pub use stop::{By, Reason, Stop};
+pub use moves::Work;
+pub use stop::{By, Hits, Move, NotHits, Progress, Reason, Refused, Stop};
 
-use crate::event::Timed;
+use crate::event::{Event, Events, Timed};
 use crate::interp::Interpreter;
 use crate::motion::Fall;
+use crate::refused;
 use crate::robot::Robot;
 use crate::run::Run;
 use breakpoints::Breakpoints;
-use errand::Errand;
-use history::History;
-use marks::Marks;
+use history::{History, Marks};
+use moves::Errand;
 use std::sync::Arc;
 use tip_lint::ask::Asker;
 use tip_runtime::machine::Mismatch;
 use tipc::program::Program;
 use watch::Watches;
+
+/// What may be given up for a change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Discard {
+    /// Nothing: in the past a change is refused.
+    Nothing,
+    /// All that was run after the change.
+    Later,
+}
 
 /// A program on a simulated robot, to be run in both directions.
 pub struct Debugger {
@@ -186,5 +177,65 @@ impl Debugger {
         let id = self.next_id;
         self.next_id += 1;
         id
+    }
+}
+
+impl Debugger {
+    /// Adds events that are to happen in any case; before the first cycle.
+    ///
+    /// # Errors
+    /// The robot or the program lacks what they change.
+    pub fn with_events(mut self, events: &Events) -> Result<Self, refused::Refused> {
+        self.run = self.run.with_events(events)?;
+        self.run.happen();
+        Ok(self)
+    }
+
+    /// Makes something happen at this position: a key, the voltage of an input, another value of a variable. It shows at once,
+    /// and happens again whenever the run comes here. What the user had made happen later is discarded with the cycles after
+    /// this one.
+    ///
+    /// # Errors
+    /// The program is over, the robot or the program lacks what it changes, or cycles would be discarded.
+    pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), Refused> {
+        if self.end_at(self.now).is_some() {
+            return Err(Refused::Ended);
+        }
+        let later = self.history.len() - self.now;
+        if later > 0 && discard == Discard::Nothing {
+            return Err(Refused::WouldDiscard(later));
+        }
+        let event = event.at(self.now);
+        self.run.add(event.clone()).map_err(Refused::Event)?;
+        self.errand = None;
+        self.forget_later();
+        self.changes.push(event);
+        self.run.happen();
+        self.stop = Stop {
+            reason: Reason::Change,
+            at: self.now,
+        };
+        Ok(())
+    }
+
+    /// What its user made happen, in the order in which it happens.
+    pub fn changes(&self) -> Events {
+        self.changes.iter().cloned().collect()
+    }
+
+    /// Discards what is known of the cycles from here on.
+    fn forget_later(&mut self) {
+        let now = self.now;
+        self.history.truncate(now, self.run.program().at());
+        self.marks.truncate(now);
+        self.breakpoints.truncate(now);
+        self.said.retain(|(at, _)| *at < now);
+        self.taken = self.taken.min(self.said.len());
+        self.fall = self.fall.filter(|fall| fall.cycle < now);
+        let mut dropped: Vec<Timed> = self.changes.extract_if(.., |one| one.cycle > now).collect();
+        self.run.events.retain(|event| {
+            let place = dropped.iter().position(|one| one == event);
+            place.map(|place| dropped.swap_remove(place)).is_none()
+        });
     }
 }

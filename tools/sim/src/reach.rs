@@ -19,6 +19,7 @@ mod start;
 
 use crate::Robot;
 use crate::body::Miss;
+use crate::special;
 use start::Starts;
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::Point;
@@ -47,6 +48,14 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
         found.extend(warning(statement, step, &mut misses, start));
     }
     loaded.add(found);
+}
+
+impl Robot {
+    /// Adds the warnings that only the robot of a program tells: targets out of reach, and SPECIALs that nothing answers.
+    pub fn warn(&self, loaded: &mut Loaded) {
+        warn(loaded, self);
+        special::warn(loaded, self);
+    }
 }
 
 /// Whether a joint at its limit is always an emergency.

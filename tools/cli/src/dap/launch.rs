@@ -2,18 +2,18 @@
 
 use super::message::Launch;
 use super::session::{Debuggee, Host};
-use crate::choices::{EncodingName, PlantName};
+use crate::arguments::{InputArguments, SourceArguments};
+use crate::choices::EncodingName;
 use crate::input;
-use crate::plant::{self, Ours, PlantChoice};
-use crate::project::{self, Given};
+use crate::loader::{self, NotLoaded, Subject};
+use crate::plant::Ours;
 use crate::robot::RobotChoice;
-use crate::scene::{self, SceneChoice};
+use crate::scene::SceneChoice;
 use crate::usage::Wrong;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
-use tip_runtime::plant::Scene;
 use tip_sim::debug::Debugger;
-use tip_sim::{Events, Robot};
+use tip_sim::event::EventError;
 use tipc::message::Lang;
 use tipc::{Loaded, Options, render};
 
@@ -23,72 +23,63 @@ pub(super) struct Files;
 impl Host for Files {
     fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String> {
         let path = Path::new(&launch.program);
-        let given = project::of(path).map_err(|loaded| findings(&loaded, lang))?;
-        let robot = robot(launch, path, given.as_ref(), lang)?;
-        let encoding = match &launch.encoding {
-            Some(name) => EncodingName::from_str(name, true)?,
-            None => given.and_then(|it| it.encoding).unwrap_or_default(),
-        };
-        let options = Options {
-            encoding: encoding.encoding(),
-            ..robot.options()
-        };
-        let loaded = input::load_file(path, &options);
-        let Some(program) = loaded.program.clone() else {
-            return Err(findings(&loaded, lang));
-        };
-        let events: Events = match &launch.events {
-            Some(events) => events.parse().map_err(|error| format!("{error}"))?,
-            None => Events::NONE,
+        if input::is_stream(path) {
+            // The client is at the other end of it.
+            return Err(findings(&input::load_file(path, &Options::default()), lang));
+        }
+        let (mut source, mut inputs) = arguments(launch, path, lang)?;
+        let given = source.complete_run(path, &mut inputs);
+        given.map_err(|loaded| findings(&loaded, lang))?;
+        let subject = loader::load(path, &source, &inputs, Some(Ours::Again("dap")));
+        let Subject { loaded, robot, .. } = subject.map_err(|refused| match refused {
+            NotLoaded::Found(loaded) => findings(&loaded, lang),
+            NotLoaded::Failed(error) => error.to_string(),
+        })?;
+        let found = findings(&loaded, lang);
+        let Some(program) = loaded.program else {
+            return Err(found);
         };
         let debugger = Debugger::new(program, &robot).map_err(|mismatch| mismatch.to_string())?;
         let debugger = debugger
-            .with_events(&events)
-            .map_err(|refused| refused.to_string())?;
+            .with_events(&inputs.inputs().events)
+            .map_err(|refused| refused.text(lang))?;
         Ok(Debuggee {
             debugger,
             source: loaded.source,
             path: launch.program.clone(),
+            warnings: found,
         })
     }
 }
 
-/// The robot in its scene; what the client leaves open is `given`.
-fn robot(
+/// The arguments of a command line that asks for the same; files are found from the program's folder, too.
+fn arguments(
     launch: &Launch,
     program: &Path,
-    given: Option<&Given>,
     lang: Lang,
-) -> Result<Robot, String> {
-    let named = match &launch.robot {
-        None => None,
-        Some(name) => Some(
-            match name.parse().map_err(|wrong: Wrong| wrong.text(lang))? {
-                RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
-                named => named,
-            },
-        ),
-    };
-    let given_scene = given.and_then(|it| it.scene_for(named.as_ref()));
-    let choice = named.or_else(|| given?.robot.clone()).unwrap_or_default();
-    let robot = choice.load().map_err(|loaded| findings(&loaded, lang))?;
-    let robot = robot.simulated().map_err(|error| error.to_string())?;
-    let asked = launch.scene.as_deref().map(str::parse).transpose()?;
-    let mut scene = match asked.or_else(|| given_scene.cloned()) {
-        None => Scene::EMPTY,
-        Some(SceneChoice::Named(scene)) => *scene,
-        Some(SceneChoice::File(path)) => {
-            let scene = input::scene(&beside(program, path));
-            scene.map_err(|loaded| findings(&loaded, lang))?
-        }
-    };
-    if let Some(name) = &launch.plant {
-        let choice: PlantChoice = name.parse().map_err(|wrong: Wrong| wrong.text(lang))?;
-        let plant = plant::ours(Some(&choice), Ours::Again("dap"), lang);
-        let plant = plant.map_err(|error| error.to_string())?;
-        scene.plant = plant.map(PlantName::simulation);
-    }
-    scene::around(robot, &scene).map_err(|error| error.to_string())
+) -> Result<(SourceArguments, InputArguments), String> {
+    let wrong = |wrong: Wrong| wrong.text(lang);
+    let robot = parsed(&launch.robot)
+        .map_err(wrong)?
+        .map(|robot| match robot {
+            RobotChoice::File(path) => RobotChoice::File(beside(program, path)),
+            named => named,
+        });
+    let scene = parsed(&launch.scene)?.map(|scene| match scene {
+        SceneChoice::File(path) => SceneChoice::File(beside(program, path)),
+        named => named,
+    });
+    let encoding = launch.encoding.as_ref();
+    let encoding = encoding.map(|name| EncodingName::from_str(name, true));
+    let events = parsed(&launch.events).map_err(|error: EventError| error.to_string())?;
+    let plant = parsed(&launch.plant).map_err(wrong)?;
+    let inputs = InputArguments::of_client(events, scene, plant);
+    let source = SourceArguments::of_client(robot, encoding.transpose()?, lang);
+    Ok((source, inputs))
+}
+
+fn parsed<T: std::str::FromStr>(text: &Option<String>) -> Result<Option<T>, T::Err> {
+    text.as_deref().map(str::parse).transpose()
 }
 
 /// A file that is named from the program's folder, unless it is found as it is.

@@ -22,6 +22,8 @@ pub(crate) struct Debuggee {
     pub(crate) source: Source,
     /// Its file, as the client calls it.
     pub(crate) path: String,
+    /// The warnings about it, one line each.
+    pub(crate) warnings: String,
 }
 
 /// Who loads programs.
@@ -166,7 +168,10 @@ impl<H: Host> Session<H> {
     /// What comes after the answer.
     fn follow(&mut self, command: &str) {
         match command {
-            "launch" => self.event("initialized", None),
+            "launch" => {
+                self.warn();
+                self.event("initialized", None);
+            }
             "configurationDone" => self.begin(),
             "pause" | "cancel" => self.interrupt(),
             "terminate" => self.end(0),
@@ -207,6 +212,16 @@ impl<H: Host> Session<H> {
         self.debuggee = Some(debuggee);
         self.launch = launch;
         Ok(None)
+    }
+
+    /// Shows the warnings about the program.
+    fn warn(&mut self) {
+        let warnings = self.debuggee.as_ref().map(|it| it.warnings.clone());
+        if let Some(warnings) = warnings.filter(|text| !text.is_empty()) {
+            let output = format!("{warnings}\n");
+            let body = json!({ "category": "console", "output": output });
+            self.event("output", Some(body));
+        }
     }
 
     /// A message in the language of the client.

@@ -1,6 +1,5 @@
 //! What is on the screen, and what changes it.
 
-use super::question::Question;
 use std::collections::BTreeMap;
 use tip_runtime::plant::Scene;
 use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, Variable, When, Work};
@@ -147,5 +146,42 @@ impl App {
 
     pub(crate) fn refuse(&mut self, refused: &Refused) {
         self.answer = Some(refused.text(self.lang));
+    }
+}
+
+/// A question in the last line.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Question {
+    Event,
+    Expression,
+    Watch,
+    /// Whose last assignment to go back to.
+    Who,
+    Cycle,
+    Condition,
+    /// Which passes of a breakpoint with this condition.
+    Passes(String),
+    /// What to stop before.
+    Name,
+    /// Whether so many cycles may be discarded for an event.
+    Discard(Event, u64),
+}
+
+impl Question {
+    /// What is asked, for a cursor on this line.
+    pub(crate) fn message(&self, line: u32) -> Debugging {
+        match self {
+            Question::Event => Debugging::AskEvent,
+            Question::Expression => Debugging::AskExpression,
+            Question::Watch => Debugging::AskWatch,
+            Question::Who => Debugging::AskWho,
+            Question::Cycle => Debugging::AskCycle,
+            Question::Condition => Debugging::AskCondition { line },
+            Question::Passes(_) => Debugging::AskPasses,
+            Question::Name => Debugging::AskName,
+            Question::Discard(_, cycles) => Debugging::AskDiscard {
+                count: usize::try_from(*cycles).unwrap_or(usize::MAX),
+            },
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! What its user is asked, and what becomes of the answer.
 
-use super::app::App;
-use super::question::Question;
+use super::app::{App, Question};
 use tip_sim::Event;
 use tip_sim::debug::{Discard, Move, Value, When};
 use tip_sim::message::Debugging;

@@ -1,13 +1,14 @@
 //! The screen.
 
 use super::app::App;
-use super::{figure, panes, variables, words};
+use super::{figure, panes, variables};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 use tip_runtime::printable::Printable;
+use tip_sim::debug::{By, Reason};
 use tip_sim::message::Debugging;
 
 /// Below this width the help takes two lines.
@@ -64,7 +65,7 @@ fn title(app: &App, frame: &mut Frame<'_>, area: Rect) {
     let text = format!(
         " {name}  {now}/{known}  {:.0} ms  {}",
         debugger.run().time(),
-        Printable::line(words::state(app))
+        Printable::line(state(app))
     );
     let style = Style::new().add_modifier(Modifier::REVERSED);
     frame.render_widget(Paragraph::new(text).style(style), area);
@@ -92,4 +93,33 @@ fn helps(app: &App, frame: &mut Frame<'_>, area: Rect) {
     };
     let style = Style::new().add_modifier(Modifier::DIM);
     frame.render_widget(Paragraph::new(text).style(style), area);
+}
+
+/// Where and why the program stands, or that it runs.
+pub(crate) fn state(app: &App) -> String {
+    if let Some(progress) = app.progress.filter(|_| app.is_going()) {
+        let percent = progress.done.saturating_mul(100) / progress.of.unwrap_or(1).max(1);
+        let percent = u32::try_from(percent.min(100)).unwrap_or(100);
+        return app.say(Debugging::Searching { percent });
+    }
+    if app.is_going() {
+        return app.say(Debugging::Running);
+    }
+    app.say(match &app.debugger.stop().reason {
+        Reason::Start => Debugging::Start,
+        Reason::Step => Debugging::Stepped,
+        Reason::There => Debugging::There,
+        Reason::Breakpoint(_) => Debugging::AtBreakpoint,
+        Reason::Watch {
+            by: By::Step(step), ..
+        } => Debugging::Assigned {
+            line: app.debugger.run().program().line(*step),
+        },
+        Reason::Watch { by: By::Event, .. } => Debugging::AssignedByEvent,
+        Reason::Fall(_) => Debugging::Fell,
+        Reason::Fault(emergency) => return emergency.to_string(),
+        Reason::Ended(_) => Debugging::Ended,
+        Reason::Change => Debugging::Changed,
+        _ => Debugging::Interrupted,
+    })
 }

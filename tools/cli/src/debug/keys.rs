@@ -1,7 +1,6 @@
 //! What keys do.
 
-use super::app::App;
-use super::question::Question;
+use super::app::{App, Question};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tip_sim::debug::Move;
 

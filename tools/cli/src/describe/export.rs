@@ -80,13 +80,13 @@ pub(super) fn export(arguments: &Export) -> Result<Status, Error> {
     };
     let text = match arguments.mjcf {
         false => urdf::export(&robot),
-        true => {
-            let scene = scene::load(arguments.scene.as_ref(), None, arguments.shown);
-            let Some(scene) = scene else {
+        true => match scene::load(arguments.scene.as_ref(), None) {
+            Ok(scene) => mjcf::export(&scene::around(robot, &scene)?),
+            Err(loaded) => {
+                report::findings(&loaded, arguments.shown);
                 return Ok(Status::Failure);
-            };
-            mjcf::export(&scene::around(robot, &scene)?)
-        }
+            }
+        },
     };
     match &arguments.out {
         Some(out) => {

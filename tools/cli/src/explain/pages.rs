@@ -115,8 +115,7 @@ mod tests {
             ("tip", _) => {
                 let robot = tip_sim::Robot::named("titan8").expect("a robot");
                 let mut loaded = load("page.prg", text.as_bytes(), &Options::default());
-                tip_sim::reach::warn(&mut loaded, &robot);
-                tip_sim::special::warn(&mut loaded, &robot);
+                robot.warn(&mut loaded);
                 // A warning may foresee it.
                 let program = loaded
                     .program

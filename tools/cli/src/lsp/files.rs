@@ -74,7 +74,7 @@ impl Surroundings for Files {
         }
         let given = project::of(path).ok().flatten()?;
         let key = (path.to_owned(), given.to_string());
-        let warning = || embedded::warning(path, &given);
+        let warning = || embedded::warning(path, given.file(), given.robot.as_ref()?);
         self.crates.entry(key).or_insert_with(warning).clone()
     }
 

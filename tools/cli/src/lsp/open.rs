@@ -6,7 +6,6 @@ use gen_lsp_types::TextDocumentContentChangeEvent as Change;
 use std::ops::Range;
 use std::thread;
 use tip_ide::Document;
-use tip_sim::{reach, special};
 use tipc::diagnostic::Diagnostic;
 use tipc::source::{Encoding, Source, Unit};
 
@@ -76,8 +75,7 @@ impl Open {
             let mut document = Document::new(name, &self.text, &chosen.options);
             document.judge(|loaded| {
                 if let Some(robot) = &chosen.robot {
-                    reach::warn(loaded, robot);
-                    special::warn(loaded, robot);
+                    robot.warn(loaded);
                 }
                 loaded.add(other().into_iter().collect());
             });

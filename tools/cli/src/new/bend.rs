@@ -1,6 +1,6 @@
 //! A motion for any robot: one leg or finger after the other bends its joints.
 
-use super::template::fill;
+use super::fill;
 use tip_runtime::command::Target;
 use tip_sim::{Anatomy, Limb, Limit, Robot, Run, load};
 

@@ -1,9 +1,9 @@
 //! The files of a crate.
 
+use super::fill;
 use super::kit::Kit;
 use super::name::Place;
 use super::origin::Origin;
-use super::template::fill;
 use crate::project::real;
 use std::path::Path;
 use tipc::Robot;

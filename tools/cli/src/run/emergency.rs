@@ -1,7 +1,7 @@
 //! An emergency stop, reported as findings are: its place, its reason, and the values that led to it.
 
 use super::super::choices::Format;
-use super::super::escape;
+use super::super::output;
 use super::super::shown::Shown;
 use super::summary::seconds;
 use super::values::Values;
@@ -228,7 +228,7 @@ impl Stopped<'_> {
             ("joints", joints.collect()),
         ];
         let members = members.map(|(key, value)| format!(",{}:{value}", json!(key)));
-        escape::json(&members.concat())
+        output::escaped(&members.concat())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::error::{Error, is_closed};
 use super::super::interrupt;
-use super::logs;
+use super::files;
 use super::progress::Progress;
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Sink, Write};
@@ -73,7 +73,7 @@ impl Screen {
     pub(super) fn close(&mut self) -> Result<(), Error> {
         self.progress.close();
         self.keyboard = None;
-        self.logs.as_mut().map_or(Ok(()), logs::finish)?;
+        self.logs.as_mut().map_or(Ok(()), files::finish)?;
         self.failure.take().map_or(Ok(()), Err)
     }
 }

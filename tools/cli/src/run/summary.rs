@@ -1,11 +1,10 @@
 //! What a run says about itself: its summary, and a fall.
 
-use super::super::place::place;
-use super::waiting::{said, until};
-use crate::message::Running;
+use super::super::shown::place;
 use crate::message::count::Cycles;
-use crate::message::running::{Along, Aside, Figure, How, Upright, Weight};
+use crate::message::{Along, Aside, Figure, How, Running, Until, Upright, Waiting, Weight};
 use std::fmt::Write as _;
+use tip_runtime::command::{Op, Target};
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
@@ -14,6 +13,7 @@ use tip_runtime::record::Ending;
 use tip_sim::{Fall, Grasp, Interpreter, Run, Wait};
 use tipc::language::Keyword;
 use tipc::message::Lang;
+use tipc::program::Action;
 use tipc::source::Source;
 
 /// How and where it ended, what it waited for then, and what the robot did. A robot without such figures has no lines about
@@ -293,6 +293,54 @@ fn sense<W>(value: f64, positive: W, negative: W) -> (String, W) {
         positive
     };
     (tenths(value.abs()), way)
+}
+
+/// What ends the wait of a step that may take several cycles.
+fn until(action: &Action) -> Option<Until> {
+    match action {
+        Action::KeyIn { .. } => Some(Until::Key),
+        Action::Command { op, target, .. } => of_command(*op, *target),
+        _ => None,
+    }
+}
+
+fn of_command(op: Op, target: Target) -> Option<Until> {
+    match op {
+        Op::Sleep => Some(Until::Time),
+        Op::WaitInpos => Some(Until::InPosition { target }),
+        Op::WaitNear => Some(Until::Near { target }),
+        Op::StandUp | Op::SitDown | Op::InitialPosture => Some(Until::Motion),
+        Op::DetectFloor | Op::DetectObject => Some(Until::Touch),
+        Op::Special => Some(Until::Native),
+        _ => None,
+    }
+}
+
+/// What a run waits for, in words.
+pub(in super::super) fn said(wait: &Wait) -> Waiting {
+    let [first, last] = wait.lines;
+    let [since, time] = [wait.since, wait.time].map(|time| tenths(time / 1000.0));
+    match wait.on.clone() {
+        Some(what) if first == last => Waiting::Line {
+            line: first,
+            what,
+            since,
+            time,
+        },
+        Some(what) => Waiting::Loop {
+            first,
+            last,
+            what,
+            since,
+            time,
+        },
+        None => Waiting::Endless {
+            first,
+            last,
+            since,
+            time,
+        },
+    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The certificate: what was compared, with what, and what no run reached.
 
 use super::super::arguments::InputArguments;
-use super::super::checked::Checked;
 use super::super::choices::PlantName;
+use super::super::loader::Checked;
 use super::super::plant::PlantChoice;
 use std::fmt::Write as _;
 use tip_lint::spots::Spot;

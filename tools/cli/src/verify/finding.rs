@@ -1,7 +1,7 @@
 //! A divergence, shown: where, the two records, and how to see it again.
 
-use super::super::checked::Checked;
-use super::super::place::place;
+use super::super::loader::Checked;
+use super::super::shown::place;
 use std::env;
 use tip_runtime::printable::Printable;
 use tip_sim::lockstep::Divergence;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 const PROGRAM: &str = "3.1
 歩く
 DEF_VAR N
-DEF_POS P
+DEF_POS P // tip: allow(W102)
 N = 0
 L:
 N += 1;　MESSAGE あ %N%

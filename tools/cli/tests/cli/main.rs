@@ -17,6 +17,7 @@ mod fmt;
 #[cfg(unix)]
 mod guides;
 mod imported;
+mod loader;
 mod logged;
 mod logs;
 mod lsp;

@@ -1,7 +1,12 @@
-//! What is kept of every cycle that has been run.
+//! What is kept of every cycle that has been run, and snapshots to go back to.
 
+use crate::run::Run;
+use crate::snapshot::Snapshot;
 use tip_runtime::machine::Emergency;
 use tip_runtime::program::End;
+
+/// How many messages are kept.
+pub(super) const MESSAGES: usize = 10_000;
 
 /// How the run went on after the last cycle that is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -74,4 +79,58 @@ impl History {
 
 fn place(at: u64) -> usize {
     usize::try_from(at).unwrap_or(usize::MAX)
+}
+
+/// How many cycles are run again at most, as long as there is room.
+const SPACING: u64 = 200;
+
+/// How many snapshots there may be: more than ten minutes of 2 ms need.
+const MOST: usize = 2048;
+
+/// Snapshots, two hundred cycles apart. When there are too many, every second one goes, and later ones are as far apart as
+/// those that stay; so a run of any length needs no more memory than a long one.
+#[derive(Debug)]
+pub(super) struct Marks {
+    marks: Vec<(u64, Snapshot)>,
+    spacing: u64,
+}
+
+impl Default for Marks {
+    fn default() -> Self {
+        Marks {
+            marks: Vec::new(),
+            spacing: SPACING,
+        }
+    }
+}
+
+impl Marks {
+    /// Marks a run at a position beyond all others, if it is far enough from the last mark.
+    pub(super) fn note(&mut self, at: u64, run: &Run) {
+        let due = self.marks.last().map_or(0, |(last, _)| last + self.spacing);
+        if at < due {
+            return;
+        }
+        if self.marks.len() == MOST {
+            let mut place = 0;
+            self.marks.retain(|_| {
+                place += 1;
+                place % 2 == 1
+            });
+            self.spacing *= 2;
+        }
+        self.marks.push((at, run.snapshot()));
+    }
+
+    /// The last mark that is not after a position; the first one is at 0.
+    pub(super) fn before(&self, at: u64) -> Option<&(u64, Snapshot)> {
+        let behind = self.marks.partition_point(|(mark, _)| *mark <= at);
+        self.marks.get(behind.checked_sub(1)?)
+    }
+
+    /// Forgets all marks after a position.
+    pub(super) fn truncate(&mut self, at: u64) {
+        let keep = self.marks.partition_point(|(mark, _)| *mark <= at);
+        self.marks.truncate(keep);
+    }
 }

@@ -1,8 +1,17 @@
-//! Why a debugger stands where it does.
+//! Where a debugger is to go, why it stops, and why it refuses what it is asked.
 
+use super::Debugger;
+use super::history::History;
+use crate::message::Debugging;
 use crate::motion::Fall;
+use crate::refused;
+use std::fmt;
+use std::str::FromStr;
+use tip_runtime::fault::Fault;
 use tip_runtime::machine::Emergency;
-use tip_runtime::program::End;
+use tip_runtime::program::{End, VariableError};
+use tipc::diagnostic::Diagnostic;
+use tipc::message::Lang;
 
 /// A position, and why the debugger stopped there.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,4 +60,293 @@ pub enum By {
     Step(u32),
     /// An event.
     Event,
+}
+
+/// How far a movement has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Cycles that are done or searched.
+    pub done: u64,
+    /// Of how many; none where nobody knows.
+    pub of: Option<u64>,
+}
+
+/// A movement through a run. Every one but those to a cycle, those of a cycle and [`SetBack`](Move::SetBack) stops at breakpoints,
+/// watches and falls on its path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Move {
+    /// One control cycle.
+    Cycle,
+    /// To the next step, into routines.
+    Step,
+    /// To the next step, over what GOSUB and CALL do.
+    Over,
+    /// Out of a routine, to the step after its call.
+    Out,
+    /// On until something stops it.
+    Continue,
+    /// On to a step of a line.
+    Line(u32),
+    /// To a cycle, known or not.
+    To(u64),
+    /// Back one control cycle.
+    CycleBack,
+    /// Back to the beginning of this step or, from there, of the one before; into routines.
+    StepBack,
+    /// The same over what GOSUB and CALL did.
+    OverBack,
+    /// Back to the call of a routine.
+    OutBack,
+    /// Back until something stops it.
+    ReverseContinue,
+    /// Back to a step of a line.
+    LineBack(u32),
+    /// Back to who last set what the watch of this number is on, past everything else.
+    SetBack(u32),
+}
+
+impl Move {
+    /// Whether it goes back.
+    pub fn is_back(self) -> bool {
+        match self {
+            Move::Cycle
+            | Move::Step
+            | Move::Over
+            | Move::Out
+            | Move::Continue
+            | Move::Line(_)
+            | Move::To(_) => false,
+            Move::CycleBack
+            | Move::StepBack
+            | Move::OverBack
+            | Move::OutBack
+            | Move::ReverseContinue
+            | Move::LineBack(_)
+            | Move::SetBack(_) => true,
+        }
+    }
+}
+
+/// What a movement ends at.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Goal {
+    /// This position.
+    At(u64),
+    /// Another step.
+    Step,
+    /// Another step with no more calls open.
+    Over,
+    /// Fewer calls open.
+    Out,
+    /// A step of this line.
+    Line(u32),
+    /// An assignment that this watch is on.
+    Set(u32),
+    /// Nothing of its own.
+    Nowhere,
+}
+
+/// Where a movement began.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Origin {
+    pub(super) at: u64,
+    pub(super) step: u32,
+    pub(super) depth: u8,
+}
+
+impl Goal {
+    pub(super) fn of(movement: Move, now: u64) -> Self {
+        match movement {
+            Move::Cycle => Goal::At(now + 1),
+            Move::CycleBack => Goal::At(now.saturating_sub(1)),
+            Move::To(cycle) => Goal::At(cycle),
+            Move::Step | Move::StepBack => Goal::Step,
+            Move::Over | Move::OverBack => Goal::Over,
+            Move::Out | Move::OutBack => Goal::Out,
+            Move::Line(line) | Move::LineBack(line) => Goal::Line(line),
+            Move::SetBack(watch) => Goal::Set(watch),
+            Move::Continue | Move::ReverseContinue => Goal::Nowhere,
+        }
+    }
+
+    /// What a debugger that comes there says.
+    pub(super) fn reason(self) -> Reason {
+        match self {
+            Goal::Step | Goal::Over | Goal::Out => Reason::Step,
+            Goal::At(_) | Goal::Line(_) | Goal::Set(_) | Goal::Nowhere => Reason::There,
+        }
+    }
+
+    /// Whether breakpoints and the like count on the path to it.
+    pub(super) fn stops_early(self) -> bool {
+        !matches!(self, Goal::At(_) | Goal::Set(_))
+    }
+
+    /// Whether a run that has come forward from an origin is there.
+    pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
+        let (step, depth) = (debugger.run.program().at(), Debugger::depth(&debugger.run));
+        match self {
+            Goal::At(at) => debugger.now == at,
+            Goal::Step => step != from.step || depth != from.depth,
+            Goal::Over => depth < from.depth || (depth == from.depth && step != from.step),
+            Goal::Out => depth < from.depth,
+            Goal::Line(line) => {
+                debugger.history.step(debugger.now - 1) != step
+                    && debugger.run.program().line(step) == line
+            }
+            Goal::Set(_) | Goal::Nowhere => false,
+        }
+    }
+
+    /// Whether a position before an origin is there.
+    pub(super) fn is_met(
+        self,
+        from: &Origin,
+        at: u64,
+        history: &History,
+        debugger: &Debugger,
+    ) -> bool {
+        match self {
+            Goal::At(goal) => at == goal,
+            Goal::Step => history.enters(at),
+            Goal::Over => history.enters(at) && history.depth(at) <= from.depth,
+            Goal::Out => history.depth(at) < from.depth,
+            Goal::Line(line) => {
+                history.enters(at) && debugger.run.program().line(history.step(at)) == line
+            }
+            Goal::Set(_) | Goal::Nowhere => false,
+        }
+    }
+}
+
+/// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hits {
+    /// This one alone.
+    Only(u64),
+    /// This one and those after it.
+    From(u64),
+    /// Every so many.
+    Each(u64),
+}
+
+impl Hits {
+    /// Returns true if pass `n`, counted from 1, stops a run.
+    pub fn has(self, n: u64) -> bool {
+        match self {
+            Hits::Only(only) => n == only,
+            Hits::From(first) => n >= first,
+            Hits::Each(each) => n.is_multiple_of(each),
+        }
+    }
+}
+
+/// A text that does not say which passes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotHits(pub(super) String);
+
+impl NotHits {
+    pub(super) fn message(&self) -> Debugging {
+        Debugging::NoCountOfHits {
+            text: self.0.clone().into(),
+        }
+    }
+}
+
+impl fmt::Display for NotHits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
+    }
+}
+
+impl std::error::Error for NotHits {}
+
+impl FromStr for Hits {
+    type Err = NotHits;
+
+    fn from_str(text: &str) -> Result<Self, NotHits> {
+        let text = text.trim();
+        let digits = text.find(|char: char| char.is_ascii_digit());
+        let (sign, number) = text.split_at(digits.unwrap_or(text.len()));
+        let hits = number.parse().ok().and_then(|n: u64| match sign.trim() {
+            "" | "=" | "==" => Some(Hits::Only(n)),
+            ">=" => Some(Hits::From(n)),
+            ">" => Some(Hits::From(n.saturating_add(1))),
+            "%" if n > 0 => Some(Hits::Each(n)),
+            _ => None,
+        });
+        hits.ok_or_else(|| NotHits(text.to_owned()))
+    }
+}
+
+/// Why something is refused.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Refused {
+    /// No step is on this line, and none after it.
+    NoStep(u32),
+    /// No routine, label or command has this name.
+    NoName(String),
+    /// The program has no such variable, or it is a constant.
+    NoVariable(String, VariableError),
+    /// The text is not a condition or number of the program.
+    Wrong(Box<Diagnostic>),
+    /// It cannot be calculated, or reads what is not assigned.
+    Fault(Fault),
+    /// The text does not say how many hits.
+    Hits(NotHits),
+    /// So many cycles have been run after this position, and would be discarded.
+    WouldDiscard(u64),
+    /// The program is over.
+    Ended,
+    /// It cannot happen to this robot or program.
+    Event(refused::Refused),
+}
+
+impl Refused {
+    /// What it says in a language. A fault has its classical text in each.
+    pub fn text(&self, lang: Lang) -> String {
+        let message = match self {
+            Refused::Wrong(diagnostic) => return diagnostic.headline(lang),
+            Refused::Fault(fault) => return fault.to_string(),
+            Refused::Event(refused) => return refused.text(lang),
+            Refused::NoStep(line) => Debugging::NoStepFrom { line: *line },
+            Refused::NoName(name) => Debugging::NoSuchName {
+                name: name.clone().into(),
+            },
+            Refused::NoVariable(name, error) => return refused::of_variable(name, *error, lang),
+            Refused::Hits(error) => error.message(),
+            Refused::WouldDiscard(cycles) => Debugging::WouldDiscard {
+                cycles: usize::try_from(*cycles).unwrap_or(usize::MAX),
+            },
+            Refused::Ended => Debugging::Ended,
+        };
+        message.in_lang(lang).to_string()
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(Lang::English))
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl From<NotHits> for Refused {
+    fn from(error: NotHits) -> Self {
+        Refused::Hits(error)
+    }
+}
+
+impl From<Box<Diagnostic>> for Refused {
+    fn from(error: Box<Diagnostic>) -> Self {
+        Refused::Wrong(error)
+    }
+}
+
+impl From<Fault> for Refused {
+    fn from(error: Fault) -> Self {
+        Refused::Fault(error)
+    }
 }

@@ -4,7 +4,7 @@ use super::finding::{Finding, findings};
 use super::known::{self, Known};
 use super::request::{Answer, Asked, Request};
 use tip_ide::Document;
-use tip_sim::{Robot, reach, special};
+use tip_sim::Robot;
 use tipc::{Loaded, Options};
 
 /// A text that nobody has checked yet.
@@ -50,8 +50,7 @@ impl Reader {
             options,
         } = unread;
         let mut loaded = tip_lint::load(&name, &bytes, &options);
-        reach::warn(&mut loaded, &self.robot);
-        special::warn(&mut loaded, &self.robot);
+        self.robot.warn(&mut loaded);
         let reading = Reading {
             version,
             findings: findings(&loaded),

@@ -1,0 +1,550 @@
+//! A movement under way, in portions: forwards cycle by cycle, over what is known and on; backwards by a search through what
+//! is kept of every cycle, which runs a stretch again only where a condition asks it to.
+
+use super::Debugger;
+use super::ask::Now;
+use super::breakpoints::Known;
+use super::history::{Frontier, MESSAGES};
+use super::stop::{Goal, Move, Origin, Progress, Reason, Stop};
+use crate::run::Run;
+use std::fmt::Display;
+use tip_runtime::machine::Status;
+use tip_runtime::record::Sink;
+
+/// What became of a portion of work.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Work {
+    /// There is more to do.
+    Going(Progress),
+    /// The debugger stands.
+    Stopped(Stop),
+}
+
+/// A movement, from where it began.
+#[derive(Debug)]
+pub(super) struct Errand {
+    pub(super) goal: Goal,
+    pub(super) origin: Origin,
+    is_back: bool,
+    phase: Phase,
+}
+
+#[derive(Debug)]
+enum Phase {
+    /// Hits have to be counted first.
+    Learning(Learn),
+    Forward,
+    Back(Back),
+}
+
+impl Debugger {
+    /// Begins a movement, in the place of one that is under way; [`work`](Self::work) does it.
+    pub fn start(&mut self, movement: Move) {
+        self.errand = None;
+        let origin = Origin {
+            at: self.now,
+            step: self.run.program().at(),
+            depth: Self::depth(&self.run),
+        };
+        let goal = Goal::of(movement, self.now);
+        let is_back = movement.is_back();
+        if let Some(stop) = self.there_at_once(goal, is_back) {
+            self.arrive(stop);
+            return;
+        }
+        let unknown = self
+            .breakpoints
+            .count_known(&self.history, self.now + u64::from(!is_back));
+        let unknown = unknown.filter(|_| goal.stops_early());
+        if !is_back && self.now == 0 {
+            self.log_here();
+        }
+        let phase = match unknown.and_then(|from| Learn::new(from, self)) {
+            Some(learn) => Phase::Learning(learn),
+            None => Phase::after_learning(is_back, self.now),
+        };
+        self.errand = Some(Errand {
+            goal,
+            origin,
+            is_back,
+            phase,
+        });
+    }
+
+    /// Where a movement ends that needs no work.
+    fn there_at_once(&self, goal: Goal, is_back: bool) -> Option<Stop> {
+        let at = self.now;
+        match goal {
+            Goal::At(to) if is_back || to <= self.history.len() => {
+                let reason = match (to, is_back) {
+                    (0, true) => Reason::Start,
+                    (_, true) => Reason::Step,
+                    _ if to == at + 1 => self.end_at(to).unwrap_or(Reason::Step),
+                    _ => Reason::There,
+                };
+                Some(Stop { reason, at: to })
+            }
+            _ if is_back => (at == 0).then_some(Stop {
+                reason: Reason::Start,
+                at,
+            }),
+            _ => self.end_at(at).map(|reason| Stop { reason, at }),
+        }
+    }
+
+    /// Goes on with the movement for at most so many cycles. While it searches backwards, the debugger stands where it was.
+    pub fn work(&mut self, cycles: u64) -> Work {
+        let Some(mut errand) = self.errand.take() else {
+            return Work::Stopped(self.stop.clone());
+        };
+        let mut left = cycles.max(1);
+        let found = loop {
+            match &mut errand.phase {
+                Phase::Learning(learn) => match self.learn(learn, &mut left) {
+                    true => errand.phase = Phase::after_learning(errand.is_back, self.now),
+                    false => break None,
+                },
+                Phase::Forward => break self.run_on(errand.goal, &errand.origin, &mut left),
+                Phase::Back(back) => {
+                    break self.look_back(back, errand.goal, &errand.origin, &mut left);
+                }
+            }
+        };
+        match found {
+            Some(stop) => {
+                self.arrive(stop);
+                Work::Stopped(self.stop.clone())
+            }
+            None => {
+                let progress = errand.progress(self.now);
+                self.errand = Some(errand);
+                Work::Going(progress)
+            }
+        }
+    }
+
+    /// A whole movement.
+    pub fn go(&mut self, movement: Move) -> Stop {
+        self.start(movement);
+        loop {
+            if let Work::Stopped(stop) = self.work(u64::MAX) {
+                return stop;
+            }
+        }
+    }
+
+    /// Whether a movement is under way.
+    pub fn is_going(&self) -> bool {
+        self.errand.is_some()
+    }
+
+    /// Gives a movement up: forwards the debugger stands where it has come to, backwards where it was.
+    pub fn cancel(&mut self) -> &Stop {
+        if self.errand.take().is_some() {
+            self.stop = Stop {
+                reason: Reason::Interrupted,
+                at: self.now,
+            };
+        }
+        &self.stop
+    }
+
+    fn arrive(&mut self, stop: Stop) {
+        self.seek(stop.at);
+        self.stop = stop;
+    }
+}
+
+impl Phase {
+    fn after_learning(is_back: bool, now: u64) -> Self {
+        match is_back {
+            true => Phase::Back(Back::new(now)),
+            false => Phase::Forward,
+        }
+    }
+}
+
+impl Errand {
+    fn progress(&self, now: u64) -> Progress {
+        match &self.phase {
+            Phase::Learning(learn) => learn.progress(),
+            Phase::Forward => Progress {
+                done: now - self.origin.at,
+                of: match self.goal {
+                    Goal::At(to) => Some(to - self.origin.at),
+                    _ => None,
+                },
+            },
+            Phase::Back(back) => back.progress(self.origin.at),
+        }
+    }
+}
+
+impl Debugger {
+    /// Runs on until something stops it, or no cycles are left.
+    pub(super) fn run_on(&mut self, goal: Goal, origin: &Origin, left: &mut u64) -> Option<Stop> {
+        while *left > 0 {
+            *left -= 1;
+            self.advance();
+            self.log_here();
+            if let Some(reason) = self.reason_here(goal, origin) {
+                let at = self.now;
+                return Some(Stop { reason, at });
+            }
+        }
+        None
+    }
+
+    /// Why a run that has just come to this position stops here.
+    fn reason_here(&self, goal: Goal, origin: &Origin) -> Option<Reason> {
+        if let Some(end) = self.end_at(self.now) {
+            return Some(end);
+        }
+        if let Goal::At(to) = goal {
+            let reason = match to == origin.at + 1 {
+                true => Reason::Step,
+                false => Reason::There,
+            };
+            return (self.now == to).then_some(reason);
+        }
+        let last = self.now - 1;
+        let step = self.run.program().at();
+        if self.history.step(last) != step
+            && let Some(id) = self.breakpoints.stops(step, &self.here())
+        {
+            return Some(Reason::Breakpoint(id));
+        }
+        let assigned = (self.watches).assigned(last, None, &self.history, &self.program);
+        let set = || self.watches.set(self.now, None, &self.run.events);
+        if let Some(watch) = assigned.or_else(set) {
+            return Some(watch);
+        }
+        if let Some(fall) = self.fall.filter(|fall| fall.cycle == last)
+            && self.stops_at_fall
+        {
+            return Some(Reason::Fall(fall));
+        }
+        goal.is_reached(origin, self).then(|| goal.reason())
+    }
+
+    /// How the run ended, if it did before this position.
+    pub(super) fn end_at(&self, at: u64) -> Option<Reason> {
+        match self.history.frontier {
+            _ if at < self.history.len() => None,
+            Frontier::Open => None,
+            Frontier::Ended(end) => Some(Reason::Ended(end)),
+            Frontier::Failed(emergency) => Some(Reason::Fault(emergency)),
+        }
+    }
+
+    /// One cycle. What happens before the next one has happened then.
+    fn advance(&mut self) {
+        if self.now < self.history.len() {
+            self.run.advance(None);
+            self.now += 1;
+        } else {
+            self.explore();
+        }
+        self.run.happen();
+        let step = self.run.program().at();
+        let begins = self.history.step(self.now - 1) != step;
+        let now = Now {
+            run: &self.run,
+            at: self.now,
+            asker: &self.asker,
+        };
+        self.breakpoints.count(begins.then_some(step), &now);
+    }
+
+    /// A cycle that nobody has seen.
+    fn explore(&mut self) {
+        let before = self.run.program().at();
+        self.history.push(before, Self::depth(&self.run));
+        let mut listener = Listener {
+            at: self.now,
+            said: &mut self.said,
+            taken: &mut self.taken,
+        };
+        let status = self.run.advance(Some(&mut listener));
+        self.now += 1;
+        let frontier = match (status, self.run.emergency()) {
+            (Status::Finished(end), _) => Frontier::Ended(end),
+            (Status::Emergency, Some(emergency)) => Frontier::Failed(emergency),
+            _ => Frontier::Open,
+        };
+        self.history.reached(self.run.program().at(), frontier);
+        if self.fall.is_none() {
+            self.fall = self.run.first_fall();
+        }
+        if frontier == Frontier::Open {
+            self.marks.note(self.now, &self.run);
+        }
+    }
+
+    /// Goes to a position that is known.
+    pub(super) fn seek(&mut self, to: u64) {
+        if let Some((at, mark)) = self.marks.before(to)
+            && (self.now > to || self.now < *at)
+        {
+            self.run.restore(mark);
+            self.now = *at;
+            self.run.happen();
+        }
+        while self.now < to.min(self.history.len()) {
+            self.advance();
+        }
+    }
+}
+
+/// Keeps what the program says.
+struct Listener<'a> {
+    at: u64,
+    said: &'a mut Vec<(u64, String)>,
+    taken: &'a mut usize,
+}
+
+impl Sink for Listener<'_> {
+    fn say(&mut self, text: &dyn Display) {
+        if self.said.len() >= 2 * MESSAGES {
+            self.said.drain(..MESSAGES);
+            *self.taken = self.taken.saturating_sub(MESSAGES);
+        }
+        self.said.push((self.at, text.to_string()));
+    }
+}
+
+/// A search under way.
+#[derive(Debug)]
+pub(super) struct Back {
+    /// Positions from here on are searched.
+    below: u64,
+    /// Runs stretches again; there is one as soon as one is needed.
+    scout: Option<Run>,
+    stretch: Option<Stretch>,
+}
+
+/// From a mark on, positions where conditions decide.
+#[derive(Debug)]
+struct Stretch {
+    from: u64,
+    /// Where the scout is.
+    at: u64,
+    /// In order, those that are not asked yet.
+    asks: std::vec::IntoIter<u64>,
+    /// The last one that stops.
+    best: Option<Stop>,
+}
+
+/// What is known of a position before the origin.
+enum Found {
+    Nothing,
+    Stops(Reason),
+    Asks,
+}
+
+impl Back {
+    pub(super) fn new(now: u64) -> Self {
+        Back {
+            below: now,
+            scout: None,
+            stretch: None,
+        }
+    }
+
+    pub(super) fn progress(&self, origin: u64) -> Progress {
+        Progress {
+            done: origin - self.below,
+            of: Some(origin),
+        }
+    }
+}
+
+impl Debugger {
+    /// Searches on until something is found, or no cycles are left.
+    pub(super) fn look_back(
+        &self,
+        back: &mut Back,
+        goal: Goal,
+        origin: &Origin,
+        left: &mut u64,
+    ) -> Option<Stop> {
+        loop {
+            if let Some(stretch) = &mut back.stretch {
+                if let Some(scout) = &mut back.scout
+                    && !self.ask(stretch, scout, left)
+                {
+                    return None;
+                }
+                if let Some(stop) = stretch.best.take() {
+                    return Some(stop);
+                }
+                back.below = stretch.from;
+                back.stretch = None;
+            }
+            let last = match back.below.checked_sub(1) {
+                Some(last) => last,
+                None => {
+                    let reason = Reason::Start;
+                    return Some(Stop { reason, at: 0 });
+                }
+            };
+            let (from, mark) = self.marks.before(last)?;
+            let stretch = self.scan(*from, last, goal, origin);
+            if !stretch.asks.as_slice().is_empty() {
+                let scout = back.scout.get_or_insert_with(|| self.run.clone());
+                scout.restore(mark);
+            }
+            back.stretch = Some(stretch);
+        }
+    }
+
+    /// Looks through the positions from a mark on, the last one first, up to one that stops for certain.
+    fn scan(&self, from: u64, last: u64, goal: Goal, origin: &Origin) -> Stretch {
+        let mut asks = Vec::new();
+        let mut best = None;
+        for at in (from..=last).rev() {
+            match self.found(at, goal, origin) {
+                Found::Nothing => {}
+                Found::Asks => asks.push(at),
+                Found::Stops(reason) => {
+                    best = Some(Stop { reason, at });
+                    break;
+                }
+            }
+        }
+        asks.reverse();
+        Stretch {
+            from,
+            at: from,
+            asks: asks.into_iter(),
+            best,
+        }
+    }
+
+    fn found(&self, at: u64, goal: Goal, origin: &Origin) -> Found {
+        if let Goal::Set(watch) = goal {
+            let found = self.set_at(at, Some(watch));
+            return found.map_or(Found::Nothing, Found::Stops);
+        }
+        let step = self.history.step(at);
+        let known = match self.history.enters(at) {
+            true => self.breakpoints.known(step, at),
+            false => Known::No,
+        };
+        if let Known::Stops(id) = known {
+            return Found::Stops(Reason::Breakpoint(id));
+        }
+        if let Some(watch) = self.set_at(at, None) {
+            return Found::Stops(watch);
+        }
+        if let Some(fall) = self.fall.filter(|fall| fall.cycle == at)
+            && self.stops_at_fall
+        {
+            return Found::Stops(Reason::Fall(fall));
+        }
+        match known {
+            _ if goal.is_met(origin, at, &self.history, self) => Found::Stops(goal.reason()),
+            Known::Asks => Found::Asks,
+            _ => Found::Nothing,
+        }
+    }
+
+    /// What is assigned between a position and the next one, if a watch is on it: that watch, or any.
+    fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
+        let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
+        assigned.or_else(|| self.watches.set(at, watch, &self.run.events))
+    }
+
+    /// Runs a stretch again up to its last condition; says whether it came there.
+    fn ask(&self, stretch: &mut Stretch, scout: &mut Run, left: &mut u64) -> bool {
+        while let Some(to) = stretch.asks.as_slice().first().copied() {
+            while stretch.at < to {
+                if *left == 0 {
+                    return false;
+                }
+                *left -= 1;
+                scout.advance(None);
+                stretch.at += 1;
+            }
+            scout.happen();
+            let now = Now {
+                run: scout,
+                at: to,
+                asker: &self.asker,
+            };
+            if let Some(id) = self.breakpoints.stops(self.history.step(to), &now) {
+                let reason = Reason::Breakpoint(id);
+                stretch.found(Stop { reason, at: to });
+            }
+            stretch.asks.next();
+        }
+        true
+    }
+}
+
+impl Stretch {
+    /// The later one of two stops counts; one that is certain is before all that are asked for.
+    fn found(&mut self, stop: Stop) {
+        if self.best.as_ref().is_none_or(|best| best.at < stop.at) {
+            self.best = Some(stop);
+        }
+    }
+}
+
+/// A run that goes again over cycles in which nobody counted.
+#[derive(Debug)]
+pub(super) struct Learn {
+    scout: Run,
+    from: u64,
+    at: u64,
+    until: u64,
+}
+
+impl Learn {
+    /// From a position up to where the debugger stands.
+    pub(super) fn new(from: u64, debugger: &Debugger) -> Option<Self> {
+        let (at, mark) = debugger.marks.before(from)?;
+        let mut scout = debugger.run.clone();
+        scout.restore(mark);
+        scout.happen();
+        Some(Learn {
+            scout,
+            from: *at,
+            at: *at,
+            until: debugger.now,
+        })
+    }
+
+    pub(super) fn progress(&self) -> Progress {
+        Progress {
+            done: self.at - self.from,
+            of: Some(self.until - self.from),
+        }
+    }
+}
+
+impl Debugger {
+    /// Goes on counting; says whether all is counted.
+    pub(super) fn learn(&mut self, learn: &mut Learn, left: &mut u64) -> bool {
+        loop {
+            let begins = self.history.enters(learn.at);
+            let now = Now {
+                run: &learn.scout,
+                at: learn.at,
+                asker: &self.asker,
+            };
+            let step = learn.scout.program().at();
+            self.breakpoints.count(begins.then_some(step), &now);
+            if learn.at >= learn.until {
+                return true;
+            }
+            if *left == 0 {
+                return false;
+            }
+            *left -= 1;
+            learn.scout.advance(None);
+            learn.scout.happen();
+            learn.at += 1;
+        }
+    }
+}
