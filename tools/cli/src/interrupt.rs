@@ -41,7 +41,9 @@ pub(super) fn catch() {
 fn listen() {
     use nix::sys::signal::{SigSet, Signal};
     let signals = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter();
-    let signals: SigSet = signals.filter(|signal| !is_ignored(*signal as i32)).collect();
+    let signals: SigSet = signals
+        .filter(|signal| !is_ignored(*signal as i32))
+        .collect();
     if signals.thread_block().is_ok() {
         thread::spawn(move || {
             while let Ok(signal) = signals.wait() {

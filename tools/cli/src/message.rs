@@ -355,6 +355,9 @@ tipc::message_table! {
     Loop { first: u32, last: u32, what: Awaited, since: String, time: String }
         "lines {first} to {last} wait for {what} since {since} s, for {time} s",
         "{first}~{last}行目が{what}を待って繰り返しています({since} sから{time} s間)";
+    Still { line: u32, since: String, time: String }
+        "line {line} lets time pass without a motion since {since} s, for {time} s",
+        "{line}行目が動作のないまま時間の経過を待っています({since} sから{time} s間)";
     Endless { first: u32, last: u32, since: String, time: String }
         "lines {first} to {last} repeat without a motion since {since} s, for {time} s",
         "{first}~{last}行目が動作のないまま繰り返しています({since} sから{time} s間)";

@@ -57,9 +57,6 @@ impl Waits {
         };
         self.visited.resize(program.steps().len(), 0);
         let action = program.steps().get(step as usize).map(|step| &step.action);
-        if self.commands.is_empty() {
-            self.step = step;
-        }
         if self.moves(run, now) || action.is_some_and(switches) {
             (self.effect, self.is_first) = (cycle, true);
             self.does(cycle, now);

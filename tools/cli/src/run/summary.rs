@@ -334,6 +334,11 @@ pub(in super::super) fn said(wait: &Wait) -> Waiting {
             since,
             time,
         },
+        None if first == last => Waiting::Still {
+            line: first,
+            since,
+            time,
+        },
         None => Waiting::Endless {
             first,
             last,

@@ -76,7 +76,7 @@ fn the_figures_are_those_of_the_robot() {
     let first = first.expect("it falls");
     assert!(records[..first].iter().all(|record| record["falls"] == 0));
     assert!(records[first]["margin"].as_f64().expect("mm") < 0.0);
-    let warning = format!("s, in cycle {first}\n");
+    let warning = format!("s, in cycle {first}: ");
     assert!(outcome.err.contains(&warning), "{outcome:#?}");
 }
 

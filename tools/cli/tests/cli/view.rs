@@ -29,7 +29,10 @@ fn a_program_becomes_a_page_beside_it() {
 #[test]
 fn a_run_without_end_stops_after_ten_minutes_and_says_so() {
     let folder =
-        Folder::new("view-endless").program("on.prg", "AGAIN:\nSLEEP 60000\nGOTO AGAIN:\nEND");
+        Folder::new("view-endless").program(
+            "on.prg",
+            "AGAIN:\nPTP F1 R 0 R 0 R 10\nSLEEP 30000\nPTP F1 R 0 R 0 R -10\nSLEEP 30000\nGOTO AGAIN:\nEND",
+        );
     let outcome = folder.tipc(&["view", "on.prg"]).expect(0);
     assert!(
         outcome
