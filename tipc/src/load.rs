@@ -9,7 +9,7 @@ mod title;
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings, Omitted};
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
@@ -41,6 +41,9 @@ impl Default for Options {
     }
 }
 
+/// The most findings of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
+pub const MOST: usize = 1_000;
+
 /// What came of a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -55,8 +58,10 @@ pub struct Loaded {
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// All findings, in order of their places.
+    /// The findings, in order of their places: no more than [`MOST`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
+    /// The findings beyond that.
+    pub omitted: Omitted,
 }
 
 impl Loaded {
@@ -69,6 +74,7 @@ impl Loaded {
             program: None,
             robot: None,
             diagnostics,
+            omitted: Omitted::default(),
         }
     }
 }
@@ -82,17 +88,17 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 ///
 /// With the feature `build` or `tools` it also finds what only an analysis of the program warns of, with `tools` the fixes.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
-    let mut loaded = lowered(name, bytes, options);
+    let (mut loaded, found) = lowered(name, bytes, options);
     #[cfg(any(feature = "build", feature = "tools"))]
-    doubts::find(&mut loaded, bytes, options);
-    in_order(&mut loaded.diagnostics, loaded.module.edition);
+    let found = doubts::find(&loaded, found, bytes, options);
+    (loaded.diagnostics, loaded.omitted) = in_order(found, loaded.module.edition);
     #[cfg(feature = "tools")]
     crate::fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
     loaded
 }
 
-/// The same without what only an analysis of the program finds: warnings. The findings are in no order.
-pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+/// The same without what only an analysis of the program finds: warnings. The findings are apart, and in no order.
+pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Findings) {
     let Parsed {
         source,
         module,
@@ -108,14 +114,16 @@ pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     } else {
         (Symbols::default(), None)
     };
-    Loaded {
+    let loaded = Loaded {
         source,
         module,
         symbols,
         program,
         robot: Some(options.robot),
-        diagnostics,
-    }
+        diagnostics: Vec::new(),
+        omitted: Omitted::default(),
+    };
+    (loaded, diagnostics)
 }
 
 /// What was read of a file, before anything is looked up or judged.
@@ -125,15 +133,14 @@ pub(crate) struct Parsed {
     pub(crate) module: Module,
     /// Whether the rest can be judged: the file is text, and of the version that is asked for.
     pub(crate) is_program: bool,
-    pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) diagnostics: Findings,
 }
 
 #[cfg(feature = "tools")]
 impl Parsed {
     /// Whether it was read without errors.
     pub(crate) fn is_well_formed(&self) -> bool {
-        let is_error = |finding: &Diagnostic| finding.level() == Level::Error;
-        self.is_program && !self.diagnostics.iter().any(is_error)
+        self.is_program && !self.diagnostics.have_error(self.module.edition)
     }
 
     /// Whether it is a program without errors.
@@ -150,7 +157,7 @@ pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
     let is_text = undecodable.is_none();
     let (module, mut diagnostics) = match undecodable {
         None => parse(&source, options.tip_version),
-        Some(fault) => (Module::default(), vec![fault.into()]),
+        Some(fault) => (Module::default(), vec![fault.into()].into()),
     };
     name_encoding(&mut diagnostics, bytes);
     judge(&mut diagnostics, module.edition);
@@ -166,22 +173,30 @@ pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(&mut checked.found, edition);
-    let is_error = |finding: &Diagnostic| finding.level() == Level::Error;
-    match checked.found.iter().any(is_error) {
+    match checked.found.have_error(edition) {
         true => None,
         false => checked.resolved.take(),
     }
 }
 
-/// Puts findings in the order of their places, judged by the rules of an edition.
-fn in_order(diagnostics: &mut Vec<Diagnostic>, edition: Edition) {
-    judge(diagnostics, edition);
+/// Puts findings in the order of their places, judged by the rules of an edition. Of too many the last ones are omitted,
+/// warnings before errors.
+fn in_order(found: Findings, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
+    let (mut diagnostics, mut omitted) = found.into_parts();
+    judge(&mut diagnostics, edition);
     diagnostics.sort_by_key(place);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
+    if diagnostics.len() > MOST {
+        diagnostics.sort_by_key(|one| one.level() == Level::Warning);
+        let rest = diagnostics.drain(MOST..);
+        rest.for_each(|one| omitted.add(one.code));
+        diagnostics.sort_by_key(place);
+    }
+    (diagnostics, omitted)
 }
 
 /// Names the encoding of a file that the language does not know, where something in it cannot be read.

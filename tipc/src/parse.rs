@@ -31,7 +31,7 @@ pub(crate) use line::narrow;
 
 use crate::beside::{FEW, HAS_THREADS, beside};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Edition;
 use crate::lex::Token;
 use crate::message::Parsing;
@@ -44,9 +44,9 @@ pub(crate) const LINE_LIMIT: usize = 1023;
 /// Parses a source for version `tip_version` of the language.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
-pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
+pub fn parse(source: &Source, tip_version: f64) -> (Module, Findings) {
     if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong]);
+        return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
     let keep = &mut |_: &mut Vec<Statement>| ();
@@ -113,9 +113,9 @@ pub(crate) fn parse_part(
     tip_version: f64,
     part: Part,
     take: &mut dyn FnMut(&mut Vec<Statement>),
-) -> (Module, Vec<Diagnostic>) {
+) -> (Module, Findings) {
     if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong]);
+        return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
     parser.lines(part, take);
@@ -150,7 +150,7 @@ struct Parser<'a> {
     /// The finding about lines with numbers.
     numbered: Option<usize>,
     module: Module,
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: Findings,
 }
 
 impl<'a> Parser<'a> {
@@ -172,7 +172,7 @@ impl<'a> Parser<'a> {
                 statements: Vec::new(),
                 after_end: None,
             },
-            diagnostics: Vec::new(),
+            diagnostics: Findings::default(),
         }
     }
 }
@@ -200,7 +200,7 @@ impl Parser<'_> {
     }
 
     /// Takes the statements of the lines that follow, and what was found there.
-    fn append(&mut self, (module, diagnostics): (Module, Vec<Diagnostic>)) {
+    fn append(&mut self, (module, diagnostics): (Module, Findings)) {
         let steps = self.step;
         let moved = module.statements.into_iter().map(|it| Statement {
             step: it.step + steps,
@@ -208,7 +208,7 @@ impl Parser<'_> {
         });
         self.module.statements.extend(moved);
         self.module.after_end = module.after_end;
-        self.diagnostics.extend(diagnostics);
+        self.diagnostics.append(diagnostics);
     }
 
     /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.

@@ -14,11 +14,13 @@ mod wrap;
 pub use classical::classical;
 pub use human::human;
 #[cfg(feature = "tools")]
-pub use json::json;
+pub use json::{json, json_more};
 #[cfg(feature = "tools")]
 pub(crate) use json::{push_member, push_number, push_string};
 #[cfg(any(feature = "build", feature = "tools"))]
 pub use short::short;
+#[cfg(feature = "tools")]
+pub use short::short_more;
 pub use style::Style;
 
 #[cfg(test)]

@@ -8,8 +8,11 @@ use crate::message::Message;
 use crate::source::{Line, Source, Span};
 use crate::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 use smol_str::SmolStr;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::collections::HashSet;
+
+/// The most statements that are looked at for all findings of a file, each of which may need all that follow.
+const LOOKED_AT: usize = 1_000_000;
 
 /// What is looked up once for all findings of a file.
 #[derive(Debug, Default)]
@@ -17,6 +20,8 @@ pub(super) struct Shared {
     /// The names that something jumps to, or was going to.
     targets: OnceCell<HashSet<SmolStr>>,
     first: OnceCell<Option<u32>>,
+    /// How many statements were looked at for other findings than theirs.
+    looked_at: Cell<usize>,
 }
 
 /// A finding in its file.
@@ -174,6 +179,13 @@ impl<'a> Site<'a> {
         jumps
             .map(|pair| upper_case(self.slice(pair[1].span)))
             .collect()
+    }
+
+    /// Whether so many statements may still be looked at: of many findings that need it, the first ones get their fixes.
+    pub(super) fn may_look_at(&self, statements: usize) -> bool {
+        let looked_at = self.shared.looked_at.get() + statements;
+        self.shared.looked_at.set(looked_at);
+        looked_at <= LOOKED_AT
     }
 
     /// The line of the first statement that declares nothing.

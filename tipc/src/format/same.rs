@@ -2,10 +2,8 @@
 //! they are laid out, so equal fields make an equal program.
 
 use crate::beside::{FEW, beside};
-use crate::code::Level;
-use crate::diagnostic::Diagnostic;
 use crate::listing::formal;
-use crate::load::{Options, Parsed, judge};
+use crate::load::{Options, Parsed};
 use crate::message::Formatting;
 use crate::parse::{Part, parse_part};
 use crate::source::Source;
@@ -71,17 +69,15 @@ fn is_equal(
         old: Vec::new(),
         new: Vec::new(),
     };
-    let (module, mut found) = parse_part(after, options.tip_version, part, &mut |read| {
+    let (module, found) = parse_part(after, options.tip_version, part, &mut |read| {
         for new in read.drain(..) {
             let old = left.next();
             is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, after, &new));
         }
     });
-    judge(&mut found, module.edition);
-    let is_error = |it: &Diagnostic| it.level() == Level::Error;
     is_equal
         && left.next().is_none()
-        && !found.iter().any(is_error)
+        && !found.have_error(module.edition)
         && before.module.edition == module.edition
         && before.module.title == module.title
 }
@@ -142,7 +138,7 @@ mod tests {
     fn is_same(before: &str, after: &str) -> bool {
         let options = Options::default();
         let before = parsed("long.prg", before.as_bytes(), &options);
-        assert_eq!(before.diagnostics, []);
+        assert_eq!(*before.diagnostics, []);
         check(&before, after.as_bytes(), &options).is_ok()
     }
 

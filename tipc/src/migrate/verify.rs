@@ -3,7 +3,7 @@
 use super::{Note, NoteKind};
 use crate::check::check;
 use crate::code::{Code, Level};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::commands::find;
 use crate::message::Migrating;
 use crate::parse::parse;
@@ -66,7 +66,7 @@ fn refused_by_all(source: &Source, module: &Module) -> Vec<Option<Diagnostic>> {
     let mut refused: Vec<Option<Diagnostic>> = vec![None; module.statements.len()];
     let mut robots = vec![0; module.statements.len()];
     for robot in Robot::ALL {
-        let mut found = check(source, module, *robot, Vec::new()).found;
+        let mut found = check(source, module, *robot, Findings::default()).found;
         found.retain(|one| matches!(one.code, Code::Argument | Code::UnknownCommand));
         let mut seen = vec![false; module.statements.len()];
         for fault in found {

@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
+use crate::message::count::More;
 use crate::robot::Robot;
 use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
@@ -46,6 +47,26 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
         &mut out,
         "page",
         &format!("tipc explain {}", diagnostic.id()),
+    );
+    out.push('}');
+    out
+}
+
+/// The object after those of the findings that are reported, without line end: `level` (`note`), `message`, `file`, and how
+/// many others are `omitted`.
+pub fn json_more(source: &Source, count: usize, lang: Lang) -> String {
+    let mut out = String::from("{\"level\":");
+    push_string(&mut out, "note");
+    push_member(
+        &mut out,
+        "message",
+        &More::from(count).in_lang(lang).to_string(),
+    );
+    push_member(&mut out, "file", source.name());
+    push_number(
+        &mut out,
+        "omitted",
+        u32::try_from(count).unwrap_or(u32::MAX),
     );
     out.push('}');
     out

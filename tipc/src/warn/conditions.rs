@@ -4,7 +4,7 @@ use super::Judged;
 use super::unreachable::Unreachable;
 use crate::analysis::{Entry, always, enters, stuck::stuck};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::program::{Action, Condition, Operand, Program, StepId};
 use crate::source::Span;
@@ -82,8 +82,9 @@ pub(super) fn warn(
     judged: &Judged<'_>,
     constant: &[Constant],
     unreachable: &Unreachable,
-    found: &mut Vec<Diagnostic>,
+    found: &mut Findings,
 ) {
+    let acting = acting(judged.program);
     for Constant { step, outcome } in constant {
         let Some(statement) = judged
             .statement(*step)
@@ -92,13 +93,13 @@ pub(super) fn warn(
             continue;
         };
         found.extend(match outcome {
-            _ if !decides(judged.program, *step) => None,
+            _ if !decides(judged.program, &acting, *step) => None,
             Outcome::Is(is) => Some(always_so(statement, *is)),
             Outcome::Never => Some(never_runs(judged.program, statement, *step)),
             Outcome::Stops => None,
         });
     }
-    let is_judged = |step: &StepId| constant.iter().all(|one| one.step != *step);
+    let is_judged = |step: &StepId| constant.binary_search_by_key(step, |one| one.step).is_err();
     let stuck = stuck(judged.program, judged.flow)
         .into_iter()
         .filter(is_judged);
@@ -107,18 +108,24 @@ pub(super) fn warn(
     }
 }
 
+/// The steps that do something or lead elsewhere, in order.
+fn acting(program: &Program) -> Vec<StepId> {
+    let does = |action: &Action| action.acts() || leads_on(action);
+    let steps = (0..).zip(program.steps());
+    let acting = steps.filter(|(_, step)| does(&step.action));
+    acting.map(|(step, _)| step).collect()
+}
+
 /// Whether something depends on a step: a block without any action is a sketch.
-fn decides(program: &Program, step: StepId) -> bool {
-    let steps = program.steps();
-    let end = match &steps[step as usize].action {
+fn decides(program: &Program, acting: &[StepId], step: StepId) -> bool {
+    let end = match &program.steps()[step as usize].action {
         Action::If { otherwise: end, .. }
         | Action::ElseIf { otherwise: end, .. }
         | Action::For { exit: end, .. } => *end,
         _ => return true,
     };
-    let block = steps.get(step as usize..end as usize).unwrap_or_default();
-    let does = |action: &Action| action.acts() || leads_on(action);
-    block.iter().any(|step| does(&step.action))
+    let first = acting.partition_point(|one| *one < step);
+    acting.get(first).is_some_and(|one| *one < end)
 }
 
 /// Whether a step in a block goes elsewhere.

@@ -4,35 +4,70 @@ mod wide;
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::phrase::Type;
 use crate::message::{Message, Warning};
 use crate::program::{Variable, VariableKind};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::symbols::{Access, DefinitionId};
+use crate::symbols::Access;
 use crate::syntax::{StatementKind, upper_case};
 use smol_str::SmolStr;
+use std::collections::{HashMap, HashSet};
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+/// The variables of a program, to be found by their names.
+struct Variables<'a> {
+    all: &'a [Variable],
+    by_name: HashMap<&'a str, usize>,
+    /// Those that something does anything with but assign them.
+    read: HashSet<usize>,
+}
+
+impl<'a> Variables<'a> {
+    fn of(judged: &Judged<'a>) -> Self {
+        let all = judged.program.variables();
+        let names = all.iter().map(|one| one.name.as_str());
+        let uses = judged.symbols.all_uses().iter();
+        let reads = uses.filter(|it| !matches!(it.access, Access::Define | Access::Assign));
+        Variables {
+            all,
+            by_name: names.zip(0..).collect(),
+            read: reads.map(|it| it.definition.index()).collect(),
+        }
+    }
+
+    fn find(&self, name: &str) -> Option<&'a Variable> {
+        self.by_name.get(name).map(|id| &self.all[*id])
+    }
+
+    /// The place of a VAR among all variables.
+    fn var(&self, name: &str) -> Option<usize> {
+        let id = self.by_name.get(name).copied();
+        id.filter(|id| self.all[*id].kind == VariableKind::Var)
+    }
+}
+
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
+    let variables = Variables::of(judged);
     for statement in judged.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
             found.extend(quoted(judged.source.slice(text.span), text.span));
-            placeholders(judged, text.span, found);
-            foreign_values(judged, text.span, found);
+            placeholders(judged, &variables, text.span, found);
+            foreign_values(judged, &variables, text.span, found);
             wide::warn(judged, text.span, found);
         }
     }
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+fn foreign_values(
+    judged: &Judged<'_>,
+    variables: &Variables<'_>,
+    place: Span,
+    found: &mut Findings,
+) {
     let text = judged.source.slice(place);
-    let is_var = |name: &str| {
-        let name = upper_case(name);
-        let mut vars = judged.program.variables().iter();
-        vars.any(|one| one.kind == VariableKind::Var && one.name == *name)
-    };
+    let is_var = |name: &str| variables.var(&upper_case(name)).is_some();
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
         let rest = &text[at + 1..];
@@ -47,7 +82,13 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
         };
         is_var(name).then(|| (at, shown, Some(upper_case(name))))
     });
-    let whole = || is_unread_var(judged, text).then(|| (0, text.len(), Some(upper_case(text))));
+    // `MESSAGE COUNT`
+    let name = upper_case(text);
+    let is_unread = || {
+        let id = variables.var(&name);
+        id.is_some_and(|id| !variables.read.contains(&id))
+    };
+    let whole = || is_unread().then(|| (0, text.len(), Some(name.clone())));
     let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
@@ -59,18 +100,6 @@ fn foreign_values(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>)
             .help(Warning::ShowValue { name }),
         None => finding.help(Warning::ShowAnyValue),
     });
-}
-
-/// `MESSAGE COUNT`: whether a text is the name of a VAR that nothing reads.
-fn is_unread_var(judged: &Judged<'_>, text: &str) -> bool {
-    let name = upper_case(text);
-    let mut vars = judged.program.variables().iter();
-    let is_var = |one: &Variable| one.kind == VariableKind::Var && one.name == *name;
-    let Some(id) = vars.position(is_var).map(DefinitionId::of_variable) else {
-        return false;
-    };
-    let mut uses = judged.symbols.uses(id);
-    uses.all(|it| matches!(it.access, Access::Define | Access::Assign))
 }
 
 /// What may stand before a percent sign that is one: `50%`, `%A%`.
@@ -116,9 +145,8 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 }
 
 /// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
-fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+fn placeholders(judged: &Judged<'_>, variables: &Variables<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
-    let variables = judged.program.variables();
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
         from = at + 1;
@@ -148,7 +176,7 @@ fn placeholders(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether that is shown as a value.
-fn is_placeholder(variables: &[Variable], inner: &str) -> bool {
+fn is_placeholder(variables: &Variables<'_>, inner: &str) -> bool {
     split(inner).is_some() && fault(variables, inner).is_none()
 }
 
@@ -167,10 +195,10 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// Why what looks like a placeholder stands for nothing, and what to write.
-fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
+fn fault(variables: &Variables<'_>, inner: &str) -> Option<(Warning, Warning)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
-    let Some(variable) = variables.iter().find(|one| *one.name == *name()) else {
+    let Some(variable) = variables.find(&name()) else {
         return Some((Warning::NoVar { name: name() }, declare(variables, name())));
     };
     let found = match (variable.kind, rest) {
@@ -196,25 +224,24 @@ fn fault(variables: &[Variable], inner: &str) -> Option<(Warning, Warning)> {
 }
 
 /// What to write for a name that is not declared.
-fn declare(variables: &[Variable], name: SmolStr) -> Warning {
-    let vars = variables.iter().filter(|one| one.kind == VariableKind::Var);
-    let mut vars = vars.map(|one| one.name.as_str());
-    if let Some(near) = vars.clone().find(|var| numbered(&name, var)) {
-        return Warning::MeantPlaceholder { near: near.into() };
+fn declare(variables: &Variables<'_>, name: SmolStr) -> Warning {
+    let numbered = numbered(&name).filter(|near| variables.var(near).is_some());
+    if let Some(near) = numbered {
+        return Warning::MeantPlaceholder { near };
     }
-    match nearest(&name, &mut vars) {
+    let vars = variables.all.iter();
+    let vars = vars.filter(|one| one.kind == VariableKind::Var);
+    match nearest(&name, vars.map(|one| one.name.as_str())) {
         Some(near) => Warning::MeantPlaceholder { near: near.into() },
         None => Warning::DeclareOrLeaveOut { name },
     }
 }
 
-/// `%d01%` or `%f01%` for `VAR01`, as before version 3.0.
-fn numbered(name: &str, var: &str) -> bool {
-    let number = name
-        .strip_prefix(|kind: char| "DF".contains(kind))
-        .unwrap_or_default();
+/// The variable that `%d01%` or `%f01%` showed before version 3.0: `VAR01`.
+fn numbered(name: &str) -> Option<SmolStr> {
+    let number = name.strip_prefix(['D', 'F'])?;
     let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
-    is_number && var.strip_prefix("VAR") == Some(number)
+    is_number.then(|| smol_str::format_smolstr!("VAR{number}"))
 }
 
 /// Whether a value was to be shown, and nothing says of which variable.
@@ -224,7 +251,7 @@ pub(super) fn means_any(found: &[Diagnostic]) -> bool {
 }
 
 /// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
-pub(super) fn meant(found: &[Diagnostic]) -> Vec<SmolStr> {
+pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
     let meant = found
         .iter()
         .filter_map(|finding| match (&finding.reason, &finding.help) {

@@ -9,7 +9,7 @@ use std::path::Path;
 use tip_runtime::printable::Printable;
 use tipc::diagnostic::Applicability;
 use tipc::message::Fixing;
-use tipc::repair::{Repaired, confirm, render_json, render_short, repair};
+use tipc::repair::{Repaired, confirm, preview, render_json, render_short, repair};
 use tipc::{Loaded, Options};
 
 /// Applies fixes to a program and writes it if there were any; what is left is reported and returned.
@@ -83,8 +83,8 @@ impl Fixable {
         if !is_known || shown.message_format != Format::Human {
             return;
         }
-        let certain = repair(loaded.clone(), options, Applicability::Certain);
-        let likely = repair(certain.loaded, options, Applicability::Likely);
+        let certain = preview(loaded.clone(), options, Applicability::Certain);
+        let likely = preview(certain.loaded, options, Applicability::Likely);
         self.certain += certain.applied.len();
         self.all += certain.applied.len() + likely.applied.len();
     }

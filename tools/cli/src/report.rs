@@ -84,9 +84,9 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
     match shown.message_format {
         Format::Human => {
             shows(&text);
-            let found = loaded.diagnostics.len();
-            if found > MOST {
-                let more = More::from(found - MOST);
+            let more = loaded.diagnostics.len().saturating_sub(MOST) + loaded.omitted.count();
+            if more > 0 {
+                let more = More::from(more);
                 complain(&format!("{}\n\n", more.in_lang(shown.lang())));
             }
             complain(&format!("{}\n", summary(loaded).in_lang(shown.lang())));
@@ -137,6 +137,7 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         Format::Human => MOST,
         Format::Short | Format::Json | Format::Sarif => usize::MAX,
     };
+    let more = render_more(loaded, shown);
     let lines = loaded.diagnostics.iter().take(most).map(|diagnostic| {
         let source = &loaded.source;
         let line = match format {
@@ -150,7 +151,18 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         let gap = if format == Format::Human { "\n" } else { "" };
         format!("{line}{end}{gap}")
     });
-    lines.collect()
+    lines.chain(more).collect()
+}
+
+/// The line for tools about what is omitted, if anything is.
+fn render_more(loaded: &Loaded, shown: Shown) -> Option<String> {
+    let (source, omitted) = (&loaded.source, loaded.omitted.count());
+    let line = match shown.message_format {
+        Format::Short => render::short_more(source, omitted, shown.lang()),
+        Format::Json => render::json_more(source, omitted, shown.lang()),
+        Format::Human | Format::Sarif => return None,
+    };
+    (omitted > 0).then(|| line + "\n")
 }
 
 /// A finding about a file that has no text.
@@ -184,7 +196,7 @@ fn summary(loaded: &Loaded) -> Checking {
 
 fn count(loaded: &Loaded, level: Level) -> usize {
     let of_level = loaded.diagnostics.iter().filter(|one| one.level() == level);
-    of_level.count()
+    of_level.count() + loaded.omitted.of_level(level, loaded.module.edition)
 }
 
 /// So many of something.

@@ -102,8 +102,9 @@ fn beside(program: &Path, path: PathBuf) -> PathBuf {
 /// All that is wrong, one line each.
 fn findings(loaded: &Loaded, lang: Lang) -> String {
     let lines = loaded.diagnostics.iter();
-    let lines: Vec<String> = lines
-        .map(|one| render::short(&loaded.source, one, lang))
-        .collect();
+    let lines = lines.map(|one| render::short(&loaded.source, one, lang));
+    let omitted = loaded.omitted.count();
+    let more = (omitted > 0).then(|| render::short_more(&loaded.source, omitted, lang));
+    let lines: Vec<String> = lines.chain(more).collect();
     lines.join("\n")
 }
