@@ -1,13 +1,11 @@
-//! Compiles every language case and a batch of random programs to Rust, for the tests to run.
+//! Compiles language cases to Rust, for the tests to run: those that `covering.txt` lists, or all of them with
+//! `TIP_ALL_PROGRAMS=1`.
 #![expect(
     clippy::disallowed_methods,
     clippy::disallowed_macros,
     reason = "a build script reads and writes files and talks to Cargo"
 )]
 
-#[path = "src/random.rs"]
-#[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
-mod random;
 #[path = "harness/src/seek.rs"]
 #[allow(dead_code, unreachable_pub, reason = "it is shared with the tests")]
 mod seek;
@@ -16,6 +14,7 @@ mod seek;
 mod settings;
 
 use settings::Settings;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
@@ -26,46 +25,50 @@ fn main() {
     let out = env::var("OUT_DIR").expect("Cargo sets it");
     let (root, out) = (Path::new(&root), Path::new(&out));
     println!("cargo::rerun-if-changed=cases");
-    println!("cargo::rerun-if-changed=src");
+    println!("cargo::rerun-if-changed=covering.txt");
     println!("cargo::rerun-if-changed=harness/src/settings.rs");
-    write(&out.join("cases.rs"), &cases(&root.join("cases"), out));
-    write(&out.join("random.rs"), &random_programs());
+    println!("cargo::rerun-if-env-changed=TIP_ALL_PROGRAMS");
+    let covering = fs::read_to_string(root.join("covering.txt")).unwrap_or_default();
+    let covering: BTreeSet<&str> = covering.lines().collect();
+    let is_all = env::var_os("TIP_ALL_PROGRAMS").is_some();
+    let is_wanted = |case: &str| is_all || covering.contains(case);
+    write(
+        &out.join("cases.rs"),
+        &cases(&root.join("cases"), out, &is_wanted),
+    );
 }
 
-/// A module for each case that runs, the function that finds it, and a test for each case.
-fn cases(folder: &Path, out: &Path) -> String {
+/// A module for each wanted case that runs, the function that finds it, and a test for each.
+fn cases(folder: &Path, out: &Path, is_wanted: &dyn Fn(&str) -> bool) -> String {
     let mut programs = Programs::default();
     let mut tests = String::new();
-    for case in seek::cases(folder) {
+    for case in seek::cases(folder)
+        .into_iter()
+        .filter(|case| is_wanted(case))
+    {
         let function = case.replace(['/', '-', '.'], "_");
         let read = |kind: &str| fs::read_to_string(folder.join(format!("{case}.{kind}")));
-        let (test, runs) = match (read("trace"), read("stops")) {
-            (Ok(text), _) => ("traced", Some(text)),
-            (_, Ok(text)) => ("stopped", Some(text)),
-            _ => ("checked", None),
+        let (test, text) = match (read("trace"), read("stops")) {
+            (Ok(text), _) => ("traced", text),
+            (_, Ok(text)) => ("stopped", text),
+            // The interpreter's tests hold what the compiler says.
+            _ => continue,
         };
         writeln!(
             tests,
             "#[test]\nfn {function}() {{ tip_tests::{test}({case:?}); }}"
         )
         .unwrap();
-        if let Some(text) = runs {
-            let path = folder.join(format!("{case}.prg"));
-            let beside = path.parent().unwrap_or(folder);
-            let source = fs::read(&path).unwrap_or_default();
-            for settings in Settings::of_header(&text, beside).unwrap_or_default() {
-                // A case that does not load has no program; its test says so.
-                programs.add(&settings.key(&case), &case, &source, settings.load);
-            }
+        let path = folder.join(format!("{case}.prg"));
+        let beside = path.parent().unwrap_or(folder);
+        let source = fs::read(&path).unwrap_or_default();
+        for settings in Settings::of_header(&text, beside).unwrap_or_default() {
+            // A case that does not load has no program; its test says so.
+            programs.add(&settings.key(&case), &case, &source, settings.load);
         }
     }
     write(&out.join("case_tests.rs"), &tests);
     programs.finish()
-}
-
-fn random_programs() -> String {
-    let specimens: Vec<_> = random::specimens().collect();
-    random_programs::rust(&specimens, |code| code).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Generated programs on their way to a file.

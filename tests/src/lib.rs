@@ -1,9 +1,8 @@
-//! The tests that need generated code: every language case and a batch of random programs, compiled by the build
-//! script, run beside the reference interpreter. What a case is, `tip-harness` says.
+//! The tests that need generated code: language cases, compiled by the build script, run beside the reference
+//! interpreter. `tip-harness` defines what a case is.
 
 mod differential;
 mod generated;
-pub mod random;
 
 pub use differential::{stopped, traced};
 pub use generated::case;
@@ -13,3 +12,8 @@ pub use tip_harness::{Settings, cases, checked, clauses, each_use, matches, root
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/robots.md")]
 mod robots {}
+
+/// The front page of the macros compiles and runs; its programs are in `motions`.
+#[cfg(doctest)]
+#[doc = include_str!("../../tip-macros/README.md")]
+mod macros {}

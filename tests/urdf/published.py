@@ -19,9 +19,9 @@ PHANTOMX = ",".join(f"tibia_{leg}=0.133,0,0" for leg in ("LF", "RF", "LM", "RM",
 BARRETT = "finger_1_dist_link=-0.038,0.034,0,finger_2_dist_link=-0.038,0.034,0"
 # Each file: the options of its import, and what a refusal says.
 FILES = {
-    "a1": (["--order", "FL,FR,RL,RR"], None),
-    "go1": (["--order", "FL,FR,RL,RR"], None),
-    "go2": (["--order", "FL,FR,RL,RR", "--foot", "FL_foot,FR_foot,RL_foot,RR_foot"], None),
+    "a1": ([], None),
+    "go1": ([], None),
+    "go2": (["--foot", "FL_foot,FR_foot,RL_foot,RR_foot"], None),
     "anymal_c": (["--order", "LF,RF,LH,RH"], None),
     "solo12": ([], None),
     "spotmicro": ([], None),

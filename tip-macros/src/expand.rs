@@ -1,7 +1,7 @@
 //! From an invocation to the items that replace it.
 
 use crate::arguments::{self, Arguments, Misuse};
-use crate::file::{self, Found};
+use crate::file::{self, Fault, Found};
 use crate::literal::Text;
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
@@ -11,7 +11,7 @@ use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::{self, embed};
 use tipc::emit;
-use tipc::message::{Lang, Reading};
+use tipc::message::Lang;
 use tipc::published;
 use tipc::source::Span;
 
@@ -132,14 +132,17 @@ fn included(
 }
 
 fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
-    file::find(&path.value, invoking).map_err(|reason| {
-        let reason = Reading::System {
-            error: reason.into(),
+    file::find(path, invoking).map_err(|fault| {
+        let error = match fault {
+            Fault::Two(reason) => reason.in_lang(lang()).to_string(),
+            Fault::NotRead(reason) => {
+                let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
+                let missing = missing.about(&path.value);
+                let (code, title) = (missing.code.id(), missing.title());
+                format!("{code}: {title}: {}", missing.reason)
+            }
         };
-        let missing = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
-        let missing = missing.about(&path.value);
-        let (code, title) = (missing.code.id(), missing.title());
-        Failure::at(path, vec![format!("{code}: {title}: {}", missing.reason)])
+        Failure::at(path, vec![error])
     })
 }
 
@@ -221,6 +224,30 @@ mod tests {
         let items = tip(tokens(&format!("pub Wave, \"{WAVE}\"")), None).to_string();
         assert!(items.contains("pub struct Wave"), "{items}");
         assert!(!items.contains("compile_error"), "{items}");
+    }
+
+    /// The tokens as a formatted file.
+    fn formatted(tokens: TokenStream) -> String {
+        prettyplease::unparse(&syn::parse2(tokens).unwrap())
+    }
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "goldens are files")]
+    fn macro_and_build_script_make_the_same_tokens() {
+        let goldens = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/golden");
+        for name in ["counting", "branches", "motion"] {
+            let path = format!("{name}.prg");
+            let tokens = include_tip(quote!(pub #path), Some(&goldens.join("invoking.rs")));
+            let generated = std::fs::read_to_string(goldens.join(format!("{name}.rs"))).unwrap();
+            let generated = formatted(generated.parse().unwrap());
+            let formatted = formatted(tokens);
+            let (items, tracking) = formatted.split_at(generated.len().min(formatted.len()));
+            assert!(items == generated, "{name}:\n{formatted}");
+            assert!(
+                tracking.starts_with("const _: &[u8] = ::core::include_bytes!("),
+                "{tracking}"
+            );
+        }
     }
 
     // clauses: 1.3

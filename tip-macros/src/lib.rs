@@ -12,9 +12,9 @@ use proc_macro::{Span, TokenStream};
 /// Compiles a motion program from a file:
 /// `include_tip!([visibility] "path" [as Name] [, option = value]…)`.
 ///
-/// The path is looked up next to the invoking file, then from the folder of `Cargo.toml`. The type is
-/// named after the file, in UpperCamelCase, unless `as` names it. When the file changes, the crate is
-/// built again.
+/// The path is looked up next to the file that it is written in, also if another macro passes it on, and from the
+/// folder of `Cargo.toml`; one file only may answer it. The type is named after the file, in UpperCamelCase, unless
+/// `as` names it. When the file changes, the crate is built again.
 #[proc_macro]
 pub fn include_tip(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();
@@ -37,21 +37,6 @@ pub fn tip(input: TokenStream) -> TokenStream {
 /// The path is looked up as [`include_tip!`] does. The constant is named after the file, in capitals, unless
 /// `as` names it; its type is `tip_runtime::model::Model<L, J>`, for L legs of J joints. Needs the feature
 /// `robot-files`.
-///
-/// ```
-/// # #[cfg(feature = "robot-files")]
-/// # mod described {
-/// tip_macros::include_tip!("motions/tripod.prg", robot = "hexapod.toml");
-/// tip_macros::include_robot!("hexapod.toml");
-///
-/// pub fn is_sound() -> bool {
-///     let machine = tip_runtime::machine::Machine::simulated_on(Tripod::new(), &HEXAPOD);
-///     HEXAPOD.check().is_ok() && machine.is_ok()
-/// }
-/// # }
-/// # #[cfg(feature = "robot-files")]
-/// assert!(described::is_sound());
-/// ```
 #[proc_macro]
 pub fn include_robot(input: TokenStream) -> TokenStream {
     let invoking = Span::call_site().local_file();

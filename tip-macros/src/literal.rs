@@ -1,12 +1,22 @@
 //! The values of literals, without a parser for all of Rust.
 
 use proc_macro2::{Span, TokenTree};
+use std::path::PathBuf;
 
 /// A string with its place.
 #[derive(Debug)]
 pub(crate) struct Text {
     pub(crate) value: String,
     pub(crate) span: Span,
+}
+
+impl Text {
+    /// The file that it is written in, if the compiler knows one: that of the crate that wrote it, whichever macros passed it on.
+    pub(crate) fn file(&self) -> Option<PathBuf> {
+        extern crate proc_macro;
+        let is_in_macro = proc_macro::is_available();
+        is_in_macro.then(|| self.span.unwrap().local_file())?
+    }
 }
 
 /// The value of a string literal, raw or not; `None` for any other token.

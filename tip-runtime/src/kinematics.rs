@@ -63,3 +63,9 @@ pub fn first_beyond_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> O
 
 /// Angles that differ by less than this come from rounding: deg.
 pub(crate) const ROUNDING: f64 = 1e-6;
+
+/// The joint angles that a closed form finds for a leg of three joints (deg), the preferred ones first.
+type Solutions = [Option<[f64; 3]>; 4];
+
+/// The greatest distance of a foot from its first axis at which it counts as on it, as a share of the leg's length.
+const NEAR_AXIS: f64 = 1e-10;

@@ -30,10 +30,10 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use walker::{Fall, Foot, Pose, ServoDynamics, SimulatedPlant, Travel, Unmodelled};
+pub use walker::{Fall, Following, Foot, Pose, ServoDynamics, SimulatedPlant, Travel, Unmodelled};
 
 use crate::command::Port;
-use crate::hardware::Hardware;
+use crate::hardware::{Hardware, HardwareFault};
 use crate::model::Point;
 
 /// How the body of a simulated robot moves.
@@ -44,14 +44,18 @@ pub struct Motion {
     pub pose: Pose,
     /// How far it has come from where it began.
     pub travel: Travel,
-    /// How often the centre of mass has left the support polygon so far.
+    /// Number of falls so far: its body came down, or its support was lost.
     pub falls: u32,
+    /// Number of these falls that left the body upright. One without mass would have fallen; one with mass caught itself.
+    pub upright_falls: u32,
     /// How far inside the support polygon the centre of mass is: mm; negative outside.
     pub margin: f64,
     /// The least that this margin has been so far: mm.
     pub least_margin: f64,
     /// The farthest that any foot has slipped on one stance so far: mm.
     pub slip: f64,
+    /// Commands that joints and feet could not follow.
+    pub following: Following,
     /// What the simulation leaves out, counted; none if it leaves nothing out.
     pub unmodelled: Option<Unmodelled>,
 }
@@ -94,6 +98,18 @@ pub struct Noise {
     pub seed: u64,
 }
 
+/// The fault of a plant whose numbers have grown beyond all bounds. It stays as it was before.
+const DIVERGED: HardwareFault =
+    HardwareFault("the simulation diverged: a force or a mass is too great for its time steps");
+
+/// Positions, speeds and torques beyond this are no robot's, in any unit of this module.
+const BOUND: f64 = 1e9;
+
+/// Returns true if numbers are what a robot's can be.
+fn are_sane(mut values: impl Iterator<Item = f64>) -> bool {
+    values.all(|value| libm::fabs(value) < BOUND)
+}
+
 /// Hardware that is simulated, so that the readings of its inputs can be set.
 pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
@@ -117,7 +133,7 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
         None
     }
 
-    /// When the centre of mass first left the support polygon, if it did.
+    /// When it first fell, if it did.
     fn first_fall(&self) -> Option<Fall> {
         None
     }

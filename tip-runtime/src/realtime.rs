@@ -49,7 +49,8 @@ impl Pacer {
         }
     }
 
-    /// Waits until a cycle of `period` ms is over.
+    /// Waits until a cycle of `period` ms is over. No period is longer than a day, and without one, as below 0, no cycle
+    /// waits.
     pub fn wait(&mut self, period: f64) {
         let due = self.due(period);
         sleep(due.saturating_duration_since(Instant::now()));
@@ -62,7 +63,7 @@ impl Pacer {
 
     /// When the cycle that ended `now` is over.
     fn next(&mut self, period: f64, now: Instant) -> Instant {
-        let period = Duration::try_from_secs_f64(period / 1000.0).unwrap_or(Duration::ZERO);
+        let period = duration(period);
         self.cycles += 1;
         self.due += period;
         if let Some(late) = now
@@ -93,6 +94,15 @@ impl Pacer {
     pub const fn worst(&self) -> Duration {
         self.worst
     }
+}
+
+/// The longest period. No clock holds the end of one that is much longer.
+const LONGEST: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// Returns a period of so many ms: nothing for one below 0 or not a number, a day for one that is longer.
+fn duration(period: f64) -> Duration {
+    let seconds = (period / 1000.0).clamp(0.0, LONGEST.as_secs_f64());
+    Duration::try_from_secs_f64(seconds).unwrap_or(Duration::ZERO)
 }
 
 /// Runs a machine in real time until `stop` says so: asked after each cycle what became of the program.
@@ -165,6 +175,23 @@ mod tests {
         let begin = Instant::now();
         let mut pacer = Pacer::from(begin);
         assert_eq!(pacer.next(0.0, begin + MS), begin + MS);
-        assert_eq!(pacer.next(f64::NAN, begin + 2 * MS), begin + 2 * MS);
+        for (after, period) in (2..).zip([f64::NAN, -4.0, f64::NEG_INFINITY, -0.0, 1e-300]) {
+            let now = begin + after * MS;
+            assert_eq!(pacer.next(period, now), now, "{period}");
+        }
+    }
+
+    #[test]
+    fn no_period_is_longer_than_a_day() {
+        let begin = Instant::now();
+        for period in [1e22, f64::MAX, f64::INFINITY, 1e9] {
+            let mut pacer = Pacer::from(begin);
+            let due = pacer.next(period, begin + MS);
+            assert_eq!(due - begin, LONGEST, "{period}");
+            // Again and again, it stays within what a clock holds.
+            for _ in 0..100 {
+                pacer.next(period, begin + MS);
+            }
+        }
     }
 }

@@ -46,15 +46,25 @@ impl Allows {
         if !text.contains(START) && !text.contains("TIP:") {
             return allows;
         }
-        let lines = source.lines().take_while(|line| line.number <= last.line);
-        for line in lines.filter(|line| line.number != 2) {
+        let is_blank = |code: Span| source.slice(code).trim().is_empty();
+        // The next line with text after END, where no statements tell it.
+        let mut below = 0;
+        for line in source.lines().filter(|line| line.number != 2) {
             let (code, comment) = split_comment(text, line.span);
             let Some(list) = comment.and_then(|comment| list(text, comment)) else {
                 continue;
             };
+            let is_after_end = line.number > last.line;
             let line = if line.number < first.line {
                 None
-            } else if source.slice(code).trim().is_empty() {
+            } else if is_after_end && is_blank(code) {
+                if below <= line.number {
+                    let mut lines = source.lines_from(line.number + 1);
+                    let next = lines.find(|it| !is_blank(split_comment(text, it.span).0));
+                    below = next.map_or(u32::MAX, |it| it.number);
+                }
+                Some(below)
+            } else if is_blank(code) {
                 let next = module
                     .statements
                     .partition_point(|it| it.line <= line.number);
@@ -62,7 +72,16 @@ impl Allows {
             } else {
                 Some(line.number)
             };
+            let known = allows.allows.len();
+            let faults = allows.faults.len();
             allows.read(source, list, line);
+            if is_after_end {
+                // Comments of notes are no comments of the program.
+                allows.faults.truncate(faults);
+                let kept = allows.allows.split_off(known);
+                let kept = kept.into_iter().filter(|it| it.code == Code::AfterEnd);
+                allows.allows.extend(kept);
+            }
         }
         allows
     }

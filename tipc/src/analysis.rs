@@ -1,22 +1,18 @@
 //! Facts about a [`Program`](crate::program::Program), found without running it and without changing it.
 
-mod access;
+pub mod access;
 pub mod assignment;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub(crate) mod calls;
-#[cfg(feature = "tools")]
-pub mod cycles;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub(crate) mod dead;
-mod flow;
-#[cfg(feature = "tools")]
-pub mod spots;
-#[cfg(any(feature = "build", feature = "tools"))]
+pub mod flow;
+#[cfg(feature = "build")]
 pub(crate) mod stuck;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod walk;
 
 pub use access::assigns;
 
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub(crate) use flow::{Entry, Flow, always, enters};

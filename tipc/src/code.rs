@@ -217,6 +217,9 @@ codes! {
     /// A label that is the word of a jump and a label in one piece.
     GluedJump "W130" None, "this is a label, and jumps nowhere",
         "これはラベルで、ジャンプしません";
+    /// A statement after the END of the text.
+    AfterEnd "W131" None, "this statement stands after END and does not run",
+        "この文はENDより後にあり、実行されません";
 }
 
 impl Code {

@@ -3,8 +3,8 @@
 mod command;
 mod word;
 
-pub(crate) use command::command;
-pub(crate) use word::{axis_value, flag, is_g_code, is_speed, tells_time};
+pub use command::command;
+pub use word::{axis_value, flag, is_g_code, is_speed, tells_time};
 
 use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
@@ -17,7 +17,7 @@ use tip_runtime::function::Function;
 
 /// What a first word of another language was going to be, so that one mistake does not lead to others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Means {
+pub enum Means {
     /// This keyword.
     Keyword(Keyword),
     /// A declaration of variables.
@@ -27,10 +27,10 @@ pub(crate) enum Means {
 }
 
 /// First words of statements.
-pub(crate) struct Row {
+pub struct Row {
     words: &'static str,
-    pub(crate) means: Means,
-    pub(crate) habit: Habit,
+    pub means: Means,
+    pub habit: Habit,
 }
 
 const fn row(words: &'static str, means: Means, habit: Habit) -> Row {
@@ -90,7 +90,7 @@ const ROWS: &[Row] = &[
 ];
 
 /// What the first word of a statement is in another language.
-pub(crate) fn statement(word: &str) -> Option<&'static Row> {
+pub fn statement(word: &str) -> Option<&'static Row> {
     row_of(word).or_else(|| part_of(word))
 }
 
@@ -124,13 +124,13 @@ const PARTS: &[Row] = &[
 ];
 
 /// Whether a routine of another language is where its programs begin, or what they do all the time.
-pub(crate) fn is_main(name: &str) -> bool {
+pub fn is_main(name: &str) -> bool {
     const NAMES: &str = "MAIN SETUP LOOP";
     NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
 }
 
 /// Whether a word goes on with what the word `first` began in another language.
-pub(crate) fn goes_on(first: &str, word: &str) -> bool {
+pub fn goes_on(first: &str, word: &str) -> bool {
     let (begun, part) = (row_of(first), part_of(word));
     begun.zip(part).is_some_and(|(begun, part)| {
         let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
@@ -147,7 +147,7 @@ fn ends_routine(first: &str, word: &str) -> bool {
 }
 
 /// Whether a word ends a loop in another language, whatever began it.
-pub(crate) fn ends_loop(word: &str) -> bool {
+pub fn ends_loop(word: &str) -> bool {
     part_of(word).is_some_and(|row| matches!(row.habit, Habit::Loops | Habit::LoopLabel))
 }
 
@@ -157,7 +157,7 @@ fn begins_cases(word: &str) -> bool {
 }
 
 /// The words of other languages for the end of a block, after END, and what ends it here.
-pub(crate) fn ends(word: &str) -> Option<Keyword> {
+pub fn ends(word: &str) -> Option<Keyword> {
     match row_of(word)?.means {
         Means::Keyword(Keyword::Subroutine) => Some(Keyword::SubEnd),
         _ => None,
@@ -165,20 +165,20 @@ pub(crate) fn ends(word: &str) -> Option<Keyword> {
 }
 
 /// Whether a word begins the line of a label.
-pub(crate) fn begins_label(word: &str) -> bool {
+pub fn begins_label(word: &str) -> bool {
     const WORDS: &str = "LABEL LBL";
     WORDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word opens the block of a condition in another language.
-pub(crate) fn opens_block(word: &str) -> bool {
+pub fn opens_block(word: &str) -> bool {
     ["DO", "BEGIN", ":"]
         .iter()
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// A function of other languages.
-pub(crate) fn is_function(word: &str) -> bool {
+pub fn is_function(word: &str) -> bool {
     const FUNCTIONS: &str =
         "MAX MIN MOD RND RAND RANDOM POW EXP LOG LOG10 LN SGN SIGN FLOOR CEIL ROUND FIX SQR HYPOT";
     FUNCTIONS
@@ -187,7 +187,7 @@ pub(crate) fn is_function(word: &str) -> bool {
 }
 
 /// The function that another language calls otherwise.
-pub(crate) fn function(word: &str) -> Option<&'static str> {
+pub fn function(word: &str) -> Option<&'static str> {
     const CALLED: &[(&str, Operation)] = &[
         ("ARCTAN ATN", Operation::Scalar(Function::Atan)),
         ("ARCSIN ASN", Operation::Scalar(Function::Asin)),
@@ -209,7 +209,7 @@ pub(crate) fn function(word: &str) -> Option<&'static str> {
 }
 
 /// The relation that other languages write as a word or with other signs.
-pub(crate) fn relation(word: &str) -> Option<&'static str> {
+pub fn relation(word: &str) -> Option<&'static str> {
     Some(match word {
         "EQ" | "IS" | "EQUALS" => "==",
         "NE" | "NEQ" | "ISNT" | "~" => "<>",
@@ -222,31 +222,31 @@ pub(crate) fn relation(word: &str) -> Option<&'static str> {
 }
 
 /// Whether a word is a type, which stands before or after a name in declarations of other languages.
-pub(crate) fn is_type(word: &str) -> bool {
+pub fn is_type(word: &str) -> bool {
     const TYPES: &str = "INT INTEGER FLOAT DOUBLE";
     TYPES.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// Whether a character takes up no room, so that nobody sees it.
-pub(crate) fn is_invisible(char: char) -> bool {
+pub fn is_invisible(char: char) -> bool {
     matches!(char, '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2060}'..='\u{2064}' | '\u{FEFF}')
 }
 
 /// Whether a word is a unit, which no number has.
-pub(crate) fn is_unit(word: &str) -> bool {
+pub fn is_unit(word: &str) -> bool {
     const UNITS: &str =
         "% MM CM M DEG RAD S SEC MS MSEC N NM V HZ KHZ ° 度 ㎜ ㎝ 秒 ミリ ミリ秒 ℃ ％";
     UNITS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// The name that a word begins with: `PRINT` of `PRINT("…")`, `time.sleep` of `time.sleep(1)`.
-pub(crate) fn name(word: &str) -> &str {
+pub fn name(word: &str) -> &str {
     let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
     &word[..end.unwrap_or(word.len())]
 }
 
 /// Whether a statement that begins with this word was to show a text.
-pub(crate) fn shows_text(word: &str) -> bool {
+pub fn shows_text(word: &str) -> bool {
     let name = name(word);
     let is_message = name.eq_ignore_ascii_case(Keyword::Message.word());
     is_message || statement(name).is_some_and(|row| row.habit == Habit::ShowText)
@@ -261,7 +261,7 @@ const COMMENTS: &[&str] = &[
 const OF_LINES: &[[&str; 2]] = &[["/*", "*/"], ["\"\"\"", "\"\"\""], ["'''", "'''"]];
 
 /// What opens a comment of several lines that begins a statement, and what closes it.
-pub(crate) fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
+pub fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
     let mut marks = OF_LINES.iter().copied();
     marks.find(|[opens, _]| statement.starts_with(opens))
 }
@@ -270,7 +270,7 @@ pub(crate) fn comment_of_lines(statement: &str) -> Option<[&'static str; 2]> {
 const BANG: &str = "!";
 
 /// Whether a statement is a comment in another language.
-pub(crate) fn is_comment(statement: &str) -> bool {
+pub fn is_comment(statement: &str) -> bool {
     // Nearly all statements begin with a word.
     if statement.starts_with(|first: char| first.is_ascii_alphanumeric()) {
         return false;
@@ -302,13 +302,13 @@ fn is_in_parentheses(statement: &str) -> bool {
 }
 
 /// Whether a comment of another language, or what is taken for one, begins where this part of a line ends.
-pub(crate) fn ends_in_comment_mark(part: &str) -> bool {
+pub fn ends_in_comment_mark(part: &str) -> bool {
     let part = part.trim_end();
     part.ends_with(';') || COMMENTS.iter().any(|mark| part.ends_with(mark))
 }
 
 /// What is written for a character of typesetting.
-pub(crate) fn plain(typeset: char) -> Option<&'static str> {
+pub fn plain(typeset: char) -> Option<&'static str> {
     Some(match typeset {
         '\u{2010}'..='\u{2015}' | '\u{2212}' => "-",
         '×' => "*",
@@ -325,18 +325,18 @@ pub(crate) fn plain(typeset: char) -> Option<&'static str> {
 }
 
 /// Whether a text stands between the ends of a range: `1〜10`.
-pub(crate) fn is_range(text: &str) -> bool {
+pub fn is_range(text: &str) -> bool {
     matches!(text, "〜" | "～" | "~")
 }
 
 /// The mark that a comment of another language begins with.
-pub(crate) fn comment_mark(comment: &str) -> Option<&'static str> {
+pub fn comment_mark(comment: &str) -> Option<&'static str> {
     let mut marks = COMMENTS.iter().copied().chain([BANG]);
     marks.find(|mark| comment.starts_with(mark))
 }
 
 /// Where a comment of another language begins after a statement, if one does.
-pub(crate) fn comment_after(line: &str) -> Option<usize> {
+pub fn comment_after(line: &str) -> Option<usize> {
     let marks = ["#", "'", "／／", "※", "＃", "’"];
     let starts = |at: &usize| marks.iter().any(|mark| line[*at..].starts_with(mark));
     let after_blank = line.match_indices([' ', '\t']).map(|(at, _)| at + 1);
@@ -344,7 +344,7 @@ pub(crate) fn comment_after(line: &str) -> Option<usize> {
 }
 
 /// The number to write in place of a constant of another language.
-pub(crate) fn constant(word: &str) -> Option<&'static str> {
+pub fn constant(word: &str) -> Option<&'static str> {
     Some(match word {
         "TRUE" | "ON" | "YES" | "HIGH" => "1",
         "FALSE" | "OFF" | "NO" | "LOW" | "NULL" | "NIL" | "NONE" => "0",
@@ -354,14 +354,14 @@ pub(crate) fn constant(word: &str) -> Option<&'static str> {
 }
 
 /// Whether a word joins two conditions in another language.
-pub(crate) fn joins_conditions(word: &str) -> bool {
+pub fn joins_conditions(word: &str) -> bool {
     ["AND", "OR", "XOR", "&&", "||", "&", "|"]
         .iter()
         .any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word negates in another language.
-pub(crate) fn negates(word: &str) -> bool {
+pub fn negates(word: &str) -> bool {
     word.eq_ignore_ascii_case("NOT")
 }
 

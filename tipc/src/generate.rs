@@ -253,9 +253,9 @@ impl Config {
 
 fn program(input: &Path, options: &load::Options, report: &mut Report) -> Option<Program> {
     let name = input.display().to_string();
-    let loaded = match files::read(input) {
+    let loaded = match embed::read_file(input, embed::LIMIT) {
         Ok(bytes) => load(&name, &bytes, options),
-        Err(error) => not_found(&name, &error),
+        Err(reason) => unreadable(&name, reason),
     };
     report.add_all(&loaded);
     loaded.program
@@ -268,9 +268,9 @@ fn describe(path: &Path, report: &mut Report) -> Result<Option<Description>, Bui
     }
     report.depends_on(path)?;
     let name = path.display().to_string();
-    let described = match files::read(path) {
+    let described = match embed::read_file(path, embed::LIMIT) {
         Ok(bytes) => description::parse(&name, &bytes),
-        Err(error) => Err(Box::new(not_found(&name, &error))),
+        Err(reason) => Err(Box::new(unreadable(&name, reason))),
     };
     Ok(described.map_err(|loaded| report.add_all(&loaded)).ok())
 }
@@ -389,11 +389,8 @@ fn no_file(path: &Path) -> BuildError {
     BuildError::setting(Building::NoFile { path })
 }
 
-fn not_found(name: &str, error: &std::io::Error) -> Loaded {
+fn unreadable(name: &str, reason: Reading) -> Loaded {
     let (source, _) = Source::decode(name, b"", Encoding::Utf8);
-    let reason = Reading::System {
-        error: error.to_string().into(),
-    };
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])
 }

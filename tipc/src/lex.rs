@@ -41,9 +41,9 @@ pub struct Token {
 const FULL_WIDTH_SPACE: &[u8] = b"\xE3\x80\x80";
 
 /// The characters that only take up room.
-pub(crate) const BLANKS: &[char] = &[' ', '\t', '\u{3000}'];
+pub const BLANKS: &[char] = &[' ', '\t', '\u{3000}'];
 /// The characters between words: blanks and the comma.
-pub(crate) const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
+pub const DELIMITERS: &[char] = &[' ', '\t', '\u{3000}', ','];
 
 /// Reads the tokens of `span` into `tokens` and returns the first characters that no statement may hold.
 ///
@@ -105,7 +105,7 @@ pub(crate) fn delimiter(bytes: &[u8], at: usize) -> usize {
 }
 
 /// The end of the word that starts at `start`.
-pub(crate) fn word_end(bytes: &[u8], start: usize) -> usize {
+pub fn word_end(bytes: &[u8], start: usize) -> usize {
     let end = plain_word_end(bytes, start);
     if is_open_exponent(&bytes[start..end], &bytes[end..]) {
         return plain_word_end(bytes, end + 1);
@@ -174,7 +174,7 @@ const fn is_foreign(byte: u8) -> bool {
 }
 
 /// The first run of characters in `span` that only comments and texts may hold.
-pub(crate) fn foreign_run(text: &str, span: Span) -> Option<Span> {
+pub fn foreign_run(text: &str, span: Span) -> Option<Span> {
     let word = &text[span.start..span.end];
     let start = word.bytes().position(is_foreign)?;
     let run = word.bytes().skip(start).take_while(|it| is_foreign(*it));

@@ -3,12 +3,9 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod allow;
 pub mod analysis;
-#[cfg(feature = "tools")]
-pub mod ask;
-mod beside;
 mod check;
 pub mod code;
 #[cfg(feature = "robot-files")]
@@ -16,36 +13,27 @@ pub mod description;
 pub mod diagnostic;
 pub mod embed;
 pub mod emit;
-#[cfg(feature = "tools")]
-mod fix;
 #[cfg(test)]
 pub(crate) mod fixture;
-mod foreign;
-#[cfg(feature = "tools")]
-pub mod format;
+#[doc(hidden)]
+pub mod foreign;
 #[cfg(feature = "build")]
 pub mod generate;
 pub mod language;
 pub mod lex;
-#[cfg(feature = "tools")]
-pub mod listing;
-mod load;
+pub mod load;
 mod lower;
 pub mod message;
-#[cfg(feature = "tools")]
-pub mod migrate;
 pub mod parse;
 pub mod program;
 pub mod published;
 pub mod render;
-#[cfg(feature = "tools")]
-pub mod repair;
 mod robot;
 pub mod source;
 mod suggest;
 pub mod symbols;
 pub mod syntax;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod warn;
 
 #[cfg(feature = "build")]

@@ -1,10 +1,10 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 //!
-//! Macros show errors alone: what only warns, and fixes, are not compiled for them.
+//! Macros show errors alone: lints are not compiled for them.
 
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod doubts;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod title;
 
 use crate::check::{Checked, ResolvedModule, check};
@@ -86,19 +86,17 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
 ///
-/// With the feature `build` or `tools` it also finds what only an analysis of the program warns of, with `tools` the fixes.
+/// With the feature `build` it also finds what only an analysis of the program warns of.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
-    #[cfg(any(feature = "build", feature = "tools"))]
+    #[cfg(feature = "build")]
     let found = doubts::find(&loaded, found, bytes, options);
     (loaded.diagnostics, loaded.omitted) = in_order(found, loaded.module.edition);
-    #[cfg(feature = "tools")]
-    crate::fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
     loaded
 }
 
-/// The same without what only an analysis of the program finds: warnings. The findings are apart, and in no order.
-pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Findings) {
+/// Reads, checks and lowers a program without an analysis of it. The findings are apart, and in no order.
+pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Findings) {
     let Parsed {
         source,
         module,
@@ -126,33 +124,36 @@ pub(crate) fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, F
     (loaded, diagnostics)
 }
 
-/// What was read of a file, before anything is looked up or judged.
+/// A file that was parsed, before anything is looked up or judged.
 #[derive(Debug)]
-pub(crate) struct Parsed {
-    pub(crate) source: Source,
-    pub(crate) module: Module,
-    /// Whether the rest can be judged: the file is text, and of the version that is asked for.
-    pub(crate) is_program: bool,
-    pub(crate) diagnostics: Findings,
+#[non_exhaustive]
+pub struct Parsed {
+    /// The decoded text.
+    pub source: Source,
+    /// The statements, as far as the text could be read.
+    pub module: Module,
+    /// True if the file is text, of the version that is asked for.
+    pub is_program: bool,
+    /// The diagnostics of the parser.
+    pub diagnostics: Findings,
 }
 
-#[cfg(feature = "tools")]
 impl Parsed {
-    /// Whether it was read without errors.
-    pub(crate) fn is_well_formed(&self) -> bool {
+    /// Returns true if it was read without errors.
+    pub fn is_well_formed(&self) -> bool {
         self.is_program && !self.diagnostics.have_error(self.module.edition)
     }
 
-    /// Whether it is a program without errors.
-    pub(crate) fn loads(&self, options: &Options) -> bool {
+    /// Returns true if it is a program without errors.
+    pub fn loads(&self, options: &Options) -> bool {
         let found = self.diagnostics.clone();
         let checked = || check(&self.source, &self.module, options.robot, found);
         self.is_program && sound(&mut checked(), self.module.edition).is_some()
     }
 }
 
-/// Reads a file.
-pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
+/// Decodes and parses a file.
+pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
     let (source, undecodable) = Source::decode(name, bytes, options.encoding);
     let is_text = undecodable.is_none();
     let (module, mut diagnostics) = match undecodable {
@@ -168,6 +169,14 @@ pub(crate) fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
         is_program: is_text && !wrong_version,
         diagnostics,
     }
+}
+
+/// Checks a module for a robot and returns the diagnostics, in no order.
+pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagnostic> {
+    check(source, module, robot, Findings::default())
+        .found
+        .into_parts()
+        .0
 }
 
 /// Takes what a module is resolved to, unless there is an error in it.
@@ -215,8 +224,8 @@ fn name_encoding(diagnostics: &mut [Diagnostic], bytes: &[u8]) {
     }
 }
 
-/// Lets findings be judged by the rules of an edition.
-pub(crate) fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
+/// Judges diagnostics by the rules of an edition.
+pub fn judge(diagnostics: &mut [Diagnostic], edition: Edition) {
     for diagnostic in diagnostics {
         diagnostic.edition = edition;
     }

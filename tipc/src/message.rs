@@ -7,95 +7,48 @@
 #[macro_use]
 mod table;
 
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod allowing;
 #[cfg(feature = "build")]
 mod building;
 mod calculating;
-#[cfg(feature = "tools")]
-mod checking;
 mod commanding;
-#[cfg(feature = "tools")]
-pub mod count;
-#[cfg(feature = "tools")]
-mod debugging;
 #[cfg(feature = "robot-files")]
 mod describing;
-#[cfg(feature = "tools")]
-mod editing;
-#[cfg(feature = "tools")]
-mod fixing;
-#[cfg(feature = "tools")]
-mod formatting;
 mod habit;
-#[cfg(all(feature = "robot-files", feature = "tools"))]
-mod importing;
 mod instead;
 pub mod list;
-#[cfg(feature = "tools")]
-mod making;
-#[cfg(feature = "tools")]
-mod migrating;
 mod naming;
+mod other;
 mod parsing;
 pub mod phrase;
 mod reading;
-#[cfg(feature = "tools")]
-pub mod running;
-pub(crate) mod say;
-#[cfg(feature = "tools")]
-mod simulating;
-#[cfg(feature = "tools")]
-mod stopping;
+#[doc(hidden)]
+pub mod say;
 mod structuring;
 mod suggesting;
-#[cfg(feature = "tools")]
-mod using;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod warning;
 mod word;
 
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub use allowing::Allowing;
 #[cfg(feature = "build")]
 pub use building::Building;
 pub use calculating::Calculating;
-#[cfg(feature = "tools")]
-pub use checking::Checking;
 pub use commanding::Commanding;
-#[cfg(feature = "tools")]
-pub use debugging::Debugging;
 #[cfg(feature = "robot-files")]
 pub use describing::Describing;
-#[cfg(feature = "tools")]
-pub use editing::Editing;
-#[cfg(feature = "tools")]
-pub use fixing::Fixing;
-#[cfg(feature = "tools")]
-pub use formatting::Formatting;
 pub use habit::Habit;
-#[cfg(all(feature = "robot-files", feature = "tools"))]
-pub use importing::Importing;
 pub use instead::Instead;
-#[cfg(feature = "tools")]
-pub use making::Making;
-#[cfg(feature = "tools")]
-pub use migrating::Migrating;
 pub use naming::Naming;
+pub use other::Other;
 pub use parsing::Parsing;
 pub use reading::Reading;
-#[cfg(feature = "tools")]
-pub use running::Running;
 pub use say::{Decimal, Lang, Letter};
-#[cfg(feature = "tools")]
-pub use simulating::Simulating;
-#[cfg(feature = "tools")]
-pub use stopping::Stopping;
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
-#[cfg(feature = "tools")]
-pub use using::Using;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 pub use warning::Warning;
 pub(crate) use word::Cut;
 pub use word::Text;
@@ -112,41 +65,25 @@ tables! {
     Suggesting,
     Habit,
     Instead,
-    #[cfg(feature = "tools")]
-    Fixing,
-    #[cfg(any(feature = "build", feature = "tools"))]
+    #[cfg(feature = "build")]
     Warning,
-    #[cfg(any(feature = "build", feature = "tools"))]
+    #[cfg(feature = "build")]
     Allowing,
     #[cfg(feature = "robot-files")]
     Describing,
-    #[cfg(all(feature = "robot-files", feature = "tools"))]
-    Importing,
-    #[cfg(feature = "tools")]
-    Migrating,
-    #[cfg(feature = "tools")]
-    Formatting,
-    #[cfg(feature = "tools")]
-    Editing,
-    #[cfg(feature = "tools")]
-    Checking,
-    #[cfg(feature = "tools")]
-    Running,
-    #[cfg(feature = "tools")]
-    Using,
-    #[cfg(feature = "tools")]
-    Making,
-    #[cfg(feature = "tools")]
-    Stopping,
-    #[cfg(feature = "tools")]
-    Debugging,
-    #[cfg(feature = "tools")]
-    Simulating,
     #[cfg(feature = "build")]
     Building,
 }
 
 impl Message {
+    /// Returns the message if it is of the table `T` of another crate.
+    pub fn get<T: std::any::Any>(&self) -> Option<&T> {
+        match self {
+            Message::Other(message) => message.get(),
+            _ => None,
+        }
+    }
+
     /// Its text in a language.
     pub fn in_lang(&self, lang: Lang) -> impl Display {
         say::Said(self, lang)

@@ -9,7 +9,7 @@ mod control;
 mod declaration;
 mod equation;
 mod foreign;
-pub(crate) mod header;
+pub mod header;
 mod jump;
 mod line;
 mod message;
@@ -23,23 +23,21 @@ mod signs;
 mod statement;
 mod wide;
 
-#[cfg(any(feature = "build", feature = "tools"))]
-pub(crate) use jump::glued;
-#[cfg(feature = "tools")]
-pub(crate) use line::LONG_VOWEL;
-pub(crate) use line::narrow;
+pub use jump::glued;
+pub use line::{LONG_VOWEL, narrow};
 
-use crate::beside::{FEW, HAS_THREADS, beside};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Edition;
+#[cfg(feature = "build")]
+use crate::language::commands;
 use crate::lex::Token;
 use crate::message::Parsing;
 use crate::source::{Line, Source, Span, first_beyond};
 use crate::syntax::{Module, Statement, StatementKind, StepId};
 
 /// The most bytes that a line may have (T.I.P. 3.1 §3).
-pub(crate) const LINE_LIMIT: usize = 1023;
+pub const LINE_LIMIT: usize = 1023;
 
 /// Parses a source for version `tip_version` of the language.
 ///
@@ -49,77 +47,50 @@ pub fn parse(source: &Source, tip_version: f64) -> (Module, Findings) {
         return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
-    let keep = &mut |_: &mut Vec<Statement>| ();
-    match halves(source) {
-        None => {
-            parser.lines(Part::WHOLE, keep);
-        }
-        Some((first, second)) => {
-            let read_first = || parser.lines(first, keep);
-            let (flow, later) = beside(read_first, || {
-                let mut later = Parser::new(source, tip_version);
-                later.lines(second, &mut |_| ());
-                (later.module, later.diagnostics)
-            });
-            match flow {
-                Flow::End => {}
-                _ if parser.diagnostics.is_empty() => parser.append(later),
-                // What is wrong in the first half may say what is meant in the second one.
-                _ => {
-                    parser.lines(second, keep);
-                }
-            }
-        }
-    }
+    parser.lines(&mut |_| ());
     (parser.module, parser.diagnostics)
 }
 
-/// The halves of a long program.
-fn halves(source: &Source) -> Option<(Part, Part)> {
-    let count = source.line_count();
-    let middle = count / 2 + 1;
-    let first = Part {
-        end: middle,
-        ..Part::WHOLE
-    };
-    let second = Part {
-        first: middle,
-        ..Part::WHOLE
-    };
-    (HAS_THREADS && count as usize >= FEW).then_some((first, second))
-}
-
-/// Some lines of a program.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Part {
-    /// Its first line, from 1.
-    pub(crate) first: u32,
-    /// The line after it.
-    pub(crate) end: u32,
-}
-
-impl Part {
-    /// All of them.
-    pub(crate) const WHOLE: Part = Part {
-        first: 1,
-        end: u32::MAX,
-    };
-}
-
-/// The same of some lines, whose steps count from 0; after each of them `take` may take the statements that were read since.
-#[cfg(feature = "tools")]
-pub(crate) fn parse_part(
+/// Parses a source, and lets `take` remove the statements of each line once it is read.
+pub fn parse_taking(
     source: &Source,
     tip_version: f64,
-    part: Part,
     take: &mut dyn FnMut(&mut Vec<Statement>),
 ) -> (Module, Findings) {
     if let Err(wrong) = header::version(source, tip_version) {
         return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
-    parser.lines(part, take);
+    parser.lines(take);
     (parser.module, parser.diagnostics)
+}
+
+/// Finds the first statement after END, with the label before it. Other text may stand there: it is a note.
+#[cfg(feature = "build")]
+pub(crate) fn after_end(source: &Source, module: &Module) -> Option<Span> {
+    let end = module.statements.last()?;
+    let mut parser = Parser::new(source, module.edition.number());
+    let mut label = None;
+    for line in source.lines_from(end.line) {
+        let start = line.span.start.max(end.span.end);
+        let span = Span::new(start, line.span.end);
+        parser.line = Line { span, ..line };
+        if span.end - start > LINE_LIMIT || parser.is_in_comment() {
+            continue;
+        }
+        parser.statements_of_line();
+        for statement in std::mem::take(&mut parser.module.statements) {
+            let is_label = matches!(statement.kind, StatementKind::Label(_));
+            if !is_label && parser.is_meant(&statement) {
+                return Some(label.unwrap_or(statement.span));
+            }
+            label = is_label.then(|| label.unwrap_or(statement.span));
+        }
+        parser.module.after_end = None;
+        parser.diagnostics.clear();
+        parser.numbered = None;
+    }
+    None
 }
 
 /// What is at the end of a piece of text.
@@ -178,37 +149,22 @@ impl<'a> Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn lines(&mut self, part: Part, take: &mut dyn FnMut(&mut Vec<Statement>)) -> Flow {
-        let lines = self.source.lines_from(part.first);
-        for line in lines.take_while(|line| line.number < part.end) {
+    fn lines(&mut self, take: &mut dyn FnMut(&mut Vec<Statement>)) {
+        for line in self.source.lines() {
             self.line = line;
             self.check_length();
             if line.number > 2 && !self.is_in_comment() {
                 let flow = self.statements_of_line();
                 take(&mut self.module.statements);
                 if flow == Flow::End {
-                    return flow;
+                    return;
                 }
             }
         }
         // A comment of another language that never ends has swallowed it.
-        let goes_on = part.end <= self.source.line_count();
-        if !goes_on && self.in_comment.is_none() && !self.ends_with_number() {
+        if self.in_comment.is_none() && !self.ends_with_number() {
             self.report_missing_end();
         }
-        Flow::Continue
-    }
-
-    /// Takes the statements of the lines that follow, and what was found there.
-    fn append(&mut self, (module, diagnostics): (Module, Findings)) {
-        let steps = self.step;
-        let moved = module.statements.into_iter().map(|it| Statement {
-            step: it.step + steps,
-            ..it
-        });
-        self.module.statements.extend(moved);
-        self.module.after_end = module.after_end;
-        self.diagnostics.append(diagnostics);
     }
 
     /// Whether the line belongs to a comment of another language, `/* … */`, whose start is reported.
@@ -238,6 +194,22 @@ impl Parser<'_> {
         let place = self.trim(self.line.span, char::is_whitespace);
         let missing = Diagnostic::new(Code::NoEnd, place, Parsing::ProgramEndsHere);
         self.report(missing.help(Parsing::PutEnd));
+    }
+
+    /// Whether a statement after END, on the line that was read last, is more than the words of a note.
+    #[cfg(feature = "build")]
+    fn is_meant(&self, statement: &Statement) -> bool {
+        let span = statement.span;
+        let is_wrong = |it: &Diagnostic| {
+            it.code.kind().is_some() && span.start <= it.span.start && it.span.start <= span.end
+        };
+        let is_known = match &statement.kind {
+            StatementKind::Command { name, .. } => commands::find(&name.node).is_some(),
+            StatementKind::End => self.module.after_end.is_none(),
+            StatementKind::Rem | StatementKind::Broken(_) => false,
+            _ => true,
+        };
+        is_known && !self.diagnostics.iter().any(is_wrong)
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {

@@ -1,26 +1,24 @@
 //! Diagnostics as people and tools read them.
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "build")]
 mod classical;
 mod human;
-#[cfg(feature = "tools")]
+#[cfg(feature = "build")]
 mod json;
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
 mod short;
 mod style;
 mod wrap;
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "build")]
 pub use classical::classical;
 pub use human::human;
-#[cfg(feature = "tools")]
-pub use json::{json, json_more};
-#[cfg(feature = "tools")]
-pub(crate) use json::{push_member, push_number, push_string};
-#[cfg(any(feature = "build", feature = "tools"))]
+#[cfg(feature = "build")]
+pub use json::json;
+#[cfg(feature = "build")]
+pub use json::{push_member, push_number, push_string};
+#[cfg(feature = "build")]
 pub use short::short;
-#[cfg(feature = "tools")]
-pub use short::short_more;
 pub use style::Style;
 
 #[cfg(test)]

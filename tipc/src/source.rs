@@ -30,8 +30,7 @@ pub(crate) use guess::looks_like;
 pub use lines::{Line, Lines};
 pub use position::{Position, Unit};
 pub use span::Span;
-#[cfg(feature = "tools")]
-pub(crate) use width::byte_length;
+pub use width::byte_length;
 pub(crate) use width::first_beyond;
 
 use decode::{Decoded, MARK, decode};
@@ -145,7 +144,7 @@ impl Source {
 
     /// The bytes of the file with other texts in the place of some spans, which follow each other and do not overlap. The
     /// texts are ASCII, so they are the same in every encoding; all other bytes are those of the file.
-    pub(crate) fn changed<'a>(&self, changes: impl Iterator<Item = (Span, &'a str)>) -> Vec<u8> {
+    pub fn changed<'a>(&self, changes: impl Iterator<Item = (Span, &'a str)>) -> Vec<u8> {
         let mut out = self.mark().to_vec();
         let mut at = 0;
         for (span, new) in changes {

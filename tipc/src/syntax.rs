@@ -27,7 +27,7 @@ pub type StepId = u32;
 pub type Word = Spanned<SmolStr>;
 
 /// A piece of the source in capital letters, as it is usually written.
-pub(crate) fn upper_case(text: &str) -> SmolStr {
+pub fn upper_case(text: &str) -> SmolStr {
     match text.bytes().any(|byte| byte.is_ascii_lowercase()) {
         true => text.to_ascii_uppercase_smolstr(),
         false => text.into(),

@@ -13,7 +13,6 @@ mod unreachable;
 mod waits;
 
 use crate::analysis::Flow;
-use crate::beside::{FEW, beside};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::program::{Program, StepId};
@@ -38,25 +37,20 @@ impl Judged<'_> {
     pub(crate) fn warn(&self, found: &mut Findings) {
         let warnings = self.warnings();
         let meant = message::meant(&warnings);
+        let is_meant = |name: &String| meant.contains(name.as_str());
         let follows = |finding: &Diagnostic| {
             matches!(finding.code, Code::Unused | Code::NeverRead)
-                && finding
-                    .subject
-                    .as_ref()
-                    .is_some_and(|name| meant.contains(name.as_str()))
+                && finding.subject.as_ref().is_some_and(is_meant)
         };
-        let is_meant = message::means_any(&warnings);
-        let is_unread = |finding: &Diagnostic| is_meant && finding.code == Code::NeverRead;
+        let means_any = message::means_any(&warnings);
+        let is_unread = |finding: &Diagnostic| means_any && finding.code == Code::NeverRead;
         found.retain(|finding| !follows(finding) && !is_unread(finding));
         found.append(warnings);
     }
 
     fn warnings(&self) -> Findings {
-        let (mut found, of_flow) = match self.program.steps().len() < FEW {
-            true => (self.of_statements(), self.of_flow()),
-            false => beside(|| self.of_statements(), || self.of_flow()),
-        };
-        found.append(of_flow);
+        let mut found = self.of_statements();
+        found.append(self.of_flow());
         found
     }
 

@@ -3,7 +3,7 @@
 use crate::long::KINDS;
 use std::time::Instant;
 use tipc::Options;
-use tipc::format::format;
+use tip_lint::format::format;
 
 /// How many lines the programs have.
 const LINES: usize = 100_000;

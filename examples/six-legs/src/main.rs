@@ -1,28 +1,21 @@
 //! `cargo run --release -p six-legs`: see the README beside it.
 
-use six_legs::{SOURCE, Tripod, hexapod};
+use six_legs::{HEXAPOD, Tripod};
 use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use tip_sim::lockstep::Lockstep;
-use tip_sim::{Inputs, load};
+use tip_runtime::machine::Machine;
 use walking::exit::exit;
-use walking::race::race;
+use walking::run::run;
 
 fn main() -> ExitCode {
     exit("six-legs", walk())
 }
 
-/// Whether the robot walked as it should, alike in both engines.
+/// Returns true if the robot walked as it should.
 fn walk() -> Result<bool, Box<dyn Error>> {
-    let robot = hexapod();
-    let program = load("tripod.prg", SOURCE, &robot)?.program().clone();
-    let lockstep = Lockstep::new(program, Tripod::new(), &robot)?;
-    let inputs = Inputs {
-        cycles: Some(u64::MAX),
-        ..Inputs::default()
-    };
-    let outcome = race::<6, 3>(&lockstep, &inputs, true, &mut ())?;
+    let mut robot = Machine::simulated_on(Tripod::new(), &HEXAPOD)?;
+    let outcome = run(&mut robot, u64::MAX, true, &mut ());
     write!(io::stdout(), "{outcome}")?;
     Ok(outcome.is_good())
 }

@@ -16,13 +16,11 @@ use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
 use tip_runtime::record::WholeFile;
-use tip_sim::lockstep::Lockstep;
-use tip_sim::{Inputs, Robot, load};
+use walk::Walk;
 use walk::options::{HELP, Options};
-use walk::{SOURCE, Walk};
 use walking::exit::exit;
 use walking::outcome::whole;
-use walking::race::{Observer, race};
+use walking::run::{Observer, run};
 
 /// Time on the robot between two lines of progress: s.
 const REPORT_EVERY: f64 = 5.0;
@@ -40,7 +38,7 @@ fn main() -> ExitCode {
     } else if options.realtime {
         walk_in_real_time()
     } else {
-        walk_and_compare(&options)
+        walk(&options)
     };
     exit("walk", good)
 }
@@ -50,14 +48,8 @@ fn help() -> Result<bool, Box<dyn Error>> {
     Ok(true)
 }
 
-fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
-    let robot = Robot::named("titan8")?;
-    let program = load("walk.prg", SOURCE, &robot)?.program().clone();
-    let lockstep = Lockstep::new(program, Walk::new(), &robot)?;
-    let inputs = Inputs {
-        cycles: Some(options.cycles.unwrap_or(u64::MAX)),
-        ..Inputs::default()
-    };
+fn walk(options: &Options) -> Result<bool, Box<dyn Error>> {
+    let mut robot = Machine::simulated(Walk::new());
     let mut progress = Progress {
         due: REPORT_EVERY,
         trace: match &options.trace {
@@ -66,7 +58,8 @@ fn walk_and_compare(options: &Options) -> Result<bool, Box<dyn Error>> {
         },
         failure: None,
     };
-    let outcome = race(&lockstep, &inputs, options.trace_state, &mut progress)?;
+    let limit = options.cycles.unwrap_or(u64::MAX);
+    let outcome = run(&mut robot, limit, options.trace_state, &mut progress);
     progress.finish()?;
     write!(io::stdout(), "\n{outcome}")?;
     Ok(outcome.is_good())

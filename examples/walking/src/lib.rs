@@ -1,8 +1,8 @@
-//! What the walking examples share: a program on a simulated robot of `L` legs with `J` joints, run
-//! by the compiled program and by the reference interpreter side by side, and what became of it.
+//! Shared code of the walking examples: a compiled program on a simulated robot of `L` legs with `J` joints, and the
+//! result of its run.
 #![forbid(unsafe_code)]
 
 pub mod exit;
 pub mod gait;
 pub mod outcome;
-pub mod race;
+pub mod run;

@@ -67,7 +67,7 @@ impl Wanted {
         let robot = robot.with_scene(&scene).map_err(said)?;
         let events = self.events.parse().map_err(said)?;
         let text = self.program.text.as_deref().unwrap_or_default();
-        let loaded = tipc::load(&self.program.name, text.as_bytes(), &robot.options());
+        let loaded = tip_lint::load(&self.program.name, text.as_bytes(), &robot.options());
         Ok(Bench {
             loaded,
             robot,

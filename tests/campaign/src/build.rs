@@ -15,8 +15,6 @@ pub enum Flavour {
     Optimised,
     /// Nothing optimised, and arithmetic overflow checked.
     Debug,
-    /// As `Quick`, with the runtime's feature `std`.
-    Std,
 }
 
 impl Flavour {
@@ -26,7 +24,6 @@ impl Flavour {
             Flavour::Quick => (&["--release"], "release"),
             Flavour::Optimised => (&["--profile", "optimised"], "optimised"),
             Flavour::Debug => (&[], "debug"),
-            Flavour::Std => (&["--release", "--features", "std"], "release"),
         }
     }
 }

@@ -176,7 +176,6 @@ fn flavours(programs: u64) -> io::Result<bool> {
         Flavour::Quick,
         Flavour::Optimised,
         Flavour::Debug,
-        Flavour::Std,
     ] {
         let printed = workshop.run(&specimens, flavour, &effort)?;
         eprintln!(

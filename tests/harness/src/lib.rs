@@ -12,7 +12,7 @@ pub mod stops;
 mod verdict;
 
 pub use compare::matches;
-pub use run::run;
+pub use run::{both, run};
 pub use seek::{cases, root};
 pub use settings::Settings;
 pub use verdict::{Compiled, checked, each_use, stopped, traced};

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Import {
     /// The other module.
     pub module: Vec<String>,
-    /// The first name after the module's path.
+    /// The first name after the module's path; `self` for the module itself.
     pub name: String,
 }
 
@@ -46,16 +46,16 @@ fn import(from: &[String], path: &[String], all: &BTreeMap<Vec<String>, Module>)
             here.pop();
         }
     }
-    let mut name = names.next()?;
-    loop {
-        here.push(name.clone());
+    let mut name = "self";
+    for next in names {
+        here.push(next.clone());
         if !all.contains_key(&here) {
             here.pop();
+            name = next;
             break;
         }
-        name = names.next()?;
     }
-    let name = name.clone();
+    let name = name.to_owned();
     let is_other = all.contains_key(&here) && !from.starts_with(&here);
     is_other.then_some(Import { module: here, name })
 }

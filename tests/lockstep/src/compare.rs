@@ -4,13 +4,13 @@ use crate::native::Native;
 use crate::{Figures, Script, Subject, loaded};
 use std::convert::Infallible;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use tip_lint::listing;
+use tip_lint::spots::Place;
 use tip_runtime::record::Ending;
 use tip_runtime::special::hand::HandSpecials;
 use tip_sim::lockstep::{Answer, Compared, Divergence, Evidence, Lockstep, RunEnd, Scout};
 use tip_sim::search::{self, Diverging, Engines};
 use tip_sim::{Inputs, Plant, Robot};
-use tipc::analysis::spots::Place;
-use tipc::listing;
 
 /// A run that both engines agree about.
 #[derive(Clone, Debug, PartialEq)]

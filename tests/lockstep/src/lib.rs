@@ -36,6 +36,3 @@ fn loaded(subject: &Subject) -> (Robot, Loaded) {
     let name = format!("{seed}.prg");
     (robot, tipc::load(&name, source.as_bytes(), &options))
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,9 +1,8 @@
 //! What happens around a program while it runs.
 
-use random_programs::pick;
+use random_programs::{Random, pick};
 use tip_runtime::command::Port;
 use tip_runtime::model::Family;
-use tip_sim::search::Random;
 use tip_sim::{Event, Inputs, Plant};
 use tipc::Robot;
 

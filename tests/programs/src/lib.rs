@@ -10,15 +10,16 @@ mod equation;
 mod inputs;
 mod number;
 mod operand;
+mod random;
 mod rust;
 mod text;
 mod untidy;
 mod writer;
 
+pub use random::Random;
 pub use rust::{Tamper, rust};
 pub use untidy::untidy;
 
-use tip_sim::search::Random;
 use tipc::Robot;
 use writer::Writer;
 
@@ -68,6 +69,3 @@ pub fn program(seed: u64) -> Specimen {
 pub fn pick<T: Clone>(random: &mut Random, from: &[T]) -> T {
     random.pick(from).expect("one of several").clone()
 }
-
-#[cfg(test)]
-mod tests;

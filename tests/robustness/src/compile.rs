@@ -1,8 +1,9 @@
 //! The whole path to generated code and listings: what the emitter writes is a Rust file, the same each time.
 
-use tipc::analysis::cycles::{Sampling, json, parts};
+use tip_lint::cycles::{Sampling, json, parts};
+use tip_lint::listing;
 use tipc::emit::pretty;
-use tipc::{Options, Robot, emit, listing, load};
+use tipc::{Options, Robot, emit, load};
 
 /// Compiles the bytes for each robot.
 ///

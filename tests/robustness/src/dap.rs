@@ -4,8 +4,6 @@
 mod breakpoints;
 #[path = "../../../tools/cli/src/dap/changes.rs"]
 mod changes;
-#[path = "../../../tools/cli/src/dap/frame.rs"]
-mod frame;
 #[path = "../../../tools/cli/src/dap/message.rs"]
 mod message;
 #[path = "../../../tools/cli/src/dap/moves.rs"]
@@ -15,6 +13,7 @@ mod session;
 #[path = "../../../tools/cli/src/dap/shown.rs"]
 mod shown;
 
+use crate::framing::{self, Frame};
 use message::Launch;
 use serde_json::Value;
 use session::{Debuggee, Host, Session};
@@ -95,16 +94,16 @@ pub fn examine(bytes: &[u8]) {
         }
     }
     let mut stream = bytes;
-    while let Ok(Some(frame)) = frame::read(&mut stream) {
+    while let Ok(Some(frame)) = framing::read(&mut stream) {
         match frame {
-            frame::Frame::Message(message) => session.handle(&message),
-            frame::Frame::Broken => session.broken(),
+            Frame::Message(message) => session.handle(&message),
+            Frame::Bad(_) => session.broken(),
         }
         judge(&session.sent());
     }
     let mut whole = Vec::new();
-    let written = frame::write(&mut whole, "{}");
-    assert!(written.is_ok() && frame::read(&mut &whole[..]).is_ok());
+    let written = framing::write(&mut whole, "{}");
+    assert!(written.is_ok() && framing::read(&mut &whole[..]).is_ok());
 }
 
 fn judge(sent: &[String]) {

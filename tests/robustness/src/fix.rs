@@ -1,10 +1,11 @@
 //! Fixes: what they write loads with no new finding, a program that loads goes on to, and nothing is left to be done.
 
+use tip_lint::load;
+use tip_lint::repair::{Applied, confirm, render_json, render_short, repair};
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Applicability, Diagnostic};
 use tipc::message::{Habit, Lang, Message};
-use tipc::repair::{Applied, confirm, render_json, render_short, repair};
-use tipc::{Loaded, Options, load};
+use tipc::{Loaded, Options};
 
 /// Puts right what is certain in the bytes, then what is likely.
 ///

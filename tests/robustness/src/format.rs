@@ -1,7 +1,7 @@
 //! The formatter: a result in the style that is the same program, with every comment and all that follows it; or a reason.
 
-use tipc::format::{Refusal, format};
-use tipc::message::Formatting;
+use tip_lint::format::{Refusal, format};
+use tip_lint::message::Formatting;
 use tipc::source::{Encoding, Source};
 use tipc::{Options, Robot};
 

@@ -7,8 +7,6 @@ mod answers;
 mod client;
 #[path = "../../../tools/cli/src/lsp/findings.rs"]
 mod findings;
-#[path = "../../../tools/cli/src/lsp/frames.rs"]
-mod frames;
 #[path = "../../../tools/cli/src/lsp/open.rs"]
 mod open;
 #[path = "../../../tools/cli/src/lsp/places.rs"]
@@ -22,9 +20,9 @@ mod surroundings;
 #[path = "../../../tools/cli/src/lsp/tokens.rs"]
 mod tokens;
 
-use frames::{Frame, Frames};
+use crate::framing::{self, Frame};
 use lsp_server::{Message, RequestId};
-use server::Server;
+use server::{Server, parse};
 use std::path::Path;
 use std::rc::Rc;
 use surroundings::{Chosen, Surroundings};
@@ -81,10 +79,15 @@ pub fn examine(bytes: &[u8]) {
 
 fn serve(stream: &[u8]) {
     let mut server = Server::new(Nowhere);
-    for frame in Frames::new(stream) {
-        match frame {
-            Frame::Message(message) => answered(&mut server, *message),
-            Frame::Bad(reason) => assert!(!frames::unread(&reason).is_empty()),
+    let mut stream = stream;
+    while let Ok(Some(frame)) = framing::read(&mut stream) {
+        let message = match frame {
+            Frame::Message(bytes) => parse(&bytes),
+            Frame::Bad(reason) => Err(reason),
+        };
+        match message {
+            Ok(message) => answered(&mut server, *message),
+            Err(reason) => assert!(!reason.is_empty()),
         }
         if server.end().is_some() {
             break;

@@ -1,8 +1,8 @@
 //! Older programs: every byte given back, a result or questions, and a result that needs no second migration.
 
 use crate::lossless::given_back;
+use tip_lint::migrate::{migrate, render_human, render_json, render_short};
 use tipc::message::Lang;
-use tipc::migrate::{migrate, render_human, render_json, render_short};
 use tipc::source::{Encoding, Source};
 
 /// Migrates the bytes in each encoding.

@@ -1,11 +1,12 @@
 //! Names of files and paths, in generated code, in what is reported, and in what a build script tells Cargo.
 
+use tip_lint::migrate;
 use tip_runtime::printable::acts;
 use tipc::emit::{self, pretty};
 use tipc::message::Lang;
 use tipc::render::Style;
 use tipc::source::Encoding;
-use tipc::{Options, load, migrate, render};
+use tipc::{Options, load, render};
 
 const GOOD: &[u8] =
     b"3.1\ntitle\nDEF_VAR V\nL1: V = 1\nPTP_ANGLE J11 V\nMESSAGE %V%\nGOTO L1:\nEND\n";

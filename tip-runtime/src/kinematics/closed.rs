@@ -1,14 +1,8 @@
 //! Which solution of a closed form a leg takes, if there are several.
 
 use super::chain::Growing;
-use super::{ROUNDING, roll_pitch_pitch, yaw_pitch_pitch};
+use super::{ROUNDING, Solutions, roll_pitch_pitch, yaw_pitch_pitch};
 use crate::model::{Inverse, Joint, Point, Range};
-
-/// Joint angles of three joints (deg), the preferred ones first.
-pub(super) type Solutions = [Option<[f64; 3]>; 4];
-
-/// How near to its first axis a foot is on it, as a share of the leg's length.
-pub(super) const NEAR_AXIS: f64 = 1e-10;
 
 /// How much a joint may turn at most in one cycle where a leg passes from one branch of solutions to another:
 /// deg. Between them there are postures that it leaves out.

@@ -3,7 +3,7 @@
 //! The leg turns about the vertical until it points at the foot, or away from it; what is left is a triangle
 //! of thigh, shank and the line between their ends, with the knee above that line, or below it.
 
-use super::closed::{NEAR_AXIS, Solutions};
+use super::{NEAR_AXIS, Solutions};
 use crate::model::{Joint, Point};
 use nalgebra::Vector3;
 

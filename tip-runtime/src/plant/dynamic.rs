@@ -39,7 +39,7 @@ mod world;
 pub use servo::Drives;
 
 use super::override_sensors::{LegInputs, Overrides};
-use super::{Fall, Foot, Limbs, Motion, Noise, Plant, Pose, Travel};
+use super::{DIVERGED, Fall, Following, Foot, Limbs, Motion, Noise, Plant, Pose, Travel};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -111,6 +111,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
                 clearance: 0.0,
+                following: Following::NONE,
                 whole: Inertia::NONE,
                 legs: [LegBody::new(Leg::BLANK); L],
             },
@@ -294,12 +295,21 @@ impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
     fn write(&mut self, outputs: &Outputs<L, J>) -> Result<(), HardwareFault> {
         self.lamps = outputs.lamps;
         self.robot.period = outputs.period;
+        let before = self.robot.clone();
         self.robot_mut().obey(&outputs.joints);
-        Ok(())
+        if self.robot_mut().is_sane() {
+            return Ok(());
+        }
+        self.robot = before;
+        Err(DIVERGED)
     }
 
     fn stop(&mut self, _why: &Fault) {
+        let before = self.robot.clone();
         self.robot_mut().hold();
+        if !self.robot_mut().is_sane() {
+            self.robot = before;
+        }
     }
 }
 
@@ -327,16 +337,18 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
         self.robot.trunk.model.is_some().then(|| Motion {
             pose: self.body(),
             travel: self.travel(),
-            falls: watch.falls,
+            falls: watch.falls.count,
+            upright_falls: watch.falls.upright(),
             margin: watch.margin,
             least_margin: watch.least,
             slip: watch.slip * 1000.0,
+            following: self.robot.following,
             unmodelled: None,
         })
     }
 
     fn first_fall(&self) -> Option<Fall> {
-        self.robot.watch.first
+        self.robot.watch.falls.first
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {

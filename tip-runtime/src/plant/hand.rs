@@ -41,7 +41,7 @@ mod slider;
 mod thing;
 
 use super::override_sensors::{LegInputs, Overrides};
-use super::{Grasp, Limbs, Plant};
+use super::{DIVERGED, Grasp, Limbs, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -211,11 +211,20 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
             period,
             ..
         } = outputs;
+        let before = self.grip.clone();
         self.grip_mut().obey(joints, *slider, *period);
-        Ok(())
+        if self.grip_mut().is_sane() {
+            return Ok(());
+        }
+        self.grip = before;
+        Err(DIVERGED)
     }
 
     fn stop(&mut self, _why: &Fault) {
+        let before = self.grip.clone();
         self.grip_mut().stop();
+        if !self.grip_mut().is_sane() {
+            self.grip = before;
+        }
     }
 }

@@ -20,13 +20,13 @@
 mod body;
 mod contacts;
 mod crossing;
-mod fall;
+pub(super) mod fall;
 mod floor;
 mod ground;
 mod legs;
 mod links;
 mod obstacles;
-mod path;
+pub(super) mod path;
 pub(super) mod polygon;
 mod servo;
 mod sink;
@@ -37,12 +37,13 @@ mod unmodelled;
 
 pub use body::Pose;
 pub use fall::Fall;
+pub use path::Following;
 pub use servo::ServoDynamics;
 pub use travel::Travel;
 pub use unmodelled::Unmodelled;
 
 use super::override_sensors::{LegInputs, Overrides};
-use super::{Limbs, Motion, Plant};
+use super::{DIVERGED, Limbs, Motion, Plant, are_sane};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
@@ -188,9 +189,9 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.falls.margin
     }
 
-    /// How often the centre of mass left the support polygon.
+    /// Returns the number of falls; most of those without mass leave the body upright: it would fall.
     pub fn falls(&self) -> u32 {
-        self.ground.falls.count
+        self.ground.falls.falls.count
     }
 
     /// The least that the margin has been so far: mm.
@@ -203,6 +204,11 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self.ground.doubts.counted
     }
 
+    /// Returns what joints and feet could not follow.
+    pub fn following(&self) -> Following {
+        self.ground.doubts.following
+    }
+
     /// How far the body has come from where it began.
     pub fn travel(&self) -> Travel {
         self.ground
@@ -212,7 +218,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// The first of these falls.
     pub fn first_fall(&self) -> Option<Fall> {
-        self.ground.falls.first
+        self.ground.falls.falls.first
     }
 
     /// Joint angles as they are, whatever the sensors say: deg.
@@ -258,7 +264,10 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
         let legs: &mut Legs<[LegPlant<J>]> = &mut self.legs;
         legs.advance(&outputs.joints, outputs.period, &mut self.ground);
         self.ground.cycle += 1;
-        Ok(())
+        match are_sane(self.body().position.into_iter()) {
+            true => Ok(()),
+            false => Err(DIVERGED),
+        }
     }
 
     fn stop(&mut self, _why: &Fault) {
@@ -279,15 +288,17 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             pose: self.body(),
             travel: self.travel(),
             falls: self.falls(),
+            upright_falls: self.ground.falls.falls.upright(),
             margin: self.margin(),
             least_margin: self.least_margin(),
             slip: self.worst_slip(),
+            following: self.following(),
             unmodelled: Some(self.unmodelled()),
         })
     }
 
     fn first_fall(&self) -> Option<Fall> {
-        self.ground.falls.first
+        self.first_fall()
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {

@@ -1,6 +1,6 @@
 //! What a simulated robot did in a cycle, as the trace shows it.
 
-use crate::plant::{Motion, Pose, Unmodelled};
+use crate::plant::{Motion, Pose};
 use core::fmt::{self, Write};
 
 /// What a simulated robot did in a cycle. Joints come leg by leg.
@@ -19,8 +19,8 @@ pub struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    /// The keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`, `slides`,
-    /// `crossings`, `hurries` and `strays` once they are above 0.
+    /// Writes the keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`,
+    /// `slides`, `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
         if let Some(pose) = &self.pose {
             let [x, y, z] = pose.position;
@@ -42,37 +42,77 @@ impl Moved<'_> {
             numbers(out, self.loads)?;
         }
         if let Some(Motion { margin, falls, .. }) = &self.motion {
-            write!(out, r#","margin":{margin:?},"falls":{falls}"#)?;
+            write!(out, r#","margin":{},"falls":{falls}"#, Number(*margin))?;
         }
-        match self.motion.and_then(|motion| motion.unmodelled) {
-            Some(unmodelled) => counts(out, &unmodelled),
-            None => Ok(()),
+        let Some(Motion {
+            following,
+            unmodelled,
+            ..
+        }) = self.motion
+        else {
+            return Ok(());
+        };
+        if let Some(unmodelled) = unmodelled {
+            write!(out, r#","zmp":{}"#, Number(unmodelled.zmp_margin))?;
+            counts(
+                out,
+                [
+                    ("tips", unmodelled.tips),
+                    ("slides", unmodelled.slides),
+                    ("crossings", unmodelled.crossings),
+                ],
+            )?;
         }
+        counts(
+            out,
+            [("hurries", following.hurries), ("strays", following.strays)],
+        )
     }
 }
 
-/// What was left out so far.
-fn counts(out: &mut impl Write, unmodelled: &Unmodelled) -> fmt::Result {
-    write!(out, r#","zmp":{:?}"#, unmodelled.zmp_margin)?;
-    let counts = [
-        ("tips", unmodelled.tips),
-        ("slides", unmodelled.slides),
-        ("crossings", unmodelled.crossings),
-        ("hurries", unmodelled.hurries),
-        ("strays", unmodelled.strays),
-    ];
+/// The counts that are above 0.
+fn counts<const N: usize>(out: &mut impl Write, counts: [(&str, u32); N]) -> fmt::Result {
     for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
         write!(out, r#","{key}":{count}"#)?;
     }
     Ok(())
 }
 
-/// An array in the shortest form that reads back to the same bits.
+/// A number of JSON in the shortest form that reads back to the same bits; JSON has no infinity, which is `null`.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_finite() {
+            write!(f, "{:?}", self.0)
+        } else {
+            f.write_str("null")
+        }
+    }
+}
+
+/// An array.
 fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
     let mut opening = '[';
     for value in values {
-        write!(out, "{opening}{value:?}")?;
+        write!(out, "{opening}{}", Number(*value))?;
         opening = ',';
     }
     out.write_char(']')
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use std::string::String;
+
+    #[test]
+    fn numbers_that_json_lacks_are_null() {
+        let mut out = String::new();
+        let all = [1.5, f64::NAN, -0.0, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+        assert_eq!(numbers(&mut out, &all), Ok(()));
+        assert_eq!(out, "[1.5,null,-0.0,null,null,1e300]");
+    }
 }

@@ -1,23 +1,32 @@
 //! Files that appear complete or not at all.
 #![allow(clippy::disallowed_methods, reason = "this is for writing files")]
 
-use std::fs::{self, File, Permissions};
-use std::io::{self, Write};
+use std::fs::{self, File, Metadata, Permissions};
+use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 /// A file that takes its place when [`commit`](Self::commit) says so; until then the earlier one stays as it was.
 ///
-/// It is written next to its place, as `.tip-RANDOM.part`, and then renamed; it is nobody's file before, and gets the mode
-/// of the file that it replaces. Dropped without `commit` it leaves nothing. A device or a pipe has no content to lose and
-/// is written straight.
+/// It is written next to its place, as `.tip-RANDOM.part`, and then renamed; it gets owner and permissions of the file that
+/// it replaces, without set-user-ID and set-group-ID. What a link leads to is replaced, not the link, unless there is nothing. Dropped without `commit`
+/// it leaves nothing. A device or a pipe has no content to lose and is written straight.
+///
+/// A file with several names (hard links), or with an owner that a new file cannot have, keeps them: once all of it is in the
+/// part, the content is copied into the file. Only a crash in this last step can leave the file incomplete, with the part
+/// beside it.
 #[derive(Debug)]
 pub struct WholeFile(Target);
 
 #[derive(Debug)]
 enum Target {
     Straight(File),
-    Part { file: NamedTempFile, place: PathBuf },
+    Part {
+        file: NamedTempFile,
+        place: PathBuf,
+        /// The file that takes the content, if it is not replaced.
+        kept: Option<File>,
+    },
 }
 
 impl WholeFile {
@@ -32,15 +41,15 @@ impl WholeFile {
             Ok(found) if found.permissions().readonly() => {
                 Err(io::ErrorKind::PermissionDenied.into())
             }
-            // What a link leads to is replaced, not the link.
-            Ok(found) => Self::beside(fs::canonicalize(path)?, Some(found.permissions())),
+            Ok(found) => Self::beside(fs::canonicalize(path)?, Some(&found)),
             // Under the name of a part it could be written, and never take its place.
             Err(error) if is_no_name(&error) => Err(error),
+            // A link that leads nowhere is replaced itself.
             Err(_) => Self::beside(path.to_path_buf(), None),
         }
     }
 
-    fn beside(place: PathBuf, mode: Option<Permissions>) -> io::Result<Self> {
+    fn beside(place: PathBuf, replaced: Option<&Metadata>) -> io::Result<Self> {
         place.file_name().ok_or(io::ErrorKind::InvalidInput)?;
         let folder = match place.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -51,10 +60,12 @@ impl WholeFile {
         let mut builder = Builder::new();
         builder.prefix(".tip-").suffix(".part");
         let file = usual_mode(&mut builder).tempfile_in(folder)?;
-        if let Some(mode) = mode {
-            file.as_file().set_permissions(mode)?;
-        }
-        Ok(WholeFile(Target::Part { file, place }))
+        let takes_place = replaced.is_none_or(|replaced| adopt(file.as_file(), replaced));
+        let kept = match takes_place {
+            true => None,
+            false => Some(File::options().write(true).open(&place)?),
+        };
+        Ok(WholeFile(Target::Part { file, place, kept }))
     }
 
     /// Where it is written, if it is not written straight: what a process leaves that is ended at once.
@@ -70,12 +81,74 @@ impl WholeFile {
     /// # Errors
     /// The disk did not take all of it; the earlier file stays.
     pub fn commit(self) -> io::Result<()> {
-        if let Target::Part { file, place } = self.0 {
+        if let Target::Part { file, place, kept } = self.0 {
             file.as_file().sync_all()?;
-            file.persist(place)?;
+            match kept {
+                None => file.persist(place).map(drop)?,
+                Some(kept) => copy(file, kept)?,
+            }
         }
         Ok(())
     }
+}
+
+/// The permissions that a file keeps with another content: those to read, write and execute.
+#[cfg(unix)]
+const KEPT: u32 = 0o777;
+
+/// Gives a part owner and permissions of the file that it is to replace. Returns false if it cannot replace it: the file has
+/// other names, which would keep the earlier content, or an owner that the part cannot have.
+#[cfg(unix)]
+fn adopt(part: &File, replaced: &Metadata) -> bool {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+    let owner = |found: &Metadata| (found.uid(), found.gid());
+    let is_own = part
+        .metadata()
+        .is_ok_and(|it| owner(&it) == owner(replaced));
+    let is_owned = is_own || fchown(part, Some(replaced.uid()), Some(replaced.gid())).is_ok();
+    let mode = Permissions::from_mode(replaced.mode() & KEPT);
+    is_owned && part.set_permissions(mode).is_ok() && replaced.nlink() == 1
+}
+
+#[cfg(not(unix))]
+fn adopt(part: &File, replaced: &Metadata) -> bool {
+    part.set_permissions(replaced.permissions()).is_ok()
+}
+
+/// Copies a part into the file that is kept; where the system can say so, not before there is room for all of it.
+fn copy(mut part: NamedTempFile, mut kept: File) -> io::Result<()> {
+    reserve(&kept, part.as_file().metadata()?.len())?;
+    part.rewind()?;
+    let length = io::copy(&mut part, &mut kept)?;
+    kept.set_len(length)?;
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, PermissionsExt};
+        let mode = kept.metadata()?.mode();
+        if mode & 0o6000 != 0 {
+            kept.set_permissions(Permissions::from_mode(mode & KEPT))?;
+        }
+    }
+    kept.sync_all()
+}
+
+#[cfg(target_os = "linux")]
+fn reserve(file: &File, length: u64) -> io::Result<()> {
+    use rustix::fs::{FallocateFlags, fallocate};
+    use rustix::io::Errno;
+    if length == 0 {
+        return Ok(());
+    }
+    match fallocate(file, FallocateFlags::KEEP_SIZE, 0, length) {
+        Err(error @ (Errno::NOSPC | Errno::DQUOT | Errno::FBIG)) => Err(error.into()),
+        // Not every file system can.
+        _ => Ok(()),
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn reserve(_: &File, _: u64) -> io::Result<()> {
+    Ok(())
 }
 
 /// Too long, or with a NUL in it.

@@ -7,7 +7,7 @@ use crate::program::{
 use std::ops::Range;
 
 /// Names the scalars that a step reads, in the order of reading; one may come twice.
-pub(super) fn reads(program: &Program, action: &Action, found: impl FnMut(usize)) {
+pub fn reads(program: &Program, action: &Action, found: impl FnMut(usize)) {
     Reads { program, found }.action(action);
 }
 

@@ -5,8 +5,8 @@
 //! that goes on has a value there. A call continues only with what some path through the
 //! subroutine leaves: calls and returns match, at any depth. A scalar that each basic block
 //! assigns before it reads it needs no data flow; up to 63 others are a machine word for each block.
-//! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, the memory
-//! O(steps + scalars).
+//! The time is O(steps + blocks · such scalars / 63) times the nesting of loops, up to a bound on the
+//! product; the memory O(steps + scalars).
 
 mod batch;
 mod blocks;
@@ -24,6 +24,12 @@ use crate::program::{Program, StepId};
 use batch::{Batch, Found};
 use blocks::Blocks;
 use touches::{Sorted, Touches};
+
+/// For how many batches of scalars every program is followed.
+const LEAST: usize = 16;
+
+/// How many batches times blocks longer programs are followed for. Reads of the scalars that are left are not judged.
+const WORK: usize = 1_000_000;
 
 /// Whether a read finds a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,7 +60,7 @@ pub struct Assignment {
 }
 
 impl Assignment {
-    /// Judges every read of a program.
+    /// Judges the reads of a program.
     pub fn of(program: &Program) -> Self {
         Assignment::along(program, &Flow::of(program))
     }
@@ -66,7 +72,8 @@ impl Assignment {
         let step = |node: NodeId| flow.nodes()[node].step;
         let mut reads = Vec::new();
         let mut is_reached = Vec::new();
-        for Sorted { scalars, touches } in &batches {
+        let few = LEAST.max(WORK / blocks.all().len().max(1));
+        for Sorted { scalars, touches } in batches.iter().take(few) {
             let (found, reached) = Batch::new(&blocks, touches).found();
             for read in found {
                 judge(read, step(read.node), scalars, &mut reads);
@@ -88,7 +95,8 @@ impl Assignment {
         Assignment { reads }
     }
 
-    /// Every read, by step, then by scalar; a scalar that a step reads twice is one.
+    /// The reads, by step, then by scalar; a scalar that a step reads twice is one. Some are left out of a long program in
+    /// which blocks read thousands of scalars that others assign.
     pub fn reads(&self) -> &[Read] {
         &self.reads
     }

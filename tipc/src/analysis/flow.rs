@@ -7,11 +7,11 @@ use crate::program::{Action, Condition, Operand, Program, Relation, StepId};
 use std::ops::Deref;
 
 /// The place of a node in its flow. Nodes come in the order of their steps.
-pub(super) type NodeId = usize;
+pub type NodeId = usize;
 
 /// What a cycle may run next without a call or return: two nodes at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Next {
+pub struct Next {
     nodes: [NodeId; 2],
     count: usize,
 }
@@ -37,37 +37,37 @@ impl FromIterator<NodeId> for Next {
 
 /// A step, as it is reached.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Node {
+pub struct Node {
     /// The step.
-    pub(super) step: StepId,
+    pub step: StepId,
     /// An ELSEIF or ELSE that is reached from the branch above it: passed, its condition is not read.
-    pub(super) is_passed: bool,
+    pub is_passed: bool,
     /// What the next cycle may run without a call or return.
-    pub(super) next: Next,
+    pub next: Next,
     /// The call that it may make.
-    pub(super) call: Option<Call>,
+    pub call: Option<Call>,
     /// RETURN or SUBEND.
-    pub(super) returns: bool,
+    pub returns: bool,
 }
 
 /// A call of a subroutine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Call {
+pub struct Call {
     /// Where the subroutine begins.
-    pub(super) entry: NodeId,
+    pub entry: NodeId,
     /// Where it comes back.
-    pub(super) back: NodeId,
+    pub back: NodeId,
 }
 
 /// The flow of a program. Its run begins at node 0.
 #[derive(Clone, Debug)]
-pub(crate) struct Flow {
+pub struct Flow {
     nodes: Vec<Node>,
 }
 
 impl Flow {
     /// The flow of a program. Takes time and memory linear in its length.
-    pub(crate) fn of(program: &Program) -> Self {
+    pub fn of(program: &Program) -> Self {
         let ways = Ways::new(program);
         let mut nodes = Vec::new();
         for (step, content) in (0..).zip(program.steps()) {
@@ -86,35 +86,31 @@ impl Flow {
     }
 
     /// The nodes in the order of their steps.
-    pub(super) fn nodes(&self) -> &[Node] {
+    pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 }
 
-/// What warnings ask beyond.
-#[cfg(any(feature = "build", feature = "tools"))]
 impl Flow {
     /// The first node of a step; the number of nodes for one past the last.
-    pub(super) fn first(&self, step: StepId) -> NodeId {
+    pub fn first(&self, step: StepId) -> NodeId {
         self.nodes.partition_point(|node| node.step < step)
     }
 
     /// The last node of a step: what a false IF or ELSEIF leads to.
-    pub(super) fn last(&self, step: StepId) -> NodeId {
+    pub fn last(&self, step: StepId) -> NodeId {
         self.first(step + 1).saturating_sub(1)
     }
 }
 
-/// What counting cycles asks beyond.
-#[cfg(feature = "tools")]
 impl Flow {
     /// Every call.
-    pub(super) fn calls(&self) -> impl Iterator<Item = Call> {
+    pub fn calls(&self) -> impl Iterator<Item = Call> {
         self.nodes.iter().filter_map(|node| node.call)
     }
 
     /// For each node, those whose `next` or `call` name it.
-    pub(super) fn before(&self) -> Vec<Vec<NodeId>> {
+    pub fn before(&self) -> Vec<Vec<NodeId>> {
         let mut before = vec![Vec::new(); self.nodes.len()];
         for (id, node) in self.nodes.iter().enumerate() {
             let called = node.call.iter().flat_map(|call| [call.entry, call.back]);
@@ -246,7 +242,7 @@ fn chosen(always: Option<bool>, yes: Option<NodeId>, no: Option<NodeId>) -> [Opt
 }
 
 /// What a condition always is, if that is known: two constants compared.
-pub(crate) fn always(condition: Condition) -> Option<bool> {
+pub fn always(condition: Condition) -> Option<bool> {
     match condition {
         Condition::Compare {
             left: Operand::Constant(left),
@@ -265,7 +261,7 @@ pub(crate) fn always(condition: Condition) -> Option<bool> {
 }
 
 /// What is known of FOR's first test.
-pub(crate) enum Entry {
+pub enum Entry {
     /// A step of zero: the program stops.
     Fails,
     /// Its outcome.
@@ -275,7 +271,7 @@ pub(crate) enum Entry {
 }
 
 /// What FOR's first test comes to.
-pub(crate) fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
+pub fn enters(from: Operand, to: Operand, step: Operand) -> Entry {
     match (from, to, step) {
         (_, _, Operand::Constant(0.0)) => Entry::Fails,
         (Operand::Constant(from), Operand::Constant(to), Operand::Constant(step)) => {

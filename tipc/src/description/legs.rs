@@ -2,7 +2,7 @@
 
 use super::Leg;
 use super::keys::Part;
-use super::section::{Found, Section, Sign, fault};
+use super::section::{Found, SMALLEST, Section, Sign, fault};
 use super::shape::{self, Shape};
 use super::spread;
 use super::turn::sin_cos;
@@ -147,7 +147,10 @@ fn axis(section: Section<'_>, found: &mut Found) -> Option<[f64; 3]> {
 impl Leg {
     /// Whether its foot cannot be anywhere but at its base.
     fn is_point(&self) -> bool {
-        self.joints.iter().all(|joint| joint.link == [0.0; 3])
+        self.joints.iter().all(|joint| {
+            let squares = joint.link.map(|part| part * part);
+            squares.iter().sum::<f64>().sqrt() < SMALLEST
+        })
     }
 }
 

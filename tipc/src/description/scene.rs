@@ -57,8 +57,7 @@ fn read(top: Section<'_>, found: &mut Found) -> Scene {
 }
 
 fn block(section: Section<'_>, found: &mut Found) -> Option<Block> {
-    let x = section.range("x", Sign::Any, found);
-    let y = section.range("y", Sign::Any, found);
+    let [x, y] = ["x", "y"].map(|key| section.extent(key, found));
     let height = section.number("height", Sign::Any, found);
     let ends = |range: Range| [range.min, range.max];
     Some(Block {
@@ -89,11 +88,11 @@ fn object(section: Section<'_>, found: &mut Found) -> Option<Object> {
 fn shape(section: Section<'_>, found: &mut Found) -> Option<Shape> {
     match (section.has("size"), section.has("radius")) {
         (true, false) => {
-            let [width, height] = section.numbers("size", Sign::Positive, found)?;
+            let [width, height] = section.numbers("size", Sign::Size, found)?;
             Some(Shape::Box { width, height })
         }
         (false, true) => {
-            let radius = section.number("radius", Sign::Positive, found)?;
+            let radius = section.number("radius", Sign::Size, found)?;
             Some(Shape::Disc { radius })
         }
         (both, _) => {

@@ -13,6 +13,8 @@ use toml::de::{DeTable, DeValue};
 
 /// No measure of a robot is larger, in mm, deg or any other unit: arithmetic stays far from infinity.
 const LARGEST: f64 = 1e6;
+/// No size is smaller: programs that read exported robots take it for nothing.
+pub(super) const SMALLEST: f64 = 1e-6;
 
 /// What a number must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +22,8 @@ pub(super) enum Sign {
     Any,
     NotNegative,
     Positive,
+    /// A length, in mm.
+    Size,
 }
 
 /// A table with its place.
@@ -177,6 +181,16 @@ impl<'a> Section<'a> {
         self.refuse(key, self.place_of(key), reason, found)
     }
 
+    /// `[min, max]` of what has a size.
+    pub(super) fn extent(self, key: &str, found: &mut Found) -> Option<tip_runtime::model::Range> {
+        let range = self.range(key, Sign::Any, found)?;
+        if range.max - range.min >= SMALLEST {
+            return Some(range);
+        }
+        let reason = Describing::Flat { least: SMALLEST };
+        self.refuse(key, self.place_of(key), reason, found)
+    }
+
     /// Text with its place.
     pub(super) fn text(self, key: &str, found: &mut Found) -> Option<(Span, &'a str)> {
         let (place, value) = self.value(key)?;
@@ -288,7 +302,9 @@ impl<'a> Section<'a> {
         let wrong = match sign {
             Sign::Any => None,
             Sign::NotNegative => (number < 0.0).then_some(Describing::NotBelowZero),
-            Sign::Positive => (number <= 0.0).then_some(Describing::AboveZero),
+            Sign::Positive | Sign::Size if number <= 0.0 => Some(Describing::AboveZero),
+            Sign::Size if number < SMALLEST => Some(Describing::TooSmall { least: SMALLEST }),
+            Sign::Positive | Sign::Size => None,
         };
         match wrong {
             None => Some(number),

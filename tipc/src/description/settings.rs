@@ -74,9 +74,7 @@ pub(super) fn lamps(robot: Section<'_>, found: &mut Found) -> u8 {
 /// The body and its shapes, if the robot walks.
 pub(super) fn body(robot: Section<'_>, found: &mut Found) -> Option<(Body, Vec<Shape>)> {
     let section = robot.table("body", Part::Body, found)?;
-    let x = section.range("x", Sign::Any, found);
-    let y = section.range("y", Sign::Any, found);
-    let z = section.range("z", Sign::Any, found);
+    let [x, y, z] = ["x", "y", "z"].map(|key| section.extent(key, found));
     let mass = section.number("mass", Sign::Positive, found);
     let mass = mass.unwrap_or(1.0);
     let point = Range::new(0.0, 0.0);

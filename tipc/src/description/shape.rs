@@ -90,15 +90,15 @@ fn form(section: Section<'_>, found: &mut Found) -> Option<Form> {
     let given = ["block", "cylinder", "sphere"].map(|key| section.has(key));
     match given {
         [true, false, false] => {
-            let sides = section.numbers("block", Sign::Positive, found)?;
+            let sides = section.numbers("block", Sign::Size, found)?;
             Some(Form::Block(sides))
         }
         [false, true, false] => {
-            let [radius, length] = section.numbers("cylinder", Sign::Positive, found)?;
+            let [radius, length] = section.numbers("cylinder", Sign::Size, found)?;
             Some(Form::Cylinder { radius, length })
         }
         [false, false, true] => {
-            let radius = section.number("sphere", Sign::Positive, found)?;
+            let radius = section.number("sphere", Sign::Size, found)?;
             Some(Form::Sphere { radius })
         }
         _ => {

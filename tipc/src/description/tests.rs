@@ -158,7 +158,7 @@ fn what_a_centre_or_an_inertia_leaves_out_is_that_of_a_rod_or_a_box() {
     let middle = spread("", "inertia = [1e-3, 1e-3, 1e-3, 0, 0, 0]");
     assert_eq!(middle.centre, [0.0, 0.0, -30.0]);
     let text = format!(
-        "{}[body]\nx = [-30, 30]\ny = [-60, 60]\nz = [0, 0]\nmass = 1\ncentre = [5, 0, 1]",
+        "{}[body]\nx = [-30, 30]\ny = [-60, 60]\nz = [0, 0.000001]\nmass = 1\ncentre = [5, 0, 1]",
         one_leg("{ axis = \"x\", link = [0, 0, -60] }")
     );
     let model: Model<1, 1> = good(&text).model().unwrap();

@@ -37,7 +37,7 @@ impl Findings {
     }
 
     /// Whether there is an error by the rules of an edition, kept or not.
-    pub(crate) fn have_error(&self, edition: Edition) -> bool {
+    pub fn have_error(&self, edition: Edition) -> bool {
         let is_error = |code: Code| code.level(edition) == Level::Error;
         self.kept.iter().any(|it| is_error(it.code))
             || self.omitted.codes().any(|(code, _)| is_error(code))

@@ -37,7 +37,7 @@ const SAME: &[(&str, &str)] = &[
 const PARTS: usize = 6;
 
 /// The one command that says the same as this word.
-pub(crate) fn command(word: &str) -> Option<&'static str> {
+pub fn command(word: &str) -> Option<&'static str> {
     /// The commands with the same parts.
     static NAMES: LazyLock<HashMap<Vec<&str>, Vec<&str>>> = LazyLock::new(|| {
         let mut names: HashMap<_, Vec<_>> = HashMap::new();

@@ -4,7 +4,7 @@ use crate::language::reserved::POSITION;
 use tip_runtime::command::Flag;
 
 /// The flag that another language asks a function for, and whether it is negated: `!kbhit()`.
-pub(crate) fn flag(text: &str) -> Option<(&'static str, bool)> {
+pub fn flag(text: &str) -> Option<(&'static str, bool)> {
     const KEYS: &str = "KBHIT _KBHIT KEYPRESSED KEY_PRESSED KEYHIT KEY_HIT";
     let (text, is_negated) = match text.strip_prefix('!') {
         Some(rest) => (rest.trim(), true),
@@ -16,25 +16,25 @@ pub(crate) fn flag(text: &str) -> Option<(&'static str, bool)> {
 }
 
 /// Whether a function tells the time.
-pub(crate) fn tells_time(name: &str) -> bool {
+pub fn tells_time(name: &str) -> bool {
     const NAMES: &str = "MILLIS MICROS TIME CLOCK TIC TOC NOW TIMER GETTICKCOUNT TICKS";
     NAMES.split(' ').any(|one| one.eq_ignore_ascii_case(name))
 }
 
 /// `G0`, `M30`
-pub(crate) fn is_g_code(word: &str) -> bool {
+pub fn is_g_code(word: &str) -> bool {
     let rest = word.strip_prefix(['G', 'g', 'M', 'm']).unwrap_or_default();
     !rest.is_empty() && rest.bytes().all(|it| it.is_ascii_digit())
 }
 
 /// Whether a word names a speed; one command sets it for all the motions after it.
-pub(crate) fn is_speed(word: &str) -> bool {
+pub fn is_speed(word: &str) -> bool {
     const SPEEDS: &str = "V F VEL VELOCITY SPEED FEED";
     SPEEDS.split(' ').any(|one| one.eq_ignore_ascii_case(word))
 }
 
 /// `X100`: the number after the name of an axis. A shorter one is rather the end of a name, as in `X1`.
-pub(crate) fn axis_value(word: &str) -> Option<&str> {
+pub fn axis_value(word: &str) -> Option<&str> {
     let value = POSITION.iter().find_map(|axis| word.strip_prefix(axis))?;
     let is_number = value.bytes().all(|it| it.is_ascii_digit() || it == b'.');
     (value.len() > 1 && is_number && value.parse::<f64>().is_ok()).then_some(value)

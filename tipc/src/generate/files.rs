@@ -9,7 +9,7 @@ use crate::message::Building;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
-use std::{env, fs, io};
+use std::{env, fs};
 
 /// What this build script generated so far: each file, and from what.
 static GENERATED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
@@ -21,10 +21,6 @@ pub(super) fn out_dir(chosen: Option<&Path>) -> Result<PathBuf, BuildError> {
         (None, Some(folder)) => Ok(folder.into()),
         (None, None) => Err(BuildError::setting(Building::NoOutDir)),
     }
-}
-
-pub(super) fn read(path: &Path) -> io::Result<Vec<u8>> {
-    fs::read(path)
 }
 
 /// Refuses a file that another input of this build script is generated to already: it would be overwritten.

@@ -204,3 +204,26 @@ fn settings_that_make_no_sense_are_refused() {
         assert!(generate(config, &folder, names).0.is_err(), "{config:?}");
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn only_regular_files_within_the_limit_are_read() {
+    let folder = folder("hostile", &[]);
+    std::os::unix::fs::symlink("/dev/zero", folder.join("device.prg")).unwrap();
+    let made = std::process::Command::new("mkfifo")
+        .arg(folder.join("pipe.prg"))
+        .status();
+    assert!(made.unwrap().success());
+    let large = fs::File::create(folder.join("large.prg")).unwrap();
+    large.set_len((16 << 20) + 1).unwrap();
+    for (name, reason) in [
+        ("device.prg", "a device, a pipe or a socket"),
+        ("pipe.prg", "a device, a pipe or a socket"),
+        ("large.prg", "larger than 16 MiB"),
+        ("gone.prg", "there is no such file"),
+    ] {
+        let (outcome, _) = generate(&Config::new(), &folder, &[name]);
+        let error = outcome.unwrap_err();
+        assert!(error.contains(reason), "{name}: {error}");
+    }
+}

@@ -6,7 +6,9 @@ use crate::analysis::Flow;
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::{Habit, Reading};
-use crate::source::{Encoding, Span, looks_like};
+use crate::parse;
+use crate::source::{Encoding, Source, Span, looks_like};
+use crate::syntax::Module;
 use crate::warn::Judged;
 
 /// Adds what an analysis of the program warns of, and leaves out what its comments silence.
@@ -28,7 +30,8 @@ pub(super) fn find(
         judged.warn(&mut found);
         let encoding = other_encoding(loaded, bytes, options);
         let title = title::warn(loaded, options);
-        found.extend(encoding.into_iter().chain(title));
+        let after_end = after_end(&loaded.source, &loaded.module);
+        found.extend(encoding.into_iter().chain(title).chain(after_end));
     }
     let mut allows = Allows::of(&loaded.source, &loaded.module);
     allows.silence(&loaded.source, &mut found);
@@ -51,6 +54,18 @@ impl Loaded {
         self.diagnostics = diagnostics;
         self.omitted.append(omitted);
     }
+}
+
+/// Warns of the first statement after END.
+fn after_end(source: &Source, module: &Module) -> Option<Diagnostic> {
+    let place = parse::after_end(source, module)?;
+    let finding = Diagnostic::new(Code::AfterEnd, place, Habit::StandsAfterEnd);
+    let end = module.statements.last()?;
+    Some(
+        finding
+            .label(end.span, Habit::EndsTheText)
+            .help(Habit::MoveEndOrComment),
+    )
 }
 
 /// Warns of a file that can be read, but not as what was written: in EUC-JP, say.

@@ -51,6 +51,12 @@ messages! {
     NotBelowZero
         "it cannot be below 0",
         "負の値は使えません";
+    TooSmall { least: f64 }
+        "no size is below {least} mm",
+        "寸法は{least} mm以上です";
+    Flat { least: f64 }
+        "the first number and the second are less than {least} mm apart: what is there has a size, measure it",
+        "1つ目と2つ目の数の差が{least} mm未満です。大きさのあるものなので、実測してください";
     AboveZero
         "it must be above 0",
         "0より大きい値が必要です";

@@ -185,6 +185,9 @@ messages! {
     AfterEnd
         "END ends the text of the program: move it below the last SUBROUTINE, and write EXIT here",
         "ENDより後は読まれません。ENDは最後のSUBROUTINEの後に移し、ここはEXITにしてください";
+    MoveEndOrComment
+        "to run it, move END below it; write notes as comments, `// …`",
+        "実行するなら、ENDをこの文より下に移してください。メモなら `// …` のようにコメントにしてください";
     EndsTheText
         "the text of the program ends here",
         "プログラムはここで終わりです";

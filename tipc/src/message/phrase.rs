@@ -69,55 +69,6 @@ messages! {
 }
 
 messages! {
-    /// A place in a file: line and column, from 1.
-    Place;
-
-    At { line: u32, column: u32 } "line {line}, column {column}", "{line}行{column}列";
-}
-
-messages! {
-    /// A kind of joint that URDF knows and no leg has.
-    JointKind;
-
-    Fixed "fixed", "固定(fixed)";
-    Prismatic "prismatic", "直動(prismatic)";
-    Floating "floating", "浮遊(floating)";
-    Planar "planar", "平面(planar)";
-    Spherical "spherical", "球(spherical)";
-}
-
-counted! {
-    /// So many changes of a program.
-    Changes: "1 change", "変更1か所"; "{count} changes", "変更{count}か所";
-}
-
-counted! {
-    /// So many questions about a program.
-    Questions: "1 question", "質問1件"; "{count} questions", "質問{count}件";
-}
-
-counted! {
-    /// So many findings.
-    Findings: "1 finding", "1件"; "{count} findings", "{count}件";
-}
-
-messages! {
-    /// The robots that a migrated program loads for.
-    Loads;
-
-    ForNone "loads for no robot yet; `tipc check` on the new program says why", "まだどのロボットでも読み込めません。新しいプログラムを`tipc check`にかけると理由が分かります";
-    For { robots: List } "loads for {robots}", "{robots}で読み込めます";
-}
-
-messages! {
-    /// Why a declaration is put in.
-    Declared;
-
-    OneType ": variables are declared since 3.0, AGL and TRQ as one type", "(3.0から変数は宣言が必要です。AGLとTRQは一つの型になりました)";
-    Plainly ": variables are declared since 3.0", "(3.0から変数は宣言が必要です)";
-}
-
-messages! {
     /// What an operand is.
     Type;
 

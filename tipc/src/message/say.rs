@@ -38,13 +38,13 @@ impl Lang {
 }
 
 /// What a message is made of: each table of messages, and each argument.
-pub(crate) trait Say {
+pub trait Say {
     /// Writes it in a language.
     fn say(&self, lang: Lang, f: &mut Formatter<'_>) -> fmt::Result;
 }
 
 /// Something as it is said in a language.
-pub(crate) struct Said<'a, T: ?Sized>(pub(crate) &'a T, pub(crate) Lang);
+pub struct Said<'a, T: ?Sized>(pub &'a T, pub Lang);
 
 impl<T: Say + ?Sized> Display for Said<'_, T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -105,7 +105,7 @@ impl Say for Letter {
 }
 
 /// Writes a text, with the argument that a hole names in place of each hole.
-pub(crate) fn fill(
+pub fn fill(
     f: &mut Formatter<'_>,
     lang: Lang,
     text: &str,
@@ -125,7 +125,7 @@ pub(crate) fn fill(
 }
 
 /// Whether every hole of a text names an argument, and every argument has a hole.
-pub(crate) const fn fits(text: &str, arguments: &[&str]) -> bool {
+pub const fn fits(text: &str, arguments: &[&str]) -> bool {
     let mut used = 0;
     let mut at = 0;
     let text = text.as_bytes();

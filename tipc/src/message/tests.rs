@@ -5,56 +5,15 @@ pub(crate) use sample::Sample;
 #[cfg(feature = "robot-files")]
 use super::Describing;
 use super::list::{Alternatives, Both, Each, Faults, List, Pieces, Quoted};
-use super::phrase::*;
+use super::phrase::{Joints, Numbers, Standing, Type};
 use super::say::{Said, Say};
-use super::{Lang, Message, Parsing, ROWS, each};
-use std::collections::HashMap;
-use std::fs;
-use std::path::Path;
+use super::{Lang, Message, Parsing, each};
 
 /// A row of a table.
 pub(crate) struct Row {
     pub(crate) table: &'static str,
     pub(crate) row: &'static str,
-    pub(crate) english: &'static str,
-    pub(crate) japanese: &'static str,
 }
-
-/// The rows of all parts of messages.
-fn phrases() -> impl Iterator<Item = &'static [Row]> {
-    let phrases = PHRASES.iter();
-    #[cfg(feature = "tools")]
-    let phrases = phrases
-        .chain(super::count::COUNTS)
-        .chain(super::running::PHRASES);
-    phrases.copied()
-}
-
-/// Those of parts that any table may take.
-const PHRASES: &[&[Row]] = &[
-    End::ROWS,
-    Lack::ROWS,
-    Assign::ROWS,
-    Stretch::ROWS,
-    Joints::ROWS,
-    Table::ROWS,
-    Kind::ROWS,
-    Place::ROWS,
-    JointKind::ROWS,
-    Changes::ROWS,
-    Questions::ROWS,
-    Findings::ROWS,
-    Loads::ROWS,
-    Declared::ROWS,
-    Type::ROWS,
-    Numbers::ROWS,
-    Standing::ROWS,
-    Operands::ROWS,
-    Lacking::ROWS,
-    Bounds::ROWS,
-    Entered::ROWS,
-    Inventory::ROWS,
-];
 
 #[track_caller]
 fn check(message: impl Say, expected: &str) {
@@ -185,86 +144,4 @@ fn words_are_cut_beyond_80_characters_and_texts_beyond_the_longest_path() {
     let long = || vec!["B".repeat(90), "C".to_owned()];
     check(List(long()), &format!("{}…, C", "B".repeat(80)));
     check(Quoted(long()), &format!("`{}…`, `C`", "B".repeat(80)));
-}
-
-#[test]
-fn no_text_stands_in_two_rows() {
-    for text in [|row: &Row| row.english, |row: &Row| row.japanese] {
-        let mut rows: HashMap<&str, String> = HashMap::new();
-        for row in ROWS.iter().copied().flatten() {
-            let is_words = text(row).replace(['{', '}'], "").contains(' ');
-            let name = format!("{}::{}", row.table, row.row);
-            if let Some(first) = rows.insert(text(row), name.clone()).filter(|_| is_words) {
-                panic!("{first} and {name} are both {:?}", text(row));
-            }
-        }
-    }
-}
-
-/// What is not a text of its own in Japanese: holes alone, names, and what the system says.
-#[test]
-fn every_text_is_translated() {
-    let is_words = |text: &str| {
-        let mut depth = 0;
-        text.chars().any(|letter| {
-            depth += i32::from(letter == '{') - i32::from(letter == '}');
-            depth == 0 && letter.is_ascii_alphabetic()
-        })
-    };
-    let is_japanese = |letter: char| ('\u{3041}'..='\u{9fff}').contains(&letter);
-    for row in ROWS.iter().copied().chain(phrases()).flatten() {
-        let translated = row.japanese.contains(is_japanese) || !is_words(row.english);
-        assert!(translated, "{}::{}: {:?}", row.table, row.row, row.japanese);
-    }
-}
-
-#[test]
-fn every_row_is_said_somewhere() {
-    let mut sources = String::new();
-    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-    collect(&package.join("src"), &mut sources);
-    collect(&package.join("../tools"), &mut sources);
-    for Row {
-        table,
-        row,
-        english,
-        ..
-    } in ROWS.iter().copied().chain(phrases()).flatten()
-    {
-        let times = |name: &str| {
-            let ends = |(at, name): &(usize, &str)| {
-                let next = sources[at + name.len()..].chars().next();
-                !next.is_some_and(|c| c.is_alphanumeric() || c == '_')
-            };
-            sources.match_indices(name).filter(ends).count()
-        };
-        // A number makes the rows of a counted table, which is then an argument somewhere.
-        let said = match times(&format!("    {table}: \"{}\"", english_of_one(table))) {
-            0 => times(&format!("{table}::{row}")) > 0,
-            _ => times(&format!(": {table}")) + times(&format!("{table}::from")) > 0,
-        };
-        assert!(said, "nothing says {table}::{row}: {english}");
-    }
-}
-
-/// The text of the first row of a table.
-fn english_of_one(table: &str) -> &'static str {
-    let mut rows = ROWS.iter().copied().chain(phrases()).flatten();
-    rows.find(|row| row.table == table)
-        .map_or("", |row| row.english)
-}
-
-/// The sources of a folder, without tests.
-fn collect(folder: &Path, sources: &mut String) {
-    for entry in fs::read_dir(folder).expect("a folder of sources") {
-        let path = entry.expect("an entry").path();
-        if path.file_stem().is_some_and(|stem| stem == "tests") {
-            continue;
-        }
-        if path.is_dir() {
-            collect(&path, sources);
-        } else if path.extension().is_some_and(|end| end == "rs") {
-            *sources += &fs::read_to_string(&path).expect("a source");
-        }
-    }
 }

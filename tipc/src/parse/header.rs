@@ -42,7 +42,7 @@ pub(super) fn version(source: &Source, wanted: f64) -> Parsed<()> {
 }
 
 /// The place of the version number in line 1; blanks and a comment may surround it.
-pub(crate) fn version_word(source: &Source) -> Span {
+pub fn version_word(source: &Source) -> Span {
     let (code, _) = split_comment(source.text(), source.line(1).span);
     let word = source.slice(code).trim_end_matches(BLANKS);
     let end = code.start + word.len();
@@ -50,7 +50,7 @@ pub(crate) fn version_word(source: &Source) -> Span {
 }
 
 /// The number that a version word is, if it is one.
-pub(crate) fn version_number(word: &str) -> Option<f64> {
+pub fn version_number(word: &str) -> Option<f64> {
     let starts_like_one = word.starts_with(|first: char| first.is_ascii_digit() || first == '.');
     starts_like_one.then(|| word.parse().ok())?
 }

@@ -18,7 +18,7 @@ pub(super) fn bare(name: &str) -> SmolStr {
 }
 
 /// `GOTOL1`: a jump and its label without the blank between them.
-pub(crate) fn glued(word: &str) -> Option<(Keyword, &str)> {
+pub fn glued(word: &str) -> Option<(Keyword, &str)> {
     let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
     let parts = |jump: Keyword| Some((jump, word.strip_prefix(jump.word())?));
     let is_label = |(_, label): &(Keyword, &str)| names::is_label(label);

@@ -13,7 +13,7 @@ use crate::syntax::{Shape, StatementKind, Word, upper_case};
 use smol_str::SmolStr;
 
 /// What an IME may type for a minus.
-pub(crate) const LONG_VOWEL: &str = "ー";
+pub const LONG_VOWEL: &str = "ー";
 
 /// The longest statement that is shown whole.
 const SHOWN: usize = 120;
@@ -306,7 +306,7 @@ fn lone_word(shape: Shape) -> Option<Keyword> {
 }
 
 /// The text with half-width letters, digits and signs for full-width ones.
-pub(crate) fn narrow(text: &str) -> String {
+pub fn narrow(text: &str) -> String {
     text.chars()
         .map(|char| narrow_char(char).unwrap_or(char))
         .collect()

@@ -6,8 +6,6 @@ use crate::source::{Encoding, Source};
 mod conditions;
 mod control;
 mod equations;
-#[cfg(feature = "tools")]
-mod halves;
 mod header;
 mod lines;
 mod robustness;

@@ -191,7 +191,7 @@ impl Action {
     }
 
     /// Whether it does more than to decide what runs next.
-    #[cfg(any(feature = "build", feature = "tools"))]
+    #[cfg(feature = "build")]
     pub(crate) fn acts(&self) -> bool {
         match self {
             Action::SetScalar { .. }

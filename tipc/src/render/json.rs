@@ -2,7 +2,6 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
-use crate::message::count::More;
 use crate::robot::Robot;
 use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
@@ -47,26 +46,6 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
         &mut out,
         "page",
         &format!("tipc explain {}", diagnostic.id()),
-    );
-    out.push('}');
-    out
-}
-
-/// The object after those of the findings that are reported, without line end: `level` (`note`), `message`, `file`, and how
-/// many others are `omitted`.
-pub fn json_more(source: &Source, count: usize, lang: Lang) -> String {
-    let mut out = String::from("{\"level\":");
-    push_string(&mut out, "note");
-    push_member(
-        &mut out,
-        "message",
-        &More::from(count).in_lang(lang).to_string(),
-    );
-    push_member(&mut out, "file", source.name());
-    push_number(
-        &mut out,
-        "omitted",
-        u32::try_from(count).unwrap_or(u32::MAX),
     );
     out.push('}');
     out
@@ -160,7 +139,7 @@ fn push_position(out: &mut String, source: &Source, offset: usize) {
 }
 
 /// Another member of an object, a string.
-pub(crate) fn push_member(out: &mut String, key: &str, value: &str) {
+pub fn push_member(out: &mut String, key: &str, value: &str) {
     out.push(',');
     push_string(out, key);
     out.push(':');
@@ -168,13 +147,13 @@ pub(crate) fn push_member(out: &mut String, key: &str, value: &str) {
 }
 
 /// Another member of an object, a number.
-pub(crate) fn push_number(out: &mut String, key: &str, value: u32) {
+pub fn push_number(out: &mut String, key: &str, value: u32) {
     // Writing to a string cannot fail.
     let _ = write!(out, ",\"{key}\":{value}");
 }
 
 /// A string in quotes.
-pub(crate) fn push_string(out: &mut String, text: &str) {
+pub fn push_string(out: &mut String, text: &str) {
     out.push('"');
     for char in text.chars() {
         match char {

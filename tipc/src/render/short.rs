@@ -3,8 +3,6 @@
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
-#[cfg(feature = "tools")]
-use crate::message::count::More;
 use crate::source::Source;
 use tip_runtime::printable::Printable;
 
@@ -21,11 +19,4 @@ pub fn short(source: &Source, diagnostic: &Diagnostic, lang: Lang) -> String {
     let (name, level) = (source.name(), level.name());
     let text = format_args!("{name}:{line}:{column}: {level}[{code}]: {headline}{classical}");
     Printable::line(text).to_string()
-}
-
-/// `FILE: note: ... and <count> more findings`, after the findings that are reported; no line end.
-#[cfg(feature = "tools")]
-pub fn short_more(source: &Source, count: usize, lang: Lang) -> String {
-    let (name, more) = (source.name(), More::from(count));
-    Printable::line(format_args!("{name}: note: {}", more.in_lang(lang))).to_string()
 }

@@ -100,7 +100,7 @@ impl Source {
         }
     }
 
-    /// The lines from one on, counted from 1.
+    /// Returns the lines from one on, counted from 1.
     pub(crate) fn lines_from(&self, number: u32) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),

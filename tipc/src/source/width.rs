@@ -39,8 +39,7 @@ pub(crate) fn first_beyond(text: &str, limit: usize) -> Option<usize> {
 }
 
 /// How many bytes of code page 932 spell `text`; on a terminal, how many columns it takes.
-#[cfg(feature = "tools")]
-pub(crate) fn byte_length(text: &str) -> usize {
+pub fn byte_length(text: &str) -> usize {
     match text.is_ascii() {
         true => text.len(),
         false => text.chars().map(char_length).sum(),

@@ -84,7 +84,7 @@ pub(super) fn warn(
     unreachable: &Unreachable,
     found: &mut Findings,
 ) {
-    let acting = acting(judged.program);
+    let deeds = Deeds::of(judged.program);
     for Constant { step, outcome } in constant {
         let Some(statement) = judged
             .statement(*step)
@@ -93,13 +93,14 @@ pub(super) fn warn(
             continue;
         };
         found.extend(match outcome {
-            _ if !decides(judged.program, &acting, *step) => None,
+            _ if !deeds.depend_on(judged.program, *step) => None,
             Outcome::Is(is) => Some(always_so(statement, *is)),
             Outcome::Never => Some(never_runs(judged.program, statement, *step)),
             Outcome::Stops => None,
         });
     }
-    let is_judged = |step: &StepId| constant.binary_search_by_key(step, |one| one.step).is_err();
+    let place = |step: &StepId| constant.binary_search_by_key(step, |one| one.step);
+    let is_judged = |step: &StepId| place(step).is_err();
     let stuck = stuck(judged.program, judged.flow)
         .into_iter()
         .filter(is_judged);
@@ -108,24 +109,32 @@ pub(super) fn warn(
     }
 }
 
-/// The steps that do something or lead elsewhere, in order.
-fn acting(program: &Program) -> Vec<StepId> {
-    let does = |action: &Action| action.acts() || leads_on(action);
-    let steps = (0..).zip(program.steps());
-    let acting = steps.filter(|(_, step)| does(&step.action));
-    acting.map(|(step, _)| step).collect()
-}
+/// For each step how many before it do something or go elsewhere.
+struct Deeds(Vec<u32>);
 
-/// Whether something depends on a step: a block without any action is a sketch.
-fn decides(program: &Program, acting: &[StepId], step: StepId) -> bool {
-    let end = match &program.steps()[step as usize].action {
-        Action::If { otherwise: end, .. }
-        | Action::ElseIf { otherwise: end, .. }
-        | Action::For { exit: end, .. } => *end,
-        _ => return true,
-    };
-    let first = acting.partition_point(|one| *one < step);
-    acting.get(first).is_some_and(|one| *one < end)
+impl Deeds {
+    fn of(program: &Program) -> Self {
+        let mut deeds = vec![0];
+        let mut count = 0;
+        for step in program.steps() {
+            count += u32::from(step.action.acts() || leads_on(&step.action));
+            deeds.push(count);
+        }
+        Deeds(deeds)
+    }
+
+    /// Whether something depends on a step: a block without any action is a sketch.
+    fn depend_on(&self, program: &Program, step: StepId) -> bool {
+        match &program.steps()[step as usize].action {
+            Action::If { otherwise: end, .. }
+            | Action::ElseIf { otherwise: end, .. }
+            | Action::For { exit: end, .. } => {
+                let before = |step: StepId| self.0.get(step as usize).or(self.0.last());
+                before(step) < before(*end)
+            }
+            _ => true,
+        }
+    }
 }
 
 /// Whether a step in a block goes elsewhere.

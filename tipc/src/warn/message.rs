@@ -7,67 +7,69 @@ use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::phrase::Type;
 use crate::message::{Message, Warning};
-use crate::program::{Variable, VariableKind};
+use crate::program::{Variable, VariableId, VariableKind};
 use crate::source::Span;
 use crate::suggest::nearest;
-use crate::symbols::Access;
+use crate::symbols::{Access, DefinitionId};
 use crate::syntax::{StatementKind, upper_case};
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
-/// The variables of a program, to be found by their names.
-struct Variables<'a> {
-    all: &'a [Variable],
-    by_name: HashMap<&'a str, usize>,
-    /// Those that something does anything with but assign them.
-    read: HashSet<usize>,
+/// The variables of a program by their names.
+struct Names<'a> {
+    variables: &'a [Variable],
+    ids: HashMap<&'a str, VariableId>,
+    /// Whether something reads each definition.
+    is_read: Vec<bool>,
 }
 
-impl<'a> Variables<'a> {
+impl<'a> Names<'a> {
     fn of(judged: &Judged<'a>) -> Self {
-        let all = judged.program.variables();
-        let names = all.iter().map(|one| one.name.as_str());
-        let uses = judged.symbols.all_uses().iter();
-        let reads = uses.filter(|it| !matches!(it.access, Access::Define | Access::Assign));
-        Variables {
-            all,
-            by_name: names.zip(0..).collect(),
-            read: reads.map(|it| it.definition.index()).collect(),
+        let variables = judged.program.variables();
+        let mut is_read = vec![false; judged.symbols.definitions().len()];
+        for it in judged.symbols.all_uses() {
+            is_read[it.definition.index()] |= !matches!(it.access, Access::Define | Access::Assign);
+        }
+        Names {
+            variables,
+            ids: variables
+                .iter()
+                .map(|it| it.name.as_str())
+                .zip(0..)
+                .collect(),
+            is_read,
         }
     }
 
+    /// The variable of a name in capitals.
     fn find(&self, name: &str) -> Option<&'a Variable> {
-        self.by_name.get(name).map(|id| &self.all[*id])
+        self.ids.get(name).map(|id| &self.variables[*id])
     }
 
-    /// The place of a VAR among all variables.
-    fn var(&self, name: &str) -> Option<usize> {
-        let id = self.by_name.get(name).copied();
-        id.filter(|id| self.all[*id].kind == VariableKind::Var)
+    /// Whether the name is that of a VAR, in letters of any case.
+    fn is_var(&self, name: &str) -> bool {
+        let variable = self.find(&upper_case(name));
+        variable.is_some_and(|one| one.kind == VariableKind::Var)
     }
 }
 
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
-    let variables = Variables::of(judged);
+    let mut names = None;
     for statement in judged.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
+            let names = names.get_or_insert_with(|| Names::of(judged));
             found.extend(quoted(judged.source.slice(text.span), text.span));
-            placeholders(judged, &variables, text.span, found);
-            foreign_values(judged, &variables, text.span, found);
+            placeholders(judged, names, text.span, found);
+            foreign_values(judged, names, text.span, found);
             wide::warn(judged, text.span, found);
         }
     }
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(
-    judged: &Judged<'_>,
-    variables: &Variables<'_>,
-    place: Span,
-    found: &mut Findings,
-) {
+fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
-    let is_var = |name: &str| variables.var(&upper_case(name)).is_some();
+    let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
     let first = signs.find_map(|(at, sign)| {
         let rest = &text[at + 1..];
@@ -82,13 +84,7 @@ fn foreign_values(
         };
         is_var(name).then(|| (at, shown, Some(upper_case(name))))
     });
-    // `MESSAGE COUNT`
-    let name = upper_case(text);
-    let is_unread = || {
-        let id = variables.var(&name);
-        id.is_some_and(|id| !variables.read.contains(&id))
-    };
-    let whole = || is_unread().then(|| (0, text.len(), Some(name.clone())));
+    let whole = || is_unread_var(names, text).then(|| (0, text.len(), Some(upper_case(text))));
     let Some((at, length, name)) = first.or_else(whole) else {
         return;
     };
@@ -100,6 +96,13 @@ fn foreign_values(
             .help(Warning::ShowValue { name }),
         None => finding.help(Warning::ShowAnyValue),
     });
+}
+
+/// `MESSAGE COUNT`: whether a text is the name of a VAR that nothing reads.
+fn is_unread_var(names: &Names<'_>, text: &str) -> bool {
+    let id = names.ids.get(&*upper_case(text));
+    let is_read = |id: VariableId| names.is_read[DefinitionId::of_variable(id).index()];
+    names.is_var(text) && id.is_some_and(|id| !is_read(*id))
 }
 
 /// What may stand before a percent sign that is one: `50%`, `%A%`.
@@ -145,7 +148,7 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 }
 
 /// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
-fn placeholders(judged: &Judged<'_>, variables: &Variables<'_>, place: Span, found: &mut Findings) {
+fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {
@@ -154,8 +157,8 @@ fn placeholders(judged: &Judged<'_>, variables: &Variables<'_>, place: Span, fou
             return;
         };
         let inner = &text[from..from + length];
-        let Some(fault) = fault(variables, inner) else {
-            from += if is_placeholder(variables, inner) {
+        let Some(fault) = fault(names, inner) else {
+            from += if is_placeholder(names, inner) {
                 length + 1
             } else {
                 0
@@ -164,7 +167,7 @@ fn placeholders(judged: &Judged<'_>, variables: &Variables<'_>, place: Span, fou
         };
         let end = from + length + 1;
         let next = text[end..].split_once('%').map(|(next, _)| next);
-        if next.is_some_and(|next| is_placeholder(variables, next)) {
+        if next.is_some_and(|next| is_placeholder(names, next)) {
             // The second sign begins a value: the first one is text.
             continue;
         }
@@ -176,8 +179,8 @@ fn placeholders(judged: &Judged<'_>, variables: &Variables<'_>, place: Span, fou
 }
 
 /// Whether that is shown as a value.
-fn is_placeholder(variables: &Variables<'_>, inner: &str) -> bool {
-    split(inner).is_some() && fault(variables, inner).is_none()
+fn is_placeholder(names: &Names<'_>, inner: &str) -> bool {
+    split(inner).is_some() && fault(names, inner).is_none()
 }
 
 /// The name between percent signs, and what follows it from a point on. Blanks and signs make no name.
@@ -195,11 +198,11 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// Why what looks like a placeholder stands for nothing, and what to write.
-fn fault(variables: &Variables<'_>, inner: &str) -> Option<(Warning, Warning)> {
+fn fault(names: &Names<'_>, inner: &str) -> Option<(Warning, Warning)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
-    let Some(variable) = variables.find(&name()) else {
-        return Some((Warning::NoVar { name: name() }, declare(variables, name())));
+    let Some(variable) = names.find(&name()) else {
+        return Some((Warning::NoVar { name: name() }, declare(names, name())));
     };
     let found = match (variable.kind, rest) {
         (VariableKind::Var, None | Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7")) => {
@@ -224,12 +227,11 @@ fn fault(variables: &Variables<'_>, inner: &str) -> Option<(Warning, Warning)> {
 }
 
 /// What to write for a name that is not declared.
-fn declare(variables: &Variables<'_>, name: SmolStr) -> Warning {
-    let numbered = numbered(&name).filter(|near| variables.var(near).is_some());
-    if let Some(near) = numbered {
+fn declare(names: &Names<'_>, name: SmolStr) -> Warning {
+    if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
         return Warning::MeantPlaceholder { near };
     }
-    let vars = variables.all.iter();
+    let vars = names.variables.iter();
     let vars = vars.filter(|one| one.kind == VariableKind::Var);
     match nearest(&name, vars.map(|one| one.name.as_str())) {
         Some(near) => Warning::MeantPlaceholder { near: near.into() },
@@ -237,11 +239,11 @@ fn declare(variables: &Variables<'_>, name: SmolStr) -> Warning {
     }
 }
 
-/// The variable that `%d01%` or `%f01%` showed before version 3.0: `VAR01`.
+/// `VAR01` for `%d01%` or `%f01%`, as before version 3.0.
 fn numbered(name: &str) -> Option<SmolStr> {
-    let number = name.strip_prefix(['D', 'F'])?;
+    let number = name.strip_prefix(|kind: char| "DF".contains(kind))?;
     let is_number = !number.is_empty() && number.bytes().all(|it| it.is_ascii_digit());
-    is_number.then(|| smol_str::format_smolstr!("VAR{number}"))
+    is_number.then(|| format!("VAR{number}").into())
 }
 
 /// Whether a value was to be shown, and nothing says of which variable.

@@ -8,8 +8,8 @@ use super::choices::{EncodingName, RobotName};
 use super::robot::RobotChoice;
 use super::shown::Shown;
 use super::usage::Wrong;
+use crate::message::Using;
 use clap::Args;
-use tipc::message::Using;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 

@@ -6,12 +6,12 @@ use super::deny::Deny;
 use super::error::Error;
 use super::watch::Watch;
 use super::{Status, embedded, fix, input, interrupt, project, report};
+use crate::message::{Checking, Using};
 use clap::Args;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use tip_sim::{reach, special};
 use tipc::diagnostic::Applicability;
-use tipc::message::{Checking, Using};
 
 /// `tipc check`
 #[derive(Debug, Args)]
@@ -85,7 +85,7 @@ pub(super) fn check(arguments: &Check) -> Result<Status, Error> {
 /// Checks until Ctrl-C.
 fn again_and_again(arguments: &Check) -> Result<Status, Error> {
     let lang = arguments.source.shown.lang();
-    if arguments.files.iter().any(|file| input::is_standard(file)) {
+    if arguments.files.iter().any(|file| input::is_stream(file)) {
         return Err(Error::Usage(Using::WatchInput.in_lang(lang).to_string()));
     }
     interrupt::catch();

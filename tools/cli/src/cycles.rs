@@ -7,7 +7,7 @@ use super::error::Error;
 use super::{Status, output};
 use clap::Args;
 use std::path::PathBuf;
-use tipc::analysis::cycles::{self, Sampling};
+use tip_lint::cycles::{self, Sampling};
 
 /// `tipc cycles`
 #[derive(Debug, Args)]

@@ -2,7 +2,6 @@
 
 mod breakpoints;
 mod changes;
-mod frame;
 mod launch;
 mod message;
 mod moves;
@@ -11,8 +10,8 @@ mod shown;
 
 use super::Status;
 use super::error::{self, Error};
+use super::framing::{self, Frame};
 use clap::Args;
-use frame::Frame;
 use launch::Files;
 use session::Session;
 use std::io::{self, BufReader};
@@ -39,7 +38,7 @@ pub(super) fn dap(_: &Dap) -> Result<Status, Error> {
     // It ends with the process, or when the client closes its end.
     thread::spawn(move || {
         let mut input = BufReader::new(io::stdin());
-        while let Ok(Some(frame)) = frame::read(&mut input) {
+        while let Ok(Some(frame)) = framing::read(&mut input) {
             if sender.send(frame).is_err() {
                 return;
             }
@@ -65,12 +64,12 @@ fn serve(frames: &Receiver<Frame>) -> io::Result<()> {
         };
         match next {
             Ok(Frame::Message(message)) => session.handle(&message),
-            Ok(Frame::Broken) => session.broken(),
+            Ok(Frame::Bad(_)) => session.broken(),
             Err(TryRecvError::Empty) => session.work(),
             Err(TryRecvError::Disconnected) => return Ok(()),
         }
         for message in session.sent() {
-            frame::write(&mut output, &message)?;
+            framing::write(&mut output, &message)?;
         }
     }
     Ok(())

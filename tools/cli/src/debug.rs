@@ -31,7 +31,7 @@ use tip_sim::debug::Debugger;
 #[command(after_help = "Examples:
   tipc debug walk.prg                            stands before the first step
   tipc debug walk.prg --events '120:key F'       a key is pressed before cycle 120
-  tipc debug --robot hand grasp.prg --scene cylinder
+  tipc debug --robot hand grasp.prg --scene scene.toml
 
 Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
 l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a

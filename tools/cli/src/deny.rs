@@ -17,7 +17,7 @@ pub(super) struct Deny {
 /// One thing that is denied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Denial {
-    /// The robot fell: its centre of mass left the support polygon.
+    /// The robot fell, or would have: its body came down, or its support was lost.
     Falls,
     /// Every warning.
     Warnings,

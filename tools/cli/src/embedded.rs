@@ -10,13 +10,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
+use tipc::embed::{LIMIT, read_file};
 use tipc::message::Warning;
 use tipc::source::Span;
 
 /// As many sources of a crate are looked through.
 const MOST_SOURCES: usize = 1_000;
-/// Longer ones are not: bytes.
-const LONGEST: u64 = 1 << 20;
+/// Longer ones are not: MiB.
+const LONGEST: usize = 1;
 /// Folders below `src` that are looked into.
 const DEPTH: usize = 16;
 
@@ -103,8 +104,7 @@ fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
 }
 
 fn text(source: &Path) -> Option<String> {
-    let is_short = fs::metadata(source).is_ok_and(|it| it.is_file() && it.len() <= LONGEST);
-    is_short.then(|| fs::read_to_string(source).ok()).flatten()
+    String::from_utf8(read_file(source, LONGEST).ok()?).ok()
 }
 
 /// Whether a site means the program: the first folder that has its file counts, as for the macro.
@@ -130,7 +130,7 @@ fn choice(said: &Said, folders: &[&Path]) -> Option<RobotChoice> {
 fn is_same(one: &RobotChoice, other: &RobotChoice) -> bool {
     match (one.file(), other.file()) {
         (Some(one), Some(other)) => {
-            let text = |path| fs::read(path).ok();
+            let text = |path| read_file(path, LIMIT).ok();
             text(one) == text(other)
         }
         _ => one == other,

@@ -6,8 +6,9 @@ use super::error::Error;
 use super::{Status, output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use tip_lint::listing;
+use tipc::emit as rust;
 use tipc::program::Program;
-use tipc::{emit as rust, listing};
 
 /// The forms of a program.
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -5,11 +5,12 @@ mod pages;
 use super::choices::LangName;
 use super::error::Error;
 use super::{Status, output, shown};
+use crate::message::Using;
 use clap::Args;
 use std::fmt::Write as _;
 use tipc::code::{Code, Mistake};
+use tipc::message::Lang;
 use tipc::message::list::Each;
-use tipc::message::{Lang, Using};
 
 /// `tipc explain`
 #[derive(Debug, Args)]

@@ -6,10 +6,10 @@ use super::report::Total;
 use super::shown::Shown;
 use super::{input, output, report};
 use std::path::Path;
+use tip_lint::message::Fixing;
+use tip_lint::repair::{Repaired, confirm, preview, render_json, render_short, repair};
 use tip_runtime::printable::Printable;
 use tipc::diagnostic::Applicability;
-use tipc::message::Fixing;
-use tipc::repair::{Repaired, confirm, preview, render_json, render_short, repair};
 use tipc::{Loaded, Options};
 
 /// Applies fixes to a program and writes it if there were any; what is left is reported and returned.
@@ -20,18 +20,20 @@ pub(super) fn fix(
     total: &Total,
     shown: Shown,
 ) -> Result<Loaded, Error> {
-    let repaired = repair(input::load(path, options), options, least);
+    let loaded = input::load(path, options);
+    let read = loaded.source.bytes();
+    let repaired = repair(loaded, options, least);
     let said = said(&repaired, shown);
     let Repaired { applied, loaded } = repaired;
     // Standard output is the program's.
-    if input::is_standard(path) && input::was_read(&loaded) {
+    if input::is_stream(path) && input::was_read(&loaded) {
         output::print(loaded.source.bytes())?;
         report::complain(&said);
         report::findings(&loaded, shown);
         return Ok(loaded);
     }
     if !applied.is_empty() {
-        output::replace(path, loaded.source.bytes())?;
+        output::update(path, &read, &loaded.source.bytes(), shown.lang())?;
     }
     match shown.message_format {
         Format::Human => report::complain(&said),

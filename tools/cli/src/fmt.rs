@@ -9,10 +9,10 @@ use super::{Status, input, output, project, report};
 use clap::Args;
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
+use tip_lint::format::{Refusal, format};
+use tip_lint::message::Formatting;
 use tip_runtime::printable::Printable;
 use tipc::code::Level;
-use tipc::format::{Refusal, format};
-use tipc::message::Formatting;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 
@@ -122,10 +122,10 @@ impl Fmt {
             }
             return Ok(!changes);
         }
-        if input::is_standard(path) {
+        if input::is_stream(path) {
             output::print(&formatted)?;
         } else if changes {
-            output::replace(path, &formatted)?;
+            output::update(path, bytes, &formatted, self.shown.lang())?;
         }
         Ok(true)
     }

@@ -1,50 +1,60 @@
 //! Programs, descriptions and scenes from files.
 
-use std::fs;
-use std::io::{self, Read};
+use std::fs::File;
+use std::io;
 use std::path::Path;
+use tip_lint::migrate::Migration;
 use tip_runtime::plant::Scene;
 use tipc::code::Code;
 use tipc::description::{Description, Project};
 use tipc::diagnostic::Diagnostic;
+use tipc::embed::LIMIT;
 use tipc::message::Reading;
-use tipc::migrate::Migration;
 use tipc::source::{Encoding, Source, Span};
-use tipc::{Loaded, Options};
+use tipc::{Loaded, Options, embed};
 
 /// Loads the program at `path`; a file that cannot be read is a diagnostic like any other.
 pub(super) fn load(path: &Path, options: &Options) -> Loaded {
-    let name = name(path);
-    match read(path) {
-        Ok(bytes) => tipc::load(&name, &bytes, options),
-        Err(error) => unreadable(name, &error),
+    loaded(name(path), read(path, LIMIT), options)
+}
+
+/// Loads the program of a regular file. Standard input, which `load` reads as well, may be an editor's connection.
+pub(super) fn load_file(path: &Path, options: &Options) -> Loaded {
+    let name = path.display().to_string();
+    loaded(name, embed::read_file(path, LIMIT), options)
+}
+
+fn loaded(name: String, read: Result<Vec<u8>, Reading>, options: &Options) -> Loaded {
+    match read {
+        Ok(bytes) => tip_lint::load(&name, &bytes, options),
+        Err(reason) => unreadable(name, reason),
     }
 }
 
 /// The bytes of the program at `path`, and how findings call it.
 pub(super) fn bytes(path: &Path) -> Result<(String, Vec<u8>), Box<Loaded>> {
     let name = name(path);
-    match read(path) {
+    match read(path, LIMIT) {
         Ok(bytes) => Ok((name, bytes)),
-        Err(error) => Err(Box::new(unreadable(name, &error))),
+        Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
 /// Migrates the program at `path`.
 pub(super) fn migrate(path: &Path, encoding: Encoding) -> Result<Migration, Box<Loaded>> {
     let name = name(path);
-    match read(path) {
-        Ok(bytes) => tipc::migrate::migrate(&name, &bytes, encoding),
-        Err(error) => Err(Box::new(unreadable(name, &error))),
+    match read(path, LIMIT) {
+        Ok(bytes) => tip_lint::migrate::migrate(&name, &bytes, encoding),
+        Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
 /// Reads the description of a robot at `path`.
 pub(super) fn describe(path: &Path) -> Result<Description, Box<Loaded>> {
     let name = name(path);
-    match read(path) {
+    match read(path, LIMIT) {
         Ok(bytes) => tipc::description::parse(&name, &bytes),
-        Err(error) => Err(Box::new(unreadable(name, &error))),
+        Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
@@ -54,18 +64,18 @@ pub(super) fn project(
     is_there: impl Fn(&str) -> bool,
 ) -> Result<Project, Box<Loaded>> {
     let name = name(path);
-    match read(path) {
+    match embed::read_file(path, LIMIT) {
         Ok(bytes) => tipc::description::parse_project(&name, &bytes, is_there),
-        Err(error) => Err(Box::new(unreadable(name, &error))),
+        Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
 /// Reads the scene at `path`.
 pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
     let name = name(path);
-    match read(path) {
+    match read(path, LIMIT) {
         Ok(bytes) => tipc::description::parse_scene(&name, &bytes),
-        Err(error) => Err(Box::new(unreadable(name, &error))),
+        Err(reason) => Err(Box::new(unreadable(name, reason))),
     }
 }
 
@@ -73,8 +83,16 @@ pub(super) fn scene(path: &Path) -> Result<Scene, Box<Loaded>> {
 const STANDARD_INPUT: &str = "-";
 
 /// Whether this is no file but standard input.
-pub(super) fn is_standard(path: &Path) -> bool {
+fn is_standard(path: &Path) -> bool {
     path.to_str() == Some(STANDARD_INPUT)
+}
+
+/// Returns true if the path names standard input or another open descriptor of this process, as the shell's `<(COMMAND)` does.
+/// A link that leads to one does not count: it may stand in a checkout.
+pub(super) fn is_stream(path: &Path) -> bool {
+    let folders = ["/dev/fd", "/proc/self/fd"].map(Path::new);
+    let is_descriptor = || folders.contains(&path.parent().unwrap_or(path));
+    is_standard(path) || path == Path::new("/dev/stdin") || is_descriptor()
 }
 
 /// How findings call a file.
@@ -85,25 +103,21 @@ fn name(path: &Path) -> String {
     }
 }
 
-fn read(path: &Path) -> io::Result<Vec<u8>> {
-    if !is_standard(path) {
-        return fs::read(path);
+/// Reads what the command line names: a regular file, or a stream that is open already.
+pub(super) fn read(path: &Path, limit: usize) -> Result<Vec<u8>, Reading> {
+    if is_standard(path) {
+        return embed::read_stream(io::stdin().lock(), limit);
     }
-    let mut bytes = Vec::new();
-    io::stdin().lock().read_to_end(&mut bytes)?;
-    Ok(bytes)
+    if is_stream(path)
+        && let Ok(stream) = File::open(path)
+    {
+        return embed::read_stream(stream, limit);
+    }
+    embed::read_file(path, limit)
 }
 
-fn unreadable(name: String, error: &io::Error) -> Loaded {
+fn unreadable(name: String, reason: Reading) -> Loaded {
     let (source, _) = Source::decode(name.clone(), b"", Encoding::Utf8);
-    let reason = match error.kind() {
-        io::ErrorKind::IsADirectory => Reading::Folder,
-        io::ErrorKind::NotFound => Reading::NoFile,
-        io::ErrorKind::PermissionDenied => Reading::NotAllowed,
-        _ => Reading::System {
-            error: error.to_string().into(),
-        },
-    };
     let finding = Diagnostic::new(Code::FileNotFound, Span::default(), reason);
     Loaded::refused(source, vec![finding.about(name)])
 }

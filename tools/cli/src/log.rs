@@ -18,7 +18,10 @@ flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for ea
 
 Examples:
   tipc log walk.prg -o walk.mcap
-  tipc log grasp.prg --robot hand --scene cylinder -o grasp.csv --every 10
+  tipc log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
+
+A run that has no end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
+--cycles sets another end.
 
 Exit status: as for 'tipc run'."
 )]

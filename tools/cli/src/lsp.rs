@@ -4,7 +4,6 @@ mod answers;
 mod client;
 mod files;
 mod findings;
-mod frames;
 mod open;
 mod places;
 mod server;
@@ -14,12 +13,13 @@ mod tokens;
 
 use super::Status;
 use super::error::Error;
+use super::framing::{self, Frame};
 use super::robot::RobotChoice;
 use clap::Args;
 use files::Files;
-use frames::{Frame, Frames};
 use lsp_server::{ErrorCode, Message, RequestId, Response};
-use server::Server;
+use serde_json::json;
+use server::{Incoming, Server, parse};
 use std::hint::black_box;
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -83,12 +83,16 @@ pub(super) fn lsp(arguments: &Lsp) -> Result<Status, Error> {
 }
 
 /// The messages of the editor, read beside the work.
-fn incoming() -> Receiver<Frame> {
+fn incoming() -> Receiver<Incoming> {
     let (sender, receiver) = channel();
     thread::spawn(move || {
-        let frames = Frames::new(io::stdin().lock());
-        for frame in frames {
-            if sender.send(frame).is_err() {
+        let mut input = io::stdin().lock();
+        while let Ok(Some(frame)) = framing::read(&mut input) {
+            let message = match frame {
+                Frame::Message(bytes) => parse(&bytes),
+                Frame::Bad(reason) => Err(reason),
+            };
+            if sender.send(message).is_err() {
                 break;
             }
         }
@@ -97,11 +101,18 @@ fn incoming() -> Receiver<Frame> {
 }
 
 /// Answers a message; how the process ends, if it does.
-fn take(server: &mut Server<Files>, frame: Frame) -> Result<Option<Status>, Error> {
-    let message = match frame {
-        Frame::Message(message) => *message,
-        Frame::Bad(reason) => {
-            write(&frames::unread(&reason))?;
+fn take(server: &mut Server<Files>, incoming: Incoming) -> Result<Option<Status>, Error> {
+    let message = match incoming {
+        Ok(message) => *message,
+        Err(reason) => {
+            let code = ErrorCode::ParseError as i32;
+            let error = json!({ "code": code, "message": reason });
+            // Nobody knows to which request it belongs.
+            let answer = json!({ "jsonrpc": "2.0", "id": null, "error": error });
+            let mut bytes = Vec::new();
+            let written = framing::write(&mut bytes, &answer.to_string());
+            written.map_err(|error| Error::Failed(error.to_string()))?;
+            write(&bytes)?;
             return Ok(None);
         }
     };

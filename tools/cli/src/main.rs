@@ -17,11 +17,13 @@ mod escape;
 mod explain;
 mod fix;
 mod fmt;
+mod framing;
 mod help;
 mod input;
 mod interrupt;
 mod log;
 mod lsp;
+mod message;
 mod migrate;
 mod new;
 mod output;
@@ -76,7 +78,8 @@ use tipc::Loaded;
 
 'tipc help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load, does not verify or has a denied warning, or a file cannot be written,
-2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted."
+2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted (by SIGTERM 143,
+by SIGHUP 129)."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -201,7 +204,7 @@ enum Status {
     Emergency = 3,
     /// The robot fell, which `--deny falls` forbids.
     Fell = 4,
-    /// Ctrl-C.
+    /// Ctrl-C; other signals have statuses of their own.
     Interrupted = 130,
 }
 
@@ -255,5 +258,8 @@ fn main() -> ExitCode {
 }
 
 fn exit(status: Status) -> ExitCode {
-    ExitCode::from(status as u8)
+    ExitCode::from(match status {
+        Status::Interrupted => interrupt::status(),
+        _ => status as u8,
+    })
 }

@@ -6,7 +6,7 @@ use super::shown::Shown;
 use super::{Status, input, output, report};
 use clap::Args;
 use std::path::PathBuf;
-use tipc::migrate::{self, Migration};
+use tip_lint::migrate::{self, Migration};
 
 /// `tipc migrate`
 #[derive(Debug, Args)]

@@ -3,6 +3,7 @@
 mod bend;
 mod files;
 mod folder;
+mod gait;
 mod kit;
 mod name;
 mod origin;
@@ -11,15 +12,16 @@ mod template;
 use super::error::Error;
 use super::shown::Shown;
 use super::{Status, output, report};
+use crate::message::Making;
 use clap::Args;
 use files::File;
-use kit::Choice;
+use kit::{Choice, Kit};
 use name::Place;
 use origin::Origin;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use tip_runtime::printable::Printable;
-use tipc::message::{Lang, Making};
+use tipc::message::Lang;
 
 /// `tipc new`
 #[derive(Debug, Args)]
@@ -67,14 +69,14 @@ pub(super) fn new(arguments: &New) -> Result<Status, Error> {
     };
     let files = files::of(place, &kit, &origin, arguments.hardware);
     folder::write(place, &files).map_err(refused)?;
-    output::print(made(place, &kit.robot, &files, lang))?;
+    output::print(made(place, &kit, &files, lang))?;
     Ok(Status::Success)
 }
 
 /// What was made, and what to do with it.
-fn made(place: &Place, robot: &str, files: &[File], lang: Lang) -> String {
+fn made(place: &Place, kit: &Kit, files: &[File], lang: Lang) -> String {
     let folder = Printable::line(place.folder().display()).to_string();
-    let robot = Printable::line(robot).to_string();
+    let robot = Printable::line(&kit.robot).to_string();
     let made = Making::Made {
         folder: folder.clone().into(),
         robot,
@@ -83,6 +85,9 @@ fn made(place: &Place, robot: &str, files: &[File], lang: Lang) -> String {
     for file in files {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  {}", file.name);
+    }
+    for tried in &kit.motion.tried {
+        let _ = writeln!(text, "{}", tried.in_lang(lang));
     }
     let next = Making::Next.in_lang(lang);
     let _ = writeln!(text, "{next}\n  cd {folder}\n  cargo run");

@@ -10,6 +10,8 @@ use std::thread;
 use std::time::Duration;
 use tip_runtime::printable::Printable;
 use tip_runtime::record::WholeFile;
+use tipc::embed;
+use tipc::message::{Lang, Reading};
 
 /// Gives the file at `path` a new content. Whoever should read a pipe may never come: a signal ends the process then.
 pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
@@ -19,6 +21,28 @@ pub(super) fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Erro
     let written = begin(path).and_then(|mut file| {
         file.write_all(content.as_ref())?;
         file.commit()
+    });
+    written.map_err(|error| Error::cannot_write(path, error))
+}
+
+/// Gives the file at `path` a new content, unless it is not what was `read` any more: an editor may have saved it since.
+pub(super) fn update(path: &Path, read: &[u8], content: &[u8], lang: Lang) -> Result<(), Error> {
+    let changed = || io::Error::other(Reading::Changed.in_lang(lang).to_string());
+    let place = || {
+        let now = embed::read_file(path, embed::LIMIT);
+        match now.as_deref().is_ok_and(|now| now == read) {
+            true => Ok((fs::canonicalize(path)?, fs::metadata(path)?)),
+            false => Err(changed()),
+        }
+    };
+    let written = place().and_then(|(before, found)| {
+        let mut file = begin(path)?;
+        file.write_all(content)?;
+        let (after, now) = place()?;
+        match after == before && is_one(&found, &now) {
+            true => file.commit(),
+            false => Err(changed()),
+        }
     });
     written.map_err(|error| Error::cannot_write(path, error))
 }
@@ -93,14 +117,18 @@ pub(super) fn is_same(one: &Path, other: &Path) -> bool {
 }
 
 /// Whether two paths are names of one file.
-#[cfg(unix)]
 fn is_linked(one: &Path, other: &Path) -> bool {
+    matches!((fs::metadata(one), fs::metadata(other)), (Ok(one), Ok(other)) if is_one(&one, &other))
+}
+
+/// Returns true if both are of one file, as far as the system numbers files.
+#[cfg(unix)]
+pub(super) fn is_one(one: &fs::Metadata, other: &fs::Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let number = |path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
-    matches!((number(one), number(other)), (Ok(one), Ok(other)) if one == other)
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
 }
 
 #[cfg(not(unix))]
-fn is_linked(_: &Path, _: &Path) -> bool {
-    false
+pub(super) fn is_one(_: &fs::Metadata, other: &fs::Metadata) -> bool {
+    other.is_file()
 }

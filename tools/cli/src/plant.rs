@@ -4,11 +4,12 @@ use super::choices::PlantName;
 use super::error::Error;
 use super::report;
 use super::usage::Wrong;
+use crate::message::Using;
 use clap::ValueEnum;
 use std::str::FromStr;
 use tip_sim::ExternalPlant;
+use tipc::message::Lang;
 use tipc::message::list::Each;
-use tipc::message::{Lang, Using};
 
 /// What a process is written after.
 const EXEC: &str = "exec:";

@@ -5,9 +5,8 @@ use super::choices::EncodingName;
 use super::input;
 use super::robot::RobotChoice;
 use super::scene::SceneChoice;
-use std::env;
-use std::fmt;
 use std::path::{Path, PathBuf, absolute};
+use std::{env, fmt, fs};
 use tipc::Loaded;
 
 /// How the file is called.
@@ -54,7 +53,7 @@ fn given(path: &Path, is_there: fn(&Path) -> bool) -> Result<Option<Given>, Box<
 /// The files that decide what the program at `path` is given: every `tip.toml` that may stand above it, and the description that
 /// the nearest one names.
 pub(super) fn files(path: &Path) -> Vec<PathBuf> {
-    let program = absolute(path).unwrap_or_default();
+    let program = real(path);
     let projects = program.ancestors().skip(1).map(|folder| folder.join(NAME));
     // What is not there yet may come.
     let given = given(path, |_| true).ok().flatten();
@@ -63,17 +62,33 @@ pub(super) fn files(path: &Path) -> Vec<PathBuf> {
     projects.chain(description).collect()
 }
 
-/// The program's whole path, and the nearest folder with a `tip.toml`.
+/// Returns the program's real path, and the nearest folder above it with a `tip.toml`, which may turn out to be unusable.
 fn nearest(path: &Path) -> Option<(PathBuf, PathBuf)> {
-    let program = absolute(path).ok()?;
+    let program = real(path);
     let mut folders = program.ancestors().skip(1);
-    let folder = folders.find(|folder| folder.join(NAME).is_file())?;
+    let folder = folders.find(|folder| folder.join(NAME).symlink_metadata().is_ok())?;
     Some((program.clone(), folder.to_owned()))
+}
+
+/// Returns the path without links and `..`, as the system finds the file. As much of it as exists counts; a stream is in the
+/// working directory.
+pub(super) fn real(path: &Path) -> PathBuf {
+    fn resolve(path: &Path) -> PathBuf {
+        let missing = || Some(resolve(path.parent()?).join(path.file_name()?));
+        let found = fs::canonicalize(path).ok().or_else(missing);
+        found.unwrap_or_else(|| path.to_owned())
+    }
+    if input::is_stream(path) {
+        let here = env::current_dir().unwrap_or_default();
+        return resolve(&here).join("-");
+    }
+    // `..` stays in it: where it leads to is known to the system only.
+    absolute(path).map_or_else(|_| path.to_owned(), |path| resolve(&path))
 }
 
 /// A path as people write it: from the folder that they are in.
 pub(super) fn shown(path: &Path) -> PathBuf {
-    let here = env::current_dir().ok();
+    let here = env::current_dir().and_then(fs::canonicalize).ok();
     let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_owned));
     inside.unwrap_or_else(|| path.to_owned())
 }

@@ -3,7 +3,11 @@
 use super::arguments::{InputArguments, SourceArguments};
 use super::error::Error;
 use super::plant::{self, Ours};
+use super::robot::ChosenRobot;
+use super::run::LONG_WAIT;
+use super::run::waiting::said;
 use super::{Status, input, interrupt, report, run, scene};
+use crate::message::Running;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tip_sim::Robot;
@@ -59,14 +63,12 @@ impl RecordedArguments {
     /// Runs the program until it ends, the time is over, or someone presses Ctrl-C; none if something was found, and
     /// reported.
     pub(super) fn record(&self, pace: Pace, why: Ours) -> Result<Option<Recorded>, Error> {
-        let Some((loaded, robot)) = self.load(&self.file, false, why)? else {
+        let Some((loaded, robot, _)) = self.load(&self.file, false, why)? else {
             return Ok(None);
         };
         let recording = self.run(&loaded, &robot, pace)?;
         interrupt::hold();
-        if self.has_no_end(&recording) {
-            report::complain(STOPPED);
-        }
+        self.say_wait(&recording);
         if let Outcome::Emergency(_) = recording.outcome {
             report::complain(&format!("{}\n", recording.outcome));
         }
@@ -80,10 +82,10 @@ impl RecordedArguments {
         program: &Path,
         quiet: bool,
         why: Ours,
-    ) -> Result<Option<(Loaded, Robot)>, Error> {
+    ) -> Result<Option<(Loaded, Robot, ChosenRobot)>, Error> {
         interrupt::catch();
         let plant = plant::ours(self.inputs.plant.as_ref(), why, self.source.shown.lang())?;
-        let robot = match self.source.robot().load() {
+        let chosen = match self.source.robot().load() {
             Ok(robot) => robot,
             Err(loaded) => {
                 report::findings(&loaded, self.source.shown);
@@ -93,13 +95,13 @@ impl RecordedArguments {
         let Some(scene) = scene::load(self.inputs.scene.as_ref(), plant, self.source.shown) else {
             return Ok(None);
         };
-        let robot = scene::around(robot.simulated()?, &scene)?;
+        let robot = scene::around(chosen.simulated()?, &scene)?;
         run::check_inputs(&robot, &self.inputs.inputs())?;
         let loaded = input::load(program, &self.source.options(robot.options().robot));
         if loaded.program.is_none() || !quiet {
             report::findings(&loaded, self.source.shown);
         }
-        Ok(loaded.program.is_some().then_some((loaded, robot)))
+        Ok(loaded.program.is_some().then_some((loaded, robot, chosen)))
     }
 
     /// Runs a program that loads.
@@ -118,12 +120,24 @@ impl RecordedArguments {
         recording.map_err(|reason| Error::Usage(reason.to_string()))
     }
 
-    /// Whether only the time ended a run.
-    pub(super) fn has_no_end(&self, recording: &Recording) -> bool {
-        self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit
+    /// Says what the program waited for at the end of a run, and why it ended if nobody asked for that.
+    pub(super) fn say_wait(&self, recording: &Recording) {
+        let lang = self.source.shown.lang();
+        let wait = recording.wait.as_ref().map(said);
+        let lasted = recording.time(recording.cycles);
+        let is_cut_off =
+            self.inputs.inputs().cycles.is_none() && recording.outcome == Outcome::Limit;
+        let text = match wait {
+            Some(wait) if is_cut_off && lasted < MINUTES * 60_000.0 => Running::StopsWaiting {
+                wait,
+                time: format!("{:.0}", LONG_WAIT / 1000.0),
+            },
+            _ if is_cut_off => Running::StopsInTime {
+                minutes: MINUTES.to_string(),
+            },
+            Some(wait) => Running::IsWaiting { wait },
+            None => return,
+        };
+        report::complain(&format!("{}\n", text.in_lang(lang)));
     }
 }
-
-/// What is said of a run that only the time ended.
-pub(super) const STOPPED: &str =
-    "stopped after ten minutes of the robot's time; --cycles sets another end\n";

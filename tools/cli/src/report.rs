@@ -5,13 +5,14 @@ use super::error::Error;
 use super::output;
 use super::sarif::Document;
 use super::shown::Shown;
+use crate::message::Checking;
 use std::io::{self, Write};
+use tip_lint::message::More;
 use tip_runtime::printable::Printable;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::Diagnostic;
-use tipc::message::count::More;
-use tipc::message::{Checking, Lang};
+use tipc::message::Lang;
 use tipc::render;
 
 /// The most findings of a file that people see at once.
@@ -84,11 +85,6 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
     match shown.message_format {
         Format::Human => {
             shows(&text);
-            let more = loaded.diagnostics.len().saturating_sub(MOST) + loaded.omitted.count();
-            if more > 0 {
-                let more = More::from(more);
-                complain(&format!("{}\n\n", more.in_lang(shown.lang())));
-            }
             complain(&format!("{}\n", summary(loaded).in_lang(shown.lang())));
             Ok(())
         }
@@ -137,7 +133,6 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         Format::Human => MOST,
         Format::Short | Format::Json | Format::Sarif => usize::MAX,
     };
-    let more = render_more(loaded, shown);
     let lines = loaded.diagnostics.iter().take(most).map(|diagnostic| {
         let source = &loaded.source;
         let line = match format {
@@ -151,18 +146,30 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         let gap = if format == Format::Human { "\n" } else { "" };
         format!("{line}{end}{gap}")
     });
-    lines.chain(more).collect()
+    lines.chain(render_more(loaded, shown)).collect()
 }
 
-/// The line for tools about what is omitted, if anything is.
+/// Returns the last line, about the findings that are left out, if there are any.
 fn render_more(loaded: &Loaded, shown: Shown) -> Option<String> {
-    let (source, omitted) = (&loaded.source, loaded.omitted.count());
-    let line = match shown.message_format {
-        Format::Short => render::short_more(source, omitted, shown.lang()),
-        Format::Json => render::json_more(source, omitted, shown.lang()),
-        Format::Human | Format::Sarif => return None,
+    let (found, omitted) = (loaded.diagnostics.len(), loaded.omitted.count());
+    let count = match shown.message_format {
+        Format::Human => found.saturating_sub(MOST) + omitted,
+        Format::Short | Format::Json | Format::Sarif => omitted,
     };
-    (omitted > 0).then(|| line + "\n")
+    let more = More::from(count).in_lang(shown.lang()).to_string();
+    let file = loaded.source.name();
+    let line = match shown.message_format {
+        Format::Human => more + "\n\n",
+        Format::Short => format!("{}: note: {more}\n", Printable::line(file)),
+        Format::Json => {
+            let mut object = String::from("{\"level\":\"note\"");
+            render::push_member(&mut object, "message", &more);
+            render::push_member(&mut object, "file", file);
+            format!("{object},\"omitted\":{count}}}\n")
+        }
+        Format::Sarif => return None,
+    };
+    (count > 0).then_some(line)
 }
 
 /// A finding about a file that has no text.

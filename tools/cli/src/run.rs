@@ -9,13 +9,15 @@ mod summary;
 mod targets;
 mod trace;
 mod values;
-mod waiting;
+pub(super) mod waiting;
 
 use super::arguments::{InputArguments, SourceArguments};
 use super::deny::Deny;
 use super::error::Error;
 use super::plant::PlantChoice;
 use super::{Status, input, interrupt, report, scene};
+use crate::message::running::Weight;
+use crate::message::{Running, Using};
 use clap::Args;
 use emergency::Stopped;
 use live::Live;
@@ -25,12 +27,14 @@ use std::path::PathBuf;
 use summary::{fall, summary};
 use tip_runtime::console::LogFiles;
 use tip_runtime::record::{Ending, Sink};
-use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, reach, special};
+use tip_sim::{ExternalPlant, Inputs, Interpreter, Observer, Robot, Waits, reach, special};
 use tipc::Loaded;
-use tipc::message::Using;
-use tipc::message::running::Weight;
 use tipc::program::Program;
 use trace::{Extras, Trace};
+use waiting::said;
+
+/// A robot that rests so long probably waits for something that does not come: ms.
+pub(super) const LONG_WAIT: f64 = 60_000.0;
 
 /// `tipc run`
 #[derive(Debug, Args)]
@@ -41,7 +45,7 @@ use trace::{Extras, Trace};
   tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
   tipc run march.prg --robot hexapod.toml
   tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
-  tipc run --robot hand grasp.prg --scene cylinder
+  tipc run --robot hand grasp.prg --scene scene.toml
   tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
   tipc run walk.prg --realtime                  as fast as the robot, with a status line and your keys
   tipc run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
@@ -208,6 +212,8 @@ impl Job<'_> {
             trace: trace.as_mut(),
             live: None,
             fell: false,
+            waits: Waits::default(),
+            has_waited: false,
         };
         if self.arguments.realtime {
             watch.live = Some(Live::begin(
@@ -216,7 +222,7 @@ impl Job<'_> {
             ));
         }
         let ending = run.observed(self.inputs.cycles.into(), &mut watch);
-        let (fell, live) = (watch.fell, watch.live);
+        let (fell, live, wait) = (watch.fell, watch.live, watch.waits.now(&run));
         interrupt::hold();
         let logged = run.console_mut().map_or(Ok(()), Screen::close);
         if trace.as_ref().is_some_and(Trace::is_straight) {
@@ -236,7 +242,8 @@ impl Job<'_> {
         }
         if !self.arguments.quiet {
             let lang = self.arguments.source.shown.lang();
-            report::complain(&summary(&run, ending, &self.loaded.source, lang));
+            let summary = summary(&run, ending, wait.as_ref(), &self.loaded.source, lang);
+            report::complain(&summary);
             live.iter()
                 .for_each(|live| report::complain(&live.pace(lang)));
         }
@@ -288,6 +295,9 @@ struct Watch<'a> {
     trace: Option<&'a mut Trace>,
     live: Option<Live>,
     fell: bool,
+    waits: Waits,
+    /// Whether a long wait was reported.
+    has_waited: bool,
 }
 
 impl Watch<'_> {
@@ -308,9 +318,36 @@ impl Watch<'_> {
         };
         if let (Some(program), Some(screen)) = (run.engine(), run.console::<Screen>()) {
             let lang = self.job.arguments.source.shown.lang();
-            let text = fall(&found, &weight, &self.job.loaded.source, program, lang);
+            let has_mass = (run.motion()).is_some_and(|motion| motion.unmodelled.is_none());
+            let source = &self.job.loaded.source;
+            let text = fall(&found, &weight, has_mass, source, program, lang);
             screen.above(|| report::complain(&text));
         }
+    }
+}
+
+impl Watch<'_> {
+    /// Says what a run waits for, in its line on a terminal, else once when it has waited long.
+    fn look_for_a_wait(&mut self, run: &mut tip_sim::Run, cycle: u64) {
+        self.waits.after(run);
+        let is_long = self.waits.rest(run) >= LONG_WAIT;
+        let lang = self.job.arguments.source.shown.lang();
+        let Some(screen) = run.console::<Screen>() else {
+            return;
+        };
+        if screen.is_due(cycle) {
+            let wait = self.waits.now(run);
+            let text = wait.map(|wait| format!(" | {}", said(&wait).in_lang(lang)));
+            screen.waits(text.unwrap_or_default());
+        } else if is_long && !self.has_waited && self.live.is_none() && !self.job.arguments.quiet {
+            let Some(wait) = self.waits.now(run) else {
+                return;
+            };
+            let wait = said(&wait);
+            let text = Running::GoesOn { wait };
+            screen.above(|| report::complain(&format!("{}\n", text.in_lang(lang))));
+        }
+        self.has_waited = is_long;
     }
 }
 
@@ -338,8 +375,9 @@ impl Observer for Watch<'_> {
         if let Some(screen) = run.console_mut::<Screen>() {
             screen.at(cycle);
         }
+        self.look_for_a_wait(run, cycle);
         if let Some(live) = &mut self.live {
-            live.after(run, &self.job.loaded.source);
+            live.after(run, &self.waits, &self.job.loaded.source);
         }
     }
 }

@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
+use tip_lint::message::More;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Diagnostic, Fix};
 use tipc::message::Lang;
-use tipc::message::count::More;
 use tipc::source::{Source, Span, Unit};
 
 /// Where the schema of the standard is.

@@ -12,18 +12,18 @@ mod viewer;
 use super::error::Error;
 use super::plant::Ours;
 use super::recorded::RecordedArguments;
+use super::robot::ChosenRobot;
 use super::watch::Watch;
-use super::{Status, input, interrupt, output, report};
+use super::{Status, input, interrupt, output, project, report};
+use crate::message::Using;
 use clap::Args;
 use file::ServedFile;
 use guard::Guard;
-use hub::{Hub, News};
+use hub::{Hub, News, Post};
 use std::net::SocketAddr;
 use std::path::Path;
-use std::sync::mpsc::SyncSender;
 use std::thread;
 use tip_view::live::{Session, Setup};
-use tipc::message::Using;
 
 /// `tipc serve`
 #[derive(Debug, Args)]
@@ -64,17 +64,17 @@ pub(super) struct Serve {
 pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     let path = arguments.recorded.file.as_path();
     let lang = arguments.recorded.source.shown.lang();
-    if input::is_standard(path) {
+    if input::is_stream(path) {
         return Err(Error::Usage(Using::ServeInput.in_lang(lang).to_string()));
     }
-    let Some(session) = arguments.session(path)? else {
+    let Some((session, file, robot)) = arguments.session(path)? else {
         return Ok(Status::Failure);
     };
     let failed = |error: std::io::Error| Error::Failed(format!("{}: {error}", arguments.listen));
     let listener = listen::open(arguments.listen).map_err(failed)?;
     let own = listener.local_addr().map_err(failed)?;
     let guard = Guard::new(own).map_err(Error::Failed)?;
-    let (hub, news) = Hub::new(session, ServedFile::new(path));
+    let (hub, post) = Hub::new(session, file, robot);
     output::print(format!("{}\n", guard.address()))?;
     let says = |message: Using| report::complain(&format!("{}\n", message.in_lang(lang)));
     if !arguments.quiet && !own.ip().is_loopback() {
@@ -83,40 +83,45 @@ pub(super) fn serve(arguments: &Serve) -> Result<Status, Error> {
     if !arguments.quiet {
         says(Using::ServeEnds);
     }
-    watch(path, news.clone())?;
-    listen::accept(listener, guard, news);
+    watch(path, post.clone())?;
+    listen::accept(listener, guard, post);
     hub.run();
     Ok(Status::Interrupted)
 }
 
 impl Serve {
-    /// The program on its robot; none if something was found, and reported.
-    fn session(&self, path: &Path) -> Result<Option<Session>, Error> {
+    /// Returns the program on its robot, its file, and the choice of the robot; none if something was found, and reported.
+    fn session(&self, path: &Path) -> Result<Option<(Session, ServedFile, ChosenRobot)>, Error> {
         let recorded = &self.recorded;
-        let Some((loaded, robot)) = recorded.load(path, self.quiet, Ours::Again("serve"))? else {
+        let lang = recorded.source.shown.lang();
+        let place = project::real(path);
+        let Some((loaded, robot, chosen)) =
+            recorded.load(path, self.quiet, Ours::Again("serve"))?
+        else {
             return Ok(None);
         };
         let inputs = recorded.inputs.inputs();
+        let bytes = loaded.source.bytes();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let setup = Setup {
             options: recorded.source.options(robot.options().robot),
             events: inputs.events,
             rest: inputs.cycles,
-            ..Setup::new(&name, &loaded.source.bytes(), robot)
+            ..Setup::new(&name, &bytes, robot)
         };
         let refused = |_| Error::Usage("an event cannot happen to this program".to_owned());
         let mut session = Session::new(setup).map_err(refused)?;
         if !self.paused {
             session.play();
         }
-        Ok(Some(session))
+        Ok(Some((session, ServedFile::new(place, bytes, lang), chosen)))
     }
 }
 
 /// Tells the hub of each change of the file.
-fn watch(path: &Path, news: SyncSender<News>) -> Result<(), Error> {
+fn watch(path: &Path, post: Post) -> Result<(), Error> {
     let watch = Watch::begin([path])?;
-    thread::spawn(move || while watch.changed() && news.send(News::FileChanged).is_ok() {});
+    thread::spawn(move || while watch.changed() && post.send(News::FileChanged) {});
     Ok(())
 }
 

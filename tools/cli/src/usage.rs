@@ -3,15 +3,16 @@
 use super::choices::LangName;
 use super::report::complain;
 use super::{Arguments, shown};
+use crate::message::Using;
+use crate::message::running::Weight;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, ValueEnum};
 use std::error::Error as _;
 use std::path::Path;
 use std::{env, fmt};
 use tip_runtime::printable::acts;
+use tipc::message::Lang;
 use tipc::message::list::Each;
-use tipc::message::running::Weight;
-use tipc::message::{Lang, Using};
 
 /// The words of other tools for what is here.
 const OTHERS: &[(&str, &str)] = &[
@@ -51,6 +52,16 @@ pub(super) fn count(text: &str) -> Result<u64, Wrong> {
     let text_of = || text.to_owned();
     text.parse()
         .map_err(|_| Wrong(Using::NotACount { text: text_of() }))
+}
+
+/// A whole number that is not 0: how many runs or cycles are compared.
+pub(super) fn positive(text: &str) -> Result<u64, Wrong> {
+    match count(text)? {
+        0 => Err(Wrong(Using::NotPositive {
+            text: text.to_owned(),
+        })),
+        count => Ok(count),
+    }
 }
 
 /// Says what is wrong, or gives the help that is asked for.

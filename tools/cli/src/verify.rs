@@ -9,12 +9,12 @@ use super::checked::checked;
 use super::error::Error;
 use super::plant::{self, Ours};
 use super::robot::ChosenRobot;
-use super::usage::count;
+use super::usage::positive;
 use super::{Status, interrupt, output, scene};
+use crate::message::Using;
 use certificate::certificate;
 use clap::Args;
 use finding::finding;
-use std::fs;
 use std::path::PathBuf;
 use tip_sim::search::{self, Failed};
 use tip_sim::verify::{Project, Subject};
@@ -48,7 +48,7 @@ pub(super) struct Verify {
     pub(super) inputs: InputArguments,
 
     /// How many runs a search makes
-    #[arg(long, value_name = "N", default_value = "256", value_parser = count, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "256", value_parser = positive, allow_negative_numbers = true)]
     pub(super) runs: u64,
 
     /// The Cargo.toml of the project whose tip-runtime is used, if not that of the current folder
@@ -61,6 +61,12 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     interrupt::catch();
     let lang = arguments.source.shown.lang();
     let plant = plant::ours(arguments.inputs.plant.as_ref(), Ours::Again("verify"), lang)?;
+    let inputs = arguments.inputs.inputs();
+    if let Some(0) = inputs.cycles {
+        let text = "--cycles 0".to_owned();
+        let reason = Using::NotPositive { text };
+        return Err(Error::Usage(reason.in_lang(lang).to_string()));
+    }
     let Some(checked) = checked(&arguments.file, &arguments.source) else {
         return Ok(Status::Failure);
     };
@@ -74,8 +80,7 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     let project = Project::find(arguments.manifest_path.as_deref())?;
     scene::around(checked.robot.simulated()?, &scene)?;
     let name = arguments.file.display().to_string();
-    let source =
-        fs::read(&arguments.file).map_err(|error| Error::Failed(format!("{name}: {error}")))?;
+    let source = checked.source.bytes();
     let options = arguments.source.options(checked.robot.robot());
     let subject = Subject::new(&name, &source, options, &checked.program).with_scene(scene);
     let subject = match &checked.robot {
@@ -85,7 +90,6 @@ pub(super) fn verify(arguments: &Verify) -> Result<Status, Error> {
     building();
     let built = project.engines(&subject).map_err(Error::from);
     let built = built.map_err(interrupted_building)?;
-    let inputs = arguments.inputs.inputs();
     let runs = if inputs.events.is_empty() {
         arguments.runs
     } else {

@@ -2,9 +2,9 @@
 
 use super::error::Error;
 use super::plant::Ours;
-use super::recorded::{RecordedArguments, STOPPED};
+use super::recorded::RecordedArguments;
 use super::report::plural;
-use super::{Status, interrupt, output, report};
+use super::{Status, input, interrupt, output, report};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
@@ -26,7 +26,8 @@ The page is one file that asks for nothing: it opens by double click, and can be
 another page. It shows the robot in three dimensions beside the line that runs, with messages,
 falls, slips, forces and plots on one time axis. Its address takes #cycle=611.
 
-A run is recorded for ten minutes of the robot's time, or for --cycles. However it ends, the page
+A run is recorded for ten minutes of the robot's time, or for --cycles; without --cycles it also ends
+when it has waited for a minute without a motion. However it ends, the page
 is written.
 
 Exit status: 0 written, 1 the program does not load or a file cannot be read or written,
@@ -52,7 +53,8 @@ pub(super) struct View {
 pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     let recorded = &arguments.recorded;
     let program = arguments.program.as_deref().unwrap_or(&recorded.file);
-    let Some((loaded, robot)) = recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
+    let Some((loaded, robot, _)) =
+        recorded.load(program, arguments.quiet, Ours::Recorded("view"))?
     else {
         return Ok(Status::Failure);
     };
@@ -72,8 +74,8 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     output::replace(&out, &page)?;
     if !arguments.quiet {
         report::complain(&summary(&recording, &out, page.len()));
-        if arguments.program.is_none() && recorded.has_no_end(&recording) {
-            report::complain(STOPPED);
+        if arguments.program.is_none() {
+            recorded.say_wait(&recording);
         }
     }
     Ok(match recording.outcome {
@@ -82,12 +84,15 @@ pub(super) fn view(arguments: &View) -> Result<Status, Error> {
     })
 }
 
+/// The size limit of a trace, MiB: some hours of the robot's time.
+const LARGEST_TRACE: usize = 1024;
+
 impl View {
     /// Where the page goes.
     fn out(&self) -> PathBuf {
         match &self.out {
             Some(out) => out.clone(),
-            None if self.recorded.file.as_os_str() == "-" => PathBuf::from("run.html"),
+            None if input::is_stream(&self.recorded.file) => PathBuf::from("run.html"),
             None => self.recorded.file.with_extension("html"),
         }
     }
@@ -95,7 +100,10 @@ impl View {
     fn read(&self, loaded: &Loaded, robot: &Robot) -> Result<Recording, Error> {
         let name = Printable::line(self.recorded.file.display()).to_string();
         let failed = |error: &dyn std::fmt::Display| Error::Failed(format!("{name}: {error}"));
-        let trace = std::fs::read_to_string(&self.recorded.file).map_err(|error| failed(&error))?;
+        let lang = self.recorded.source.shown.lang();
+        let trace = input::read(&self.recorded.file, LARGEST_TRACE)
+            .map_err(|reason| failed(&reason.in_lang(lang)))?;
+        let trace = String::from_utf8(trace).map_err(|error| failed(&error))?;
         let read = Recording::from_trace(&trace, loaded, robot);
         read.map_err(|error: BadTrace| failed(&error))
     }

@@ -2,9 +2,10 @@
 
 use crate::Document;
 use crate::format::by_lines;
+use crate::message::Editing;
+use tip_lint::repair::{confirm, repair};
 use tipc::diagnostic::{Applicability, Edit};
-use tipc::message::{Editing, Message};
-use tipc::repair::{confirm, repair};
+use tipc::message::Message;
 use tipc::source::Span;
 
 /// A change that is offered.

@@ -1,11 +1,12 @@
 //! A program in an editor: its text, and all that is known of it.
 
 use std::cell::OnceCell;
-use tipc::analysis::cycles::{self, Part, Sampling};
+use tip_lint::cycles::{self, Part, Sampling};
+use tip_lint::load;
 use tipc::source::{Encoding, Source, Span};
 use tipc::symbols::{Definition, Use};
 use tipc::syntax::Statement;
-use tipc::{Loaded, Options, Robot, load};
+use tipc::{Loaded, Options, Robot};
 
 /// A program in an editor. It answers for one text; another text is another document.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct Document {
     pub(crate) options: Options,
     /// What the parts of the program take, once somebody asks.
     parts: OnceCell<Vec<Part>>,
+    /// Whether the program sets a sampling time of its own, once somebody asks.
+    pub(crate) sets_sampling: OnceCell<bool>,
 }
 
 impl Document {
@@ -32,6 +35,7 @@ impl Document {
             loaded,
             options: *options,
             parts: OnceCell::new(),
+            sets_sampling: OnceCell::new(),
         }
     }
 
@@ -86,7 +90,7 @@ impl Document {
         self.parts.get_or_init(|| {
             let program = self.loaded.program.as_ref();
             program.map_or(Vec::new(), |program| {
-                cycles::parts(program, self.sampling())
+                cycles::parts(program, self.sampling()).counted
             })
         })
     }

@@ -1,9 +1,9 @@
 //! The one style, as changes of the text.
 
 use crate::Document;
+use tip_lint::format::{Refusal, format};
+use tip_lint::message::Formatting;
 use tipc::diagnostic::Edit;
-use tipc::format::{Refusal, format};
-use tipc::message::Formatting;
 use tipc::source::{Encoding, Source, Span};
 
 impl Document {

@@ -3,13 +3,14 @@
 mod facts;
 
 use crate::Document;
+use crate::message::Editing;
 use crate::word::{What, Word};
 use tipc::code::Code;
 use tipc::language::commands::{self, Command, Cycles, Robots};
 use tipc::language::functions::{self, Operation};
 use tipc::language::{Bilingual, Keyword, flags, inputs, reserved};
 use tipc::message::list::Each;
-use tipc::message::{Editing, Lang, Message};
+use tipc::message::{Lang, Message};
 use tipc::source::Span;
 
 /// What is known of a word.

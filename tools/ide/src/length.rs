@@ -1,8 +1,9 @@
 //! How many control cycles something takes, in words.
 
 use crate::Document;
-use tipc::analysis::cycles::Count;
-use tipc::message::{Editing, Message};
+use crate::message::Editing;
+use tip_lint::cycles::Count;
+use tipc::message::Message;
 use tipc::program::{Action, Op, Step};
 
 impl Document {
@@ -38,7 +39,8 @@ impl Document {
             )
         };
         let program = self.loaded.program.as_ref();
-        program.is_some_and(|program| program.steps().iter().any(sets))
+        let is_set = || program.is_some_and(|program| program.steps().iter().any(sets));
+        *self.sets_sampling.get_or_init(is_set)
     }
 }
 

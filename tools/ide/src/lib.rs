@@ -11,6 +11,7 @@ mod format;
 mod hint;
 mod hover;
 mod length;
+pub mod message;
 mod navigate;
 mod offer;
 mod outline;

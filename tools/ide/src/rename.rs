@@ -1,12 +1,13 @@
 //! Other names, if the program stays the same.
 
 use crate::Document;
+use crate::message::Editing;
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::names;
 use tipc::language::reserved::{LOOP, is_reserved};
-use tipc::message::{Editing, Message, Naming, Parsing};
+use tipc::message::{Message, Naming, Parsing};
 use tipc::source::Span;
 use tipc::symbols::{Definition, DefinitionKind, Symbols, Use};
 

@@ -24,7 +24,6 @@ pub(crate) trait Body {
     fn anatomy(&self) -> Anatomy;
     fn has_input(&self, around: &Around, port: Port) -> bool;
     /// How it and what is around it begin, if everything has mass.
-    #[cfg(feature = "urdf")]
     fn beginning(&self, around: &Around) -> Beginning;
     /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
     fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss>;
@@ -90,7 +89,6 @@ impl Limb {
 }
 
 /// Where a robot and the objects around it are before the first control cycle.
-#[cfg(feature = "urdf")]
 pub(crate) struct Beginning {
     /// Of the body; `None` if it is bolted down.
     pub(crate) pose: Option<plant::Pose>,
@@ -189,7 +187,6 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
         plant::Plant::set_sensor(&mut self.rig(around), port, 0.0)
     }
 
-    #[cfg(feature = "urdf")]
     fn beginning(&self, around: &Around) -> Beginning {
         let rig = self.rig(&Around {
             plant: Plant::Dynamic,

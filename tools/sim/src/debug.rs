@@ -51,9 +51,6 @@ mod stop;
 mod watch;
 mod words;
 
-#[cfg(test)]
-mod tests;
-
 pub use ask::{Asked, Value};
 pub use breakpoints::{Placed, When};
 pub use change::Discard;
@@ -75,8 +72,8 @@ use errand::Errand;
 use history::History;
 use marks::Marks;
 use std::sync::Arc;
+use tip_lint::ask::Asker;
 use tip_runtime::machine::Mismatch;
-use tipc::ask::Asker;
 use tipc::program::Program;
 use watch::Watches;
 

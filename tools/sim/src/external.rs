@@ -32,6 +32,7 @@ pub use trouble::{Ended, Head, Trouble};
 
 use crate::desk::Desk;
 use crate::engine::Engine;
+use crate::message::Simulating;
 use crate::motion::Limbs;
 use crate::outside::{Outside, Reading};
 use crate::robot::Robot;
@@ -51,7 +52,7 @@ use tip_runtime::machine::Mismatch;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Travel, volts_of_load};
 use tip_runtime::program::Program;
-use tipc::message::{Lang, Simulating};
+use tipc::message::Lang;
 
 /// A process that simulates a robot: how it is started, and how long it may take.
 #[derive(Clone)]

@@ -50,6 +50,7 @@ impl Run {
                 time,
                 step,
                 margin: fall.margin,
+                is_upright: fall.is_upright,
             });
         }
     }

@@ -6,13 +6,10 @@
 mod evaluate;
 mod step;
 
-#[cfg(test)]
-mod tests;
-
 use std::sync::Arc;
+use tip_lint::spots::Place;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::{CallStack, Context, Flow, Program, Signature};
-use tipc::analysis::spots::Place;
 use tipc::program;
 
 /// A program together with the state of its run. Copies share the program.

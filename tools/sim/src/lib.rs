@@ -7,7 +7,6 @@ mod apart;
 mod body;
 mod cycle;
 pub mod debug;
-#[cfg(feature = "robot-files")]
 mod described;
 mod desk;
 mod echo;
@@ -19,7 +18,7 @@ mod findings;
 mod interp;
 mod load;
 pub mod lockstep;
-#[cfg(feature = "urdf")]
+pub mod message;
 pub mod mjcf;
 mod motion;
 mod native;
@@ -35,18 +34,15 @@ mod shell;
 mod sink;
 mod snapshot;
 pub mod special;
-#[cfg(feature = "std")]
 mod trace;
-#[cfg(feature = "std")]
 mod transcript;
-#[cfg(feature = "urdf")]
 pub mod urdf;
-#[cfg(feature = "verify")]
 pub mod verify;
+mod waits;
 
+pub use apart::end_processes;
 pub use body::{Anatomy, Limb};
 pub use cycle::{Asked, Cycle};
-#[cfg(feature = "robot-files")]
 pub use described::NotDescribed;
 pub use engine::Engine;
 pub use event::{Event, Events, Inputs, Timed};
@@ -60,3 +56,4 @@ pub use robot::{GraspsNothing, Robot, UnknownRobot};
 pub use run::{Limit, Observer, Run};
 pub use snapshot::Snapshot;
 pub use tipc;
+pub use waits::{Wait, Waits};

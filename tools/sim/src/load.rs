@@ -11,7 +11,7 @@ use tipc::Loaded;
 /// # Errors
 /// Everything that is wrong with the text.
 pub fn load(name: &str, text: &str, robot: &Robot) -> Result<Interpreter, NotLoaded> {
-    let mut loaded = tipc::load(name, text.as_bytes(), &robot.options());
+    let mut loaded = tip_lint::load(name, text.as_bytes(), &robot.options());
     match loaded.program.take() {
         Some(program) => Ok(Interpreter::new(program)),
         None => Err(NotLoaded(Box::new(loaded))),

@@ -31,9 +31,6 @@ mod side;
 pub use answer::{Answer, RunEnd, Session, serve};
 pub use reach::Reach;
 
-#[cfg(all(test, feature = "std"))]
-mod tests;
-
 use crate::event::Inputs;
 use crate::interp::Interpreter;
 use crate::refused::Refused;
@@ -41,10 +38,10 @@ use crate::robot::Robot;
 use crate::run::Run;
 use side::Side;
 use std::sync::Arc;
+use tip_lint::spots::Place;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, Sink};
-use tipc::analysis::spots::Place;
 use tipc::program::{self, StepId};
 
 /// The most cycles of a run that is given no limit: a program may run forever.
@@ -56,7 +53,6 @@ pub const LIMIT: u64 = 10_000;
 pub enum Evidence {
     /// The record of the trace, to the byte: every assignment, message, lamp and command, and a hash over the bits of
     /// all joints.
-    #[cfg(feature = "std")]
     Records,
     /// A running hash of the same, of every variable, and of all that a console is shown: quick. Where it differs the
     /// run is repeated, and both sides write the cycle down in words.
@@ -123,7 +119,6 @@ impl Lockstep {
     ///
     /// # Errors
     /// One of them is for another robot.
-    #[cfg(feature = "std")]
     pub fn new(
         program: impl Into<Arc<program::Program>>,
         compiled: impl Program + Clone + 'static,
@@ -197,7 +192,6 @@ impl Lockstep {
             compiled.cycle(limit, None);
             if !interpreted.equals(&compiled) {
                 let [interpreted, compiled] = match self.evidence {
-                    #[cfg(feature = "std")]
                     Evidence::Records => side::first_difference(&interpreted, &compiled),
                     Evidence::Hashes => self.in_words(inputs, cycle)?,
                 };

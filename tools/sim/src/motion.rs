@@ -51,7 +51,7 @@ impl<const L: usize> From<plant::Grasp<L>> for Grasp {
     }
 }
 
-/// The robot fell: its centre of mass left the support polygon.
+/// The robot fell: its body came down, or its support was lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fall {
@@ -61,8 +61,10 @@ pub struct Fall {
     pub time: f64,
     /// The step that ran in it.
     pub step: u32,
-    /// How far outside the centre of mass was: mm, negative.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
+    /// Its body was upright then: one without mass would fall.
+    pub is_upright: bool,
 }
 
 // Out of line, or it would be copied for each number of legs.

@@ -10,7 +10,7 @@
 //!
 //! let robot = Robot::named("titan8").expect("it has a name");
 //! let program = b"3.1\nToo far\nPTP F1 -2000 200 -200\nEND\n";
-//! let mut loaded = tipc::load("far.prg", program, &robot.options());
+//! let mut loaded = tip_lint::load("far.prg", program, &robot.options());
 //! reach::warn(&mut loaded, &robot);
 //! assert_eq!(loaded.diagnostics[0].code, Code::OutOfReach);
 //! ```

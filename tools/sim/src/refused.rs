@@ -1,11 +1,12 @@
 //! Why something cannot happen to a run.
 
 use crate::event::EventError;
+use crate::message::Debugging;
 use std::fmt;
 use tip_runtime::command::Port;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::VariableError;
-use tipc::message::{Debugging, Lang};
+use tipc::message::Lang;
 
 /// Why something cannot happen to a run.
 #[derive(Clone, Debug, PartialEq, Eq)]

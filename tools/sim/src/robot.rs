@@ -15,7 +15,6 @@ use tip_runtime::model::{Model, generic, hand, titan8};
 use tip_runtime::plant::{self, Scene};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
-#[cfg(feature = "robot-files")]
 use tipc::description::Shapes;
 use tipc::{Facts, Options, published};
 
@@ -29,13 +28,12 @@ pub struct Robot {
     special: Native,
     /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
     answers: Option<&'static [u8]>,
-    #[cfg(feature = "robot-files")]
     shapes: Rc<Shapes>,
 }
 
 impl Robot {
     /// A robot that has a name: `titan8`, `hand` or `generic`, which the language knows, or one of those that are
-    /// [`published`](tipc::published), with the feature `robot-files`. The hand has its SPECIAL commands.
+    /// [`published`](tipc::published). The hand has its SPECIAL commands.
     ///
     /// # Errors
     /// There is no robot of that name.
@@ -54,11 +52,6 @@ impl Robot {
             }
             _ => Self::published(name).ok_or_else(|| UnknownRobot(name.to_owned())),
         }
-    }
-
-    #[cfg(not(feature = "robot-files"))]
-    fn published(_: &str) -> Option<Self> {
-        None
     }
 
     /// A walking robot of a model, such as `include_robot!` makes.
@@ -86,7 +79,6 @@ impl Robot {
             },
             special: Native::new(()),
             answers: Some(&[]),
-            #[cfg(feature = "robot-files")]
             shapes: Rc::default(),
         }
     }
@@ -147,19 +139,16 @@ impl Robot {
     }
 
     /// What a description says that it looks like.
-    #[cfg(feature = "robot-files")]
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
     }
 
-    #[cfg(feature = "robot-files")]
     pub(crate) fn with_shapes(mut self, shapes: Shapes) -> Self {
         self.shapes = Rc::new(shapes);
         self
     }
 
     /// How it and what is around it begin.
-    #[cfg(feature = "urdf")]
     pub(crate) fn beginning(&self) -> crate::body::Beginning {
         self.body.beginning(&self.around)
     }

@@ -9,7 +9,6 @@ use crate::refused::Refused;
 use crate::robot::Robot;
 use crate::shell::Shell;
 use crate::sink::both;
-#[cfg(feature = "std")]
 use crate::trace::Trace;
 use std::fmt;
 use std::time::Duration;
@@ -79,7 +78,6 @@ pub struct Run {
     pub(crate) ending: Option<Ending>,
     /// The first one.
     pub(crate) fall: Option<Fall>,
-    #[cfg(feature = "std")]
     pub(crate) trace: Option<Trace>,
 }
 
@@ -107,7 +105,6 @@ impl Run {
             happened: 0,
             ending: None,
             fall: None,
-            #[cfg(feature = "std")]
             trace: None,
         }
     }
@@ -188,7 +185,6 @@ impl Run {
     }
 
     /// Keeps a trace from now on; `with_state` ends each record with a hash of joint commands and measurements.
-    #[cfg(feature = "std")]
     #[must_use]
     pub fn with_trace(mut self, with_state: bool) -> Self {
         self.trace = Some(Trace::new(with_state));
@@ -196,7 +192,6 @@ impl Run {
     }
 
     /// The trace so far, with its last record if the run has ended; empty if none is kept.
-    #[cfg(feature = "std")]
     pub fn trace(&self) -> String {
         let trace = self.trace.as_ref();
         trace.map_or(String::new(), |trace| {
@@ -254,12 +249,8 @@ impl Run {
     pub fn advance(&mut self, sink: Option<&mut dyn Sink>) -> Status {
         self.happen();
         let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
-        #[cfg(feature = "std")]
         let own = self.trace.as_mut().map(Trace::sink);
-        #[cfg(not(feature = "std"))]
-        let own = None;
         let status = both(own, sink, |sink| self.shell.cycle(sink));
-        #[cfg(feature = "std")]
         self.trace.iter_mut().for_each(Trace::keep);
         self.note_fall(cycle, time, step);
         self.ending = match status {
@@ -379,7 +370,6 @@ impl Clone for Run {
             happened: self.happened,
             ending: self.ending,
             fall: self.fall,
-            #[cfg(feature = "std")]
             trace: self.trace.clone(),
         }
     }

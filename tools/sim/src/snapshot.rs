@@ -3,7 +3,6 @@
 use crate::motion::Fall;
 use crate::run::Run;
 use crate::shell::Shell;
-#[cfg(feature = "std")]
 use crate::trace;
 use std::fmt;
 use tip_runtime::record::Ending;
@@ -15,9 +14,7 @@ pub struct Snapshot {
     happened: usize,
     ending: Option<Ending>,
     fall: Option<Fall>,
-    #[cfg(feature = "std")]
     trace: Option<trace::Mark>,
-    #[cfg(feature = "std")]
     shown: Option<crate::transcript::Lengths>,
 }
 
@@ -37,9 +34,7 @@ impl Run {
             happened: self.happened,
             ending: self.ending,
             fall: self.fall,
-            #[cfg(feature = "std")]
             trace: self.trace.as_ref().map(trace::Trace::mark),
-            #[cfg(feature = "std")]
             shown: self.console().map(crate::transcript::Lengths::of),
         }
     }
@@ -54,7 +49,6 @@ impl Run {
         self.happened = mark.happened;
         self.ending = mark.ending;
         self.fall = mark.fall;
-        #[cfg(feature = "std")]
         {
             if let (Some(trace), Some(mark)) = (&mut self.trace, &mark.trace) {
                 trace.restore(mark);

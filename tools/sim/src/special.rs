@@ -7,7 +7,7 @@
 //!
 //! let robot = Robot::named("titan8").expect("it has a name");
 //! let program = b"3.1\nNot answered\nSPECIAL 30\nEND\n";
-//! let mut loaded = tipc::load("sway.prg", program, &robot.options());
+//! let mut loaded = tip_lint::load("sway.prg", program, &robot.options());
 //! special::warn(&mut loaded, &robot);
 //! assert_eq!(loaded.diagnostics[0].code, Code::Unanswered);
 //! ```

@@ -53,22 +53,24 @@ mod version;
 mod weight;
 mod write;
 mod xacro;
-pub(crate) mod xml;
+pub mod xml;
 
 pub use choices::Choices;
 pub use export::export;
 pub use foot::Foot;
+pub use pose::Up;
+pub use xml::decode;
 
+use crate::message::Importing;
 use chain::Chain;
 use pose::Pose;
 use std::fmt;
 use tip_runtime::command::MAX;
 use tipc::description::{self, Description};
-use tipc::message::Importing;
 use tipc::message::list::{Faults, List};
 use tree::Tree;
 use values::printed;
-use write::Found;
+use write::{Found, Stands};
 
 /// A description that was made of a URDF file.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,9 +122,9 @@ pub fn import_with(
     text: &str,
     choices: &Choices,
 ) -> Result<Import, ImportError> {
-    let robot = read::robot(text)?;
-    let tree = Tree::new(&robot)?;
-    let base = tree.rigid(tree.base(), Pose::ROBOT_FRAME);
+    let file = read::robot(text)?;
+    let tree = Tree::new(&file)?;
+    let base = tree.rigid(tree.base(), Pose::of_root(choices.up.unwrap_or_default()));
     let mut first_joints = tree.movable(&base);
     first_joints.retain(|(joint, pose)| !body::is_slider(&tree, joint, *pose));
     if first_joints.is_empty() {
@@ -131,30 +133,52 @@ pub fn import_with(
         }));
     }
     let (first_joints, left_out) = choices.legs(&tree, first_joints)?;
-    let legs = first_joints
+    let mut legs = first_joints
         .into_iter()
         .map(|(joint, pose)| Chain::follow(&tree, joint, pose, &choices.feet))
         .collect::<Result<Vec<_>, _>>()?;
     check_feet(&legs, &choices.feet)?;
     check_sizes(&legs)?;
+    let extents = body::extents(&base);
+    let is_bolted_down = tree.is_bolted_down();
+    let walks = !is_bolted_down && (legs.len() >= 3 || extents.is_some());
+    if let (true, None, Some(up)) = (walks, choices.up, chain::on_its_side(&legs)) {
+        return Err(ImportError::new(Importing::OnItsSide { up }));
+    }
+    let order =
+        (choices.order.is_empty() && legs.len() > 1).then(|| chain::order(&mut legs, walks));
     let mut found = Found {
-        name: &robot.name,
-        is_bolted_down: tree.is_bolted_down(),
+        name: &file.name,
+        walks,
         base: &base,
-        extents: body::extents(&base),
+        extents,
         slider: body::slider(&tree, &base),
         legs: &legs,
-        stands: None,
+        stands: Stands::Middle,
     };
     let (mut import, robot) = described(source_name, &found)?;
     if let Some(height) = choices.stand {
-        if !found.walks() {
+        if !walks {
             return Err(ImportError::new(Importing::StandIsForWalkers));
         }
-        found.stands = Some((height, stand::postures(&robot, height)?));
+        let postures = stand::postures(&robot, height)?;
+        found.stands = Stands::AsAsked { height, postures };
         (import, _) = described(source_name, &found)?;
+    } else if walks && !stand::stays_up(&robot) {
+        let stands = stand::heights(&robot).find_map(|height| {
+            let postures = stand::postures(&robot, height).ok()?;
+            found.stands = Stands::Assumed { height, postures };
+            let (import, robot) = described(source_name, &found).ok()?;
+            stand::stays_up(&robot).then_some(import)
+        });
+        match stands {
+            Some(stands) => import = stands,
+            None => import.report.push(Importing::DoesNotStand),
+        }
     }
     import.report.extend(left_out);
+    import.report.extend(order);
+    import.report.extend(file.notes);
     Ok(import)
 }
 

@@ -7,7 +7,7 @@
 //!
 //! let source = std::fs::read("walk.prg")?;
 //! let options = Robot::named("titan8")?.options();
-//! let program = tipc::load("walk.prg", &source, &options).program.ok_or("it does not load")?;
+//! let program = tip_lint::load("walk.prg", &source, &options).program.ok_or("it does not load")?;
 //! let subject = Subject::new("walk.prg", &source, options, &program);
 //! let mut engines = Project::find(None)?.engines(&subject)?;
 //! match search::verify(&mut engines, &program, &Inputs::default(), 256) {

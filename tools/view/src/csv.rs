@@ -123,7 +123,7 @@ impl<'a> Table<'a> {
             some(recording.step(cycle)),
             some(recording.line(cycle)),
             some(command.map(|at| &at.what)),
-            self.message.to_owned(),
+            shown(self.message),
             words(&frame.flags),
             words(&self.lamps),
         ];
@@ -204,10 +204,21 @@ fn within<T>(list: &[T], from: u64, until: u64, cycle: impl Fn(&T) -> u64) -> &[
     list.get(begin..end).unwrap_or_default()
 }
 
-/// A number that reads back to the same bits; −0 is 0.
+/// A text that spreadsheets show: an apostrophe comes before one that they would take for a formula. A number stays one.
+fn shown(text: &str) -> String {
+    let begins = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
+    let is_number = text.parse().is_ok_and(f64::is_finite);
+    match text.starts_with(begins) && !is_number {
+        true => format!("'{text}"),
+        false => text.to_owned(),
+    }
+}
+
+/// A number that reads back to the same bits; −0 is 0. What is no number is an empty field.
 fn number(value: f64) -> String {
     // What is far from 1 has an exponent, in place of a row of zeros.
     match value.abs() {
+        size if !size.is_finite() => String::new(),
         0.0 => "0".to_owned(),
         size if (1e-5..1e16).contains(&size) => value.to_string(),
         _ => format!("{value:e}"),

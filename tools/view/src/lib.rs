@@ -4,14 +4,11 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
 mod bundle;
-#[cfg(feature = "logs")]
 mod csv;
 pub mod live;
-#[cfg(feature = "logs")]
 mod mcap;
 mod pack;
 mod page;
-#[cfg(feature = "plots")]
 mod plot;
 mod recorder;
 mod recording;
@@ -19,7 +16,6 @@ mod skeleton;
 mod slips;
 mod trace;
 
-#[cfg(feature = "plots")]
 pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, NotRecorded};
 pub use recording::{

@@ -25,12 +25,15 @@ mod draft;
 mod finding;
 mod host;
 mod known;
+mod reader;
 mod request;
 mod runner;
 mod session;
 mod update;
 
 pub use host::{Host, NoFile};
+pub use reader::{Reader, Reading, Unread};
+pub use request::Asked;
 pub use session::{Session, Setup};
 pub use update::Viewer;
 

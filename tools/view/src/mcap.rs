@@ -265,13 +265,14 @@ impl<'a, W: Write + Seek> Log<'a, W> {
                 self.send(&VARIABLES, time, variables)
             }
             Happening::Say(text) => self.say(cycle, INFO, text),
-            Happening::Fall(margin) => {
+            Happening::Fall(margin) if *margin < 0.0 => {
                 let text = format!(
                     "the robot falls: its centre of mass is {:.1} mm outside",
                     -margin
                 );
                 self.say(cycle, ERROR, &text)
             }
+            Happening::Fall(_) => self.say(cycle, ERROR, "the robot falls"),
         }
     }
 

@@ -42,7 +42,7 @@ fn escaped(text: &str) -> String {
             '>' => html.push_str("&gt;"),
             '"' => html.push_str("&quot;"),
             '\'' => html.push_str("&#39;"),
-            char if char.is_control() => html.push(' '),
+            char if char.is_control() || matches!(char, '\u{fffe}' | '\u{ffff}') => html.push(' '),
             char => html.push(char),
         }
     }

@@ -11,6 +11,7 @@ use page::{Drawn, Page, Span, View, padded};
 use std::fmt;
 use tip_runtime::model::Point;
 use tip_sim::urdf::frame;
+use tip_sim::urdf::xml::permitted;
 use tipc::message::Lang;
 use titles::{Axis, Title};
 
@@ -76,7 +77,8 @@ impl Recording {
         let heights: Vec<u32> = panels.iter().map(Panel::height).collect();
         let names: Vec<String> = (1..).take(self.robot.legs.len()).map(frame::foot).collect();
         let draw = |page: Page<'_>| -> Drawn {
-            let heading = format!("{}: {}", self.robot.name, self.script.title);
+            // Its characters are not looked at by what writes SVG.
+            let heading = permitted(&format!("{}: {}", self.robot.name, self.script.title));
             let areas = page.split(&heading, &names, &heights)?;
             for (panel, area) in panels.iter().zip(areas) {
                 panel.draw(&area, lang)?;
@@ -314,6 +316,8 @@ impl<'a> Plot<'a> {
             self.frames
                 .iter()
                 .filter_map(|frame| of(frame, leg))
+                // What has diverged has no place.
+                .filter(|(x, y)| x.is_finite() && y.is_finite())
                 .collect()
         };
         legs.map(points).collect()

@@ -13,7 +13,7 @@ use tip_runtime::hardware::JointCommand;
 use tip_runtime::machine::Mismatch;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run};
+use tip_sim::{Cycle, Events, Interpreter, Refused, Robot, Run, Waits};
 use tipc::Loaded;
 use tipc::language::Keyword;
 use tipc::source::Source;
@@ -29,8 +29,13 @@ const ROUNDING: f64 = 1e-6;
 pub enum Extent {
     /// So many cycles.
     Cycles(u64),
-    /// So much time of the robot: ms.
-    Time(f64),
+    /// So much time of the robot, but less if it waits so long without a motion: ms.
+    Time {
+        /// For the whole run.
+        most: f64,
+        /// For one wait.
+        wait: f64,
+    },
 }
 
 impl Extent {
@@ -39,15 +44,18 @@ impl Extent {
         Extent::Cycles(cycles)
     }
 
-    /// So many minutes of the robot's time.
+    /// So many minutes of the robot's time; a minute without a motion ends it too.
     pub const fn minutes(minutes: f64) -> Self {
-        Extent::Time(minutes * 60_000.0)
+        Extent::Time {
+            most: minutes * 60_000.0,
+            wait: 60_000.0,
+        }
     }
 
-    fn is_over(self, run: &Run) -> bool {
+    fn is_over(self, run: &Run, waits: &Waits) -> bool {
         match self {
             Extent::Cycles(cycles) => run.cycles() >= cycles,
-            Extent::Time(time) => run.time() >= time,
+            Extent::Time { most, wait } => run.time() >= most || waits.rest(run) >= wait,
         }
     }
 }
@@ -111,11 +119,12 @@ impl Recording {
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = events.all().to_vec();
         recorder.pace = pace;
+        let mut waits = Waits::default();
         let outcome = loop {
             if let Some(ending) = run.ending() {
                 break Outcome::from(ending);
             }
-            if extent.is_over(&run) {
+            if extent.is_over(&run, &waits) {
                 break Outcome::Limit;
             }
             if !goes_on() {
@@ -123,7 +132,11 @@ impl Recording {
             }
             let cycle = run.cycle();
             recorder.take(cycle, &run);
+            waits.after(&run);
         };
+        if let Outcome::Limit | Outcome::Interrupted = outcome {
+            recorder.recording.wait = waits.now(&run);
+        }
         Ok(recorder.finish(outcome))
     }
 }
@@ -194,6 +207,7 @@ impl Recorder {
                 slips: Vec::new(),
                 events: Vec::new(),
                 outcome: Outcome::Limit,
+                wait: None,
             },
             slips: Slips::default(),
             falls: 0,

@@ -6,7 +6,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Scene};
-use tip_sim::{Asked, Timed};
+use tip_sim::{Asked, Timed, Wait};
 
 /// What a program did, from its first cycle to its last.
 ///
@@ -42,7 +42,7 @@ pub struct Recording {
     pub flags: Vec<At<Vec<Flag>>>,
     /// How feet or joints, and a slider, were controlled, where that changed; the first is that of cycle 0. A trace does not say.
     pub modes: Vec<At<Vec<(Target, Mode)>>>,
-    /// Falls, with how far outside the centre of mass was: mm.
+    /// Falls, with the distance of the centre of mass from the edge of the support polygon: mm; negative outside.
     pub falls: Vec<At<f64>>,
     /// Feet that slipped while they stood.
     pub slips: Vec<At<Slip>>,
@@ -50,6 +50,8 @@ pub struct Recording {
     pub events: Vec<Timed>,
     /// How it ended.
     pub outcome: Outcome,
+    /// What the program waited for when someone else ended it, if it did. A trace does not say.
+    pub wait: Option<Wait>,
 }
 
 /// Something in a cycle, counted from 0.

@@ -15,6 +15,7 @@ use super::spatial::{Spatial, tensor};
 use super::world::{Share, World};
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
+use crate::plant::walker::path::Path;
 
 /// How a joint moves what it carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +51,7 @@ pub(super) struct LegBody<const J: usize> {
     spent: u16,
     /// Which joints are commanded torques.
     by_torque: u16,
+    path: Path,
 }
 
 impl<const J: usize> LegBody<J> {
@@ -70,7 +72,14 @@ impl<const J: usize> LegBody<J> {
             foot: Foothold::NONE,
             spent: 0,
             by_torque: 0,
+            path: Path::NONE,
         }
+    }
+
+    /// Returns the distance of the foot from the path of its commands, mm.
+    pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
+        let angles = self.servos.map(|servo| servo.angle.to_degrees());
+        self.path.stray_at(&self.model, commands, angles)
     }
 
     pub(super) fn obey(&mut self, commands: &[JointCommand; J], unit: f64) {

@@ -4,6 +4,7 @@ use super::bump::climb;
 use super::clash::{clash, clearance};
 use super::contact::Law;
 use super::factor::Factor;
+use super::frame::Frame;
 use super::leg::LegBody;
 use super::servo::{Drives, Stride};
 use super::spatial::{Inertia, Spatial};
@@ -16,6 +17,8 @@ use crate::command::{MAX, Port};
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::kinematics::frames;
 use crate::model::Leg;
+use crate::plant::walker::path::hurries;
+use crate::plant::{Following, are_sane};
 
 /// The longest step: s.
 const LONGEST: f64 = 5e-4;
@@ -42,6 +45,7 @@ pub(super) struct Robot<S: ?Sized> {
     /// All that weighs, as it was at the last step.
     pub(super) whole: Inertia,
     pub(super) watch: Watch,
+    pub(super) following: Following,
     pub(super) legs: S,
 }
 
@@ -106,6 +110,29 @@ impl<const J: usize> Robot<[LegBody<J>]> {
             leg.obey(commands, self.unit);
         }
         self.cycle(commands);
+        let speed = self.drives.servos.speed;
+        let mut is_too_fast = false;
+        let mut stray = 0.0_f64;
+        for (leg, commands) in self.legs.iter_mut().zip(commands) {
+            is_too_fast |= hurries(commands, speed);
+            stray = stray.max(leg.stray(commands));
+        }
+        self.following.count(is_too_fast, stray);
+    }
+
+    /// Returns true if all positions and speeds are a robot's.
+    pub(super) fn is_sane(&self) -> bool {
+        let Frame {
+            position,
+            velocity,
+            rate,
+            rotation,
+        } = &self.trunk.frame;
+        let body = [position, velocity, rate].into_iter();
+        let body = body.flat_map(|vector| vector.iter().copied());
+        let joints = self.legs.iter().flat_map(|leg| &leg.servos);
+        let joints = joints.flat_map(|servo| [servo.angle, servo.rate, servo.torque]);
+        are_sane(body.chain(rotation.matrix().iter().copied()).chain(joints))
     }
 
     /// Holds every joint for a control cycle.

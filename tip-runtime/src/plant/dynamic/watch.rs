@@ -5,14 +5,17 @@ use super::foothold::Foothold;
 use super::frame::Frame;
 use super::terrain::Terrain;
 use super::trunk::Trunk;
+use crate::plant::Travel;
+use crate::plant::walker::fall::{FallCounter, Posture};
 use crate::plant::walker::polygon;
-use crate::plant::{Fall, Travel};
 use core::f64::consts::{PI, TAU};
 
-/// A body that leans farther lies: cosine of 60 deg.
-const LEANING: f64 = 0.5;
 /// A robot that has stood on its feet alone for so long has got up: ms.
 const UP: f64 = 200.0;
+/// A robot that nothing has carried for so long, or nothing near its centre of mass, has lost its support: ms.
+const LOST: f64 = 200.0;
+/// Distance of the centre of mass from the support polygon then: a share of its height above the feet.
+const OUTSIDE: f64 = 0.25;
 
 /// What has been seen so far.
 #[derive(Clone, Copy, Debug)]
@@ -29,12 +32,9 @@ pub(super) struct Watch {
     pub(super) margin: f64,
     /// The least of it so far: mm.
     pub(super) least: f64,
-    pub(super) falls: u32,
-    pub(super) first: Option<Fall>,
-    /// Whether the robot has not got up since its last fall.
-    falling: bool,
-    /// Whether it has not got up since its body last lay.
-    lay: bool,
+    pub(super) falls: FallCounter,
+    /// For how long its support has been lost: ms.
+    unsupported: f64,
     /// For how long it has stood on its feet alone: ms.
     stood: f64,
     /// Writings so far.
@@ -50,10 +50,8 @@ impl Watch {
             slip: 0.0,
             margin: 0.0,
             least: f64::INFINITY,
-            falls: 0,
-            first: None,
-            falling: false,
-            lay: true,
+            falls: FallCounter::NONE,
+            unsupported: 0.0,
             stood: 0.0,
             cycle: 0,
         }
@@ -81,6 +79,8 @@ impl Watch {
         self.turn(&trunk.frame, terrain);
         let over = flat(trunk.frame.position + centre);
         let standing = feet.filter(|foot| foot.load > 0.0);
+        let lowest = standing.clone().map(|foot| foot.place.z);
+        let lowest = lowest.fold(f64::INFINITY, f64::min);
         let standing = standing.map(|foot| flat(foot.place));
         let corners = trunk.corners().into_iter().zip(trunk.loads);
         let corners = corners.filter(|(_, load)| *load > 0.0);
@@ -89,34 +89,33 @@ impl Watch {
         let on_feet = polygon::margin(standing.clone(), over);
         let stands = standing.clone().next().is_some() && !lies;
         let carriers = standing.chain(corners);
-        if carriers.clone().next().is_some() {
+        let is_carried = carriers.clone().next().is_some();
+        if is_carried {
             self.margin = polygon::margin(carriers, over);
             self.least = self.least.min(self.margin);
         }
-        let upright = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal) > LEANING;
-        let tips = !upright || (lies && !self.lay && on_feet < 0.0);
-        self.stood = if stands && upright {
+        let height = (trunk.frame.position.z + centre.z - lowest) * 1000.0;
+        let is_outside = stands && self.margin < -OUTSIDE * height;
+        self.unsupported = if is_outside || !(is_carried || lies) {
+            self.unsupported + period
+        } else {
+            0.0
+        };
+        let uprightness = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal);
+        self.stood = if stands && !is_outside {
             self.stood + period
         } else {
             0.0
         };
-        let is_up = self.stood >= UP;
-        self.lay = lies || (self.lay && !is_up);
-        self.count(tips, is_up);
-    }
-
-    /// A fall lasts until the robot has got up.
-    fn count(&mut self, tips: bool, is_up: bool) {
-        if !tips {
-            self.falling &= !is_up;
-        } else if !self.falling {
-            self.falling = true;
-            self.falls += 1;
-            self.first.get_or_insert(Fall {
-                cycle: self.cycle,
-                margin: self.margin,
-            });
-        }
+        let posture = Posture {
+            lies,
+            uprightness,
+            is_held: on_feet >= 0.0,
+            is_lost: self.unsupported >= LOST,
+            is_up: self.stood >= UP,
+            margin: self.margin,
+        };
+        self.falls.look(&posture, self.cycle);
     }
 
     /// The heading is kept within half a turn.

@@ -11,6 +11,7 @@ use super::{Fingertip, ObjectState};
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::{Leg, Model, Point, Whole};
+use crate::plant::are_sane;
 use crate::scene::{OBJECTS, Scene};
 
 /// The longest step: s.
@@ -224,6 +225,21 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
         self.slider.send(slider, seconds);
         self.advance();
+    }
+
+    /// Returns true if all positions and speeds are a hand's.
+    pub(super) fn is_sane(&self) -> bool {
+        let things = self.things.iter().flatten().map(|thing| &thing.body);
+        let things = things.flat_map(|body| {
+            let ([x, y], [u, v]) = (body.centre.into(), body.velocity.into());
+            [x, y, u, v, body.angle, body.spin]
+        });
+        let fingers = self.fingers.iter().map(|finger| &finger.finger);
+        let fingers = fingers.flat_map(|finger| {
+            let torques = finger.motors.iter().map(|motor| motor.torque);
+            finger.angles.iter().copied().chain(torques)
+        });
+        are_sane(things.chain(fingers))
     }
 
     /// One control cycle of an emergency.

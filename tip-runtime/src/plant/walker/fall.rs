@@ -1,4 +1,4 @@
-//! Watches the centre of mass over the support polygon.
+//! Falls: one definition for robots without mass and with it.
 
 use super::Vector;
 use super::contacts::Contacts;
@@ -7,14 +7,110 @@ use super::polygon;
 /// How far outside the polygon the centre of mass may be before the body tips: mm.
 pub(super) const TIPPING: f64 = 1.0;
 
-/// The centre of mass left the support polygon.
+/// A body that touches the ground lies flat if it is tilted by no more than this: cosine of 2 deg.
+const FLAT: f64 = 0.999_390_827_019_095_8;
+/// A body that comes to touch the ground has fallen if it is tilted by more: cosine of 5 deg.
+const TILTED: f64 = 0.996_194_698_091_745_5;
+/// A body that leans farther has fallen, whatever it touches: cosine of 60 deg.
+const LEANING: f64 = 0.5;
+
+/// A robot fell: its body came down, or its support was lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fall {
     /// The control cycle, from 0.
     pub cycle: u64,
-    /// How far outside the centre of mass was: mm, negative.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
+    /// Its body was upright then: it had lost its support, and a robot without mass does not come down by that.
+    pub is_upright: bool,
+}
+
+/// The posture of a robot at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::plant) struct Posture {
+    /// Its body touches the ground.
+    pub(in crate::plant) lies: bool,
+    /// Cosine of the angle from the floor's normal to the body's z axis.
+    pub(in crate::plant) uprightness: f64,
+    /// Its feet alone hold its centre of mass.
+    pub(in crate::plant) is_held: bool,
+    /// It has lost its support.
+    pub(in crate::plant) is_lost: bool,
+    /// It stands on its feet alone, and has got up if it had fallen.
+    pub(in crate::plant) is_up: bool,
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
+    pub(in crate::plant) margin: f64,
+}
+
+/// Counts falls. A robot falls when
+///
+/// - its body leans by more than 60 deg from the floor's normal,
+/// - its body comes to touch the ground tilted by more than 5 deg, or while its feet do not hold it, or
+/// - its support is lost, which leaves the body upright at first.
+///
+/// A robot that has lain down flat may do there what it likes until it has got up again.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::plant) struct FallCounter {
+    pub(in crate::plant) count: u32,
+    /// Number of these that brought the body down.
+    down: u32,
+    pub(in crate::plant) first: Option<Fall>,
+    is_falling: bool,
+    /// The body has come down in the present fall.
+    is_down: bool,
+    /// It has lain flat and not got up since.
+    lay: bool,
+    /// Its feet held it at the instant before.
+    was_held: bool,
+}
+
+impl FallCounter {
+    pub(in crate::plant) const NONE: Self = FallCounter {
+        count: 0,
+        down: 0,
+        first: None,
+        is_falling: false,
+        is_down: false,
+        lay: true,
+        was_held: true,
+    };
+
+    /// Returns the number of falls that left the body upright.
+    pub(in crate::plant) const fn upright(&self) -> u32 {
+        self.count - self.down
+    }
+
+    /// Looks at the end of a cycle. A fall lasts until the robot has got up.
+    pub(in crate::plant) fn look(&mut self, posture: &Posture, cycle: u64) {
+        let Posture {
+            lies, uprightness, ..
+        } = *posture;
+        let is_flat = uprightness >= FLAT;
+        // Feet that lower a body to the floor leave it as it touches.
+        let is_lowered = posture.is_held || (is_flat && self.was_held);
+        let drops = lies && !self.lay && (!is_lowered || uprightness < TILTED);
+        let comes_down = drops || uprightness < LEANING;
+        self.was_held = posture.is_held;
+        self.lay = (lies && is_flat) || (self.lay && !posture.is_up);
+        if !comes_down && !posture.is_lost {
+            self.is_falling &= !posture.is_up;
+            return;
+        }
+        if !self.is_falling {
+            (self.is_falling, self.is_down) = (true, false);
+            self.count += 1;
+            self.first.get_or_insert(Fall {
+                cycle,
+                margin: posture.margin,
+                is_upright: !comes_down,
+            });
+        }
+        if comes_down && !self.is_down {
+            self.is_down = true;
+            self.down += 1;
+        }
+    }
 }
 
 /// What carries the robot, seen along its z axis: the standing feet, judged in the robot frame, since a body that
@@ -77,6 +173,7 @@ impl<const L: usize> Polygon<L> {
     }
 }
 
+/// Watches the centre of mass over the support polygon.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FallWatch {
     /// Feet no more than this above the lowest count as standing: mm.
@@ -84,11 +181,7 @@ pub(super) struct FallWatch {
     pub(super) margin: f64,
     /// The least margin so far: mm.
     pub(super) least: f64,
-    pub(super) count: u32,
-    pub(super) first: Option<Fall>,
-    falling: bool,
-    /// Whether the belly carried at the instant before.
-    lay: bool,
+    pub(super) falls: FallCounter,
 }
 
 impl FallWatch {
@@ -97,20 +190,16 @@ impl FallWatch {
             lift: 20.0,
             margin: 0.0,
             least: f64::INFINITY,
-            count: 0,
-            first: None,
-            falling: false,
-            lay: true,
+            falls: FallCounter::NONE,
         }
     }
 
-    /// Looks at one instant. A body that comes to lie although its feet could not have held it has tipped.
-    /// `down` is the direction of gravity.
+    /// Looks at one instant. `down` is the direction of gravity, `normal` that of the floor.
     pub(super) fn watch<const L: usize>(
         &mut self,
         polygon: &Polygon<L>,
         centre: Vector,
-        down: Vector,
+        (down, normal): (Vector, Vector),
         cycle: u64,
     ) {
         let over = polygon.under(centre, down);
@@ -118,20 +207,14 @@ impl FallWatch {
         let lies = polygon.belly.is_some();
         self.margin = if lies { polygon.margin(over) } else { on_feet };
         self.least = self.least.min(self.margin);
-        let came_to_lie = lies && !self.lay;
-        self.lay = lies;
-        let tips = self.margin < -TIPPING || (came_to_lie && on_feet < 0.0);
-        self.count_fall(cycle, tips, lies, on_feet);
-    }
-
-    /// A fall lasts until the body stands on its feet alone again.
-    fn count_fall(&mut self, cycle: u64, tips: bool, lies: bool, margin: f64) {
-        if !tips {
-            self.falling &= lies;
-        } else if !self.falling {
-            self.falling = true;
-            self.count += 1;
-            self.first.get_or_insert(Fall { cycle, margin });
-        }
+        let posture = Posture {
+            lies,
+            uprightness: normal.z,
+            is_held: on_feet >= 0.0,
+            is_lost: self.margin < -TIPPING,
+            is_up: !lies,
+            margin: on_feet,
+        };
+        self.falls.look(&posture, cycle);
     }
 }

@@ -4,7 +4,7 @@ use super::Vector;
 use super::body::Body;
 use super::contacts::Contacts;
 use super::fall::{FallWatch, Polygon};
-use super::links::Mass;
+use super::links::{GRAVITY, Mass};
 use super::obstacles::Obstacles;
 use super::sink::Sinking;
 use super::stance::Stance;
@@ -175,12 +175,14 @@ impl<const L: usize> Carrier for Ground<L> {
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
         let heading = self.body.heading;
-        let rotation = self.stance.follow(&points, &self.loads, &mut self.body);
+        let pull = self.doubts.friction * GRAVITY * 1000.0;
+        let pull = self.sinking.is_free.then_some(pull);
+        let rotation = (self.stance).follow(&points, &self.loads, &mut self.body, (pull, dt));
         self.start.turned(heading, self.body.heading);
         self.down = rotation.inverse() * self.gravity;
         let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         self.falls
-            .watch(&polygon, mass.centre, self.down, self.cycle);
+            .watch(&polygon, mass.centre, (self.down, normal), self.cycle);
     }
 
     fn judge(&mut self, dt: f64) {

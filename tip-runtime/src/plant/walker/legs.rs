@@ -5,7 +5,7 @@ use super::Vector;
 use super::crossing::{sinks, strikes, touch};
 use super::ground::Carrier;
 use super::links::{GRAVITY, LegLinks, Mass};
-use super::path::Path;
+use super::path::{Path, hurries};
 use super::servo::{JointLoad, Servo, ServoDynamics, Stride};
 use super::support;
 use super::unmodelled::Oddities;
@@ -13,9 +13,6 @@ use crate::analog;
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
-
-/// A joint is commanded to turn faster than its servo can beyond so many times its speed: rounding aside.
-const FASTER: f64 = 1.0 + 1e-9;
 
 /// The longest time that is simulated in one piece: ms.
 const LONGEST_STEP: f64 = 20.0;
@@ -28,7 +25,7 @@ pub(super) struct LegPlant<const J: usize> {
     pub(super) links: LegLinks<J>,
     /// From base to foot along the links: mm.
     length: f64,
-    path: Path<J>,
+    path: Path,
 }
 
 /// All legs: an array of them, or a slice, over which all logic is.
@@ -58,13 +55,9 @@ impl<const J: usize> LegPlant<J> {
 
     /// What is odd about a cycle with these commands: it crosses nothing yet.
     fn oddities(&mut self, commands: &[JointCommand; J], speed: f64) -> Oddities {
-        let is_faster = |command: &JointCommand| match command {
-            JointCommand::Angle { rate, .. } => libm::fabs(*rate) > speed * FASTER,
-            JointCommand::Torque(_) => false,
-        };
         Oddities {
             crosses: false,
-            hurries: commands.iter().any(is_faster),
+            hurries: hurries(commands, speed),
             stray: self.path.stray(&self.model, commands, self.links.foot),
         }
     }

@@ -1,32 +1,78 @@
-//! How far a foot is beside the path that its joints were commanded.
+//! Joints and feet against what they were commanded, for robots without mass and with it.
 
 use super::Vector;
 use super::links::LegLinks;
 use crate::hardware::JointCommand;
 use crate::model::Leg;
 
+/// A joint is commanded to turn faster than its servo can beyond so many times its speed: rounding aside.
+const FASTER: f64 = 1.0 + 1e-9;
+
+/// Greatest distance of a foot from its path that is not counted: mm.
+const STRAY: f64 = 10.0;
+
 /// Places that differ by less are the same, and lead nowhere: mm.
 const SAME: f64 = 1e-6;
 
-/// Where commands lead a foot.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Path<const J: usize> {
-    /// The angles commanded last (deg), and where they put the foot (mm).
-    last: Option<([f64; J], Vector)>,
-    /// In which direction the foot was led there.
-    along: Option<Vector>,
+/// Commands that joints and feet could not follow, counted in control cycles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Following {
+    /// In how many cycles a joint was commanded to turn faster than its servo can.
+    pub hurries: u32,
+    /// In how many cycles a foot was more than 10 mm beside the path that was commanded.
+    pub strays: u32,
+    /// The farthest that a foot has been beside this path so far: mm.
+    pub farthest_stray: f64,
 }
 
-impl<const J: usize> Path<J> {
+impl Following {
+    pub(in crate::plant) const NONE: Self = Following {
+        hurries: 0,
+        strays: 0,
+        farthest_stray: 0.0,
+    };
+
+    /// Returns true if every command could be followed.
+    pub const fn is_empty(&self) -> bool {
+        self.hurries == 0 && self.strays == 0
+    }
+
+    /// A cycle is over in which a foot was at most `stray` mm beside its path.
+    pub(in crate::plant) fn count(&mut self, hurries: bool, stray: f64) {
+        self.hurries += u32::from(hurries);
+        self.strays += u32::from(stray > STRAY);
+        self.farthest_stray = self.farthest_stray.max(stray);
+    }
+}
+
+/// Returns true if a joint is commanded to turn faster than `speed` (deg/s).
+pub(in crate::plant) fn hurries(commands: &[JointCommand], speed: f64) -> bool {
+    commands.iter().any(|command| match command {
+        JointCommand::Angle { rate, .. } => libm::fabs(*rate) > speed * FASTER,
+        JointCommand::Torque(_) => false,
+    })
+}
+
+/// Where commands lead a foot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::plant) struct Path {
+    /// The place to which the last command leads the foot: mm; not a number before the first one.
+    place: Vector,
+    /// In which direction the foot was led there; zero if in none.
+    along: Vector,
+}
+
+impl Path {
     /// Nothing was commanded yet.
-    pub(super) const NONE: Self = Path {
-        last: None,
-        along: None,
+    pub(in crate::plant) const NONE: Self = Path {
+        place: Vector::new(f64::NAN, f64::NAN, f64::NAN),
+        along: Vector::new(0.0, 0.0, 0.0),
     };
 
     /// How far `foot` (mm) is beside the line along which it was led last: mm. A foot that only follows late is on it.
     /// Torques lead along no path.
-    pub(super) fn stray(
+    pub(super) fn stray<const J: usize>(
         &mut self,
         leg: &Leg<J>,
         commands: &[JointCommand; J],
@@ -36,31 +82,35 @@ impl<const J: usize> Path<J> {
             *self = Path::NONE;
             return 0.0;
         };
-        let place = self.lead(leg, angles);
+        let place = reached(leg, angles);
+        let step = (place - self.place).norm();
+        if step > SAME {
+            self.along = (place - self.place) / step;
+        }
+        self.place = place;
+        if self.along == Vector::zeros() {
+            return 0.0;
+        }
         let off = foot - place;
-        self.along
-            .map_or(0.0, |along| (off - along * along.dot(&off)).norm())
+        (off - self.along * self.along.dot(&off)).norm()
     }
 
-    /// Where these angles put the foot.
-    fn lead(&mut self, leg: &Leg<J>, angles: [f64; J]) -> Vector {
-        let last = self.last;
-        if let Some((before, place)) = last
-            && before == angles
-        {
-            return place;
-        }
-        let mut links = LegLinks::NOWHERE;
-        links.place(leg, angles);
-        self.last = Some((angles, links.foot));
-        if let Some((_, before)) = last {
-            let step = links.foot - before;
-            if step.norm() > SAME {
-                self.along = Some(step / step.norm());
-            }
-        }
-        links.foot
+    /// Returns the same for a foot at joint angles (deg).
+    pub(in crate::plant) fn stray_at<const J: usize>(
+        &mut self,
+        leg: &Leg<J>,
+        commands: &[JointCommand; J],
+        angles: [f64; J],
+    ) -> f64 {
+        self.stray(leg, commands, reached(leg, angles))
     }
+}
+
+/// Returns the place of the foot at joint angles (deg): mm.
+fn reached<const J: usize>(leg: &Leg<J>, angles: [f64; J]) -> Vector {
+    let mut links = LegLinks::NOWHERE;
+    links.place(leg, angles);
+    links.foot
 }
 
 /// The angles of commands that are all angles.

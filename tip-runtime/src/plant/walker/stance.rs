@@ -14,6 +14,8 @@ pub(super) struct Stance<const L: usize> {
     touchdowns: [Option<Vector2<f64>>; L],
     slips: [f64; L],
     worst: f64,
+    /// Speed of the body along the floor: mm/s.
+    speed: f64,
 }
 
 impl<const L: usize> Stance<L> {
@@ -24,6 +26,7 @@ impl<const L: usize> Stance<L> {
             touchdowns: [None; L],
             slips: [0.0; L],
             worst: 0.0,
+            speed: 0.0,
         }
     }
 
@@ -38,17 +41,33 @@ impl<const L: usize> Stance<L> {
     }
 
     /// Moves the body so that what touched before and still does stays where it was: the rigid
-    /// motion of least squares, weighed by the loads, which is what friction holds on to. What turns
-    /// the robot frame into the floor's now.
+    /// motion of least squares, weighed by the loads, which is what friction holds on to. A body
+    /// that falls gains at most `pull` mm/s² along the floor within `dt` s by that, all that friction
+    /// gives it; its feet slip. Returns what turns the robot frame into the floor's now.
     pub(super) fn follow(
         &mut self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         body: &mut Body,
+        (pull, dt): (Option<f64>, f64),
     ) -> Rotation3<f64> {
         let levelling = Body::levelling(body.normal);
         let stays = self.stays(points, loads, &levelling);
+        let from = Vector2::new(body.x, body.y);
         fit(stays.iter().flatten(), body);
+        let way = Vector2::new(body.x, body.y) - from;
+        let mut length = way.norm();
+        if let Some(pull) = pull {
+            let farthest = (self.speed + pull * dt) * dt;
+            if length > farthest {
+                let place = from + way * (farthest / length);
+                (body.x, body.y) = (place.x, place.y);
+                length = farthest;
+            }
+        }
+        if dt > 0.0 {
+            self.speed = length / dt;
+        }
         let rotation = body.headed(&levelling);
         self.remember(points, loads, body, &rotation);
         rotation
@@ -118,8 +137,13 @@ struct Pair {
     weight: f64,
 }
 
+/// Contacts whose mean square distance from their centre is smaller say nothing about the heading:
+/// mm². A lone contact is as far from its centre as rounding puts it.
+const POINT: f64 = 1e-6;
+
 /// Moves the body by the planar rigid motion of weighted least squares (Kabsch, Acta Cryst. A32,
-/// 1976, in two dimensions). With nothing that stays the body keeps place and heading.
+/// 1976, in two dimensions). With nothing that stays the body keeps place and heading, with one
+/// contact its heading.
 fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
     let mut total = 0.0;
     let (mut own_centre, mut place_centre) = (Vector2::zeros(), Vector2::zeros());
@@ -139,7 +163,7 @@ fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
         along += weight * own.dot(&place);
         across += weight * own.perp(&place);
     }
-    if along != 0.0 || across != 0.0 {
+    if libm::hypot(along, across) > POINT * total {
         body.heading = libm::atan2(across, along);
     }
     let (sin, cos) = (libm::sin(body.heading), libm::cos(body.heading));

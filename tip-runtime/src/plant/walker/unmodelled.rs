@@ -3,6 +3,7 @@
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
 use super::links::GRAVITY;
+use super::path::Following;
 
 /// Over how much time accelerations are taken at least: s. Over less, feet that come to carry would look like blows.
 const SPAN: f64 = 0.02;
@@ -26,26 +27,16 @@ pub struct Unmodelled {
     pub slides: u32,
     /// In how many cycles a joint was below the floor, a leg or the body in a block, or a leg in another one.
     pub crossings: u32,
-    /// In how many cycles a joint was commanded to turn faster than its servo can.
-    pub hurries: u32,
-    /// In how many cycles a foot was more than 10 mm beside the path that was commanded.
-    pub strays: u32,
-    /// The farthest that a foot has been beside this path so far: mm.
-    pub farthest_stray: f64,
 }
 
 impl Unmodelled {
     /// Whether nothing was left out that would have mattered.
     pub const fn is_empty(&self) -> bool {
-        self.tips == 0
-            && self.slides == 0
-            && self.crossings == 0
-            && self.hurries == 0
-            && self.strays == 0
+        self.tips == 0 && self.slides == 0 && self.crossings == 0
     }
 }
 
-/// What legs do in a cycle that no robot with mass would.
+/// Events of a cycle that are counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Oddities {
     pub(super) crosses: bool,
@@ -65,15 +56,13 @@ impl Oddities {
     }
 }
 
-/// How far a foot may be beside its path: mm.
-const STRAY: f64 = 10.0;
-
 /// Counts what is left out.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doubts {
     /// Of the floor.
     pub(super) friction: f64,
     pub(super) counted: Unmodelled,
+    pub(super) following: Following,
     /// The last two places of the centre of mass in the floor's frame (mm), the later one first.
     places: [Option<Vector>; 2],
     /// How long ago the later one was: s.
@@ -94,10 +83,8 @@ impl Doubts {
                 tips: 0,
                 slides: 0,
                 crossings: 0,
-                hurries: 0,
-                strays: 0,
-                farthest_stray: 0.0,
             },
+            following: Following::NONE,
             places: [None; 2],
             since: 0.0,
             acceleration: Vector::new(0.0, 0.0, 0.0),
@@ -153,9 +140,7 @@ impl Doubts {
         counted.tips += u32::from(self.tips);
         counted.slides += u32::from(self.slides);
         counted.crossings += u32::from(oddities.crosses);
-        counted.hurries += u32::from(oddities.hurries);
-        counted.strays += u32::from(oddities.stray > STRAY);
-        counted.farthest_stray = counted.farthest_stray.max(oddities.stray);
+        self.following.count(oddities.hurries, oddities.stray);
         (self.tips, self.slides) = (false, false);
     }
 }

@@ -126,6 +126,38 @@ fn a_number_out_of_range() {
 }
 
 #[test]
+fn what_has_a_size_has_one_that_exported_files_can_hold() {
+    let ranges = ["[-1, 1]", "[-2, 2]", "[-3, 3]"];
+    for (line, key) in [(5, "x"), (6, "y"), (7, "z")] {
+        for flat in ["[0, 0]", "[5, 5.0000001]"] {
+            let mut ranges = ranges;
+            ranges[line - 5] = flat;
+            let [x, y, z] = ranges;
+            only(
+                &with(&format!("[body]\nx = {x}\ny = {y}\nz = {z}")),
+                &format!(
+                    "{line}:5: the first number and the second are less than 0.000001 mm apart: what is there has a size, measure it \
+                     (`{key}` is [min, max] in mm)"
+                ),
+            );
+        }
+    }
+    for (shape, column) in [
+        ("sphere = 1e-7", 62),
+        ("block = [1, 1e-300, 1]", 65),
+        ("cylinder = [1, 0.0000009]", 68),
+    ] {
+        let told = faults(&with_joint(&format!("shape = [{{ {shape} }}]")));
+        let start = format!("3:{column}: no size is below 0.000001 mm (");
+        assert!(told.len() == 1 && told[0].starts_with(&start), "{told:?}");
+    }
+    only(
+        &with("").replace("[0, 0, 9]", "[0, 0, 1e-7]"),
+        "2:8: leg F1 has no length (the link of one joint at least is not [0, 0, 0])",
+    );
+}
+
+#[test]
 fn limits_that_contain_nothing() {
     only(
         &with_joint("limits = [10, -10]"),

@@ -8,7 +8,8 @@ use super::session::{Answer, Debuggee, Host, Session};
 use super::shown;
 use serde_json::{Value, json};
 use tip_sim::debug::{Placed, Refused, When};
-use tipc::message::{Debugging, Lang};
+use tip_sim::message::Debugging;
+use tipc::message::Lang;
 
 /// Which kind of breakpoints a client replaces together.
 #[derive(Clone, Copy)]

@@ -6,7 +6,7 @@ use super::shown;
 use serde_json::json;
 use tip_sim::Event;
 use tip_sim::debug::{Discard, Move, Refused, Value};
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 
 /// What a change begins with that may discard what was run after it.
 const DISCARD: &str = "discard ";

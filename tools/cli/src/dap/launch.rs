@@ -11,6 +11,7 @@ use crate::scene::{self, SceneChoice};
 use crate::usage::Wrong;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
+use tip_lint::message::More;
 use tip_runtime::plant::Scene;
 use tip_sim::debug::Debugger;
 use tip_sim::{Events, Robot};
@@ -33,7 +34,7 @@ impl Host for Files {
             encoding: encoding.encoding(),
             ..robot.options()
         };
-        let loaded = input::load(path, &options);
+        let loaded = input::load_file(path, &options);
         let Some(program) = loaded.program.clone() else {
             return Err(findings(&loaded, lang));
         };
@@ -104,7 +105,7 @@ fn findings(loaded: &Loaded, lang: Lang) -> String {
     let lines = loaded.diagnostics.iter();
     let lines = lines.map(|one| render::short(&loaded.source, one, lang));
     let omitted = loaded.omitted.count();
-    let more = (omitted > 0).then(|| render::short_more(&loaded.source, omitted, lang));
+    let more = (omitted > 0).then(|| More::from(omitted).in_lang(lang).to_string());
     let lines: Vec<String> = lines.chain(more).collect();
     lines.join("\n")
 }

@@ -5,8 +5,8 @@ use super::session::{Answer, Host, Session, THREAD, read};
 use serde_json::{Value, json};
 use tip_runtime::program::End;
 use tip_sim::debug::{Move, Progress, Reason};
+use tip_sim::message::Debugging;
 use tipc::language::Keyword;
-use tipc::message::Debugging;
 
 /// What a client calls a long search.
 const PROGRESS: &str = "search";
@@ -222,10 +222,12 @@ impl<H: Host> Session<H> {
         let (id, text) = match &debuggee.debugger.stop().reason {
             Reason::Fault(emergency) => (emergency.fault.kind().to_string(), emergency.to_string()),
             Reason::Fall(fall) => {
-                let outside = format!("{:.1}", -fall.margin).into();
-                let fell = Debugging::FellBy {
-                    cycle: count(fall.cycle),
-                    outside,
+                let cycle = count(fall.cycle);
+                let fell = if fall.margin < 0.0 {
+                    let outside = format!("{:.1}", -fall.margin).into();
+                    Debugging::FellBy { cycle, outside }
+                } else {
+                    Debugging::FellIn { cycle }
                 };
                 ("fall".to_owned(), fell.in_lang(lang).to_string())
             }

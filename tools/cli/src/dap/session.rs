@@ -5,7 +5,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use tip_sim::debug::{Debugger, Move, Work};
-use tipc::message::{Debugging, Lang};
+use tip_sim::message::Debugging;
+use tipc::message::Lang;
 use tipc::source::Source;
 
 /// The one thread of a program.

@@ -5,7 +5,8 @@ use super::session::{Answer, Host, Session, THREAD};
 use serde_json::{Value, json};
 use tip_runtime::controller::Aim;
 use tip_sim::debug::{self, Debugger, control};
-use tipc::message::{Debugging, Lang};
+use tip_sim::message::Debugging;
+use tipc::message::Lang;
 use tipc::program::VariableKind;
 use tipc::source::Source;
 

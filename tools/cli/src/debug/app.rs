@@ -4,9 +4,10 @@ use super::question::Question;
 use std::collections::BTreeMap;
 use tip_runtime::plant::Scene;
 use tip_sim::debug::{Debugger, Discard, Move, Progress, Refused, Variable, When, Work};
+use tip_sim::message::Debugging;
 use tip_sim::{Event, Robot};
 use tip_view::Skeleton;
-use tipc::message::{Debugging, Lang};
+use tipc::message::Lang;
 use tipc::source::Source;
 
 /// A debugger with its face.

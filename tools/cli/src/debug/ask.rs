@@ -4,7 +4,8 @@ use super::app::App;
 use super::question::Question;
 use tip_sim::Event;
 use tip_sim::debug::{Discard, Move, Value, When};
-use tipc::message::{Debugging, Text};
+use tip_sim::message::Debugging;
+use tipc::message::Text;
 
 impl App {
     pub(crate) fn ask(&mut self, question: Question) {

@@ -8,7 +8,7 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 use tip_runtime::printable::Printable;
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 
 /// Below this width the help takes two lines.
 const WIDE: u16 = 160;

@@ -9,8 +9,8 @@ use ratatui::symbols::Marker;
 use ratatui::widgets::canvas::{Canvas, Circle, Line};
 use tip_runtime::model::Point;
 use tip_runtime::plant::{ObjectState, Shape};
+use tip_sim::message::Debugging;
 use tip_view::robot_frame;
-use tipc::message::Debugging;
 
 /// Around the robot: mm.
 const MARGIN: f64 = 80.0;

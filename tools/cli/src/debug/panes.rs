@@ -11,7 +11,7 @@ use tip_runtime::command::Target;
 use tip_runtime::controller::Aim;
 use tip_runtime::printable::Printable;
 use tip_sim::debug::control;
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 
 /// A list with a title; of lines that do not fit, the first ones are shown.
 pub(super) fn block(title: String) -> Block<'static> {

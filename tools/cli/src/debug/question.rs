@@ -1,7 +1,7 @@
 //! What its user is asked.
 
 use tip_sim::Event;
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 
 /// A question in the last line.
 #[derive(Clone, Debug, PartialEq)]

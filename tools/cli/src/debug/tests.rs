@@ -33,7 +33,7 @@ fn app(robot: &str, lang: Lang) -> App {
 
 fn app_of(robot: &str, text: &str, lang: Lang) -> App {
     let robot = Robot::named(robot).expect("it has a name");
-    let mut loaded = tipc::load("walk.prg", text.as_bytes(), &robot.options());
+    let mut loaded = tip_lint::load("walk.prg", text.as_bytes(), &robot.options());
     let program = loaded.program.take().expect("it is right");
     let debugger = Debugger::new(program, &robot).expect("it is for this robot");
     App::new(debugger, loaded.source, &robot, lang)

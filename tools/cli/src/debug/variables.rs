@@ -8,7 +8,7 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 use tip_sim::debug::Variable;
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 use tipc::program::VariableKind;
 
 /// Between two variables of a line.

@@ -2,7 +2,7 @@
 
 use super::app::App;
 use tip_sim::debug::{By, Reason};
-use tipc::message::Debugging;
+use tip_sim::message::Debugging;
 
 /// Where and why the program stands, or that it runs.
 pub(crate) fn state(app: &App) -> String {

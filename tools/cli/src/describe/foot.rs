@@ -1,8 +1,8 @@
 //! `--foot`: links that end legs, and places on them.
 
+use crate::message::Using;
 use crate::usage::Wrong;
 use tip_sim::urdf::Foot;
-use tipc::message::Using;
 
 /// What stands after one `--foot`.
 #[derive(Clone, Debug, PartialEq)]

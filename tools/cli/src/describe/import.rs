@@ -1,18 +1,19 @@
 //! `tipc robot import`: a description of a URDF file.
 
 use super::foot::{Feet, feet};
-use super::{Status, output, report};
+use super::{Status, input, output, report};
 use crate::choices::LangName;
 use crate::error::Error;
+use crate::message::Using;
+use crate::message::running::Weight;
 use crate::shown;
 use crate::usage::Wrong;
-use clap::Args;
-use std::fs;
+use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use tip_runtime::printable::Printable;
 use tip_sim::urdf;
-use tipc::message::running::Weight;
-use tipc::message::{Lang, Using};
+use tipc::embed::LIMIT;
+use tipc::message::Lang;
 
 /// `tipc robot import`
 #[derive(Debug, Args)]
@@ -42,9 +43,14 @@ pub(crate) struct Import {
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     skip: Vec<String>,
 
-    /// The chains that become F1, F2, …, with commas between them; else in the order of the file
+    /// The chains that become F1, F2, …, with commas between them; else by place, from front to rear and left before
+    /// right
     #[arg(long, value_name = "CHAIN", value_delimiter = ',')]
     order: Vec<String>,
+
+    /// The axis that points up in the file, in place of z; x stays forward, and with x up -z is
+    #[arg(long, value_enum, value_name = "x|y|z")]
+    up: Option<Up>,
 
     /// Begin with all feet so many mm below the robot frame, the body level; else in the middle of the limits
     #[arg(long, value_name = "HEIGHT", value_parser = height)]
@@ -57,6 +63,24 @@ pub(crate) struct Import {
     /// The language of the report and of errors, if not that of the locale
     #[arg(long, value_enum, value_name = "en|ja")]
     lang: Option<LangName>,
+}
+
+/// An axis of the file.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Up {
+    X,
+    Y,
+    Z,
+}
+
+impl Up {
+    fn axis(self) -> urdf::Up {
+        match self {
+            Up::X => urdf::Up::X,
+            Up::Y => urdf::Up::Y,
+            Up::Z => urdf::Up::Z,
+        }
+    }
 }
 
 /// A height in mm.
@@ -77,11 +101,11 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 
 /// The description that a URDF file makes; why there is none goes to standard error.
 pub(super) fn read(path: &Path, choices: &urdf::Choices, lang: Lang) -> Option<urdf::Import> {
-    let read = fs::read(path).map_err(|reason| reason.to_string());
-    let text = read.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let imported = text.and_then(|text| {
+    let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
+    let imported = read.and_then(|bytes| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let imported = urdf::import_with(&name, &text, choices);
+        let text = urdf::decode(&bytes);
+        let imported = text.and_then(|text| urdf::import_with(&name, &text, choices));
         imported.map_err(|refused| refused.message().in_lang(lang).to_string())
     });
     let complain = |reason: &String| {
@@ -103,6 +127,7 @@ pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
             .collect(),
         skip: arguments.skip.clone(),
         order: arguments.order.clone(),
+        up: arguments.up.map(Up::axis),
         stand: arguments.stand,
     };
     let lang = shown::lang(arguments.lang);

@@ -35,20 +35,21 @@ pages! {
     "E401" "E402" "E403" "E404" "E405" "E406" "E407" "E408"
     "W101" "W102" "W103" "W104" "W105" "W106" "W107" "W108" "W109"
     "W110" "W111" "W112" "W113" "W114" "W115" "W116" "W117" "W118" "W119" "W120" "W121" "W122" "W123" "W124"
-    "W125" "W126" "W127" "W128" "W129" "W130"
+    "W125" "W126" "W127" "W128" "W129" "W130" "W131"
 }
 
 #[cfg(test)]
 mod tests {
     use super::PAGES;
+    use tip_lint::load;
     use tip_runtime::record::Ending;
     use tip_sim::{Interpreter, Limit, Robot, Run};
+    use tipc::Options;
     use tipc::code::{Code, Mistake};
     use tipc::description::{parse, parse_project, parse_scene};
     use tipc::diagnostic::Diagnostic;
     use tipc::message::Lang;
     use tipc::program::Program;
-    use tipc::{Options, load};
 
     /// What ends a run.
     const STOPS: &[&str] = &["E302", "E303", "E304", "E305", "E403", "E404"];

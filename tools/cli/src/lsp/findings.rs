@@ -7,10 +7,10 @@ use gen_lsp_types::{
     Code as Id, CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
     DiagnosticTag, Location, Uri,
 };
+use tip_lint::message::More;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic;
-use tipc::message::count::More;
 
 /// Who found it.
 const SOURCE: &str = "tipc";

@@ -10,6 +10,8 @@ use gen_lsp_types::{
     PublishDiagnosticsParams, Uri,
 };
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -314,4 +316,31 @@ fn capabilities(encoding: &str) -> Value {
             "range": true,
         },
     })
+}
+
+/// A message of the editor, or why something that it sent is none.
+pub(crate) type Incoming = Result<Box<Message>, String>;
+
+/// Reads a message.
+pub(crate) fn parse(bytes: &[u8]) -> Incoming {
+    match serde_json::from_slice(bytes) {
+        Ok(Message::Notification(_)) if has_id(bytes) => {
+            Err("an id is a number of 32 bits or a text".to_owned())
+        }
+        Ok(message) => Ok(Box::new(message)),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// Whether it is a request, whose sender waits for an answer.
+fn has_id(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Id {
+        #[serde(default, deserialize_with = "any")]
+        id: bool,
+    }
+    fn any<'de, D: Deserializer<'de>>(id: D) -> Result<bool, D::Error> {
+        IgnoredAny::deserialize(id).map(|_| true)
+    }
+    serde_json::from_slice(bytes).is_ok_and(|Id { id }| id)
 }

@@ -2,27 +2,43 @@
 
 use super::template::fill;
 use tip_runtime::command::Target;
-use tip_sim::{Anatomy, Limb};
+use tip_sim::{Anatomy, Limb, Limit, Robot, Run, load};
 
 /// How far a joint turns, if it can: deg.
-const TURN: f64 = 15.0;
+pub(super) const TURN: f64 = 15.0;
+/// What is tried on a robot that may fall over it: deg.
+pub(super) const TURNS: [f64; 3] = [TURN, 6.0, 3.0];
 /// How much of its room to a limit it takes at most.
 const SHARE: f64 = 0.8;
 
-/// The text of the program.
-pub(super) fn program(anatomy: &Anatomy) -> String {
+/// The text of the program, whose joints turn so far (deg).
+pub(super) fn program(anatomy: &Anatomy, turn: f64) -> String {
     let numbered = (1..).zip(&anatomy.legs);
-    let legs = numbered.map(|(number, limb)| one(Target::Foot(number), limb));
+    let legs = numbered.map(|(number, limb)| one(Target::Foot(number), limb, turn));
     let begin = include_str!("../../templates/motions/bend.prg");
     let end = include_str!("../../templates/motions/bend_end.prg");
     format!("{begin}{}{end}", legs.collect::<String>())
 }
 
+/// How often the robot falls while the program runs.
+pub(super) fn falls(program: &str, robot: &Robot) -> u32 {
+    /// More than any such program takes.
+    const LONGEST: u64 = 20_000;
+    let Ok(loaded) = load("bend.prg", program, robot) else {
+        return 0;
+    };
+    let Ok(mut run) = Run::new(loaded, robot.clone()) else {
+        return 0;
+    };
+    run.to_end(Limit::cycles(LONGEST));
+    run.motion().map_or(0, |motion| motion.falls)
+}
+
 /// The lines of a leg.
-fn one(leg: Target, limb: &Limb) -> String {
+fn one(leg: Target, limb: &Limb, turn: f64) -> String {
     let holes = [
         ("leg", &*leg.to_string()),
-        ("bent", &degrees(&bent(limb))),
+        ("bent", &degrees(&bent(limb, turn))),
         ("initial", &degrees(&limb.initial)),
     ];
     fill(include_str!("../../templates/motions/bend_leg.prg"), &holes)
@@ -34,7 +50,7 @@ fn degrees(angles: &[f64]) -> String {
 }
 
 /// Each joint turned from the initial posture: to the side that raises the foot, else to the side with more room.
-fn bent(limb: &Limb) -> Vec<f64> {
+fn bent(limb: &Limb, turn: f64) -> Vec<f64> {
     let turned = |place: usize, angle: f64| {
         let mut angles = limb.initial.clone();
         angles[place] = angle;
@@ -44,7 +60,7 @@ fn bent(limb: &Limb) -> Vec<f64> {
     let joints = limb.joints.iter().zip(&limb.initial).enumerate();
     let bent = joints.map(|(place, (joint, initial))| {
         let [down, up] = [joint.limits.min - initial, joint.limits.max - initial];
-        let [down, up] = [down, up].map(|room| room.clamp(-TURN / SHARE, TURN / SHARE) * SHARE);
+        let [down, up] = [down, up].map(|room| room.clamp(-turn / SHARE, turn / SHARE) * SHARE);
         let [down, up] = [initial + down, initial + up];
         let gain = height(place, up) - height(place, down);
         let has_room = (up - initial) >= (initial - down);
@@ -63,7 +79,6 @@ fn bent(limb: &Limb) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tip_sim::Robot;
 
     fn anatomy(joints: &str, initial: &str) -> Anatomy {
         let text = format!(
@@ -82,7 +97,8 @@ mod tests {
             "0, 0, 0",
         )
         .legs[0];
-        assert_eq!(bent(limb), [15.0, -15.0, -15.0]);
+        assert_eq!(bent(limb, 15.0), [15.0, -15.0, -15.0]);
+        assert_eq!(bent(limb, 2.0), [2.0, -2.0, 2.0]);
     }
 
     #[test]
@@ -92,6 +108,6 @@ mod tests {
             "0",
         )
         .legs[0];
-        assert_eq!(bent(limb), [-8.0]);
+        assert_eq!(bent(limb, 15.0), [-8.0]);
     }
 }

@@ -4,9 +4,10 @@ use super::kit::Kit;
 use super::name::Place;
 use super::origin::Origin;
 use super::template::fill;
-use std::fs;
-use std::path::{Path, absolute};
+use crate::project::real;
+use std::path::Path;
 use tipc::Robot;
+use tipc::embed::{LIMIT, read_file};
 use tipc::emit::type_name;
 
 /// A file, and its place in the crate.
@@ -109,6 +110,7 @@ impl Holes {
             ("motion", kit.motion.stem.to_owned()),
             ("Program", type_name(kit.motion.stem)),
             ("scene", when(has_scene, "scene = \"scene.toml\"\n")),
+            ("travel", format!("{:?}", kit.motion.travel)),
             ("legs", kit.legs.to_string()),
             ("joints", kit.joints.to_string()),
         ];
@@ -174,12 +176,14 @@ fn of_runtime(program: &str, robot: &str) -> Vec<(&'static str, String)> {
 
 /// Whether cargo would take the crate for a member of a workspace around it.
 fn is_inside_a_workspace(folder: &Path) -> bool {
-    let folder = absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    let folder = real(folder);
     let manifests = folder
         .ancestors()
         .skip(1)
         .map(|around| around.join("Cargo.toml"));
-    let texts = manifests.filter_map(|manifest| fs::read_to_string(manifest).ok());
-    let is_workspace = |text: String| text.lines().any(|line| line.trim() == "[workspace]");
-    texts.into_iter().any(is_workspace)
+    let texts = manifests.filter_map(|manifest| read_file(&manifest, LIMIT).ok());
+    let is_workspace = |line: &[u8]| line.trim_ascii() == b"[workspace]";
+    texts
+        .into_iter()
+        .any(|text| text.split(|byte| *byte == b'\n').any(is_workspace))
 }

@@ -2,9 +2,9 @@
 
 use super::files::File;
 use super::name::Place;
+use crate::message::Making;
 use std::path::{Path, PathBuf};
 use std::{fs, io, process};
-use tipc::message::Making;
 
 /// Writes the files into a new folder.
 ///

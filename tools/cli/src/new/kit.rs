@@ -1,8 +1,9 @@
 //! What a crate is made of that depends on its robot: the model, a motion, and what shows and tests it.
 
-use super::bend;
+use super::{bend, gait};
 use crate::choices::RobotName;
 use crate::input;
+use crate::message::Making;
 use crate::robot::RobotChoice;
 use crate::usage::Wrong;
 use std::str::FromStr;
@@ -41,6 +42,10 @@ pub(super) struct Motion {
     pub(super) program: String,
     pub(super) main: &'static str,
     pub(super) test: &'static str,
+    /// How far it walks at least: mm.
+    pub(super) travel: f64,
+    /// What came of trying it on the simulated robot, line by line.
+    pub(super) tried: Vec<Making>,
 }
 
 impl Motion {
@@ -50,6 +55,42 @@ impl Motion {
             program: program.to_owned(),
             main: include_str!("../../templates/main_walk.rs"),
             test: include_str!("../../templates/test_walk.rs"),
+            travel: 500.0,
+            tried: vec![],
+        }
+    }
+
+    /// A gait for a robot that walks, if there is one; else one leg after the other bends.
+    fn of(robot: &Robot) -> Self {
+        if robot.anatomy().body.is_none() {
+            return Motion::bend(robot, bend::TURN);
+        }
+        match gait::find(robot) {
+            Ok(gait) => Motion {
+                travel: (0.9 * gait.travel).floor(),
+                tried: vec![match gait.has_mass {
+                    true => Making::Walks {
+                        travel: gait.travel.round(),
+                    },
+                    false => Making::WalksWithoutMass {
+                        travel: gait.travel.round(),
+                    },
+                }],
+                ..Motion::walk(&gait.program)
+            },
+            Err(reason) => {
+                let small = bend::TURNS
+                    .into_iter()
+                    .map(|turn| Motion::bend(robot, turn));
+                let falls = |motion: &Motion| bend::falls(&motion.program, robot);
+                let motion = small.into_iter().find(|motion| falls(motion) == 0);
+                let motion = motion.unwrap_or_else(|| Motion::bend(robot, bend::TURN));
+                let falls = falls(&motion);
+                Motion {
+                    tried: vec![Making::NoGait { falls }, reason],
+                    ..motion
+                }
+            }
         }
     }
 
@@ -59,15 +100,19 @@ impl Motion {
             program: include_str!("../../templates/motions/grasp.prg").to_owned(),
             main: include_str!("../../templates/main_grasp.rs"),
             test: include_str!("../../templates/test_grasp.rs"),
+            travel: 0.0,
+            tried: vec![],
         }
     }
 
-    fn bend(robot: &Robot) -> Self {
+    fn bend(robot: &Robot, turn: f64) -> Self {
         Motion {
             stem: "bend",
-            program: bend::program(&robot.anatomy()),
+            program: bend::program(&robot.anatomy(), turn),
             main: include_str!("../../templates/main_walk.rs"),
             test: include_str!("../../templates/test_bend.rs"),
+            travel: 0.0,
+            tried: vec![],
         }
     }
 }
@@ -101,10 +146,10 @@ impl Choice {
             }
             Choice::Robot(RobotChoice::File(path)) => {
                 let (name, bytes) = input::bytes(path)?;
-                described(&name, bytes, Motion::bend)
+                described(&name, bytes, Motion::of)
             }
             Choice::Robot(RobotChoice::Published(robot)) => {
-                described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::bend)
+                described(&robot.file(), robot.text.as_bytes().to_vec(), Motion::of)
             }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
                 RobotName::Titan8 | RobotName::Generic => named(*name, &titan8::MODEL, walk()),

@@ -1,9 +1,9 @@
 //! What a crate may be called: what cargo and Rust take without a warning.
 
+use crate::message::Using;
 use crate::usage::Wrong;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tipc::message::Using;
 
 /// The longest name that registries take.
 const LONGEST: usize = 64;

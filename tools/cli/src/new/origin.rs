@@ -1,9 +1,10 @@
 //! Where the crate takes this project from: a checkout on this machine, or the registry.
 
 use super::name::Place;
-use std::fs;
+use crate::message::Making;
+use crate::project::real;
 use std::path::{Component, Path, PathBuf, absolute};
-use tipc::message::Making;
+use tipc::embed::{LIMIT, read_file};
 
 /// The version of this command; that of the crates must be the same.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -38,15 +39,28 @@ impl Origin {
             };
             let named = seen_from(place.folder(), folder);
             let checkout = Self::checkout(folder, named);
-            return checkout.ok_or_else(refused);
+            return checkout.ok_or_else(refused)?.nameable();
         }
         let built_from = Path::new(BUILT_FROM).ancestors().nth(2);
         let found = built_from.and_then(|folder| Self::checkout(folder, folder.to_owned()));
-        Ok(found.unwrap_or(Origin::Published))
+        found.unwrap_or(Origin::Published).nameable()
+    }
+
+    /// Refuses a checkout with a path that a manifest cannot name.
+    fn nameable(self) -> Result<Self, Making> {
+        match &self {
+            Origin::Checkout { named, .. } if !named.to_str().is_some_and(is_plain) => {
+                Err(Making::NotForManifest {
+                    folder: named.display().to_string().into(),
+                })
+            }
+            _ => Ok(self),
+        }
     }
 
     fn checkout(folder: &Path, named: PathBuf) -> Option<Self> {
-        let manifest = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
+        let manifest =
+            String::from_utf8(read_file(&folder.join("Cargo.toml"), LIMIT).ok()?).ok()?;
         let version = format!("version = \"{VERSION}\"");
         let has = |name: &&str| folder.join(name).join("Cargo.toml").is_file();
         let is_ours =
@@ -86,16 +100,22 @@ impl Origin {
     /// The versions of everything else that the checkout is tested with.
     pub(super) fn lock(&self) -> Option<Vec<u8>> {
         match self {
-            Origin::Checkout { folder, .. } => fs::read(folder.join("Cargo.lock")).ok(),
+            Origin::Checkout { folder, .. } => read_file(&folder.join("Cargo.lock"), LIMIT).ok(),
             Origin::Published => None,
         }
     }
 }
 
+fn is_plain(path: &str) -> bool {
+    !path.contains(char::is_control)
+}
+
 /// A path from here, as it is written in a new folder.
 fn seen_from(place: &Path, path: &Path) -> PathBuf {
-    let is_below = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
-    if path.is_absolute() || !place.components().all(is_below) {
+    // Through a link the way back is another one.
+    let here = real(Path::new("."));
+    let is_below = place.is_relative() && real(place) == here.join(place);
+    if path.is_absolute() || !is_below {
         return absolute(path).unwrap_or_else(|_| path.to_owned());
     }
     let is_real = |part: &Component<'_>| *part != Component::CurDir;

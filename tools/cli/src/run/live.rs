@@ -4,13 +4,14 @@ use super::super::interrupt;
 use super::super::report;
 use super::screen::Screen;
 use super::summary::{line, status, tenths};
+use crate::message::Running;
+use crate::message::running::Figure;
 use std::io::{self, IsTerminal};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tip_runtime::realtime::Pacer;
-use tip_sim::Run;
-use tipc::message::running::Figure;
-use tipc::message::{Lang, Running};
+use tip_sim::{Run, Waits};
+use tipc::message::Lang;
 use tipc::source::Source;
 
 /// How often the line is written anew on a terminal, and elsewhere.
@@ -53,10 +54,10 @@ impl Live {
     }
 
     /// A cycle was simulated: says how the robot is, and waits until the cycle is over.
-    pub(super) fn after(&mut self, run: &mut Run, source: &Source) {
+    pub(super) fn after(&mut self, run: &mut Run, waits: &Waits, source: &Source) {
         if self.due.is_some_and(|due| Instant::now() >= due) {
             self.due = Some(Instant::now() + self.every);
-            let text = status(run, source, self.lang);
+            let text = status(run, waits.now(run).as_ref(), source, self.lang);
             if let Some(screen) = run.console_mut::<Screen>() {
                 screen.status(text);
             }

@@ -4,8 +4,9 @@ use super::super::error::Error;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+use tip_lint::listing;
 use tip_runtime::console::{LogError, LogFiles};
-use tipc::{Loaded, listing};
+use tipc::Loaded;
 
 /// Takes `folder` for the files of one program and writes its warnings.
 pub(super) fn claim(folder: &Path, loaded: &Loaded) -> Result<LogFiles<()>, Error> {

@@ -36,8 +36,10 @@ impl Progress {
     pub(super) fn of(limit: Option<u64>) -> Self {
         let bar = ProgressBar::with_draw_target(limit, ProgressDrawTarget::hidden());
         bar.set_style(style(match limit {
-            Some(_) => "{prefix}{bar:20} cycle {pos} of {len}, {eta} left (Ctrl-C ends the run)",
-            None => "{prefix}cycle {pos} (Ctrl-C ends the run)",
+            Some(_) => {
+                "{prefix}{bar:20} cycle {pos} of {len}, {eta} left (Ctrl-C ends the run){msg}"
+            }
+            None => "{prefix}cycle {pos} (Ctrl-C ends the run){msg}",
         }));
         Progress {
             bar,
@@ -86,6 +88,16 @@ impl Progress {
         } else {
             self.bar.set_message(text);
         }
+    }
+
+    /// Whether the line of a long run is shown, and it is time to bring it up to date.
+    pub(super) fn is_due(&self, cycle: u64) -> bool {
+        cycle.is_multiple_of(CYCLES) && !self.bar.is_hidden()
+    }
+
+    /// Says what the run waits for, or nothing.
+    pub(super) fn waits(&self, text: String) {
+        self.bar.set_message(text);
     }
 
     /// Writes something else, and shows the line again below it.

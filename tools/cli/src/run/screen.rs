@@ -54,6 +54,16 @@ impl Screen {
         self.progress.status(text);
     }
 
+    /// Whether the line of a long run is shown, and due.
+    pub(super) fn is_due(&self, cycle: u64) -> bool {
+        self.progress.is_due(cycle)
+    }
+
+    /// Says in that line what the run waits for, or nothing.
+    pub(super) fn waits(&self, text: String) {
+        self.progress.waits(text);
+    }
+
     /// Writes something above the line of progress.
     pub(super) fn above(&self, write: impl FnOnce()) {
         self.progress.above(write);

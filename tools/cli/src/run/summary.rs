@@ -1,22 +1,30 @@
 //! What a run says about itself: its summary, and a fall.
 
 use super::super::place::place;
-use super::waiting::until;
+use super::waiting::{said, until};
+use crate::message::Running;
+use crate::message::count::Cycles;
+use crate::message::running::{Along, Aside, Figure, How, Upright, Weight};
 use std::fmt::Write as _;
 use tip_runtime::machine::Emergency;
 use tip_runtime::plant::{Motion, Travel, Unmodelled};
 use tip_runtime::printable::Printable;
 use tip_runtime::program::End;
 use tip_runtime::record::Ending;
-use tip_sim::{Fall, Grasp, Interpreter, Run};
+use tip_sim::{Fall, Grasp, Interpreter, Run, Wait};
 use tipc::language::Keyword;
-use tipc::message::count::Cycles;
-use tipc::message::running::{Along, Aside, Figure, How, Upright, Weight};
-use tipc::message::{Lang, Running};
+use tipc::message::Lang;
 use tipc::source::Source;
 
-/// How and where it ended, and what the robot did. A robot without such figures has no lines about them.
-pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) -> String {
+/// How and where it ended, what it waited for then, and what the robot did. A robot without such figures has no lines about
+/// them.
+pub(super) fn summary(
+    run: &Run,
+    ending: Ending,
+    wait: Option<&Wait>,
+    source: &Source,
+    lang: Lang,
+) -> String {
     let program = run.program();
     let (how, step) = match ending {
         Ending::Program(End::End) => (How::By { word: Keyword::End }, program.at()),
@@ -43,6 +51,9 @@ pub(super) fn summary(run: &Run, ending: Ending, source: &Source, lang: Lang) ->
     };
     if let Ending::Interrupted | Ending::Limit = ending {
         lines.next(run);
+        if let Some(wait) = wait.map(said) {
+            lines.add(Figure::Waits, &Running::IsWaiting { wait });
+        }
     }
     if let Some(travel) = run.travel() {
         lines.travel(&travel);
@@ -116,35 +127,41 @@ impl Lines {
     }
 
     fn motion(&mut self, motion: &Motion, first: Option<Fall>, run: &Run) {
-        let falls = match first {
-            None => Running::NoFall,
-            Some(Fall { time, step, .. }) => Running::Falls {
-                count: motion.falls.to_string(),
-                time: seconds(time),
-                line: run.program().line(step),
-            },
-        };
-        self.add(Figure::Falls, &falls);
+        self.add(Figure::Falls, &falls(motion, first, run));
         let value = tenths(motion.slip);
         self.add(Figure::Slip, &Running::AtMost { value });
         let value = tenths(motion.least_margin);
         self.add(Figure::Margin, &Running::AtLeast { value });
-        if let Some(unmodelled) = motion.unmodelled.filter(|it| !it.is_empty()) {
+        let following = motion.following;
+        if let Some(unmodelled) = motion.unmodelled {
             self.unmodelled(&unmodelled);
+        }
+        let strayed = Running::Strays {
+            cycles: (following.strays as usize).into(),
+            by: tenths(following.farthest_stray),
+        };
+        let hurried = Running::Hurries {
+            cycles: (following.hurries as usize).into(),
+        };
+        self.counted(following.hurries, Figure::Joint, &hurried);
+        self.counted(following.strays, Figure::Path, &strayed);
+        let matters = |unmodelled: Unmodelled| !unmodelled.is_empty() || !following.is_empty();
+        if motion.unmodelled.is_some_and(matters) {
+            self.add(Figure::Note, &Running::MassMatters);
+        }
+    }
+
+    /// A line of something that was counted, if it was.
+    fn counted(&mut self, count: u32, figure: Figure, said: &Running) {
+        if count > 0 {
+            self.add(figure, said);
         }
     }
 
     /// A line for each thing that the simulation leaves out and that would have mattered.
     fn unmodelled(&mut self, unmodelled: &Unmodelled) {
-        let counts = [
-            unmodelled.tips,
-            unmodelled.slides,
-            unmodelled.crossings,
-            unmodelled.hurries,
-            unmodelled.strays,
-        ];
-        let [tips, slides, crosses, hurries, strays] =
-            counts.map(|count| Cycles::from(count as usize));
+        let counts = [unmodelled.tips, unmodelled.slides, unmodelled.crossings];
+        let [tips, slides, crosses] = counts.map(|count| Cycles::from(count as usize));
         let lines = [
             (
                 Figure::Zmp,
@@ -155,21 +172,10 @@ impl Lines {
             ),
             (Figure::Grip, Running::NoGrip { cycles: slides }),
             (Figure::Contact, Running::Crosses { cycles: crosses }),
-            (Figure::Joint, Running::Hurries { cycles: hurries }),
-            (
-                Figure::Path,
-                Running::Strays {
-                    cycles: strays,
-                    by: tenths(unmodelled.farthest_stray),
-                },
-            ),
         ];
         for ((figure, said), count) in lines.into_iter().zip(counts) {
-            if count > 0 {
-                self.add(figure, &said);
-            }
+            self.counted(count, figure, &said);
         }
-        self.add(Figure::Note, &Running::MassMatters);
     }
 
     fn grasp(&mut self, grasp: &Grasp) {
@@ -187,8 +193,29 @@ impl Lines {
     }
 }
 
-/// How the robot is now, in one line: the time, its motion, and the statement that is next.
-pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
+/// Returns the line about falls.
+fn falls(motion: &Motion, first: Option<Fall>, run: &Run) -> Running {
+    let Some(Fall { time, step, .. }) = first else {
+        return Running::NoFall;
+    };
+    let count = motion.falls.to_string();
+    let (time, line) = (seconds(time), run.program().line(step));
+    match motion.upright_falls {
+        0 => Running::Falls { count, time, line },
+        upright if upright == motion.falls && motion.unmodelled.is_some() => {
+            Running::WouldFall { count, time, line }
+        }
+        upright => Running::UprightFalls {
+            count,
+            upright: upright.to_string(),
+            time,
+            line,
+        },
+    }
+}
+
+/// How the robot is now, in one line: the time, its motion, and what the program waits for or the statement that is next.
+pub(super) fn status(run: &Run, wait: Option<&Wait>, source: &Source, lang: Lang) -> String {
     let program = run.program();
     let line = program.line(program.at());
     let mut text = format!("{} s", seconds(run.time()));
@@ -213,6 +240,10 @@ pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
         let forces = forces.collect::<Vec<_>>().join(" ");
         let _ = write!(text, " | {}", Running::Pushes { forces }.in_lang(lang));
     }
+    if let Some(wait) = wait {
+        let _ = write!(text, " | {}", said(wait).in_lang(lang));
+        return text;
+    }
     let statement = Printable::line(source.line_text(line).trim());
     let statement = statement.to_string().into();
     let next = Running::Next { line, statement };
@@ -224,13 +255,16 @@ pub(super) fn status(run: &Run, source: &Source, lang: Lang) -> String {
 pub(super) fn fall(
     fall: &Fall,
     weight: &Weight,
+    has_mass: bool,
     source: &Source,
     program: &Interpreter,
     lang: Lang,
 ) -> String {
-    let fell = Running::Fell {
-        time: seconds(fall.time),
-        cycle: fall.cycle.to_string(),
+    let (time, cycle) = (seconds(fall.time), fall.cycle.to_string());
+    let fell = match (fall.is_upright, has_mass) {
+        (false, _) => Running::Fell { time, cycle },
+        (true, false) => Running::WouldHaveFallen { time, cycle },
+        (true, true) => Running::Unsupported { time, cycle },
     };
     let place = place(source, program.program(), fall.step);
     format!("{}: {}\n{place}", weight.in_lang(lang), fell.in_lang(lang))

@@ -1,5 +1,6 @@
 //! The values that a statement worked with when it stopped the run.
 
+use tip_lint::load;
 use tip_runtime::program::Program as _;
 use tip_sim::Interpreter;
 use tipc::code::Code;
@@ -7,7 +8,7 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Message;
 use tipc::source::{Encoding, Span};
 use tipc::symbols::{Access, DefinitionKind, Use};
-use tipc::{Loaded, Options, load};
+use tipc::{Loaded, Options};
 
 /// What each operand of a statement held.
 #[derive(Debug, Default)]

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 /// The longest head, and the most fields in it.
 const LONGEST: usize = 8 << 10;
 const FIELDS: usize = 64;
-/// A client has so long to send it.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// A client, of which nobody knows yet whether it has the token, has so long to send it.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 /// What a request asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]

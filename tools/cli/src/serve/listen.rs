@@ -2,17 +2,22 @@
 
 use super::guard::{Guard, Stranger};
 use super::head::{BadHead, Head};
-use super::hub::News;
+use super::hub::Post;
 use super::{reply, viewer};
+use std::collections::VecDeque;
 use std::io;
-use std::net::{SocketAddr, TcpListener, TcpStream};
-use std::sync::Arc;
-use std::sync::mpsc::SyncSender;
+use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// The most connections at once.
+/// The most connections at once that know the token.
 const MOST: usize = 64;
+/// The most others. One more takes the place of the oldest one: whoever knows the token says so at once.
+const STRANGERS: usize = 32;
+/// The most threads; those of connections that were cut off end by themselves.
+const THREADS: usize = MOST + 2 * STRANGERS;
 /// How long it waits after a connection that could not be accepted.
 const PAUSE: Duration = Duration::from_millis(50);
 
@@ -22,57 +27,120 @@ pub(super) fn open(address: SocketAddr) -> io::Result<TcpListener> {
 }
 
 /// Answers connections from now on, while the command goes on.
-pub(super) fn accept(listener: TcpListener, guard: Guard, news: SyncSender<News>) {
-    let guard = Arc::new(guard);
+pub(super) fn accept(listener: TcpListener, guard: Guard, post: Post) {
+    let door = Arc::new(Door {
+        guard,
+        post,
+        strangers: Mutex::default(),
+        guests: AtomicUsize::new(0),
+    });
     thread::spawn(move || {
-        for stream in listener.incoming() {
-            let Ok(mut stream) = stream else {
+        for (number, stream) in listener.incoming().enumerate() {
+            let Ok(stream) = stream else {
                 thread::sleep(PAUSE);
                 continue;
             };
-            // Each thread holds the guard.
-            if Arc::strong_count(&guard) > MOST {
-                let _ = reply::refusal(&mut stream, "503 Service Unavailable", "too many viewers");
+            // Nothing is read or written here: who waits to be let in waits for nobody. Each thread holds the door.
+            if !door.has_come(number, &stream) || Arc::strong_count(&door) > THREADS {
+                door.has_gone(number);
                 continue;
             }
-            let (guard, news) = (Arc::clone(&guard), news.clone());
-            thread::spawn(move || {
+            let own = Arc::clone(&door);
+            let thread = thread::Builder::new().spawn(move || {
                 // A client that goes away is no news.
-                let _ = answer(stream, &guard, &news);
+                let _ = own.answer(number, stream);
+                own.has_gone(number);
             });
+            if thread.is_err() {
+                door.has_gone(number);
+            }
         }
     });
 }
 
-/// Answers one request: with the page, or by making its client a viewer.
-fn answer(mut stream: TcpStream, guard: &Guard, news: &SyncSender<News>) -> io::Result<()> {
-    stream.set_nodelay(true)?;
-    let head = match Head::read(&mut stream) {
-        Ok(head) => head,
-        Err(BadHead::Gone) => return Ok(()),
-        Err(BadHead::Long) => {
-            let status = "431 Request Header Fields Too Large";
-            return reply::refusal(&mut stream, status, "too long");
+/// Where connections come in.
+struct Door {
+    guard: Guard,
+    post: Post,
+    /// Those that have not shown the token, the oldest first.
+    strangers: Mutex<VecDeque<(usize, TcpStream)>>,
+    /// How many have.
+    guests: AtomicUsize,
+}
+
+impl Door {
+    /// Remembers a connection, and cuts off the oldest stranger if there are too many; false if that is not possible.
+    fn has_come(&self, number: usize, stream: &TcpStream) -> bool {
+        let Ok(own) = stream.try_clone() else {
+            return false;
+        };
+        let mut strangers = self.strangers();
+        strangers.push_back((number, own));
+        if strangers.len() > STRANGERS
+            && let Some((_, oldest)) = strangers.pop_front()
+        {
+            let _ = oldest.shutdown(Shutdown::Both);
         }
-        Err(BadHead::Malformed) => {
-            return reply::refusal(&mut stream, "400 Bad Request", "this is not HTTP");
-        }
-    };
-    let host = head.field("host").map(str::to_owned);
-    if let Err(stranger) = guard.admits(host.as_deref(), &head.query) {
-        return refuse(&mut stream, stranger);
+        true
     }
-    match (&*head.method, &*head.path) {
-        ("GET", "/") => reply::page(&mut stream, &tip_view::live::page()),
-        ("GET", "/live") => {
-            let host = host.unwrap_or_default();
-            match guard.admits_origin(head.field("origin"), &host) {
-                Ok(()) => viewer::serve(stream, head, news),
-                Err(stranger) => refuse(&mut stream, stranger),
+
+    /// Forgets a stranger; whether it was still there.
+    fn has_gone(&self, number: usize) -> bool {
+        let mut strangers = self.strangers();
+        let place = strangers.iter().position(|(other, _)| *other == number);
+        place.is_some_and(|place| strangers.remove(place).is_some())
+    }
+
+    fn strangers(&self) -> MutexGuard<'_, VecDeque<(usize, TcpStream)>> {
+        self.strangers
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Answers one request.
+    fn answer(&self, number: usize, mut stream: TcpStream) -> io::Result<()> {
+        stream.set_nodelay(true)?;
+        let head = match Head::read(&mut stream) {
+            Ok(head) => head,
+            Err(BadHead::Gone) => return Ok(()),
+            Err(BadHead::Long) => {
+                let status = "431 Request Header Fields Too Large";
+                return reply::refusal(&mut stream, status, "too long");
             }
+            Err(BadHead::Malformed) => {
+                return reply::refusal(&mut stream, "400 Bad Request", "this is not HTTP");
+            }
+        };
+        if let Err(stranger) = self.guard.admits(head.field("host"), &head.query) {
+            return refuse(&mut stream, stranger);
         }
-        ("GET", _) => reply::refusal(&mut stream, "404 Not Found", "there is nothing here"),
-        _ => reply::refusal(&mut stream, "405 Method Not Allowed", "only GET is served"),
+        if !self.has_gone(number) {
+            // It was cut off when it began to speak.
+            return Ok(());
+        }
+        let before = self.guests.fetch_add(1, Ordering::Relaxed);
+        let answered = match before < MOST {
+            true => self.let_in(stream, head),
+            false => reply::refusal(&mut stream, "503 Service Unavailable", "too many viewers"),
+        };
+        self.guests.fetch_sub(1, Ordering::Relaxed);
+        answered
+    }
+
+    /// Answers one who knows the token: with the page, or by making it a viewer.
+    fn let_in(&self, mut stream: TcpStream, head: Head) -> io::Result<()> {
+        match (&*head.method, &*head.path) {
+            ("GET", "/") => reply::page(&mut stream, &tip_view::live::page()),
+            ("GET", "/live") => {
+                let host = head.field("host").unwrap_or_default();
+                match self.guard.admits_origin(head.field("origin"), host) {
+                    Ok(()) => viewer::serve(stream, head, &self.post),
+                    Err(stranger) => refuse(&mut stream, stranger),
+                }
+            }
+            ("GET", _) => reply::refusal(&mut stream, "404 Not Found", "there is nothing here"),
+            _ => reply::refusal(&mut stream, "405 Method Not Allowed", "only GET is served"),
+        }
     }
 }
 

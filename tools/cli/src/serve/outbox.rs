@@ -1,7 +1,7 @@
 //! What waits to be sent to a viewer: little, so that a slow one gets fewer and larger updates instead of a queue.
 
 use std::collections::VecDeque;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// How many updates wait; the next ones are made when there is room.
@@ -9,11 +9,16 @@ const UPDATES: usize = 2;
 /// A viewer that takes no answers while it asks for so many is none.
 const ANSWERS: usize = 64;
 
+/// How many requests of one viewer wait for their answers.
+const REQUESTS: usize = 32;
+
 /// Filled by the hub, emptied by the viewer's own thread.
 #[derive(Debug, Default)]
 pub(super) struct Outbox {
     texts: Mutex<VecDeque<String>>,
     closed: AtomicBool,
+    /// How many requests wait.
+    asked: AtomicUsize,
 }
 
 impl Outbox {
@@ -31,6 +36,21 @@ impl Outbox {
         } else {
             texts.push_back(text);
         }
+    }
+
+    /// Whether another request may wait; then it does until it is answered.
+    pub(super) fn begins(&self) -> bool {
+        let begins = self.asked.load(Ordering::Relaxed) < REQUESTS;
+        if begins {
+            self.asked.fetch_add(1, Ordering::Relaxed);
+        }
+        begins
+    }
+
+    /// Answers a request that waits.
+    pub(super) fn answer(&self, text: String) {
+        self.asked.fetch_sub(1, Ordering::Relaxed);
+        self.put(text);
     }
 
     pub(super) fn take(&self) -> Option<String> {

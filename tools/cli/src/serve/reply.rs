@@ -2,14 +2,13 @@
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A client has so long to take a page.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// What a client sends on after its request is read for so long, and so much of it: who closes before loses the answer.
+/// What a client sends on after its request is read for so long: who closes before loses the answer.
 const PARTING: Duration = Duration::from_millis(200);
-const PARTS: usize = 256;
 
 /// What every answer says: nothing is cached, guessed, framed, or passed on to other sites.
 const FIELDS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n\
@@ -43,14 +42,15 @@ fn send(stream: &mut TcpStream, status: &str, kind: &str, body: &str) -> io::Res
     Ok(())
 }
 
-/// Ends a conversation: nothing more is said, and what comes is taken for a moment.
+/// Ends a conversation: nothing more is said, and what comes is taken for a moment, however slowly it comes.
 pub(super) fn part(stream: &mut TcpStream) {
-    let is_ready =
-        stream.shutdown(Shutdown::Write).is_ok() && stream.set_read_timeout(Some(PARTING)).is_ok();
+    let end = Instant::now() + PARTING;
     let mut part = [0; 4096];
-    for _ in 0..PARTS {
-        if !is_ready || !matches!(stream.read(&mut part), Ok(1..)) {
-            break;
-        }
+    let mut goes_on = stream.shutdown(Shutdown::Write).is_ok();
+    while goes_on {
+        let left = end.saturating_duration_since(Instant::now());
+        goes_on = !left.is_zero()
+            && stream.set_read_timeout(Some(left)).is_ok()
+            && matches!(stream.read(&mut part), Ok(1..));
     }
 }

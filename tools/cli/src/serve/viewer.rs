@@ -1,15 +1,14 @@
 //! A viewer: a WebSocket with a thread of its own.
 
 use super::head::Head;
-use super::hub::News;
+use super::hub::{News, Post};
 use super::outbox::Outbox;
 use super::reply;
 use std::io;
 use std::net::TcpStream;
 use std::sync::Arc;
-use std::sync::mpsc::SyncSender;
 use std::time::{Duration, Instant};
-use tip_view::live::MOST_BYTES;
+use tip_view::live::{Asked, MOST_BYTES};
 use tungstenite::error::CapacityError;
 use tungstenite::handshake::server::{create_response, write_response};
 use tungstenite::http::Request;
@@ -49,7 +48,7 @@ impl From<Error> for End {
 }
 
 /// Makes a client that has asked for it a viewer, until it goes.
-pub(super) fn serve(mut stream: TcpStream, head: Head, news: &SyncSender<News>) -> io::Result<()> {
+pub(super) fn serve(mut stream: TcpStream, head: Head, post: &Post) -> io::Result<()> {
     let Some(response) = upgrade(&head) else {
         let word = "this is for WebSockets";
         return reply::refusal(&mut stream, "426 Upgrade Required", word);
@@ -62,13 +61,13 @@ pub(super) fn serve(mut stream: TcpStream, head: Head, news: &SyncSender<News>) 
         .max_frame_size(Some(MOST_BYTES));
     let socket = WebSocket::from_partially_read(stream, head.rest, Role::Server, Some(config));
     let outbox = Arc::new(Outbox::default());
-    if news.send(News::Came(Arc::clone(&outbox))).is_err() {
+    if !post.send(News::Came(Arc::clone(&outbox))) {
         return Ok(());
     }
     let mut conversation = Conversation {
         socket,
         outbox,
-        news,
+        post,
         allowance: Allowance::full(),
         pinged: Instant::now(),
     };
@@ -96,7 +95,7 @@ fn upgrade(head: &Head) -> Option<tungstenite::http::Response<()>> {
 struct Conversation<'a> {
     socket: WebSocket<TcpStream>,
     outbox: Arc<Outbox>,
-    news: &'a SyncSender<News>,
+    post: &'a Post,
     allowance: Allowance,
     pinged: Instant,
 }
@@ -137,8 +136,10 @@ impl Conversation<'_> {
         if !self.allowance.spend() {
             return Err(End::Sent(CloseCode::Policy, "too many requests"));
         }
-        let asked = News::Asked(Arc::clone(&self.outbox), text.as_str().to_owned());
-        self.news.send(asked).map_err(|_| End::Gone)
+        match self.post.ask(&self.outbox, Asked::read(text.as_str())) {
+            true => Ok(()),
+            false => Err(End::Gone),
+        }
     }
 
     /// Says why, and takes what is still on its way: who closes before loses the last word.

@@ -5,10 +5,10 @@ use super::super::checked::Checked;
 use super::super::choices::PlantName;
 use super::super::plant::PlantChoice;
 use std::fmt::Write as _;
+use tip_lint::spots::Spot;
 use tip_runtime::printable::Printable;
 use tip_sim::search::Tally;
 use tip_sim::verify::{Project, VERSION};
-use tipc::analysis::spots::Spot;
 use tipc::program::Step;
 
 /// The text of a certificate.

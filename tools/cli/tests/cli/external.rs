@@ -167,6 +167,39 @@ fn a_signal_ends_run_and_process() {
     assert!(begin.elapsed() < Duration::from_secs(20));
 }
 
+/// A command that is told twice to end does not wait, and leaves nobody behind.
+#[test]
+fn a_second_signal_ends_what_the_process_started() {
+    let folder = folder("external-signals");
+    let plant =
+        "exec:sh sim.sh 3 'sleep 300 & echo $! >&2; trap : TERM INT; while :; do wait; done'";
+    let mut command = folder.command(&["run", "nod.prg", "--plant", plant]);
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+    let mut child = child.expect("tipc starts");
+    let mut said = BufReader::new(child.stderr.take().expect("a pipe")).lines();
+    let sleeper = said.next().expect("it says something").expect("text");
+    let pid = child.id().to_string();
+    for _ in 0..2 {
+        let kill = std::process::Command::new("kill")
+            .args(["-INT", &pid])
+            .status();
+        assert!(kill.is_ok_and(|status| status.success()));
+    }
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
+    let begin = Instant::now();
+    let lives = || {
+        let shown = std::process::Command::new("ps")
+            .args(["-o", "stat=", "-p", &sleeper])
+            .output();
+        let state = shown.expect("there is ps").stdout;
+        !state.is_empty() && !state.starts_with(b"Z")
+    };
+    while lives() {
+        assert!(begin.elapsed() < Duration::from_secs(20), "{sleeper} lives");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
 #[test]
 fn what_a_process_cannot_do_is_refused_with_a_way_out() {
     let folder = folder("external-refused").file("level.toml", "[floor]\nfriction = 0.9\n");

@@ -36,7 +36,7 @@ to its end, every file that can be written is new, then the run ends with the sa
 
 A compiled program writes its logs with the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot like
 RETURN. The signal ends it like any process, unless its host catches it; then the earlier files stay, and partial files are left next to them
-as `.tip-RANDOM.part`. `cargo test -p walk --test interrupt` tests both.
+as `.tip-RANDOM.part`. `cargo test -p walk --test it interrupt` tests both.
 
 `cargo test -p tipc-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
 rewrites it.
@@ -47,12 +47,12 @@ What would take time or memory without end, and what bounds it. Work is counted 
 
 | where | what | bound | test |
 |---|---|---|---|
-| `tipc cycles` | loops in loops, labels, calls in calls | in proportion to the steps; a loop that a jump enters from aside takes as long as what is around it, and the stretches between labels as long as there are stretches | `tipc/tests/bounded.rs` |
-| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tipc/tests/bounded.rs` |
-| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tipc/tests/bounded.rs` |
+| `tipc cycles` | loops in loops, labels, calls in calls | in proportion to the steps; a loop that a jump enters from aside takes as long as what is around it, and the stretches between labels as long as there are stretches | `tipc/tests/it/bounded.rs` |
+| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tipc/tests/it/bounded.rs` |
+| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tipc/tests/it/bounded.rs` |
 | messages | words that a program, a description or a URDF file holds | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
 | messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
-| VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/log_files.rs` |
+| VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/it/log_files.rs` |
 | TITAN.LOG | a run without end | 10,000 rows | `tools/cli/tests/cli/faults/signals.rs` |
 | NORM | members whose squares are beyond the largest number | the root where it is finite; else `Domain error` | `tip-runtime/src/ops.rs`, `tests/cases/faults/norm-overflows` |
 ";

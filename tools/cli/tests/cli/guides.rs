@@ -126,10 +126,13 @@ impl Terminal {
             .env("LC_ALL", "C")
             .env("CARGO_NET_OFFLINE", "true")
             .env("CARGO_TERM_COLOR", "never")
+            // Shared with the other crates outside the workspace that tests build, in tests/tests/it/outside.rs.
             .env(
                 "CARGO_TARGET_DIR",
-                Path::new(env!("CARGO_TARGET_TMPDIR")).join("guides"),
+                Path::new(env!("CARGO_TARGET_TMPDIR")).join("nested"),
             )
+            .env("CARGO_PROFILE_DEV_DEBUG", "false")
+            .env("CARGO_INCREMENTAL", "0")
             .stdin(Stdio::null())
             .output()
             .expect("a shell");

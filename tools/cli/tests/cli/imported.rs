@@ -81,7 +81,7 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
     for (file, reason) in [
         ("sliding.urdf", "joint `hinge` on link `base` is prismatic"),
         ("broken.urdf", "this is not URDF"),
-        ("gone.urdf", "No such file"),
+        ("gone.urdf", "there is no such file"),
     ] {
         let outcome = folder
             .tipc(&["robot", "import", file, "-o", "out.toml"])
@@ -116,4 +116,138 @@ fn imports_speak_japanese() {
         "robot", "export", "--urdf", "--robot", "sdf.urdf", "--lang", "ja",
     ]);
     assert!(exported.expect(1).err.starts_with("エラー: sdf.urdf"));
+}
+
+/// Four legs of three joints about x, y and y, in a file whose y is up; front right comes first, as in many files.
+fn quadruped() -> String {
+    let mut text = "<robot name=\"dog\"><link name=\"base\"><inertial><mass value=\"5\"/>\
+                    <inertia ixx=\"0.02\" ixy=\"0\" ixz=\"0\" iyy=\"0.08\" iyz=\"0\" izz=\"0.06\"/></inertial></link>\n"
+        .to_owned();
+    for (name, x, z) in [
+        ("FR", 0.2, 0.1),
+        ("FL", 0.2, -0.1),
+        ("RR", -0.2, 0.1),
+        ("RL", -0.2, -0.1),
+    ] {
+        let place = [
+            format!("{x} 0 {z}"),
+            format!("0 0 {}", 0.5 * z),
+            "0 -0.2 0".to_owned(),
+        ];
+        let axes = [
+            ("1 0 0", -0.8, 0.8),
+            ("0 0 1", -1.0, 1.8),
+            ("0 0 1", -2.4, -0.6),
+        ];
+        let mut parent = "base".to_owned();
+        for ((part, at), (axis, lower, upper)) in
+            ["hip", "thigh", "calf"].into_iter().zip(place).zip(axes)
+        {
+            let child = format!("{name}_{part}");
+            text.push_str(&format!(
+                "<link name=\"{child}\"><inertial><mass value=\"0.3\"/><inertia ixx=\"0.001\" ixy=\"0\" ixz=\"0\" iyy=\"0.001\" \
+                 iyz=\"0\" izz=\"0.001\"/></inertial></link>\n<joint name=\"{child}_joint\" type=\"revolute\"><parent \
+                 link=\"{parent}\"/><child link=\"{child}\"/><origin xyz=\"{at}\"/><axis xyz=\"{axis}\"/><limit lower=\"{lower}\" \
+                 upper=\"{upper}\" effort=\"40\" velocity=\"20\"/></joint>\n"
+            ));
+            parent = child;
+        }
+        text.push_str(&format!(
+            "<link name=\"{name}_foot\"/><joint name=\"{name}_end\" type=\"fixed\"><parent link=\"{parent}\"/>\
+             <child link=\"{name}_foot\"/><origin xyz=\"0 -0.2 0\"/></joint>\n"
+        ));
+    }
+    text + "</robot>\n"
+}
+
+#[test]
+fn a_quadruped_with_y_up_is_imported_and_walks_in_its_new_crate() {
+    let folder = Folder::new("import-walks").file("dog.urdf", quadruped());
+    let refused = folder
+        .tipc(&["robot", "import", "dog.urdf", "-o", "dog.toml"])
+        .expect(1);
+    assert!(
+        refused.err.contains("import it with `--up y`"),
+        "{}",
+        refused.err
+    );
+    assert!(!folder.has("dog.toml"));
+    let import = ["robot", "import", "dog.urdf", "--up", "y", "-o", "dog.toml"];
+    let imported = folder.tipc(&import).expect(0);
+    let order = "front to rear and left before right: FL_hip_joint, FR_hip_joint, RL_hip_joint, RR_hip_joint";
+    assert!(imported.err.contains(order), "{}", imported.err);
+    let made = folder
+        .tipc(&["new", "walker", "--robot", "dog.toml"])
+        .expect(0);
+    let said = "forward and does not fall, with mass and without";
+    assert!(made.out.contains(said), "{}", made.out);
+    let program = "walker/motions/walk.prg";
+    folder
+        .tipc(&["check", "--deny", "warnings", program])
+        .expect(0);
+    folder.tipc(&["fmt", "--check", program]).expect(0);
+    for plant in ["quasi-static", "dynamic"] {
+        let run = folder.tipc(&["run", "--plant", plant, program]).expect(0);
+        assert!(run.out.contains("falls   none"), "{}", run.out);
+        assert!(run.out.contains("mm forward"), "{}", run.out);
+    }
+    let test = folder.read("walker/tests/walk.rs");
+    assert!(
+        test.contains("motion.travel.y > ") && !test.contains("<<"),
+        "{test}"
+    );
+}
+
+#[test]
+fn a_robot_that_cannot_walk_gets_another_motion_and_is_told_why() {
+    let legs: String = [[-100, 100], [100, 100], [0, -100]]
+        .map(|[x, y]| format!("{{ base = [{x}, {y}, 0] }}, "))
+        .concat();
+    let tripod = format!(
+        "name = \"tripod\"\nleg = [{legs}]\njoint = [{{ axis = \"x\", link = [0, 0, -90], limits = [-30, 30] }}]\n\
+         [body]\nx = [-100, 100]\ny = [-100, 100]\nz = [-20, 20]\n"
+    );
+    let folder = Folder::new("new-tripod").file("tripod.toml", tripod);
+    let made = folder
+        .tipc(&["new", "three", "--robot", "tripod.toml"])
+        .expect(0);
+    assert!(
+        made.out
+            .contains("no gait was found; the motion bends one leg after the other instead"),
+        "{}",
+        made.out
+    );
+    assert!(
+        made.out.contains("needs four legs to lift one"),
+        "{}",
+        made.out
+    );
+    assert!(folder.has("three/motions/bend.prg"));
+}
+
+#[test]
+fn a_file_in_utf_16_is_read_and_one_in_an_unknown_encoding_named() {
+    let declared = URDF.replace(
+        "<robot",
+        "<?xml version=\"1.0\" encoding=\"EBCDIC\"?>\n<robot",
+    );
+    let wide: Vec<u8> = format!("\u{feff}{}", URDF.replace("hinge", "\u{8db3}"))
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    let folder = Folder::new("import-encodings")
+        .file("wide.urdf", wide)
+        .file("unknown.urdf", declared);
+    let imported = folder.tipc(&["robot", "import", "wide.urdf"]).expect(0);
+    assert!(
+        imported.err.contains("F1: joint \u{8db3} to link tip"),
+        "{}",
+        imported.err
+    );
+    let refused = folder.tipc(&["robot", "import", "unknown.urdf"]).expect(1);
+    assert!(
+        refused.err.contains("its encoding is `EBCDIC`"),
+        "{}",
+        refused.err
+    );
 }

@@ -10,6 +10,8 @@ mod emit;
 mod external;
 #[cfg(target_os = "linux")]
 mod faults;
+#[cfg(target_os = "linux")]
+mod files;
 mod fix;
 mod fmt;
 #[cfg(unix)]
@@ -23,6 +25,8 @@ mod motion;
 mod new;
 #[cfg(unix)]
 mod printable;
+#[cfg(target_os = "linux")]
+mod printed;
 mod project;
 mod quiet;
 mod readme;

@@ -295,3 +295,99 @@ fn a_crate_that_agrees_or_cannot_be_read_is_not_warned_of() {
         assert_eq!(around(name, sources), "", "{name}");
     }
 }
+
+/// Each command takes the configuration around the file, as the system finds it, and none of a folder that only the path passes.
+#[cfg(unix)]
+#[test]
+fn the_folder_is_that_of_the_file_and_not_of_the_path() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::new("project-real")
+        .file("hand/tip.toml", "robot = \"hand\"\n")
+        .program("hand/grasp.prg", HAND)
+        .program("walker/grasp.prg", HAND);
+    let link = |to: &str, at: &str| symlink(to, folder.path(at)).expect("writable");
+    link("../walker/grasp.prg", "hand/other.prg");
+    link("../hand/grasp.prg", "walker/other.prg");
+    link("../walker", "hand/walker");
+    link("hand", "linked");
+    let absolute = folder.path("hand/../walker/grasp.prg");
+    let walkers = [
+        "hand/../walker/grasp.prg",
+        absolute.to_str().expect("UTF-8"),
+        "hand/other.prg",
+        "hand/walker/grasp.prg",
+        "linked/../walker/grasp.prg",
+    ];
+    let commands: [&[&str]; 9] = [
+        &["check"],
+        &["run", "--quiet"],
+        &["fmt", "--check", "--robot", "titan8"],
+        &["cycles"],
+        &["emit", "rust"],
+        &["log", "-o", "out.csv"],
+        &["plot", "-o", "out.svg"],
+        &["view"],
+        &["serve"],
+    ];
+    for path in walkers {
+        for command in commands {
+            let outcome = folder.tipc(&[command, &[path]].concat()).expect(1);
+            let said = outcome.out + &outcome.err;
+            assert!(
+                said.contains("titan8 has no TEACH_TORQUE"),
+                "{path}: {said}"
+            );
+        }
+    }
+    for path in [
+        "walker/other.prg",
+        "linked/grasp.prg",
+        "walker/../hand/grasp.prg",
+    ] {
+        folder.tipc(&["check", path]).expect(0);
+        folder.tipc(&["cycles", path]).expect(0);
+    }
+    let outcome = folder.tipc(&["check", "hand/../walker/none.prg"]).expect(1);
+    assert!(
+        outcome.err.contains("there is no such file"),
+        "{outcome:#?}"
+    );
+    // Servers of editors do as the commands do.
+    let mut client = crate::dap::Client::new();
+    client.ask("initialize", json!({ "adapterID": "tip" }));
+    let program = absolute.display().to_string();
+    let refused = client.refusal("launch", json!({ "program": program }));
+    assert!(refused.contains("titan8 has no TEACH_TORQUE"), "{refused}");
+}
+
+/// Patterns of files mean the file's own path below the folder, and a stream is in the working directory.
+#[cfg(unix)]
+#[test]
+fn patterns_and_streams_have_their_folder() {
+    use std::os::unix::fs::symlink;
+    let said = "[[programs]]\nfiles = \"old/*.prg\"\nrobot = \"hand\"\n";
+    let folder = Folder::new("project-patterns")
+        .file("tip.toml", said)
+        .program("old/grasp.prg", HAND);
+    symlink("old/grasp.prg", folder.path("grasp.prg")).expect("writable");
+    folder.tipc(&["check", "grasp.prg"]).expect(0);
+    folder.tipc(&["check", "old/../old/grasp.prg"]).expect(0);
+    let folder = folder.file("tip.toml", "robot = \"hand\"\n");
+    for stream in ["-", "/dev/stdin", "/dev/fd/0"] {
+        let mut command = folder.command(&["check", stream]);
+        let text = std::fs::File::open(folder.path("old/grasp.prg")).expect("it is there");
+        let output = command.stdin(text).output().expect("tipc starts");
+        assert!(output.status.success(), "{stream}: {output:?}");
+    }
+}
+
+/// Something of that name that is no file is an error, and not passed over for a farther one.
+#[test]
+fn one_that_is_a_folder_is_an_error() {
+    let folder = Folder::new("project-folder")
+        .file("tip.toml", "robot = \"hand\"\n")
+        .file("near/tip.toml/empty", "")
+        .program("near/grasp.prg", HAND);
+    let outcome = folder.tipc(&["check", "near/grasp.prg"]).expect(1);
+    assert!(outcome.err.contains("this is a folder"), "{outcome:#?}");
+}

@@ -101,10 +101,11 @@ fn the_summary_speaks_japanese() {
     let lines: Vec<&str> = outcome.err.lines().collect();
     let margin = lines.last().expect("a margin");
     assert_eq!(
-        lines[..6],
+        lines[..7],
         [
             "p.prg: 4行目で--cyclesの周期数に到達(3周期、ロボットの時間で0.060 s)",
             "  次      4行目: KEY_IN (キーが押されるまで待ちます)",
+            "  待機    4行目がキー入力を待っています(0.0 sから0.0 s間)",
             "  移動    胴体が前へ0.0 mm、右へ0.0 mm、上へ0.0 mm",
             "  旋回    左へ0.0度",
             "  転倒    なし",
@@ -206,8 +207,12 @@ fn a_fall_is_reported_with_its_time_and_source_line() {
     let (before, cycle) = warning
         .split_once(" s, in cycle ")
         .expect("a time and a cycle");
+    // Its body is upright then, and comes down to the floor later.
+    let cycle = cycle
+        .strip_suffix(": its feet do not hold its centre of mass")
+        .expect("the reason");
     let time = before
-        .strip_prefix("warning: the robot fell after ")
+        .strip_prefix("warning: the robot would fall after ")
         .expect("a warning");
     let (time, cycle): (f64, f64) = (time.parse().expect("s"), cycle.parse().expect("a cycle"));
     assert!((time - cycle * 0.02).abs() < 1e-9);
@@ -216,6 +221,79 @@ fn a_fall_is_reported_with_its_time_and_source_line() {
     let falls = format!("  falls   1, the first after {time:.3} s at line 7\n");
     assert!(rest.contains(&falls), "{rest}");
     assert!(number(rest, "margin", " mm at least") < 0.0);
+}
+
+#[test]
+fn a_body_that_stays_upright_would_fall_and_one_that_comes_down_falls() {
+    let lifts = |by: u32| {
+        format!(
+            "STAND_UP 60\nWAIT_INPOS ALL\nREL_PTP F1 0 0 {by}\nREL_PTP F3 0 0 {by}\nSLEEP 3000\nEND"
+        )
+    };
+    let folder = Folder::new("speaks-upright")
+        .program("leans.prg", &lifts(80))
+        .program("drops.prg", &lifts(120));
+    let falls = |program, plant| {
+        let all = [
+            "run", program, "--plant", plant, "--quiet", "--deny", "falls",
+        ];
+        let status = folder.tipc(&all).status;
+        let shown = folder.tipc(&all[..4]).expect(0).err;
+        let line = shown.lines().find(|line| line.starts_with("  falls "));
+        (status, line.expect("a line of falls").to_owned())
+    };
+    let (status, line) = falls("leans.prg", "quasi-static");
+    assert_eq!(status, 4);
+    assert!(
+        line.starts_with("  falls   would fall: 1, the first after "),
+        "{line}"
+    );
+    assert!(line.ends_with("; the body stays upright"), "{line}");
+    assert_eq!(
+        falls("leans.prg", "dynamic"),
+        (0, "  falls   none".to_owned())
+    );
+    for plant in ["quasi-static", "dynamic"] {
+        let (status, line) = falls("drops.prg", plant);
+        assert_eq!(status, 4, "{plant}");
+        assert!(line.starts_with("  falls   1, the first after "), "{line}");
+        assert!(line.ends_with(" at line 7"), "{line}");
+    }
+}
+
+#[test]
+fn a_simulation_that_diverges_ends_and_leaves_a_trace_of_json() {
+    let folder = Folder::new("speaks-diverges").program("p.prg", "STAND_UP 60\nSLEEP 3000\nEND");
+    let outcome = folder
+        .tipc(&[
+            "run",
+            "p.prg",
+            "--plant",
+            "dynamic",
+            "--trace",
+            "-",
+            "--trace-motion",
+            "--events",
+            "10:push 1e300 0 0 for 5",
+        ])
+        .expect(3);
+    assert!(
+        outcome.err.contains("the simulation diverged"),
+        "{outcome:#?}"
+    );
+    let records = outcome
+        .out
+        .lines()
+        .map(serde_json::from_str::<serde_json::Value>);
+    let records: Vec<_> = records.map(|record| record.expect("JSON")).collect();
+    let [.., last, end] = &records[..] else {
+        panic!("{outcome:#?}")
+    };
+    assert_eq!(
+        (&last["cycle"], &end["end"]),
+        (&10.into(), &"EMERGENCY".into())
+    );
+    assert!(last["pose"][0].is_f64(), "{last}");
 }
 
 #[test]
@@ -230,7 +308,7 @@ fn a_denied_fall_is_status_4_unless_something_worse_happened() {
     // It runs to its end.
     assert_eq!(fell.out, "still here\n");
     assert!(
-        fell.err.starts_with("error: the robot fell after "),
+        fell.err.starts_with("error: the robot would fall after "),
         "{fell:#?}"
     );
     run("falls.prg", &[]).expect(0);
@@ -380,4 +458,108 @@ fn a_quiet_run_in_real_time_is_silent() {
         .expect(0);
     assert!(begin.elapsed().as_secs_f64() >= 0.3);
     assert_eq!((&*outcome.out, &*outcome.err), ("", ""));
+}
+
+/// The cylinder that comes with the hand is too large for the grasp of the example.
+#[test]
+fn a_run_that_waits_says_where_for_what_and_how_long() {
+    let grasp = include_str!("../../../../examples/grasp/motions/grasp.prg");
+    let folder = Folder::new("speaks-waits")
+        .file("grasp.prg", grasp)
+        .program("key.prg", "SLEEP 1000\nKEY_IN\nEND")
+        .program("sleep.prg", "SLEEP 90000\nEND")
+        .program(
+            "flag.prg",
+            "STAND_UP 60\nL1:\nSLEEP 100\nIF !KB_HIT GOTO L1:\nEND",
+        )
+        .program(
+            "knob.prg",
+            "DEF_VAR V\nV = 0\nWHILE V < 5\nAD_IN VR1 V\nWEND\nEND",
+        )
+        .program("ever.prg", "L1:\nGOTO L1:\nEND")
+        .program("lamp.prg", "L1:\nLAMP_ON 1\nLAMP_OFF 1\nGOTO L1:\nEND")
+        .program(
+            "count.prg",
+            "DEF_VAR N\nN = 0\nL1:\nN = N + 1\nIF N < 100000 GOTO L1:\nEND",
+        );
+    let run = |program: &str, more: &[&str]| {
+        let run = ["run", program, "--cycles", "4000"];
+        folder.tipc(&[&run[..], more].concat()).expect(0).err
+    };
+    let hand = run("grasp.prg", &["--robot", "hand", "--scene", "cylinder"]);
+    assert!(
+        hand.contains("\n  waits   line 26 waits for INPOS_F2 since "),
+        "{hand}"
+    );
+    for (program, expected) in [
+        ("key.prg", "line 4 waits for a key since 1.0 s, for 79.0 s"),
+        (
+            "knob.prg",
+            "lines 5 to 7 wait for VR1 since 0.1 s, for 79.9 s",
+        ),
+        (
+            "ever.prg",
+            "lines 3 to 4 repeat without a motion since 0.0 s, for 80.0 s",
+        ),
+    ] {
+        let said = run(program, &[]);
+        assert!(
+            said.contains(&format!("\n  waits   {expected}\n")),
+            "{program}: {said}"
+        );
+        let during = said
+            .lines()
+            .filter(|line| line.ends_with("Ctrl-C ends the run"));
+        assert_eq!(during.count(), 1, "{said}");
+    }
+    let flag = run("flag.prg", &[]);
+    assert!(
+        flag.contains("\n  waits   lines 4 to 6 wait for KB_HIT since "),
+        "{flag}"
+    );
+    for program in ["sleep.prg", "lamp.prg", "count.prg"] {
+        let said = run(program, &[]);
+        assert!(
+            !said.contains("wait") || said.contains("which waits until the time"),
+            "{said}"
+        );
+        assert!(!said.contains("  waits  "), "{program}: {said}");
+    }
+}
+
+#[test]
+fn view_and_log_end_after_a_long_wait_and_say_so() {
+    let folder = Folder::new("speaks-stopped")
+        .program("key.prg", "SLEEP 1000\nKEY_IN\nEND")
+        .program("sleep.prg", "SLEEP 90000\nEND");
+    let expected = "stopped after 60 s without a motion: line 4 waits for a key since 1.0 s, for 60.0 s; --cycles sets another end";
+    for command in [
+        ["log", "key.prg", "-o", "key.csv"],
+        ["view", "key.prg", "-o", "key.html"],
+    ] {
+        let outcome = folder.tipc(&command).expect(0);
+        assert_eq!(
+            outcome.err.lines().filter(|line| *line == expected).count(),
+            1,
+            "{outcome:#?}"
+        );
+    }
+    let rows = folder.read("key.csv").lines().count();
+    assert!((3050..3053).contains(&rows), "{rows}");
+    // Who asks for an end gets that one, and a program that lets time pass is not waiting.
+    let asked = [
+        "log", "key.prg", "-o", "key.csv", "--cycles", "5000", "--lang", "ja",
+    ];
+    let outcome = folder.tipc(&asked).expect(0);
+    assert!(
+        outcome
+            .err
+            .contains("4行目がキー入力を待っています(1.0 sから99.0 s間)\n"),
+        "{outcome:#?}"
+    );
+    assert_eq!(folder.read("key.csv").lines().count(), 5001);
+    let outcome = folder
+        .tipc(&["log", "sleep.prg", "-o", "sleep.csv"])
+        .expect(0);
+    assert!(!outcome.err.contains("stopped"), "{outcome:#?}");
 }

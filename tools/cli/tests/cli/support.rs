@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 
 /// A folder of its own for each test.
 pub(crate) struct Folder(PathBuf);
@@ -64,7 +65,7 @@ impl Folder {
 
     /// The command, in this folder, with these arguments.
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tipc"));
+        let mut command = tipc();
         command
             .current_dir(&self.0)
             .args(arguments)
@@ -81,6 +82,22 @@ impl Folder {
         let output = self.command(arguments).output().expect("tipc starts");
         Outcome::of(output)
     }
+}
+
+/// The command, with the signals of a shell in the foreground: what runs the tests may ignore Ctrl-C, as background jobs do.
+fn tipc() -> Command {
+    static IS_IGNORED: OnceLock<bool> = OnceLock::new();
+    let is_ignored = || {
+        let survivor = Command::new("sh").args(["-c", "kill -INT $$"]).status();
+        cfg!(unix) && survivor.is_ok_and(|status| status.success())
+    };
+    let tipc = env!("CARGO_BIN_EXE_tipc");
+    if !IS_IGNORED.get_or_init(is_ignored) {
+        return Command::new(tipc);
+    }
+    let mut command = Command::new("env");
+    command.args(["--default-signal=INT,HUP,TERM", tipc]);
+    command
 }
 
 /// What a command said and how it ended.

@@ -210,3 +210,12 @@ fn what_keeps_a_program_from_being_built_is_named() {
         .tipc(&["verify", "p.prg", "--runs", "many"])
         .expect(2);
 }
+
+#[test]
+fn a_comparison_of_nothing_is_refused() {
+    let folder = Folder::new("verify-nothing").program("p.prg", "END");
+    for option in ["--runs", "--cycles"] {
+        let outcome = folder.tipc(&["verify", "p.prg", option, "0"]).expect(2);
+        assert!(outcome.err.contains("compares nothing"), "{outcome:#?}");
+    }
+}

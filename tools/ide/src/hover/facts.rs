@@ -2,10 +2,11 @@
 
 use super::Card;
 use crate::Document;
-use tipc::analysis::cycles::{Part, Span as PartSpan};
+use crate::message::Editing;
+use tip_lint::cycles::{Part, Span as PartSpan};
 use tipc::language::Keyword;
+use tipc::message::Message;
 use tipc::message::list::List;
-use tipc::message::{Editing, Message};
 use tipc::program::{Action, StepId};
 use tipc::symbols::{Access, Definition, DefinitionKind, Use};
 use tipc::syntax::{Counting, Expression, OperandKind, StatementKind, VariableKind};

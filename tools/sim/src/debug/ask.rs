@@ -4,8 +4,8 @@ use super::{Debugger, Refused};
 use crate::interp::Interpreter;
 use crate::run::Run;
 use std::fmt;
+use tip_lint::ask::Asker;
 use tip_runtime::fault::Fault;
-use tipc::ask::Asker;
 use tipc::program::{Condition, Operand, ScalarExpression};
 
 /// The names that only a debugger knows: the cycle that comes next, and when it begins, in ms.

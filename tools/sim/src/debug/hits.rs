@@ -1,8 +1,8 @@
 //! How often a breakpoint is passed before it stops a run.
 
+use crate::message::Debugging;
 use std::fmt;
 use std::str::FromStr;
-use tipc::message::Debugging;
 
 /// Which passes of a breakpoint stop a run, counted from its start. As text: `5` or `== 5`, `> 5`, `>= 5`, `% 5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +16,8 @@ pub enum Hits {
 }
 
 impl Hits {
-    /// Whether pass `n`, counted from 1, is one.
-    pub(super) fn has(self, n: u64) -> bool {
+    /// Returns true if pass `n`, counted from 1, stops a run.
+    pub fn has(self, n: u64) -> bool {
         match self {
             Hits::Only(only) => n == only,
             Hits::From(first) => n >= first,

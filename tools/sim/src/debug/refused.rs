@@ -1,12 +1,13 @@
 //! Why a debugger does not do what it is asked.
 
 use super::hits::NotHits;
+use crate::message::Debugging;
 use crate::refused;
 use std::fmt;
 use tip_runtime::fault::Fault;
 use tip_runtime::program::VariableError;
 use tipc::diagnostic::Diagnostic;
-use tipc::message::{Debugging, Lang};
+use tipc::message::Lang;
 
 /// Why something is refused.
 #[derive(Clone, Debug, PartialEq)]

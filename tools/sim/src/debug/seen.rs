@@ -1,8 +1,8 @@
 //! What a debugger shows where it stands.
 
 use super::Debugger;
+use crate::message::Debugging;
 use tip_runtime::controller::Mode;
-use tipc::message::Debugging;
 use tipc::program::{Action, VariableKind};
 
 /// A variable with its members.

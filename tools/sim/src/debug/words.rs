@@ -2,8 +2,8 @@
 
 use super::Refused;
 use super::ask::{Now, Question};
+use tip_lint::ask::Asker;
 use tip_runtime::fault::Fault;
-use tipc::ask::Asker;
 use tipc::program::Program;
 
 /// A text with expressions in braces: `stride {N} at {P}`.

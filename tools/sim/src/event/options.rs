@@ -140,6 +140,3 @@ fn sensor(text: &str, can_read: fn(f64) -> bool) -> Result<Timed, EventError> {
         .map_err(|_| wrong(&format!("'{cycle}' is not a cycle")))?;
     Ok(Event::Sensor(port, volts).at(cycle))
 }
-
-#[cfg(test)]
-mod tests;

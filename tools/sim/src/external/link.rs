@@ -2,28 +2,26 @@
 
 use super::line::{BYE, LONGEST};
 use super::trouble::Ended;
-use crate::apart::apart;
+use crate::apart::Apart;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 use tip_runtime::printable::Printable;
 
-/// How long a process may take to end after the last line; then it is killed.
+/// How long a process and those that it started may take to end after the last line; then they are killed.
 const GRACE: Duration = Duration::from_secs(2);
 /// How long it is waited for whether a process that has closed its output ends.
 const MOMENT: Duration = Duration::from_millis(500);
-/// How often that is looked at.
-const BLINK: Duration = Duration::from_millis(5);
 /// The longest line of standard error that is passed on in one piece: bytes.
 const SAID: u64 = 4096;
 
 /// A process that answers line by line.
 pub(super) struct Link {
-    child: Child,
+    process: Apart,
     /// None when it has been told the last line.
     lines: Option<Sender<Line>>,
     answers: Receiver<Heard>,
@@ -63,8 +61,8 @@ impl Link {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
-        apart(&mut command);
-        let mut child = command.spawn()?;
+        let mut process = Apart::start(&mut command)?;
+        let child = process.child();
         let (lines, to_write) = mpsc::channel();
         let (heard, answers) = mpsc::channel();
         let (saying, said) = mpsc::channel();
@@ -78,7 +76,7 @@ impl Link {
             });
         }
         Ok(Link {
-            child,
+            process,
             lines: Some(lines),
             answers,
             said,
@@ -122,21 +120,9 @@ impl Link {
 
     /// How it ended.
     fn ended(&mut self) -> Ended {
-        match self.wait(MOMENT) {
+        match self.process.wait(MOMENT) {
             None => Ended::Closed,
             Some(status) => status.code().map_or(Ended::Killed, Ended::Exit),
-        }
-    }
-
-    /// Waits so long for its end.
-    fn wait(&mut self, longest: Duration) -> Option<std::process::ExitStatus> {
-        let begin = Instant::now();
-        loop {
-            match self.child.try_wait() {
-                Ok(Some(status)) => return Some(status),
-                Ok(None) if begin.elapsed() < longest => thread::sleep(BLINK),
-                Ok(None) | Err(_) => return None,
-            }
         }
     }
 
@@ -147,7 +133,7 @@ impl Link {
 }
 
 impl Drop for Link {
-    /// Says good-bye, closes its input and waits for its end, which comes in any case.
+    /// Says good-bye, closes its input and waits for its end and that of what it started, which comes in any case.
     fn drop(&mut self) {
         self.tell(BYE.to_owned());
         self.lines = None;
@@ -156,11 +142,7 @@ impl Drop for Link {
         } else {
             GRACE
         };
-        if self.wait(grace).is_none() {
-            // One that has ended meanwhile cannot be killed.
-            let _ = self.child.kill();
-            let _ = self.child.wait();
-        }
+        self.process.end(grace);
         // What it said last. Others may hold its pipe open.
         let _ = self.said.recv_timeout(MOMENT);
     }

@@ -1,10 +1,11 @@
 //! What may be wrong with a plant that is another process.
 
 use super::line::{CYCLE, HELLO, LONGEST, NUMBER, VERSION};
+use crate::message::Simulating;
 use std::fmt;
 use std::time::Duration;
 use tip_runtime::printable::Printable;
-use tipc::message::{Lang, Simulating, Text};
+use tipc::message::{Lang, Text};
 
 /// Which line an answer is to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

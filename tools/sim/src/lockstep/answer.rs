@@ -17,7 +17,7 @@ pub enum Answer {
         cycles: u64,
         /// How it ended.
         end: RunEnd,
-        /// The spots that no run before reached, by their places in [`Spots::all`](tipc::analysis::spots::Spots::all).
+        /// The spots that no run before reached, by their places in [`Spots::all`](tip_lint::spots::Spots::all).
         new: Vec<usize>,
         /// Some cycles whose step had an edge that no run went along yet: where another input may change the path.
         chances: Vec<u64>,

@@ -1,7 +1,7 @@
 //! What runs reached.
 
 use super::Scout;
-use tipc::analysis::spots::{Place, Spots};
+use tip_lint::spots::{Place, Spots};
 use tipc::program::Program;
 
 /// The most chances that are reported of a run.

@@ -5,10 +5,9 @@ use super::notes::{Notes, Shown};
 use crate::interp::Interpreter;
 use crate::run::Run;
 use crate::sink::both;
-#[cfg(feature = "std")]
+use tip_lint::spots::Place;
 use tip_runtime::record::JsonLines;
 use tip_runtime::record::{Ending, Sink};
-use tipc::analysis::spots::Place;
 
 /// A run, and what is noted of it.
 pub(super) struct Side {
@@ -19,7 +18,6 @@ pub(super) struct Side {
 
 enum Tape {
     /// What the last cycle left.
-    #[cfg(feature = "std")]
     Record(Box<JsonLines<String>>),
     Hash(Notes),
 }
@@ -28,7 +26,6 @@ impl Tape {
     /// What a cycle is written to.
     fn sink(&mut self) -> &mut dyn Sink {
         match self {
-            #[cfg(feature = "std")]
             Tape::Record(record) => record.as_mut(),
             Tape::Hash(notes) => notes,
         }
@@ -39,7 +36,6 @@ impl Side {
     /// A run before its first cycle.
     pub(super) fn new(run: Run, evidence: Evidence) -> Self {
         let (run, tape) = match evidence {
-            #[cfg(feature = "std")]
             Evidence::Records => {
                 let record = Box::new(JsonLines::new(String::new(), true));
                 (run, Tape::Record(record))
@@ -58,7 +54,6 @@ impl Side {
 
     /// Runs a cycle, unless `limit` are used up, reports it to `sink`, and returns whether that was the end.
     pub(super) fn cycle(&mut self, limit: u64, sink: Option<&mut dyn Sink>) -> Option<Ending> {
-        #[cfg(feature = "std")]
         if let Tape::Record(record) = &mut self.tape {
             record.get_mut().clear();
         }
@@ -68,7 +63,6 @@ impl Side {
             both(Some(self.tape.sink()), sink, |sink| self.run.advance(sink));
             self.run.ending()
         };
-        #[cfg(feature = "std")]
         if let (Tape::Record(record), Some(ending)) = (&mut self.tape, self.ending) {
             record.end(ending, self.run.cycles());
         }
@@ -78,10 +72,8 @@ impl Side {
     /// Whether it equals the other side.
     pub(super) fn equals(&self, other: &Side) -> bool {
         let is_same = match (&self.tape, &other.tape) {
-            #[cfg(feature = "std")]
             (Tape::Record(one), Tape::Record(other)) => one.get_ref() == other.get_ref(),
             (Tape::Hash(one), Tape::Hash(other)) => one.hash == other.hash,
-            #[cfg(feature = "std")]
             _ => false,
         };
         is_same && self.ending == other.ending && self.shown() == other.shown()
@@ -95,7 +87,6 @@ impl Side {
     /// A hash of everything so far; 0 if there is none.
     pub(super) fn hash(&self) -> u64 {
         match &self.tape {
-            #[cfg(feature = "std")]
             Tape::Record(_) => 0,
             Tape::Hash(notes) => notes.hash.value(),
         }
@@ -106,7 +97,6 @@ impl Side {
         self.tape = Tape::Hash(Notes::in_words());
         self.cycle(limit, None);
         let words = match &mut self.tape {
-            #[cfg(feature = "std")]
             Tape::Record(_) => None,
             Tape::Hash(notes) => notes.words.take(),
         };
@@ -140,7 +130,6 @@ impl Side {
 }
 
 /// The first records that differ; the last cycle has two.
-#[cfg(feature = "std")]
 pub(super) fn first_difference(interpreted: &Side, compiled: &Side) -> [String; 2] {
     let lines = |side: &Side| -> Vec<String> {
         let Tape::Record(record) = &side.tape else {

@@ -40,11 +40,11 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, 
 /// A box, its mass at the origin unless the model says more. Beside shapes it is in the group that viewers hide at first.
 fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let ranges = [body.x, body.y, body.z];
-    let half = ranges.map(|range| (range.max - range.min) / 2000.0);
+    let half = ranges.map(|range| (range.max - range.min).abs().max(frame::LEAST) / 2000.0);
     let middle = ranges.map(|range| (range.max + range.min) / 2000.0);
     let [xx, yy, zz] = half.map(|half| half * half);
     let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
-    let (half, middle) = (vector(half.map(f64::abs)), vector(middle));
+    let (half, middle) = (vector(half), vector(middle));
     let (centre, inertia) = match &body.spread {
         None => ([0.0; 3], format!("diaginertia=\"{}\"", vector(inertia))),
         Some(spread) => (spread.centre, full(spread.inertia)),
@@ -178,10 +178,11 @@ fn carried(
         "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
-    if length > 0.0 && shapes.is_empty() {
+    let has_length = length >= frame::LEAST / 1000.0;
+    if has_length && shapes.is_empty() {
         world.add(&format!("geom class=\"drawn\" {}", rod(radius)));
     }
-    let shape = match hand && length > 0.0 {
+    let shape = match hand && has_length {
         true => rod(SKIN),
         false => format!("type=\"sphere\" pos=\"{end}\" size=\"{SKIN}\""),
     };

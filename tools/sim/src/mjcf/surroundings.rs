@@ -125,7 +125,7 @@ pub(super) fn objects(
     let [x, y, z] = frame::around(&anatomy.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
     let thick = PALM.1 / 2.0;
-    let size = vector([(x.max - x.min) / 2000.0, thick, half]);
+    let size = vector([((x.max - x.min) / 2000.0).max(BESIDE), thick, half]);
     let at = vector([(x.max + x.min) / 2000.0, y.min / 1000.0 + thick, middle]);
     parts.world.add(&format!(
         "geom name=\"palm\" class=\"drawn\" type=\"box\" size=\"{size}\" pos=\"{at}\""

@@ -16,7 +16,9 @@ pub(super) fn extents(rigid: &[(&Link, Pose)]) -> Option<[Range; 3]> {
         .visuals
         .iter()
         .filter_map(|piece| match piece.geometry {
-            Geometry::Box(size) => Some((&piece.origin, size)),
+            Geometry::Box(size) if size.iter().all(|side| *side > 0.0) => {
+                Some((&piece.origin, size))
+            }
             _ => None,
         });
     let (Some((origin, size)), None) = (boxes.next(), boxes.next()) else {
@@ -59,7 +61,12 @@ fn follow<'a>(tree: &Tree<'a>, first: &'a Joint, pose: Pose) -> Option<Slider> {
         if joint.kind != Kind::Prismatic || travel[axis].is_some() {
             return None;
         }
-        let ends = [joint.limit.lower, joint.limit.upper].map(|end| end * sign * 1000.0);
+        let limit = joint.limit;
+        let ends = [
+            limit.lower.unwrap_or(-limit.unstated),
+            limit.upper.unwrap_or(limit.unstated),
+        ]
+        .map(|end| end * sign * 1000.0);
         travel[axis] = Some(Range::new(ends[0].min(ends[1]), ends[0].max(ends[1])));
         let links = tree.rigid(&joint.child, pose);
         match tree.movable(&links).as_slice() {

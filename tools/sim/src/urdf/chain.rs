@@ -2,12 +2,15 @@
 
 use super::ImportError;
 use super::foot::Foot;
-use super::frame::length;
+use super::frame::{self, length};
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Origin};
 use super::tree::Tree;
-use tipc::message::Importing;
-use tipc::message::phrase::JointKind;
+use super::values::printed;
+use crate::message::Importing;
+use crate::message::JointKind;
+use tip_runtime::model::Range;
+use tipc::message::list::List;
 
 /// A leg. All of it is seen from the robot frame while every joint is at 0: there the axes of all joints
 /// are those of a description, whose frames are parallel at 0, however URDF has turned its own frames.
@@ -94,6 +97,116 @@ impl<'a> Chain<'a> {
     pub(super) fn name(&self) -> &'a str {
         self.joints.first().map_or("", |first| &first.joint.name)
     }
+}
+
+/// The share of the largest extent below which places are not told apart.
+const NEAR: f64 = 0.01;
+/// The share of the length of all first joints by which rows of legs are apart.
+const ROW: f64 = 0.1;
+
+/// What holds the first joints of all legs: mm.
+pub(super) fn hips(legs: &[Chain<'_>]) -> [Range; 3] {
+    around(&places(legs, |leg| {
+        leg.joints.first().map(|first| first.at)
+    }))
+}
+
+/// Whether what is there has no size along an axis.
+pub(super) fn is_flat(extents: &[Range; 3], axis: usize) -> bool {
+    size(&extents[axis]) <= NEAR * extents.iter().map(size).fold(0.0, f64::max)
+}
+
+/// The axis of the file that may point up, if the first joints of all legs are in one upright plane.
+pub(super) fn on_its_side(legs: &[Chain<'_>]) -> Option<&'static str> {
+    let hips = hips(legs);
+    match [0, 1, 2].map(|axis| is_flat(&hips, axis)) {
+        // To the right is what is not to the left, forward is x.
+        [true, _, false] => Some("y"),
+        [false, true, false] => Some("x"),
+        _ => None,
+    }
+}
+
+/// Puts the legs in the order in which programs expect them, from front to rear and left before right, unless they are fingers or have
+/// numbers of their own; returns what is to be said of that.
+pub(super) fn order(legs: &mut Vec<Chain<'_>>, walks: bool) -> Importing {
+    let names = |legs: &[Chain<'_>]| List(legs.iter().map(|leg| printed(leg.name())).collect());
+    let mut numbered = (1..).zip(legs.iter());
+    if !walks || numbered.all(|(number, leg)| leg.name() == frame::joint(number, 1)) {
+        return Importing::LegsOfFile {
+            joints: names(legs),
+        };
+    }
+    let hips = places(legs, |leg| leg.joints.first().map(|first| first.at));
+    let feet = places(legs, |leg| Some(leg.foot));
+    match by_place(&hips).or_else(|| by_place(&feet)) {
+        None => Importing::LegsWithoutPlace {
+            joints: names(legs),
+        },
+        Some(order) => {
+            *legs = order
+                .iter()
+                .filter_map(|leg| legs.get(*leg).cloned())
+                .collect();
+            Importing::LegsByPlace {
+                joints: names(legs),
+            }
+        }
+    }
+}
+
+/// The order of places, from front to rear and left before right; `None` if two of them are not told apart.
+fn by_place(places: &[[f64; 3]]) -> Option<Vec<usize>> {
+    let extents = around(places);
+    let [across, along] = [0, 1].map(|axis| size(&extents[axis]));
+    let middle = (extents[0].min + extents[0].max) / 2.0;
+    let beside = NEAR * across.max(along);
+    let x = |leg: usize| places[leg][0];
+    let y = |leg: usize| places[leg][1];
+    let left_first = |a: &usize, b: &usize| x(*a).total_cmp(&x(*b));
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    order.sort_by(|a, b| y(*b).total_cmp(&y(*a)).then(left_first(a, b)));
+    // One leg on each side makes a pair, however much one is ahead of the other.
+    let is_pair = |pair: &[usize]| match pair {
+        [one, other] => {
+            let [left, right] = [x(*one).min(x(*other)), x(*one).max(x(*other))];
+            left < middle - beside && right > middle + beside
+        }
+        _ => false,
+    };
+    if order.chunks(2).all(is_pair) {
+        order
+            .chunks_mut(2)
+            .for_each(|pair| pair.sort_by(left_first));
+        return Some(order);
+    }
+    let in_row = |a: &usize, b: &usize| y(*a) - y(*b) <= ROW * along;
+    for row in order.chunk_by_mut(in_row) {
+        row.sort_by(left_first);
+        if row.windows(2).any(|pair| x(pair[1]) - x(pair[0]) <= beside) {
+            return None;
+        }
+    }
+    Some(order)
+}
+
+fn places<'a>(legs: &[Chain<'a>], place: impl Fn(&Chain<'a>) -> Option<[f64; 3]>) -> Vec<[f64; 3]> {
+    legs.iter().filter_map(place).collect()
+}
+
+/// What holds all places: mm.
+fn around(places: &[[f64; 3]]) -> [Range; 3] {
+    [0, 1, 2].map(|axis| {
+        let at = || places.iter().map(|place| place[axis]);
+        Range::new(
+            at().fold(f64::INFINITY, f64::min),
+            at().fold(f64::NEG_INFINITY, f64::max),
+        )
+    })
+}
+
+fn size(range: &Range) -> f64 {
+    range.max - range.min
 }
 
 /// A foot that is on one of these links, and where: mm.

@@ -6,28 +6,11 @@ use super::node::{elements, place, start};
 use super::schema::{Attribute, Child, Count, Element, Presence};
 use super::values::number;
 use super::version::Version;
-use roxmltree::{Document, Node};
-use tipc::message::Importing;
+use crate::message::Importing;
+use roxmltree::Node;
 use tipc::message::list::List;
 
 type Checked = Result<(), ImportError>;
-
-/// URDF needs six levels; what simulators add to it, a few more.
-const DEEPEST: usize = 100;
-
-/// Refuses elements that are nested too deep for any robot.
-pub(super) fn depth(document: &Document<'_>) -> Checked {
-    // The ancestors of a node are itself, the elements around it and the document.
-    let is_deep = |node: &Node<'_, '_>| node.ancestors().nth(DEEPEST + 1).is_some();
-    let mut elements = document.descendants().filter(Node::is_element);
-    match elements.find(is_deep) {
-        None => Ok(()),
-        Some(node) => refuse(Importing::TooDeep {
-            element: node.tag_name().name().to_owned(),
-            most: DEEPEST as u32,
-        }),
-    }
-}
 
 /// Refuses an element that is not as its table says, or holds one that is not.
 pub(super) fn element(node: Node<'_, '_>, table: &Element, version: Version) -> Checked {

@@ -2,11 +2,11 @@
 
 use super::ImportError;
 use super::foot::Foot;
-use super::pose::Pose;
+use super::pose::{Pose, Up};
 use super::robot::Joint;
 use super::tree::Tree;
 use super::values::printed;
-use tipc::message::Importing;
+use crate::message::Importing;
 use tipc::message::list::List;
 
 /// What is chosen where a file leaves it open. A chain is named by one of its joints or links, or by words that only the name of
@@ -27,8 +27,10 @@ pub struct Choices {
     pub feet: Vec<Foot>,
     /// Chains that are no legs.
     pub skip: Vec<String>,
-    /// The chains that become F1, F2, …; empty for the order of the file.
+    /// The chains that become F1, F2, …; empty for an order by place, from front to rear and left before right.
     pub order: Vec<String>,
+    /// Which axis of the file is up; z if nothing is said, and then a robot that lies on its side is refused.
+    pub up: Option<Up>,
     /// How far the initial posture of a robot that walks has its feet below the robot frame: mm.
     pub stand: Option<f64>,
 }

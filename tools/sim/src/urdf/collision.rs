@@ -1,16 +1,17 @@
 //! What links collide with, as shapes of a description.
 
 use super::chain::Chain;
+use super::frame;
 use super::pose::Pose;
 use super::robot::{Geometry, Link, Origin, Piece};
 use super::values::printed;
+use crate::message::Importing;
 use tip_runtime::model::{Point, Range};
 use tipc::description::{Form, Shape};
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 /// Sizes that descriptions have, and how far away anything may be: mm.
-const LEAST: f64 = 1e-9;
+const LEAST: f64 = frame::LEAST;
 const MOST: f64 = 1e6;
 
 /// The shapes of links that move as one, seen from `at` (mm), in a frame that is parallel to the robot frame.

@@ -5,8 +5,9 @@ use super::pose::Pose;
 use super::robot::{Joint, Kind, Link};
 use super::values::printed;
 use super::weight;
-use std::f64::consts::PI;
-use tipc::message::Importing;
+use super::write::measure;
+use crate::message::Importing;
+use std::f64::consts::{PI, TAU};
 use tipc::message::list::List;
 
 /// What is more than this stands for a motor without limit: N·m.
@@ -18,11 +19,72 @@ const FAST: f64 = 1e3;
 /// Half a turn as files write it, as 3.14: rad.
 const HALF_TURN: f64 = PI - 2e-3;
 
+/// What a file says of how far a joint turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stated {
+    Nothing,
+    /// Of a continuous joint, where it has no meaning.
+    Unheeded,
+    Infinite,
+    /// One end; the other one is infinite or not stated.
+    OneEnd,
+    Swapped,
+    Locked,
+    BothEnds,
+}
+
+/// The limits of a joint (rad), unless it turns all round, and what the file says of them.
+fn limits(joint: &Joint) -> (Option<[f64; 2]>, Stated) {
+    let limit = &joint.limit;
+    // An end that is not stated is at 0 before 1.2, if that leaves the joint some room.
+    let other = |leaves_room: bool| match leaves_room {
+        true => limit.unstated,
+        false => f64::INFINITY,
+    };
+    let [lower, upper] = match (limit.lower, limit.upper) {
+        (None, None) => return (None, Stated::Nothing),
+        _ if joint.kind == Kind::Continuous => return (None, Stated::Unheeded),
+        (Some(lower), Some(upper)) => [lower, upper],
+        (Some(lower), None) => [lower, other(lower < 0.0)],
+        (None, Some(upper)) => [-other(upper > 0.0), upper],
+    };
+    let [from, to] = [lower.min(upper), lower.max(upper)];
+    let turn = |ends, stated| {
+        let stated = match lower > upper {
+            true => Stated::Swapped,
+            false => stated,
+        };
+        (Some(ends), stated)
+    };
+    let both_stated = limit.lower.is_some() && limit.upper.is_some();
+    match [from, to].map(f64::is_finite) {
+        [false, false] => (None, Stated::Infinite),
+        // The other end is half a turn off 0, or a whole turn off this one.
+        [true, false] if from < PI => turn([from, PI], Stated::OneEnd),
+        [true, false] => turn([from, from + TAU], Stated::OneEnd),
+        [false, true] if to > -PI => turn([-PI, to], Stated::OneEnd),
+        [false, true] => turn([to - TAU, to], Stated::OneEnd),
+        [true, true] if from == to => turn([from, to], Stated::Locked),
+        [true, true] if both_stated => turn([from, to], Stated::BothEnds),
+        [true, true] => turn([from, to], Stated::OneEnd),
+    }
+}
+
 /// The limits of a joint that has some: rad.
 pub(super) fn ends(joint: &Joint) -> Option<[f64; 2]> {
-    let ends = [joint.limit.lower, joint.limit.upper];
-    let has_ends = ends.iter().all(|end| end.is_finite()) && ends[0] < ends[1];
-    (joint.kind == Kind::Revolute && has_ends).then_some(ends)
+    limits(joint).0
+}
+
+/// A joint and the limits that it gets: deg.
+fn limited(joint: &Joint) -> String {
+    let name = printed(&joint.name);
+    match ends(joint) {
+        Some(ends) => {
+            let [from, to] = ends.map(|end| measure(end.to_degrees()));
+            format!("{name} [{from}, {to}]")
+        }
+        None => name,
+    }
 }
 
 /// The torque of a joint that has one: N·m.
@@ -47,8 +109,19 @@ pub(super) fn of(legs: &[Chain<'_>], base: &[(&Link, Pose)], reach: f64) -> Vec<
         let all = base.iter().chain(all.flat_map(|turning| &turning.links));
         some(all.filter(|(link, _)| is(link)).map(|(link, _)| &link.name))
     };
+    let stating = |stated: Stated| {
+        let all = legs.iter().flat_map(|leg| &leg.joints);
+        let those = all.filter(|it| limits(it.joint).1 == stated);
+        let names: Vec<String> = those.map(|it| limited(it.joint)).collect();
+        (!names.is_empty()).then_some(List(names))
+    };
     [
-        joints(|it| ends(it.joint).is_none()).map(|joints| Importing::TurnsAllRound { joints }),
+        stating(Stated::Nothing).map(|joints| Importing::TurnsAllRound { joints }),
+        stating(Stated::Unheeded).map(|joints| Importing::LimitsOfContinuous { joints }),
+        stating(Stated::Infinite).map(|joints| Importing::InfiniteLimits { joints }),
+        stating(Stated::OneEnd).map(|joints| Importing::OpenLimits { joints }),
+        stating(Stated::Swapped).map(|joints| Importing::SwappedLimits { joints }),
+        stating(Stated::Locked).map(|joints| Importing::LockedJoints { joints }),
         joints(|it| effort(it.joint).is_none()).map(|joints| Importing::Motor { joints }),
         joints(|it| ends(it.joint).is_some_and(is_turn))
             .map(|joints| Importing::DoubtfulLimits { joints }),

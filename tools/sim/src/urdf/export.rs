@@ -182,7 +182,8 @@ impl Writer {
     /// What a joint carries: these shapes, or a rod to the next joint.
     fn limb(&self, joint: &Joint, shapes: &[Shape]) -> Solid {
         let ball = shape::ball(KNUCKLE * self.thickness);
-        let rod = (length(joint.link) > 0.0).then(|| shape::rod(joint.link, self.thickness));
+        let rod =
+            (length(joint.link) >= frame::LEAST).then(|| shape::rod(joint.link, self.thickness));
         let visual: Vec<_> = match shapes {
             [] => {
                 let rod = rod.map(|rod| (rod, "limb"));

@@ -14,6 +14,8 @@ use tip_runtime::model::{Point, Range, Slider};
 
 /// Where robots are bolted down.
 pub const WORLD: &str = "world";
+/// No size that is written is smaller, since readers refuse sizes of nothing: mm.
+pub(crate) const LEAST: f64 = 1e-6;
 /// How thick a link is drawn, against the mean length of all links.
 const THICKNESS: f64 = 0.1;
 
@@ -98,7 +100,7 @@ pub(crate) fn thickness(legs: &[Limb]) -> f64 {
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let lengths: Vec<f64> = joints
         .map(|joint| length(joint.link))
-        .filter(|length| *length > 0.0)
+        .filter(|length| *length >= LEAST)
         .collect();
-    THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64
+    (THICKNESS * lengths.iter().sum::<f64>() / lengths.len().max(1) as f64).max(LEAST)
 }

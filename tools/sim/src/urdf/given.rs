@@ -5,10 +5,10 @@ use super::robot::Kind;
 use super::schema::{Attribute, Value};
 use super::values::{number, numbers, quaternion};
 use super::version::Version;
+use crate::message::Importing;
+use crate::message::Place;
 use roxmltree::Node;
-use tipc::message::Importing;
 use tipc::message::list::List;
-use tipc::message::phrase::Place;
 
 /// An attribute that is there.
 pub(super) struct Given<'a, 'i> {
@@ -30,11 +30,11 @@ impl Given<'_, '_> {
                 let is_length = |number: f64| number.is_finite() && number > 0.0;
                 (is_1_2 && !numbers(text).all(is_length)).then(|| self.no_length())
             }),
-            Value::Bound => self.miscounted(1).or_else(|| self.is_nan(is_1_2)),
+            Value::Bound => self.miscounted(1).or_else(|| self.is_nan()),
             Value::MostSince12 if !is_1_2 => None,
             Value::Most | Value::MostSince12 => self
                 .miscounted(1)
-                .or_else(|| self.is_nan(is_1_2))
+                .or_else(|| self.is_nan())
                 .or_else(|| (is_1_2 && number(text) < Some(0.0)).then(|| self.negative())),
             Value::Quaternion => {
                 (version >= Version::V1_1 && quaternion(text).is_none()).then(|| self.no_numbers(4))
@@ -59,9 +59,9 @@ impl Given<'_, '_> {
         })
     }
 
-    fn is_nan(&self, matters: bool) -> Option<Importing> {
+    fn is_nan(&self) -> Option<Importing> {
         let is_nan = number(self.found.value()).is_some_and(f64::is_nan);
-        (matters && is_nan).then(|| self.no_number())
+        is_nan.then(|| self.no_number())
     }
 
     fn at(&self) -> Place {

@@ -1,7 +1,7 @@
 //! What is in an element, and where it is in the file.
 
+use crate::message::Place;
 use roxmltree::Node;
-use tipc::message::phrase::Place;
 
 /// The elements of a name that an element holds.
 pub(super) fn elements<'a, 'i>(

@@ -2,6 +2,18 @@
 
 use super::robot::Origin;
 
+/// The axis of a file's root link that points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Up {
+    /// With −z forward and y left.
+    X,
+    /// With x forward and z right.
+    Y,
+    /// With x forward and y left, as REP 103 has it.
+    #[default]
+    Z,
+}
+
 /// A rotation, and the origin in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pose {
@@ -10,11 +22,19 @@ pub(super) struct Pose {
 }
 
 impl Pose {
-    /// The root link of a URDF file, x forward and y left (REP 103), in a robot frame with x to the right and y forward.
-    pub(super) const ROBOT_FRAME: Pose = Pose {
-        rotation: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
-        at: [0.0; 3],
-    };
+    /// The root link of a URDF file in a robot frame with x to the right and y forward.
+    pub(super) fn of_root(up: Up) -> Pose {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let back = |axis: [f64; 3]| axis.map(|part| -part);
+        Pose {
+            rotation: match up {
+                Up::X => [back(y), back(z), x],
+                Up::Y => [z, x, y],
+                Up::Z => [back(y), x, z],
+            },
+            at: [0.0; 3],
+        }
+    }
 
     /// A frame at `origin` in this one.
     pub(super) fn then(&self, origin: &Origin) -> Pose {

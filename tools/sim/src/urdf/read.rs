@@ -2,19 +2,22 @@
 
 use super::ImportError;
 use super::check;
-use super::node::elements;
+use super::node::{elements, place, start};
 use super::robot::{Geometry, Joint, Kind, Limit, Link, Origin, Piece, Robot};
 use super::schema::ROBOT;
-use super::values::{number, quaternion, roll_pitch_yaw, vector};
+use super::values::{number, printed, quaternion, roll_pitch_yaw, vector};
 use super::version::Version;
-use super::xacro;
+use super::{xacro, xml};
+use crate::message::Importing;
+use crate::message::Place;
 use roxmltree::{Document, Error, Node};
-use tipc::message::Importing;
-use tipc::message::phrase::Place;
+use std::collections::BTreeMap;
 
 /// Refuses what is not URDF. Once it is checked, only what may be left out is missing.
 pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
-    let document = Document::parse(text).map_err(|error| {
+    let text = xml::without_late_declaration(text);
+    xml::check_size(&text)?;
+    let document = Document::parse(&text).map_err(|error| {
         ImportError::new(match error {
             Error::DtdDetected => Importing::Doctype,
             Error::UnknownNamespace(prefix, at) if prefix == xacro::PREFIX => Importing::Xacro {
@@ -29,7 +32,6 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
             },
         })
     })?;
-    check::depth(&document)?;
     xacro::refuse(&document)?;
     let node = document.root_element();
     if !node.has_tag_name(ROBOT.name) {
@@ -39,7 +41,9 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
     }
     let version = Version::from_attribute(node.attribute("version"));
     check::element(node, &ROBOT, version)?;
+    names_once(node)?;
     Ok(Robot {
+        notes: notes(node, version),
         name: string(node, "name"),
         links: elements(node, "link")
             .map(|node| link(node, version))
@@ -48,6 +52,65 @@ pub(super) fn robot(text: &str) -> Result<Robot, ImportError> {
             .map(|node| joint(node, version))
             .collect(),
     })
+}
+
+/// Refuses two links or two joints of one name.
+fn names_once(robot: Node<'_, '_>) -> Result<(), ImportError> {
+    for element in ["link", "joint"] {
+        let mut known = BTreeMap::new();
+        for node in elements(robot, element) {
+            let name = node.attribute("name");
+            let Some(first) = known.insert(name, node) else {
+                continue;
+            };
+            let (name, first, second) = (
+                name.unwrap_or_default().to_owned(),
+                start(first),
+                start(node),
+            );
+            return Err(ImportError::new(match element {
+                "link" => Importing::LinkTwice {
+                    link: name,
+                    first,
+                    second,
+                },
+                _ => Importing::JointTwice {
+                    joint: name,
+                    first,
+                    second,
+                },
+            }));
+        }
+    }
+    Ok(())
+}
+
+/// What the version of a robot lets stand there without a meaning, or what is not known of the version.
+fn notes(robot: Node<'_, '_>, version: Version) -> Vec<Importing> {
+    let mut notes = Vec::new();
+    let said = robot.attribute("version");
+    if let Some(text) = said.filter(|text| !Version::is_known(text)) {
+        notes.push(Importing::UnknownVersion {
+            version: printed(text),
+            read_as: version.read_as(),
+        });
+    }
+    if version < Version::V1_1 {
+        let own = ["link", "joint"]
+            .into_iter()
+            .flat_map(|name| elements(robot, name));
+        let origins = own
+            .flat_map(|node| node.descendants())
+            .filter(|node| node.has_tag_name("origin"));
+        let mut turned = origins.filter_map(|node| Some((node, node.attribute_node("quat_xyzw")?)));
+        if let Some((node, first)) = turned.next() {
+            notes.push(Importing::OldQuaternion {
+                at: place(node, first.range().start),
+                elements: 1 + turned.count(),
+            });
+        }
+    }
+    notes
 }
 
 fn link(node: Node<'_, '_>, version: Version) -> Link {
@@ -141,8 +204,9 @@ fn limit(node: Node<'_, '_>, version: Version) -> Limit {
         false => 0.0,
     };
     Limit {
-        lower: value(node, "lower").unwrap_or(-most),
-        upper: value(node, "upper").unwrap_or(most),
+        lower: value(node, "lower"),
+        upper: value(node, "upper"),
+        unstated: most,
         effort: value(node, "effort").unwrap_or(most),
         velocity: value(node, "velocity").unwrap_or(most),
     }

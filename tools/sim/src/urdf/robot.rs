@@ -1,5 +1,7 @@
 //! A URDF file as values: what becomes part of a description, and nothing else.
 
+use crate::message::Importing;
+
 /// The robot, its links and joints in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Robot {
@@ -7,6 +9,8 @@ pub(super) struct Robot {
     pub(super) name: String,
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
+    /// What is to be said of the file.
+    pub(super) notes: Vec<Importing>,
 }
 
 /// A rigid body.
@@ -111,11 +115,13 @@ pub(super) struct Origin {
     pub(super) rpy: [f64; 3],
 }
 
-/// How far, strong and fast a joint moves: rad, N·m, rad/s. All 0 without `<limit>`.
+/// How far, strong and fast a joint moves: rad, N·m, rad/s. Without `<limit>` no end is stated, and the rest is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Limit {
-    pub(super) lower: f64,
-    pub(super) upper: f64,
+    pub(super) lower: Option<f64>,
+    pub(super) upper: Option<f64>,
+    /// How far from 0 an end is that is not stated: not at all, or without limit since 1.2.
+    pub(super) unstated: f64,
     pub(super) effort: f64,
     pub(super) velocity: f64,
 }

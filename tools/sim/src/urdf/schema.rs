@@ -1,4 +1,4 @@
-//! What URDF's elements hold, a table for each: also those that are dropped, so that a broken file is never taken for a sound one.
+//! What URDF's elements hold, a table for each of those that a description is made of.
 
 use super::version::Version;
 
@@ -52,9 +52,9 @@ pub(super) enum Value {
     Numbers(usize),
     /// So many numbers; since 1.2 above 0.
     Lengths(usize),
-    /// A number; since 1.2 not NaN.
+    /// A number; not NaN.
     Bound,
-    /// A number; since 1.2 not negative.
+    /// A number; not NaN, and since 1.2 not negative.
     Most,
     /// What 1.2 has brought: a number that is not negative.
     MostSince12,
@@ -118,7 +118,6 @@ pub(super) const ROBOT: Element = holding(
             &JOINT,
             "<joint name=\"a\" type=\"fixed\"> … </joint>",
         ),
-        child(Count::Any, &MATERIAL, "<material name=\"a\"/>"),
     ],
 );
 
@@ -148,18 +147,7 @@ const JOINT: Element = holding(
             &LIMIT,
             "<limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/>",
         ),
-        child(
-            Count::AtMostOne,
-            &CALIBRATION,
-            "<calibration rising=\"0\"/>",
-        ),
-        child(Count::AtMostOne, &DYNAMICS, "<dynamics damping=\"0\"/>"),
         child(Count::AtMostOne, &MIMIC, "<mimic joint=\"knee\"/>"),
-        child(
-            Count::AtMostOne,
-            &SAFETY_CONTROLLER,
-            "<safety_controller k_velocity=\"10\"/>",
-        ),
     ],
 );
 
@@ -176,15 +164,7 @@ const ORIGIN: Element = holding(
 const PARENT: Element = holding("parent", &[needed("link", Value::Text, "thigh")], &[]);
 const CHILD: Element = holding("child", &[needed("link", Value::Text, "shank")], &[]);
 const AXIS: Element = holding("axis", &[needed("xyz", Value::Numbers(3), "1 0 0")], &[]);
-const MIMIC: Element = holding(
-    "mimic",
-    &[
-        needed("joint", Value::Text, "knee"),
-        optional("multiplier", Value::Numbers(1), "1"),
-        optional("offset", Value::Numbers(1), "0"),
-    ],
-    &[],
-);
+const MIMIC: Element = holding("mimic", &[needed("joint", Value::Text, "knee")], &[]);
 
 const LIMIT: Element = holding(
     "limit",
@@ -201,35 +181,6 @@ const LIMIT: Element = holding(
         optional("acceleration", Value::MostSince12, "10"),
         optional("deceleration", Value::MostSince12, "10"),
         optional("jerk", Value::MostSince12, "100"),
-    ],
-    &[],
-);
-
-const CALIBRATION: Element = holding(
-    "calibration",
-    &[
-        optional("rising", Value::Numbers(1), "0"),
-        optional("falling", Value::Numbers(1), "0"),
-    ],
-    &[],
-);
-
-const DYNAMICS: Element = holding(
-    "dynamics",
-    &[
-        optional("damping", Value::Numbers(1), "0"),
-        optional("friction", Value::Numbers(1), "0"),
-    ],
-    &[],
-);
-
-const SAFETY_CONTROLLER: Element = holding(
-    "safety_controller",
-    &[
-        optional("soft_lower_limit", Value::Numbers(1), "-1"),
-        optional("soft_upper_limit", Value::Numbers(1), "1"),
-        optional("k_position", Value::Numbers(1), "10"),
-        needed("k_velocity", Value::Numbers(1), "10"),
     ],
     &[],
 );
@@ -268,8 +219,6 @@ const VISUAL: Element = holding(
     &[
         child(Count::AtMostOne, &ORIGIN, "<origin xyz=\"0 0 0\"/>"),
         GEOMETRY_CHILD,
-        // Once by the letter; exporters repeat it for the parts of a mesh.
-        child(Count::Any, &MATERIAL, "<material name=\"a\"/>"),
     ],
 );
 
@@ -317,27 +266,4 @@ const ROUND: &[Attribute] = &[
     needed("length", Value::Lengths(1), "1"),
 ];
 const SPHERE: Element = holding("sphere", &[needed("radius", Value::Lengths(1), "1")], &[]);
-const MESH: Element = holding(
-    "mesh",
-    &[
-        needed("filename", Value::Text, "a.stl"),
-        optional("scale", Value::Numbers(3), "1 1 1"),
-    ],
-    &[],
-);
-
-const MATERIAL: Element = holding(
-    "material",
-    &[needed("name", Value::Text, "red")],
-    &[
-        child(Count::AtMostOne, &COLOR, "<color rgba=\"1 0 0 1\"/>"),
-        child(Count::AtMostOne, &TEXTURE, "<texture filename=\"a.png\"/>"),
-    ],
-);
-
-const COLOR: Element = holding(
-    "color",
-    &[needed("rgba", Value::Numbers(4), "1 0 0 1")],
-    &[],
-);
-const TEXTURE: Element = holding("texture", &[needed("filename", Value::Text, "a.png")], &[]);
+const MESH: Element = holding("mesh", &[], &[]);

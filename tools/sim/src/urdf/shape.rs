@@ -131,7 +131,7 @@ fn geometry(form: &Form) -> String {
     match form {
         Form::Block(sides) => {
             // Sizes have no sign.
-            let size = frame::metres(*sides).map(f64::abs);
+            let size = frame::metres(*sides).map(|side| side.abs().max(frame::LEAST / 1000.0));
             format!("<box size=\"{}\"/>", xml::vector(size))
         }
         Form::Sphere { radius } => format!("<sphere radius=\"{}\"/>", radius / 1000.0),

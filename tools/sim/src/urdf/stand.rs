@@ -2,10 +2,11 @@
 
 use super::ImportError;
 use super::frame::length;
+use crate::message::Importing;
+use crate::{Limb, Limit, Plant, Robot, Run, load};
 use tip_runtime::kinematics::{Chain, inverse_from};
 use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
 use tipc::description::{Description, WithModel};
-use tipc::message::Importing;
 
 /// In so many steps feet are set nearer to their first joints, until all are within reach.
 const NEARER: u8 = 8;
@@ -26,6 +27,41 @@ pub(super) fn postures(robot: &Description, height: f64) -> Result<Postures, Imp
             None => Importing::StandsNowhere,
         })
     })
+}
+
+/// Heights that are tried where the initial posture is left open, as shares of the length of the longest leg.
+const SHARES: [f64; 6] = [0.8, 0.7, 0.6, 0.5, 0.4, 0.3];
+/// How long a robot with mass has to stand: ms.
+const STANDS_FOR: u64 = 500;
+
+/// The whole heights that are tried for a robot whose initial posture is left open: mm.
+pub(super) fn heights(robot: &Description) -> impl Iterator<Item = f64> {
+    let legs = Robot::described(robot).anatomy().legs;
+    let size = |leg: &Limb| {
+        leg.joints
+            .iter()
+            .map(|joint| length(joint.link))
+            .sum::<f64>()
+    };
+    let longest = legs.iter().map(size).fold(0.0, f64::max);
+    SHARES
+        .into_iter()
+        .map(move |share| (share * longest).round())
+}
+
+/// Whether the robot stays on its feet in its initial posture, if everything has mass.
+pub(super) fn stays_up(robot: &Description) -> bool {
+    let robot = Robot::described(robot).with_plant(Plant::Dynamic);
+    let text = format!("3.1\nstands still\n\nSLEEP {STANDS_FOR}\nEND\n");
+    let Some(program) = load("still.prg", &text, &robot).ok() else {
+        return false;
+    };
+    let Ok(mut run) = Run::new(program, robot) else {
+        return false;
+    };
+    run.to_end(Limit::cycles(STANDS_FOR));
+    run.motion()
+        .is_some_and(|motion| motion.falls == 0 && motion.least_margin >= 0.0)
 }
 
 struct Stand {

@@ -4,8 +4,8 @@ use super::ImportError;
 use super::frame::WORLD;
 use super::pose::Pose;
 use super::robot::{Joint, Kind, Link, Robot};
+use crate::message::Importing;
 use std::collections::{BTreeMap, BTreeSet};
-use tipc::message::Importing;
 
 /// The robot's links, and the joints that hang on each.
 pub(super) struct Tree<'a> {
@@ -15,14 +15,11 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// Refuses what is not a tree.
+    /// Refuses what is not a tree; names have been seen to be there once.
     pub(super) fn new(robot: &'a Robot) -> Result<Self, ImportError> {
         let mut links = BTreeMap::new();
         for link in &robot.links {
-            if links.insert(link.name.as_str(), link).is_some() {
-                let link = link.name.clone();
-                return Err(ImportError::new(Importing::LinkTwice { link }));
-            }
+            links.insert(link.name.as_str(), link);
         }
         let mut joints: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
         let mut held = BTreeSet::new();

@@ -19,6 +19,21 @@ impl Version {
         text.and_then(Version::parse).unwrap_or(Version::V1_0)
     }
 
+    /// Whether it is one of those that there are.
+    pub(super) fn is_known(text: &str) -> bool {
+        let known = [Version::V1_0, Version::V1_1, Version::V1_2];
+        Version::parse(text).is_some_and(|version| known.contains(&version))
+    }
+
+    /// The version whose rules hold for it.
+    pub(super) fn read_as(self) -> &'static str {
+        match self {
+            later if later >= Version::V1_2 => "1.2",
+            Version::V1_1 => "1.1",
+            _ => "1.0",
+        }
+    }
+
     fn parse(text: &str) -> Option<Self> {
         let (major, minor) = text.trim().split_once('.')?;
         Some(Version {

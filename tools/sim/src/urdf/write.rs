@@ -1,6 +1,6 @@
 //! The description as text, and the report.
 
-use super::chain::{Chain, Turning};
+use super::chain::{self, Chain, Turning};
 use super::collision;
 use super::doubt;
 use super::pose::{self, Pose};
@@ -8,11 +8,11 @@ use super::robot::Link;
 use super::stand::Postures;
 use super::values::printed;
 use super::weight;
+use crate::message::Importing;
 use std::fmt::Write as _;
 use tip_runtime::model::{Range, Slider, Spread};
 use tipc::Robot;
 use tipc::description::{Form, Shape};
-use tipc::message::Importing;
 use tipc::message::list::List;
 
 /// The longest name of a robot, in characters.
@@ -23,24 +23,28 @@ const HALF_HEIGHT: f64 = 50.0;
 /// What a file holds.
 pub(super) struct Found<'a> {
     pub(super) name: &'a str,
-    /// Whether it says so.
-    pub(super) is_bolted_down: bool,
+    /// Whether it is a robot that can stand on its legs.
+    pub(super) walks: bool,
     /// All that stays with the base.
     pub(super) base: &'a [(&'a Link, Pose)],
     /// Of the body, if it says: mm.
     pub(super) extents: Option<[Range; 3]>,
     pub(super) slider: Option<Slider>,
     pub(super) legs: &'a [Chain<'a>],
-    /// How high it is to stand (mm), and in which postures.
-    pub(super) stands: Option<(f64, Postures)>,
+    pub(super) stands: Stands,
+}
+
+/// The initial posture.
+pub(super) enum Stands {
+    /// In the middle of the limits.
+    Middle,
+    /// With its feet so many mm below the robot frame, as it is asked to.
+    AsAsked { height: f64, postures: Postures },
+    /// Likewise, as it would not stay up in the middle of the limits.
+    Assumed { height: f64, postures: Postures },
 }
 
 impl Found<'_> {
-    /// Whether it is a robot that can stand on its legs.
-    pub(super) fn walks(&self) -> bool {
-        !self.is_bolted_down && (self.legs.len() >= 3 || self.extents.is_some())
-    }
-
     /// How far any part of it is from the robot frame, at most: mm.
     fn reach(&self) -> f64 {
         self.legs.iter().map(Chain::reach).fold(0.0, f64::max)
@@ -54,13 +58,18 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
         Importing::Frames,
         Importing::Dropped,
         Importing::NoSensors,
-        match found.stands {
-            Some((height, _)) => Importing::Stands { height },
-            None => Importing::InitialPosture,
+        match &found.stands {
+            Stands::AsAsked { height, .. } => Importing::Stands { height: *height },
+            Stands::Assumed { height, .. } => Importing::StandsByItself { height: *height },
+            Stands::Middle => Importing::InitialPosture,
         },
     ];
-    let postures = found.stands.iter().flat_map(|(_, postures)| postures);
-    let mut postures = postures.map(Vec::as_slice);
+    let mut postures = match &found.stands {
+        Stands::AsAsked { postures, .. } | Stands::Assumed { postures, .. } => postures.as_slice(),
+        Stands::Middle => [].as_slice(),
+    }
+    .iter()
+    .map(Vec::as_slice);
     let mut text = format!(
         "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
         printed(source_name),
@@ -79,7 +88,7 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     }
     body(&mut text, found, &mut report);
     slider(&mut text, found.slider.as_ref(), &mut report);
-    report.extend(collision::dropped(legs, found.base, found.walks()));
+    report.extend(collision::dropped(legs, found.base, found.walks));
     report.extend(doubt::of(legs, found.base, found.reach()));
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let velocities = joints.map(|turning| turning.joint.limit.velocity);
@@ -157,17 +166,23 @@ fn settings(turning: &Turning<'_>, reach: f64, report: &mut Vec<Importing>) -> S
 
 /// The body of a robot that can stand on its legs.
 fn body(text: &mut String, found: &Found<'_>, report: &mut Vec<Importing>) {
-    if !found.walks() {
+    if !found.walks {
         report.push(Importing::BoltedDown);
         return;
     }
     let shapes = collision::shapes(found.base, [0.0; 3]);
-    let (extents, said) = match (found.extents, collision::extents(&shapes)) {
-        (Some(extents), _) => (extents, Importing::BodyOfBox),
-        (None, Some(extents)) => (extents, Importing::BodyOfShapes),
-        (None, None) => (around(found.legs), Importing::Walks),
+    let (extents, said, flat) = match (found.extents, collision::extents(&shapes)) {
+        (Some(extents), _) => (extents, Importing::BodyOfBox, vec![]),
+        (None, Some(extents)) => (extents, Importing::BodyOfShapes, vec![]),
+        (None, None) => {
+            let (extents, flat) = around(found.legs);
+            (extents, Importing::Walks, flat)
+        }
     };
     report.push(said);
+    if !flat.is_empty() {
+        report.push(Importing::ThickBody { axes: List(flat) });
+    }
     text.push_str("\n[body]\n");
     for (axis, range) in ["x", "y", "z"].into_iter().zip(extents) {
         let _ = writeln!(text, "{axis} = {}", interval(range));
@@ -221,16 +236,25 @@ fn spread_of(spread: &Spread) -> [String; 2] {
     ]
 }
 
-/// A box around the first joints.
-fn around(legs: &[Chain<'_>]) -> [Range; 3] {
-    [(0, 0.0), (1, 0.0), (2, HALF_HEIGHT)].map(|(axis, more)| {
-        let firsts = || legs.iter().filter_map(|leg| leg.joints.first());
-        let at = || firsts().map(|first| first.at[axis]);
-        Range::new(
-            at().fold(f64::INFINITY, f64::min) - more,
-            at().fold(f64::NEG_INFINITY, f64::max) + more,
-        )
-    })
+/// A box around the first joints, and along which of x and y these leave it no size of its own.
+fn around(legs: &[Chain<'_>]) -> ([Range; 3], Vec<String>) {
+    let hips = chain::hips(legs);
+    let mut flat = Vec::new();
+    let [x, y, z] = ["x", "y", "z"];
+    let extents = [(0, x), (1, y), (2, z)].map(|(axis, name)| {
+        let range = hips[axis];
+        let is_flat = chain::is_flat(&hips, axis);
+        if is_flat && name != z {
+            flat.push(name.to_owned());
+        }
+        let more = if is_flat || name == z {
+            HALF_HEIGHT
+        } else {
+            0.0
+        };
+        Range::new(range.min - more, range.max + more)
+    });
+    (extents, flat)
 }
 
 fn slider(text: &mut String, slider: Option<&Slider>, report: &mut Vec<Importing>) {
@@ -252,7 +276,7 @@ fn interval(range: Range) -> String {
 }
 
 /// A measure without the dust that changes of units and frames leave: to a millionth.
-fn measure(value: f64) -> f64 {
+pub(super) fn measure(value: f64) -> f64 {
     to(1e6, value)
 }
 

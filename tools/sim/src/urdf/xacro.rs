@@ -2,9 +2,9 @@
 
 use super::ImportError;
 use super::node::{place, start};
+use crate::message::Importing;
+use crate::message::Place;
 use roxmltree::{Document, Node};
-use tipc::message::Importing;
-use tipc::message::phrase::Place;
 
 /// What elements of xacro are written with.
 pub(super) const PREFIX: &str = "xacro";

@@ -1,8 +1,224 @@
-//! How values are spelled in XML.
+//! How text is spelled in XML: encodings, sizes and values.
+
+use super::ImportError;
+use crate::message::Importing;
+use crate::message::Place;
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
+use std::borrow::Cow;
+
+/// URDF needs six levels; what simulators add to it, a few more.
+const DEEPEST: u32 = 100;
+/// URDF needs four attributes; what simulators add to it, a few more.
+const MOST_ATTRIBUTES: u32 = 100;
+/// How a declaration begins.
+const DECLARATION: &str = "<?xml";
+/// What is no element, and how it ends.
+const PASSED_OVER: [(&str, &str); 4] = [
+    ("<!--", "-->"),
+    ("<![CDATA[", "]]>"),
+    ("<?", "?>"),
+    ("</", ">"),
+];
+
+/// Decodes the bytes of a file: by their byte order mark, else by the encoding that its XML declaration names, else as UTF-8.
+///
+/// ```
+/// let bytes = b"<?xml version='1.0' encoding='ISO-8859-1'?><robot name='b\xE9b\xE9'/>";
+/// assert!(tip_sim::urdf::decode(bytes)?.contains("bébé"));
+/// # Ok::<(), tip_sim::urdf::ImportError>(())
+/// ```
+///
+/// # Errors
+/// An encoding that is not known, and bytes that are none of it.
+pub fn decode(bytes: &[u8]) -> Result<String, ImportError> {
+    let (encoding, mark) = match Encoding::for_bom(bytes) {
+        // The mark of UTF-32 begins as that of UTF-16 does.
+        Some(_) if bytes.starts_with(b"\xFF\xFE\0\0") => return Err(unknown("UTF-32")),
+        Some(marked) => marked,
+        None => (unmarked(bytes)?, 0),
+    };
+    let (text, is_broken) = encoding.decode_without_bom_handling(&bytes[mark..]);
+    if !is_broken {
+        return Ok(text.into_owned());
+    }
+    let broken = text.find(char::REPLACEMENT_CHARACTER).unwrap_or_default();
+    Err(ImportError::new(Importing::NotInEncoding {
+        at: place(&text, broken),
+        encoding: encoding.name(),
+    }))
+}
+
+/// The encoding of bytes without a byte order mark.
+fn unmarked(bytes: &[u8]) -> Result<&'static Encoding, ImportError> {
+    match bytes {
+        [0, 0, 0, ..] | [0, 0, 0xFE, 0xFF, ..] | [_, 0, 0, 0, ..] => return Err(unknown("UTF-32")),
+        [0, _, ..] => return Ok(UTF_16BE),
+        [_, 0, ..] => return Ok(UTF_16LE),
+        _ => {}
+    }
+    // Every encoding that a declaration can name in readable letters has these letters of ASCII.
+    let Some(label) = declared(bytes) else {
+        return Ok(UTF_8);
+    };
+    match Encoding::for_label_no_replacement(label) {
+        None => Err(unknown(&String::from_utf8_lossy(label))),
+        // Were it so, its letters would not be readable.
+        Some(wide) if wide == UTF_16LE || wide == UTF_16BE => Ok(UTF_8),
+        Some(encoding) => Ok(encoding),
+    }
+}
+
+fn unknown(encoding: &str) -> ImportError {
+    ImportError::new(Importing::UnknownEncoding {
+        encoding: encoding.to_owned(),
+    })
+}
+
+/// The encoding that an XML declaration names.
+fn declared(bytes: &[u8]) -> Option<&[u8]> {
+    let rest = bytes
+        .trim_ascii_start()
+        .strip_prefix(DECLARATION.as_bytes())?;
+    let rest = &rest[..rest.iter().position(|byte| *byte == b'>')?];
+    let name = b"encoding";
+    let at = rest.windows(name.len()).position(|window| window == name)?;
+    let value = rest[at + name.len()..]
+        .trim_ascii_start()
+        .strip_prefix(b"=")?;
+    let (quote, value) = value.trim_ascii_start().split_first()?;
+    let end = value.iter().position(|byte| byte == quote)?;
+    matches!(quote, b'"' | b'\'').then_some(&value[..end])
+}
+
+/// A text whose XML declaration stands after blank lines has blanks instead, so that it can be read, each place as it is.
+pub(super) fn without_late_declaration(text: &str) -> Cow<'_, str> {
+    let text = text.trim_start_matches('\u{FEFF}');
+    let declaration = text.trim_start();
+    let before = text.len() - declaration.len();
+    let end = declaration.find("?>").map(|end| before + end + 2);
+    match end {
+        Some(end) if before > 0 && declaration.starts_with(DECLARATION) => {
+            let blank = |c: char| if c.is_whitespace() { c } else { ' ' };
+            let blanks: String = text[..end].chars().map(blank).collect();
+            Cow::Owned(blanks + &text[end..])
+        }
+        _ => Cow::Borrowed(text),
+    }
+}
+
+/// Refuses elements that are nested too deep for any robot or have too many attributes: the parser's time grows with the square of
+/// both.
+pub(super) fn check_size(text: &str) -> Result<(), ImportError> {
+    let mut depth = 0;
+    let mut at = 0;
+    while let Some(next) = text[at..].find('<') {
+        at += next;
+        let rest = &text[at..];
+        if let Some((open, close)) = PASSED_OVER.iter().find(|(open, _)| rest.starts_with(open)) {
+            let Some(end) = rest[open.len()..].find(close) else {
+                // The parser refuses it.
+                return Ok(());
+            };
+            depth -= u32::from(*open == "</" && depth > 0);
+            at += open.len() + end + close.len();
+            continue;
+        }
+        if rest.starts_with("<!") {
+            // A DTD, which the parser refuses.
+            return Ok(());
+        }
+        let tag = Tag::of(rest);
+        let element = || tag.name.to_owned();
+        if tag.attributes > MOST_ATTRIBUTES {
+            return Err(ImportError::new(Importing::TooManyAttributes {
+                at: place(text, at),
+                element: element(),
+                most: MOST_ATTRIBUTES,
+            }));
+        }
+        if depth == DEEPEST {
+            return Err(ImportError::new(Importing::TooDeep {
+                element: element(),
+                most: DEEPEST,
+            }));
+        }
+        depth += u32::from(!tag.is_empty);
+        at += tag.length;
+    }
+    Ok(())
+}
+
+/// The tag that begins an element.
+struct Tag<'a> {
+    name: &'a str,
+    attributes: u32,
+    /// Whether it ends the element as well.
+    is_empty: bool,
+    /// How many bytes it has.
+    length: usize,
+}
+
+impl<'a> Tag<'a> {
+    /// The tag at the start of a text.
+    fn of(text: &'a str) -> Self {
+        let mut quote = None;
+        let mut attributes = 0;
+        let mut end = text.len();
+        for (at, byte) in text.bytes().enumerate() {
+            match quote {
+                Some(open) if byte == open => quote = None,
+                Some(_) => {}
+                None if byte == b'>' => {
+                    end = at;
+                    break;
+                }
+                None if byte == b'"' || byte == b'\'' => {
+                    quote = Some(byte);
+                    attributes += 1;
+                }
+                None => {}
+            }
+        }
+        let inside = &text[1..end];
+        let name = inside.find(|c: char| c.is_whitespace() || "/=\"'".contains(c));
+        Tag {
+            name: &inside[..name.unwrap_or(inside.len())],
+            attributes,
+            is_empty: inside.ends_with('/'),
+            length: (end + 1).min(text.len()),
+        }
+    }
+}
+
+/// The line and column of a byte of a text.
+fn place(text: &str, byte: usize) -> Place {
+    let before = &text[..byte];
+    let line = before.rfind('\n').map_or(0, |end| end + 1);
+    Place::At {
+        line: 1 + before.matches('\n').count() as u32,
+        column: 1 + before[line..].chars().count() as u32,
+    }
+}
+
+/// Returns a text with U+FFFD in place of each character that XML cannot hold, escaped or not: control characters and what
+/// Unicode reserves for no character.
+pub fn permitted(text: &str) -> String {
+    let is_permitted = |char| match char {
+        '\t' | '\n' | '\r' => true,
+        // Surrogates are no characters of Rust.
+        char => char >= ' ' && !matches!(char, '\u{fffe}' | '\u{ffff}'),
+    };
+    let permitted = |char| match is_permitted(char) {
+        true => char,
+        false => char::REPLACEMENT_CHARACTER,
+    };
+    text.chars().map(permitted).collect()
+}
 
 /// A text as an attribute holds it.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
+    permitted(text)
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")

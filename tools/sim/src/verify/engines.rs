@@ -1,13 +1,13 @@
 //! The process in which both engines run: it may die or hang, and then says so by name.
 
 use super::error::NotBuilt;
-use crate::apart::apart;
+use crate::apart::Apart;
 use crate::event::Inputs;
 use crate::lockstep::{Answer, LIMIT};
 use crate::search;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
+use std::process::{ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -22,23 +22,26 @@ const NAP: Duration = Duration::from_millis(100);
 /// Both engines, in a process of their own.
 #[derive(Debug)]
 pub struct Engines {
-    process: Child,
+    process: Apart,
     requests: ChildStdin,
     answers: Receiver<String>,
     given_up: fn() -> bool,
 }
 
 impl Engines {
-    /// Starts what was built.
-    pub(super) fn start(executable: &Path) -> Result<Self, NotBuilt> {
+    /// Starts an executable that answers as [`lockstep::serve`](crate::lockstep::serve) does.
+    ///
+    /// # Errors
+    /// It does not start.
+    pub fn start(executable: &Path) -> Result<Self, NotBuilt> {
         let cannot = |reason: &dyn std::fmt::Display| {
             NotBuilt::Failed(format!("{} does not start: {reason}", executable.display()))
         };
         let mut command = Command::new(executable);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        apart(&mut command);
-        let mut process = command.spawn().map_err(|error| cannot(&error))?;
-        let pipes = process.stdin.take().zip(process.stdout.take());
+        let mut process = Apart::start(&mut command).map_err(|error| cannot(&error))?;
+        let child = process.child();
+        let pipes = child.stdin.take().zip(child.stdout.take());
         let (requests, output) = pipes.ok_or_else(|| cannot(&"it has no pipes"))?;
         let (sender, answers) = mpsc::channel();
         thread::spawn(move || {
@@ -93,38 +96,11 @@ impl search::Engines for Engines {
                 )))
             }
             Err(RecvTimeoutError::Disconnected) => {
-                let status = self.process.wait();
+                let status = self.process.child().wait();
                 let status =
                     status.map_or_else(|error| error.to_string(), |status| status.to_string());
                 Err(broken(format!("the engines' process ended ({status})")))
             }
         }
-    }
-}
-
-impl Drop for Engines {
-    fn drop(&mut self) {
-        // It has nothing to save; one that ended already need not be ended.
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
-}
-
-#[cfg(all(test, unix))]
-mod tests {
-    use super::*;
-    use crate::search::Engines as _;
-
-    fn complaint(executable: &str) -> String {
-        let engines = Engines::start(Path::new(executable));
-        let answer = engines.and_then(|mut engines| engines.ask(&Inputs::default()));
-        answer.expect_err("it is no engine").to_string()
-    }
-
-    #[test]
-    fn a_process_that_dies_or_talks_nonsense_is_named() {
-        assert!(complaint("/bin/no-such-file").contains("does not start"));
-        assert!(complaint("/bin/true").contains("ended (exit status: 0)"));
-        assert!(complaint("/bin/cat").contains("'' is not an answer"));
     }
 }

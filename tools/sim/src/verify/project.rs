@@ -207,7 +207,7 @@ fn folder_of(package: &Value) -> PathBuf {
     manifest.parent().unwrap_or(manifest).to_owned()
 }
 
-/// A string of JSON is one of TOML too.
+/// A string of JSON is one of TOML too, but for one character.
 fn quoted(text: &str) -> String {
-    Value::from(text).to_string()
+    Value::from(text).to_string().replace('\x7F', "\\u007F")
 }

@@ -1,8 +1,7 @@
 //! The program as it stands in the editor.
 
-use super::finding::{Finding, findings};
-use tip_ide::Document;
-use tip_sim::{Robot, reach, special};
+use super::finding::Finding;
+use super::reader::{Reading, Unread};
 use tipc::source::{Charset, Encoding, Source};
 use tipc::{Loaded, Options};
 
@@ -19,38 +18,31 @@ pub(super) struct Draft {
     pub(super) version: u64,
     /// Which viewer changed it last.
     pub(super) author: String,
-    /// What came of the text; none until it is checked.
-    document: Option<Document>,
-    findings: Vec<Finding>,
-    /// The version that is checked.
-    pub(super) checked: u64,
+    /// Whether the text is that of the file, which may be in another encoding.
+    is_file: bool,
+    /// The last version that was given away to be checked.
+    given: u64,
+    reading: Reading,
     /// The file was changed by someone else, and the text is not what was in it before.
     pub(super) is_overtaken: bool,
 }
 
 impl Draft {
-    /// That of a file.
-    pub(super) fn new(name: String, bytes: &[u8], options: Options, robot: &Robot) -> Self {
+    /// That of a file, not checked yet.
+    pub(super) fn new(name: String, bytes: &[u8], options: Options) -> Self {
         let (file, _) = Source::decode(&*name, bytes, options.encoding);
-        let mut draft = Draft {
+        Draft {
             name,
             options,
             text: plain(file.text()),
             file,
             version: 1,
             author: String::new(),
-            document: None,
-            findings: Vec::new(),
-            checked: 0,
+            is_file: true,
+            given: 0,
+            reading: Reading::default(),
             is_overtaken: false,
-        };
-        draft.read(bytes, robot);
-        draft
-    }
-
-    /// The file has this content, which is checked as it is.
-    fn read(&mut self, bytes: &[u8], robot: &Robot) {
-        self.keep(tipc::load(&self.name, bytes, &self.options), robot);
+        }
     }
 
     /// Another text, by a viewer.
@@ -58,57 +50,68 @@ impl Draft {
         self.text = plain(text);
         self.author = author;
         self.version += 1;
-        self.document = None;
+        self.is_file = false;
     }
 
     /// Takes the text of the file.
-    pub(super) fn reload(&mut self, bytes: &[u8], robot: &Robot) {
+    pub(super) fn reload(&mut self, bytes: &[u8]) {
         let (file, _) = Source::decode(&*self.name, bytes, self.options.encoding);
         self.is_overtaken = false;
         self.edit(file.text(), String::new());
         self.file = file;
-        self.read(bytes, robot);
+        self.is_file = true;
     }
 
-    /// Checks the text if it has changed; whether it had.
-    pub(super) fn check(&mut self, robot: &Robot) -> bool {
-        if self.document.is_some() {
-            return false;
+    /// Returns the text if it has to be checked and was not given away before.
+    pub(super) fn unread(&mut self) -> Option<Unread> {
+        if self.given == self.version {
+            return None;
         }
-        let options = Options {
-            encoding: Encoding::Utf8,
-            ..self.options
+        self.given = self.version;
+        let (bytes, encoding) = match self.is_file {
+            true => (self.file.bytes(), self.options.encoding),
+            false => (self.text.clone().into_bytes(), Encoding::Utf8),
         };
-        let loaded = tipc::load(&self.name, self.text.as_bytes(), &options);
-        self.keep(loaded, robot);
-        true
+        Some(Unread {
+            version: self.version,
+            name: self.name.clone(),
+            bytes,
+            options: Options {
+                encoding,
+                ..self.options
+            },
+        })
     }
 
-    fn keep(&mut self, mut loaded: Loaded, robot: &Robot) {
-        reach::warn(&mut loaded, robot);
-        special::warn(&mut loaded, robot);
-        self.findings = findings(&loaded);
-        self.document = Some(Document::of(loaded, &self.options));
-        self.checked = self.version;
+    /// The text is given away again: to someone who has seen none.
+    pub(super) fn forget_given(&mut self) {
+        self.given = 0;
     }
 
-    /// What came of the text, if it is checked.
-    pub(super) fn loaded(&self) -> Option<&Loaded> {
-        self.document().map(Document::loaded)
+    /// Keeps what was found in a text, unless a later one was checked already.
+    pub(super) fn keep(&mut self, reading: Reading) {
+        if reading.version > self.reading.version {
+            self.reading = reading;
+        }
     }
 
-    /// The text as editors ask about it, if it is checked.
-    pub(super) fn document(&self) -> Option<&Document> {
-        self.document.as_ref()
+    /// Whether the text as it stands is checked.
+    pub(super) fn is_checked(&self) -> bool {
+        self.reading.version == self.version
     }
 
-    /// Whether the text is checked and loads.
-    pub(super) fn is_program(&self) -> bool {
-        self.loaded().is_some_and(|loaded| loaded.program.is_some())
+    /// Returns the program of the last checked text, if it is one.
+    pub(super) fn program(&self) -> Option<&Loaded> {
+        self.reading.program.as_deref()
     }
 
     pub(super) fn findings(&self) -> &[Finding] {
-        &self.findings
+        &self.reading.findings
+    }
+
+    /// Returns the version of the text that was checked last.
+    pub(super) fn checked(&self) -> u64 {
+        self.reading.version
     }
 
     /// Whether the text is not that of the file.

@@ -3,6 +3,60 @@
 use super::known::{Known, Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use tip_sim::Event;
+
+/// The key that stops a robot.
+const RETURN_KEY: u8 = 0x0D;
+
+/// A request that was read.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    pub(super) id: Option<u32>,
+    pub(super) request: Result<Request, Refusal>,
+}
+
+impl Asked {
+    /// Reads a request, a JSON object. Nothing that is sent does harm: what is no request will be refused.
+    pub fn read(text: &str) -> Self {
+        let (id, request) = read(text);
+        Asked { id, request }
+    }
+
+    /// Whether it is an emergency stop, which nothing may keep waiting.
+    pub fn is_stop(&self) -> bool {
+        let Ok(Request::Event { event }) = &self.request else {
+            return false;
+        };
+        event.parse().is_ok_and(|event: Event| is_stop(&event))
+    }
+
+    /// Whether the robot may move again because of it: not after an emergency stop that came later.
+    pub fn moves(&self) -> bool {
+        matches!(
+            self.request,
+            Ok(Request::Play {}
+                | Request::Step { .. }
+                | Request::Go { .. }
+                | Request::Restart {}
+                | Request::Reload {})
+        )
+    }
+
+    /// Answers without doing it: too much is asked at once.
+    pub fn refused_many(&self) -> String {
+        Answer::new(self.id, refuse("many")).text()
+    }
+
+    /// Answers without doing it: the robot was stopped after it was asked for.
+    pub fn refused_stopped(&self) -> String {
+        Answer::new(self.id, refuse("over")).text()
+    }
+}
+
+/// Whether an event stops the robot at once.
+pub(super) fn is_stop(event: &Event) -> bool {
+    *event == Event::Key(RETURN_KEY)
+}
 
 /// A request without its number.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
@@ -81,10 +135,16 @@ impl Answer {
             refusal,
         }
     }
+
+    /// Returns it as JSON.
+    pub(super) fn text(&self) -> String {
+        // No value of it can fail to be written.
+        serde_json::to_string(self).unwrap_or_default()
+    }
 }
 
 /// Reads a request; its number is there if any could be found.
-pub(super) fn read(text: &str) -> (Option<u32>, Result<Request, Refusal>) {
+fn read(text: &str) -> (Option<u32>, Result<Request, Refusal>) {
     if text.len() > super::MOST_BYTES {
         return (None, refuse("long"));
     }

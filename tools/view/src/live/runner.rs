@@ -1,6 +1,6 @@
 //! A run with its past: it goes on, and it is taken back.
 
-use super::request::{Refusal, refuse, refuse_since};
+use super::request::{Refusal, is_stop, refuse, refuse_since};
 use crate::NotRecorded;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Outcome, Recording, Script};
@@ -132,8 +132,10 @@ impl Runner {
         if self.is_over() {
             return refuse("over");
         }
-        if self.waiting.len() >= MOST_WAITING || self.recorder.recording.events.len() >= MOST_EVENTS
-        {
+        let is_full = self.waiting.len() >= MOST_WAITING
+            || self.recorder.recording.events.len() >= MOST_EVENTS;
+        // A robot can always be stopped; once it is, the run is over.
+        if is_full && !is_stop(&event) {
             return refuse("many");
         }
         self.try_event(&event)?;

@@ -1,12 +1,11 @@
 //! A program that runs, the text that becomes the next one, and what viewers do to both.
 
+use super::MOST_BYTES;
 use super::draft::Draft;
 use super::host::Host;
-use super::known::Known;
-use super::request::{Answer, Refusal, Request, read, refuse, refuse_since};
+use super::reader::{Reader, Reading, Unread};
+use super::request::{Answer, Asked, Refusal, Request, is_stop, refuse, refuse_since};
 use super::runner::Runner;
-use super::{MOST_BYTES, known, update};
-use tip_ide::Document;
 use tip_sim::{Event, Events, Robot};
 use tipc::{Loaded, Options};
 
@@ -16,8 +15,6 @@ const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=100.0;
 const LATE: f64 = 100.0;
 /// The most cycles of one step.
 const STEP: i64 = 1000;
-/// The key that stops a robot.
-const RETURN_KEY: u8 = 0x0D;
 /// The longest name by which a viewer calls itself.
 const NAME: usize = 64;
 
@@ -57,7 +54,11 @@ pub struct Session {
     robot: Robot,
     events: Events,
     rest: Option<u64>,
+    /// Checks the text, unless someone else does.
+    reader: Option<Reader>,
     pub(super) draft: Draft,
+    /// The text of this version runs once it is checked.
+    runs_next: Option<u64>,
     pub(super) runner: Runner,
     /// Counts the runs, from 1.
     pub(super) runs: u64,
@@ -85,16 +86,22 @@ impl Session {
             events,
             rest,
         } = setup;
-        let draft = Draft::new(name, &bytes, options, &robot);
-        let refused = || Box::new(tipc::load("", b"", &options));
-        let loaded = draft.loaded().ok_or_else(refused)?;
+        let mut draft = Draft::new(name.clone(), &bytes, options);
+        let mut reader = Reader::new(robot.clone());
+        if let Some(unread) = draft.unread() {
+            draft.keep(reader.read(unread));
+        }
+        let refused = || Box::new(tip_lint::load(&name, &bytes, &options));
+        let loaded = draft.program().ok_or_else(refused)?;
         let runner =
             Runner::begin(loaded, &robot, &events).map_err(|_| Box::new(loaded.clone()))?;
         Ok(Session {
             robot,
             events,
             rest,
+            reader: Some(reader),
             draft,
+            runs_next: None,
             runner,
             runs: 1,
             running: 1,
@@ -113,7 +120,7 @@ impl Session {
     /// So much time has passed for the viewers (ms): the run goes on accordingly, as long as `goes_on` agrees, and a text
     /// that was edited is checked.
     pub fn advance(&mut self, elapsed: f64, mut goes_on: impl FnMut() -> bool) {
-        self.draft.check(&self.robot);
+        self.check();
         if !self.is_playing {
             return;
         }
@@ -145,25 +152,67 @@ impl Session {
     /// Does what a viewer asks for, a JSON object, and answers with another one. Nothing that is sent does harm: what is no
     /// request is refused.
     pub fn request(&mut self, text: &str, host: &mut dyn Host) -> String {
-        let (id, request) = read(text);
-        let result = request.and_then(|request| self.fulfil(request, host));
-        let answer = Answer::new(id, result);
-        // No value of it can fail to be written.
-        serde_json::to_string(&answer).unwrap_or_default()
+        let asked = Asked::read(text);
+        if let Some(answer) = self.ask(&asked, host) {
+            return answer;
+        }
+        self.check();
+        let answer = self.ask(&asked, host);
+        let known = || self.reader.as_ref()?.answer(&asked);
+        answer
+            .or_else(known)
+            .unwrap_or_else(|| asked.refused_many())
     }
 
-    /// The text as it stands, for an editor's questions.
-    fn document(&mut self) -> Option<&Document> {
-        self.draft.check(&self.robot);
-        self.draft.document()
+    /// Does what a viewer asks for; no answer if the [`Reader`] has to give it, or to check the text first.
+    pub fn ask(&mut self, asked: &Asked, host: &mut dyn Host) -> Option<String> {
+        let result = match &asked.request {
+            Ok(Request::Hover { .. } | Request::Complete { .. }) => return None,
+            Ok(Request::Restart {}) if !self.draft.is_checked() => return None,
+            Ok(request) => self.fulfil(request, host),
+            Err(refusal) => Err(refusal.clone()),
+        };
+        Some(Answer::new(asked.id, result.map(|()| None)).text())
     }
 
-    fn fulfil(&mut self, request: Request, host: &mut dyn Host) -> Result<Option<Known>, Refusal> {
-        let done = match request {
-            Request::Hover { at } => return Ok(self.document().map(|it| known::hover(it, at))),
-            Request::Complete { at } => {
-                return Ok(self.document().map(|it| known::offers(it, at)));
-            }
+    /// Hands over the work of checking texts, which takes long for long ones: from now on the session checks none itself.
+    /// Whoever takes it over gives a [`Reader`] each [`Session::unread`] text, and the session what was found
+    /// ([`Session::checked`]).
+    pub fn hand_over(&mut self) {
+        self.reader = None;
+        self.draft.forget_given();
+    }
+
+    /// Returns the text that is to be checked, once.
+    pub fn unread(&mut self) -> Option<Unread> {
+        self.draft.unread()
+    }
+
+    /// Takes what was found in a text.
+    pub fn checked(&mut self, reading: Reading) {
+        self.draft.keep(reading);
+        if self.runs_next == Some(self.draft.checked()) {
+            self.runs_next = None;
+            // With errors in the text the run before goes on.
+            let _ = self.restart();
+        }
+    }
+
+    /// Checks the text, if it has changed and nobody else does.
+    fn check(&mut self) {
+        let Some(mut reader) = self.reader.take() else {
+            return;
+        };
+        if let Some(unread) = self.draft.unread() {
+            self.checked(reader.read(unread));
+        }
+        self.reader = Some(reader);
+    }
+
+    fn fulfil(&mut self, request: &Request, host: &mut dyn Host) -> Result<(), Refusal> {
+        match request {
+            // The reader answers.
+            Request::Hover { .. } | Request::Complete { .. } => Ok(()),
             Request::Play {} if self.runner.is_over() => refuse("over"),
             Request::Play {} => {
                 self.play();
@@ -174,20 +223,20 @@ impl Session {
                 Ok(())
             }
             Request::Step { cycles } => {
-                let cycles = cycles.clamp(-STEP, STEP);
+                let cycles = (*cycles).clamp(-STEP, STEP);
                 self.go_to(self.runner.taken().saturating_add_signed(cycles));
                 Ok(())
             }
-            Request::Go { cycle } => self.go(cycle),
-            Request::Speed { times } if SPEEDS.contains(&times) => {
-                self.speed = times;
+            Request::Go { cycle } => self.go(*cycle),
+            Request::Speed { times } if SPEEDS.contains(times) => {
+                self.speed = *times;
                 self.owed = 0.0;
                 Ok(())
             }
             Request::Speed { times } => refuse_since("impossible", times),
-            Request::Event { event } => self.give(&event),
+            Request::Event { event } => self.give(event),
             Request::Restart {} => self.restart(),
-            Request::Edit { text, base, by } => self.edit(&text, base, by),
+            Request::Edit { text, base, by } => self.edit(text, *base, by),
             Request::Save {} => self.save(host),
             Request::Reload {} => match host.read() {
                 Ok(bytes) => {
@@ -196,8 +245,7 @@ impl Session {
                 }
                 Err(reason) => refuse_since("unread", reason),
             },
-        };
-        done.map(|()| None)
+        }
     }
 
     fn pause(&mut self) {
@@ -224,7 +272,10 @@ impl Session {
             Ok(event) => event,
             Err(error) => return refuse_since("impossible", error),
         };
-        let stops = event == Event::Key(RETURN_KEY);
+        let stops = is_stop(&event);
+        if stops {
+            self.runs_next = None;
+        }
         self.runner.give(event)?;
         // A robot at rest stops as well: the key is read in one cycle, and acts in it or in the next.
         if stops && !self.is_playing {
@@ -236,8 +287,7 @@ impl Session {
 
     /// Runs the text from the beginning; it plays, unless the run before it rests.
     fn restart(&mut self) -> Result<(), Refusal> {
-        self.draft.check(&self.robot);
-        let Some(loaded) = self.draft.loaded().filter(|_| self.draft.is_program()) else {
+        let Some(loaded) = self.draft.program() else {
             return refuse("errors");
         };
         let rests = !self.is_playing && !self.runner.is_over();
@@ -246,20 +296,20 @@ impl Session {
             Err(reason) => return refuse_since("impossible", reason),
         }
         self.runs += 1;
-        self.running = self.draft.version;
+        self.running = self.draft.checked();
         self.owed = 0.0;
         self.is_playing = !rests && !self.runner.is_over();
         Ok(())
     }
 
-    fn edit(&mut self, text: &str, base: u64, by: String) -> Result<(), Refusal> {
+    fn edit(&mut self, text: &str, base: u64, by: &str) -> Result<(), Refusal> {
         if base != self.draft.version {
             return refuse("stale");
         }
         if by.len() > NAME || text.len() > MOST_BYTES {
             return refuse("long");
         }
-        self.draft.edit(text, by);
+        self.draft.edit(text, by.to_owned());
         Ok(())
     }
 
@@ -287,16 +337,11 @@ impl Session {
         }
     }
 
-    /// Takes the text of the file, and runs it if it is a program.
+    /// Takes the text of the file, and runs it once it is checked, if it is a program.
     fn load(&mut self, bytes: &[u8]) {
-        self.draft.reload(bytes, &self.robot);
-        // With errors in the text the run before goes on.
-        let _ = self.restart();
-    }
-
-    /// What a viewer does not know yet, one update after the other; none if it knows all.
-    pub fn update(&self, viewer: &mut super::Viewer) -> Option<String> {
-        update::next(self, viewer)
+        self.draft.reload(bytes);
+        self.runs_next = Some(self.draft.version);
+        self.check();
     }
 
     /// How many cycles have run, as far as the run has not been taken back.

@@ -97,8 +97,14 @@ struct Status<'a> {
     overtaken: bool,
 }
 
-/// The next update for a viewer.
-pub(super) fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
+impl Session {
+    /// Returns the next update for a viewer; none if it knows all.
+    pub fn update(&self, viewer: &mut Viewer) -> Option<String> {
+        next(self, viewer)
+    }
+}
+
+fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
     if viewer.run != session.runs {
         return Some(begin(session, viewer));
     }
@@ -119,13 +125,13 @@ pub(super) fn next(session: &Session, viewer: &mut Viewer) -> Option<String> {
             text: &draft.text,
         }));
     }
-    if viewer.findings != draft.checked {
-        viewer.findings = draft.checked;
+    if viewer.findings != draft.checked() {
+        viewer.findings = draft.checked();
         return Some(json(&Found {
             r#type: "findings",
-            version: draft.checked,
+            version: draft.checked(),
             findings: draft.findings(),
-            good: draft.is_program(),
+            good: draft.program().is_some(),
         }));
     }
     let status = status(session);

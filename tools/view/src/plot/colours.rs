@@ -1,6 +1,7 @@
 //! Colours on light and dark grounds.
 
 use plotters::style::RGBColor;
+use tip_sim::urdf::xml::permitted;
 
 /// On a light ground, and on a dark one.
 type Pair = [u32; 2];
@@ -61,7 +62,7 @@ pub(super) fn themed(svg: &str, name: &str) -> String {
     };
     let pairs = [GROUND, INK, GRID, ALARM].into_iter().chain(LEGS);
     let rules: String = pairs.map(rule).collect();
-    let name = name.replace('&', "&amp;").replace('<', "&lt;");
+    let name = permitted(name).replace('&', "&amp;").replace('<', "&lt;");
     let head = format!(
         "<title>{name}</title>\n<style>@media (prefers-color-scheme: dark){{{rules}}}</style>\n"
     );

@@ -54,6 +54,16 @@ pub(super) fn rows() -> Vec<Row> {
             times(1, |_| stuck_once()) + times(1, |_| never_read()) + times(2, never_shown),
         ),
         row(
+            "another signal: SIGTERM or SIGHUP",
+            "interrupted, with status 143 or 129",
+            times(2, |n| by_another(n as usize)),
+        ),
+        row(
+            "ignored before the run begins, as by `nohup` and in background jobs; SIGHUP likewise",
+            "goes on; SIGTERM interrupts it",
+            times(2, |n| ignored(n as usize)),
+        ),
+        row(
             "at a terminal, as a key",
             "interrupted; the terminal behaves as before",
             times(2, |n| at_a_terminal(n, |pty, _| pty.press(0x03))),
@@ -98,19 +108,9 @@ fn interrupt(child: &Child) {
     kill_process(pid(child), Signal::INT).expect("nobody has waited for it yet");
 }
 
-/// Whether processes begin with SIGINT ignored, as the background jobs of a shell do. It is lost on them until a run
-/// catches it.
-fn interrupts_are_ignored() -> bool {
-    let survivor = Command::new("sh").args(["-c", "kill -INT $$"]).status();
-    survivor.expect("a shell").success()
-}
-
 fn at_the_start(n: u64) {
     let bench = Bench::endless("signal-start", WAITS);
     let mut child = spawn(&bench, Stdio::null());
-    if interrupts_are_ignored() {
-        first_message(&mut child);
-    }
     sleep(Duration::from_micros(300 * n));
     interrupt(&child);
     let status = child.wait().expect("it ends");
@@ -129,6 +129,35 @@ fn under_way(statements: &str, n: u64) {
     sleep(Duration::from_millis(3 * n));
     interrupt(&child);
     require_complete(&bench, child.wait().expect("it ends"));
+}
+
+fn by_another(n: usize) {
+    let bench = Bench::endless("signal-other", WAITS);
+    let mut child = spawn(&bench, Stdio::null());
+    first_message(&mut child);
+    let (signal, status) = [(Signal::TERM, 143), (Signal::HUP, 129)][n];
+    kill_process(pid(&child), signal).expect("nobody has waited for it yet");
+    require_ended(&bench, child.wait().expect("it ends"), status);
+}
+
+/// Signals that are ignored from the beginning do nothing, and the one that ends the run is the one that the status names.
+fn ignored(n: usize) {
+    let bench = Bench::endless("signal-ignored", WAITS);
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' INT HUP; exec \"$@\"", "sh"]);
+    command.arg(env!("CARGO_BIN_EXE_tipc")).args(RUN);
+    command.current_dir(bench.folder.path("."));
+    command.stdin(Stdio::null()).stdout(Stdio::piped());
+    let mut child = command.stderr(Stdio::null()).spawn().expect("it starts");
+    first_message(&mut child);
+    let signal = [Signal::INT, Signal::HUP][n];
+    for _ in 0..3 {
+        kill_process(pid(&child), signal).expect("nobody has waited for it yet");
+        sleep(Duration::from_millis(50));
+    }
+    assert!(child.try_wait().expect("ours").is_none(), "it goes on");
+    kill_process(pid(&child), Signal::TERM).expect("it goes on");
+    require_ended(&bench, child.wait().expect("it ends"), 143);
 }
 
 /// A folder goes away while a run is under way; later Ctrl-C ends it.
@@ -260,7 +289,11 @@ fn stuck_at_a_terminal() {
 
 /// The run was interrupted, and its files hold every cycle until then.
 fn require_complete(bench: &Bench, status: ExitStatus) {
-    assert_eq!(status.code(), Some(130));
+    require_ended(bench, status, 130);
+}
+
+fn require_ended(bench: &Bench, status: ExitStatus, code: i32) {
+    assert_eq!(status.code(), Some(code));
     bench.require_no_parts();
     require_logs(bench, require_trace(bench));
 }

@@ -102,3 +102,33 @@ fn a_file_that_cannot_be_written_is_said() {
     assert_eq!(answer["error"], "unsaved", "{answer}");
     assert_eq!(viewer.ask(json!({"do": "reload"}))["error"], "unread");
 }
+
+/// A link in the place of the file, or of its folder, is not followed; an edit that nobody has seen is not overwritten.
+#[test]
+fn a_link_that_takes_the_place_of_the_file_shows_and_overwrites_nothing() {
+    use std::os::unix::fs::symlink;
+    let folder = counts("serve-swapped")
+        .file("secret.txt", "nobody's")
+        .file("other/counts.prg", "3.1\nother\nEND\n");
+    fs::create_dir(folder.path("here")).expect("writable");
+    fs::rename(folder.path("counts.prg"), folder.path("here/counts.prg")).expect("writable");
+    let server = Server::begin(&folder, &["here/counts.prg", "--paused"]);
+    let mut viewer = server.viewer();
+    viewer.until(|viewer| viewer.version == 1);
+    let own = viewer.text.clone();
+    fs::remove_file(folder.path("here/counts.prg")).expect("it is there");
+    for target in ["../secret.txt", "/dev/zero", "missing.txt"] {
+        symlink(target, folder.path("here/counts.prg")).expect("writable");
+        assert_eq!(viewer.ask(json!({"do": "reload"}))["error"], "unread");
+        assert_eq!(viewer.ask(json!({"do": "save"}))["error"], "unsaved");
+        fs::remove_file(folder.path("here/counts.prg")).expect("it is there");
+    }
+    assert_eq!(folder.read("secret.txt"), "nobody's");
+    assert!(!folder.has("here/missing.txt"));
+    fs::rename(folder.path("here"), folder.path("moved")).expect("writable");
+    symlink("other", folder.path("here")).expect("writable");
+    assert_eq!(viewer.ask(json!({"do": "reload"}))["error"], "unread");
+    assert_eq!(viewer.ask(json!({"do": "save"}))["error"], "unsaved");
+    assert_eq!(folder.read("other/counts.prg"), "3.1\nother\nEND\n");
+    assert_eq!(viewer.text, own);
+}

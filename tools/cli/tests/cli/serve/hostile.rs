@@ -175,3 +175,50 @@ fn there_are_not_too_many_viewers() {
         std::thread::sleep(std::time::Duration::from_millis(50));
     }
 }
+
+#[test]
+fn strangers_keep_nobody_out_who_knows_the_token() {
+    let server = Server::begin(&counts("serve-crowd"), &["counts.prg", "--paused"]);
+    let mut viewer = server.viewer();
+    let crowd = || {
+        let begun = (0..150).map(|_| {
+            let mut stream = TcpStream::connect(server.host()).expect("it listens");
+            // The oldest ones are cut off.
+            let _ = stream.write_all(b"GET / HT");
+            stream
+        });
+        begun.collect::<Vec<_>>()
+    };
+    let before = crowd();
+    // Nothing of what a refused client sends is waited for.
+    for _ in 0..3 {
+        let reply = server.get(&server.target("/"), &[]);
+        assert!(reply.starts_with("HTTP/1.1 200 "), "{reply:.100}");
+    }
+    let mut later = server.viewer();
+    let after = crowd();
+    viewer.does(json!({"do": "step", "cycles": 1}));
+    later.does(json!({"do": "step", "cycles": 1}));
+    drop((before, after));
+}
+
+#[test]
+fn an_emergency_stop_waits_for_no_text() {
+    let server = Server::begin(&counts("serve-stop-now"), &["counts.prg", "--paused"]);
+    let (mut one, mut other) = (server.viewer(), server.viewer());
+    other.until(|viewer| viewer.findings["version"] == 1);
+    let wrong = format!(
+        "3.1\n\n\n{}END\n",
+        "SLEPE 20\nWIAT_INPOS ALL\nGOTOO L\n".repeat(11_000)
+    );
+    one.until(|viewer| viewer.version == 1);
+    one.does(json!({"do": "edit", "text": wrong, "base": 1, "by": "one"}));
+    other.until(|viewer| viewer.version == 2);
+    one.say(&json!({"do": "restart", "id": 1000}).to_string());
+    other.does(json!({"do": "event", "event": "key 0x0D"}));
+    other.until(|viewer| viewer.status["outcome"]["how"] == "emergency");
+    assert_eq!(
+        other.findings["version"], 1,
+        "the text is still being checked"
+    );
+}

@@ -1,0 +1,6 @@
+//! The tests of the example.
+
+mod description;
+mod options;
+mod run;
+mod wire;

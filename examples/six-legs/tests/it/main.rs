@@ -1,0 +1,4 @@
+//! The tests of the example.
+
+mod model;
+mod six_legs;

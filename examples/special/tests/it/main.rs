@@ -1,0 +1,4 @@
+//! The tests of the example.
+
+mod lockstep;
+mod special;

@@ -1,0 +1,4 @@
+//! The tests of the playground.
+
+mod contents;
+mod session;

@@ -1,0 +1,18 @@
+//! Numbers that are the same in every run.
+
+use tip_sim::search;
+
+/// The generator of `tip-sim`, for places in slices.
+pub(crate) struct Random(search::Random);
+
+impl Random {
+    /// The same seed gives the same numbers.
+    pub(crate) const fn new(seed: u64) -> Self {
+        Random(search::Random::new(seed))
+    }
+
+    /// One of 0 … `count` - 1.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        self.0.below(count as u64) as usize
+    }
+}

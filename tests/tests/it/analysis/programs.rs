@@ -1,0 +1,104 @@
+//! Programs that run, the language cases and the random ones, and what their runs do.
+#![expect(clippy::disallowed_methods, reason = "tests read their cases")]
+
+use crate::analysis::watched::{Seen, Watched};
+use lockstep::Script;
+use random_programs::Specimen;
+use std::cell::RefCell;
+use std::fs;
+use std::rc::Rc;
+use std::sync::LazyLock;
+use tip_sim::{Event, Inputs, Plant};
+use tip_tests::{Settings, cases, root, run};
+use tipc::program::Program;
+use tipc::{Options, Robot};
+
+/// How many random programs are watched: enough to reach reads that find a value on some paths only.
+const SEEDS: u64 = 1_000;
+
+/// What the runs of all programs did.
+pub(crate) struct Runs {
+    /// The reads that they came to.
+    pub(crate) seen: Seen,
+    /// Each program that was run to its end or limit, with its trace.
+    pub(crate) traces: Vec<(Runnable, String)>,
+}
+
+/// Every program run once, its reads watched.
+pub(crate) static RUNS: LazyLock<Runs> = LazyLock::new(|| {
+    let seen = Rc::new(RefCell::new(Seen::new()));
+    let mut traces = Vec::new();
+    for one in all() {
+        let watched = Watched::new(&one.name, one.program.clone(), Rc::clone(&seen));
+        // A program that never ends by itself has no whole trace.
+        if let Ok(trace) = run(watched, &one.settings) {
+            traces.push((one, trace));
+        }
+    }
+    let seen = seen.take();
+    Runs { seen, traces }
+});
+
+/// A program, and what happens around it.
+pub(crate) struct Runnable {
+    pub(crate) name: String,
+    pub(crate) program: Program,
+    pub(crate) settings: Settings,
+}
+
+/// Every case with a trace, then every random program.
+pub(crate) fn all() -> Vec<Runnable> {
+    let folder = root().join("cases");
+    let of_case = |name: String| {
+        let expectation = folder.join(format!("{name}.trace"));
+        let header = fs::read_to_string(&expectation).unwrap_or_default();
+        let beside = expectation.parent().expect("a case stands in a folder");
+        let runs = Settings::of_header(&header, beside).expect("a header");
+        let source = fs::read(folder.join(format!("{name}.prg"))).expect("a program");
+        let of_robot = move |settings| runnable(name.clone(), &source, settings);
+        // A case without a trace does not run.
+        let runs = runs.into_iter().filter(move |_| !header.is_empty());
+        runs.filter_map(of_robot)
+    };
+    let of_seed = |Specimen {
+                       seed,
+                       robot,
+                       source,
+                   }: Specimen| {
+        let settings = random_settings(robot, seed);
+        runnable(format!("seed {seed}"), source.as_bytes(), settings)
+    };
+    let cases = cases(&folder).into_iter().flat_map(of_case);
+    cases
+        .chain((0..SEEDS).map(random_programs::program).filter_map(of_seed))
+        .collect()
+}
+
+/// Keys are typed while a random program runs.
+fn random_settings(robot: Robot, seed: u64) -> Settings {
+    let script = Script::random(robot, seed, 0, 800, Plant::Simulated);
+    let events = script.inputs.events.into_iter();
+    // A halt request is the ESC key.
+    let typed = events.filter(|timed| matches!(timed.event, Event::Key(_) | Event::Halt));
+    let inputs = Inputs {
+        events: typed.collect(),
+        cycles: script.inputs.cycles,
+    };
+    Settings {
+        load: Options {
+            robot,
+            ..Options::default()
+        },
+        inputs: inputs.to_string(),
+        ..Settings::default()
+    }
+}
+
+fn runnable(name: String, source: &[u8], settings: Settings) -> Option<Runnable> {
+    let program = tipc::load(&name, source, &settings.load).program?;
+    Some(Runnable {
+        name,
+        program,
+        settings,
+    })
+}

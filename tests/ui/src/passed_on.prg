@@ -1,0 +1,3 @@
+3.1
+of the crate with the macro
+END

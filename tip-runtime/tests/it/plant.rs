@@ -1,0 +1,10 @@
+//! The simulated plant against closed forms and invariants.
+
+mod falls;
+mod gait;
+mod pose;
+mod random;
+mod rig;
+mod sensors;
+mod servos;
+mod unmodelled;

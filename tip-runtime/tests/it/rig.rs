@@ -1,0 +1,172 @@
+//! A controller on ideal servos: every joint is measured where it was commanded to be.
+
+use tip_runtime::command::{Command, Op, Poll, Port, Target, Value};
+use tip_runtime::controller::Controller;
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{JointCommand, Sensors};
+use tip_runtime::kinematics::Chain;
+use tip_runtime::model::{Model, generic, titan8};
+
+pub(crate) struct Rig {
+    pub(crate) model: &'static Model<4, 3>,
+    pub(crate) controller: Controller<'static, 4, 3>,
+    /// What the sensors read next, except for the angles of joints that follow their commands.
+    pub(crate) sensors: Sensors<4, 3>,
+    /// Joints that stand still whatever they are commanded, where the sensors say.
+    pub(crate) stuck: [[bool; 3]; 4],
+}
+
+impl Rig {
+    pub(crate) fn titan() -> Self {
+        Self::new(&titan8::MODEL)
+    }
+
+    pub(crate) fn generic() -> Self {
+        Self::new(&generic::MODEL)
+    }
+
+    pub(crate) fn new(model: &'static Model<4, 3>) -> Self {
+        Rig {
+            model,
+            controller: Controller::new(model),
+            sensors: Sensors::ZERO,
+            stuck: [[false; 3]; 4],
+        }
+    }
+
+    /// The joint angles that are commanded.
+    pub(crate) fn commanded(&self) -> [[f64; 3]; 4] {
+        self.controller
+            .outputs()
+            .map(|leg| leg.map(JointCommand::value))
+    }
+
+    /// Where the commands put foot `n`.
+    pub(crate) fn foot(&self, n: usize) -> [f64; 3] {
+        Chain::new(&self.model.legs[n - 1], &self.commanded()[n - 1]).foot()
+    }
+
+    /// What the sole of foot `n` reads from now on: V.
+    pub(crate) fn sole(&mut self, n: usize, volts: f64) {
+        assert!(self.sensors.inputs.set(Port::Paw(n as u8), volts));
+    }
+
+    /// Phase 1: the sensors are read.
+    pub(crate) fn sense(&mut self) -> Result<(), Fault> {
+        for (leg, commands) in self.controller.outputs().iter().enumerate() {
+            for (joint, command) in commands.iter().enumerate() {
+                // A torque moves nothing here.
+                if let (JointCommand::Angle { angle, .. }, false) =
+                    (command, self.stuck[leg][joint])
+                {
+                    self.sensors.angles[leg][joint] = *angle;
+                }
+            }
+        }
+        self.controller.sense(&self.sensors)
+    }
+
+    /// A whole cycle with a command in it.
+    pub(crate) fn run(&mut self, op: Op, target: Target, values: &[Value]) -> Result<Poll, Fault> {
+        self.run_with(&Command {
+            op,
+            hs: false,
+            target,
+            values,
+        })
+    }
+
+    /// A whole cycle with a command in it.
+    pub(crate) fn run_with(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
+        self.sense()?;
+        let poll = self.controller.command(command)?;
+        self.controller.advance();
+        Ok(poll)
+    }
+
+    /// A whole cycle with a command that must be done at once.
+    pub(crate) fn done(&mut self, op: Op, target: Target, values: &[f64]) {
+        assert_eq!(self.run(op, target, &absolute(values)), Ok(Poll::Done));
+    }
+
+    /// A whole cycle with a command that must be done at once, at high speed.
+    pub(crate) fn done_hs(&mut self, op: Op, target: Target, values: &[f64]) {
+        let poll = self.run_with(&Command {
+            op,
+            hs: true,
+            target,
+            values: &absolute(values),
+        });
+        assert_eq!(poll, Ok(Poll::Done));
+    }
+
+    /// The fault of a command in a cycle that begins well.
+    pub(crate) fn fault(&mut self, op: Op, target: Target, values: &[f64]) -> Fault {
+        self.sense().expect("sensors read well");
+        let fault = self
+            .controller
+            .command(&Command {
+                op,
+                hs: false,
+                target,
+                values: &absolute(values),
+            })
+            .expect_err("the command must fail");
+        self.controller.advance();
+        fault
+    }
+
+    /// Cycles without a command.
+    pub(crate) fn idle(&mut self, cycles: usize) {
+        for _ in 0..cycles {
+            self.tick().expect("nothing goes wrong");
+        }
+    }
+
+    /// One cycle without a command.
+    pub(crate) fn tick(&mut self) -> Result<(), Fault> {
+        self.sense()?;
+        self.controller.advance();
+        Ok(())
+    }
+
+    /// Cycles that a command takes until it is done.
+    pub(crate) fn cycles(&mut self, op: Op, target: Target, values: &[f64]) -> usize {
+        let values = absolute(values);
+        for cycle in 1..100_000 {
+            if self.run(op, target, &values).expect("no fault") == Poll::Done {
+                return cycle;
+            }
+        }
+        panic!("{} is never done", op.name());
+    }
+}
+
+pub(crate) fn absolute(values: &[f64]) -> Vec<Value> {
+    values.iter().copied().map(Value::Absolute).collect()
+}
+
+pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    libm::sqrt(squares.sum())
+}
+
+/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+pub(crate) struct Dice(u64);
+
+impl Dice {
+    pub(crate) fn new(seed: u64) -> Self {
+        Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    pub(crate) fn within(&mut self, min: f64, max: f64) -> f64 {
+        min + (max - min) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}

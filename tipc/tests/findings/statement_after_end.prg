@@ -1,0 +1,6 @@
+3.1
+Lift a foot
+PTP F1 R 0 R 0 R 50
+END
+WAIT_INPOS F1
+PTP F1 R 0 R 0 R -50

@@ -1,0 +1,4 @@
+//! The tests of what editors ask, in one binary.
+
+mod ide;
+mod vscode;

@@ -1,0 +1,251 @@
+//! Conditions and equations that someone asks of a program while it runs, in the program's own language.
+//!
+//! What is asked is read and checked as a line of a program that has the same variables, so that whoever knows the language
+//! knows how to ask.
+
+use crate::Options;
+use std::fmt::Write;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::Diagnostic;
+use tipc::language::Keyword;
+use tipc::language::commands::{COMMANDS, Meaning};
+use tipc::load::lowered;
+use tipc::message::Parsing;
+use tipc::program::{Action, Condition, Program, ScalarExpression, Variable, VariableKind};
+use tipc::source::Span;
+
+/// A program's variables, and more that only those who ask may name.
+#[derive(Clone, Debug)]
+pub struct Asker {
+    options: Options,
+    /// Lines 1 and 2, a declaration of each variable, and a step for each scalar that assigns it: what is never assigned may
+    /// not be read.
+    head: String,
+    /// The variable that an equation assigns, after all others.
+    answer: String,
+    /// The variables from here on are none of the program's.
+    own: usize,
+    more: Vec<String>,
+    head_steps: usize,
+}
+
+impl Asker {
+    /// Of a program that was loaded with these options. Each name of `more` that the program does not declare is a VAR as
+    /// well; its number is that of the program's variables, and so on.
+    pub fn new(program: &Program, options: Options, more: &[&str]) -> Self {
+        let variables = program.variables();
+        let is_free = |name: &str| variables.iter().all(|variable| variable.name != name);
+        let more = more.iter().filter(|name| is_free(name));
+        let more: Vec<String> = more.map(|name| (*name).to_owned()).collect();
+        let mut answer = "ANSWER".to_owned();
+        while !is_free(&answer) {
+            answer.push('_');
+        }
+        let mut head = format!("{}\n\n", program.edition());
+        // VAR_KEY is always there.
+        for Variable { name, kind, .. } in variables.iter().skip(1) {
+            declare(&mut head, *kind, name);
+        }
+        for name in more.iter().chain([&answer]) {
+            declare(&mut head, VariableKind::Var, name);
+        }
+        // What KEY_IN assigns without being asked to.
+        let key_in = COMMANDS
+            .iter()
+            .find(|row| matches!(row.meaning, Meaning::KeyIn));
+        let _ = writeln!(head, "{}", key_in.map_or("", |row| row.name));
+        for scalar in program.scalar_names().skip(1).chain(more.iter().cloned()) {
+            let _ = writeln!(head, "{scalar} = 0");
+        }
+        Asker {
+            options,
+            head,
+            answer,
+            own: variables.len(),
+            head_steps: program.scalar_count() + more.len(),
+            more,
+        }
+    }
+
+    /// How many variables the program has; those from there on are the asker's own.
+    pub fn own(&self) -> usize {
+        self.own
+    }
+
+    /// The names that are not the program's, in the order of their numbers.
+    pub fn more(&self) -> &[String] {
+        &self.more
+    }
+
+    /// The condition that a text is, as it follows IF.
+    ///
+    /// # Errors
+    /// What is wrong with it, placed in the text.
+    pub fn condition(&self, text: &str) -> Result<Condition, Box<Diagnostic>> {
+        let [r#if, then, end_if, end] =
+            [Keyword::If, Keyword::Then, Keyword::EndIf, Keyword::End].map(Keyword::word);
+        let rest = format!(" {then}\n{end_if}\n{end}\n");
+        let lines = [r#if, " ", text, &rest];
+        match &self.steps(text, &lines)?[..] {
+            [
+                Action::If { condition, .. },
+                Action::Nothing,
+                Action::Finish(_),
+            ] => Ok(*condition),
+            _ => Err(refused(text)),
+        }
+    }
+
+    /// The number that a text stands for, as it follows `=`.
+    ///
+    /// # Errors
+    /// What is wrong with it, placed in the text.
+    pub fn number(&self, text: &str) -> Result<ScalarExpression, Box<Diagnostic>> {
+        let rest = format!("\n{}\n", Keyword::End.word());
+        let lines = [&self.answer, " = ", text, &rest];
+        match &self.steps(text, &lines)?[..] {
+            [
+                Action::SetScalar {
+                    target,
+                    update: None,
+                    value,
+                },
+                Action::Finish(_),
+            ] if target.variable == self.own + self.more.len() => Ok(*value),
+            _ => Err(refused(text)),
+        }
+    }
+
+    /// What the steps of a program with these lines do.
+    fn steps(&self, text: &str, lines: &[&str]) -> Result<Vec<Action>, Box<Diagnostic>> {
+        if text.contains(char::is_control) {
+            return Err(refused(text));
+        }
+        let mut whole = self.head.clone();
+        let mut start = 0;
+        for line in lines {
+            if std::ptr::eq(*line, text) {
+                start = whole.len();
+            }
+            whole.push_str(line);
+        }
+        let (loaded, found) = lowered("", whole.as_bytes(), &self.options);
+        match loaded.program {
+            Some(program) => {
+                let steps = program.steps().iter().skip(self.head_steps);
+                Ok(steps.map(|step| step.action.clone()).collect())
+            }
+            None => {
+                let errors = found.into_iter();
+                let error = errors.min_by_key(|one| (one.level() != Level::Error, one.span));
+                Err(error.map_or_else(|| refused(text), |error| placed(error, start, text)))
+            }
+        }
+    }
+}
+
+fn declare(head: &mut String, kind: VariableKind, name: &str) {
+    // A String takes whatever is written.
+    let _ = writeln!(head, "{} {name}", keyword(kind).word());
+}
+
+const fn keyword(kind: VariableKind) -> Keyword {
+    match kind {
+        VariableKind::Var => Keyword::DefVar,
+        VariableKind::Pos => Keyword::DefPos,
+        VariableKind::Joint => Keyword::DefJoint,
+    }
+}
+
+/// An error in a program as one in the text that begins at `start`.
+fn placed(mut error: Diagnostic, start: usize, text: &str) -> Box<Diagnostic> {
+    let at = |offset: usize| offset.saturating_sub(start).min(text.len());
+    error.span = Span::new(at(error.span.start), at(error.span.end));
+    error.labels.clear();
+    error.fixes.clear();
+    Box::new(error)
+}
+
+/// A text that is more than one condition or number.
+fn refused(text: &str) -> Box<Diagnostic> {
+    let span = Span::new(0, text.len());
+    Box::new(Diagnostic::new(Code::Argument, span, Parsing::Conditions))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tipc::Robot;
+    use tipc::message::Lang;
+    use tipc::program::{Operand, Relation, Scalar};
+
+    const TEXT: &str = "3.1\nAsked\nDEF_VAR A, TIME\nDEF_POS P\nDEF_JOINT Q\nA = 1\nEND\n";
+
+    fn asker() -> Asker {
+        let options = Options {
+            robot: Robot::Titan8,
+            ..Options::default()
+        };
+        let program = lowered("asked.prg", TEXT.as_bytes(), &options).0.program;
+        Asker::new(&program.expect("it is right"), options, &["CYCLE", "TIME"])
+    }
+
+    fn scalar(variable: usize, member: usize) -> Operand {
+        Operand::Scalar {
+            scalar: Scalar { variable, member },
+            negative: false,
+        }
+    }
+
+    #[test]
+    fn a_condition_names_the_programs_variables_by_their_numbers() {
+        let asker = asker();
+        assert_eq!(asker.own(), 5, "VAR_KEY, A, TIME, P and Q");
+        let compared = |left, right| Condition::Compare {
+            left,
+            relation: Relation::Ge,
+            right,
+        };
+        let condition = asker.condition("q.j2 >= p.z");
+        assert_eq!(condition, Ok(compared(scalar(4, 1), scalar(3, 2))));
+        // TIME is the program's own; CYCLE comes after all of them.
+        let condition = asker.condition("TIME >= CYCLE");
+        assert_eq!(condition, Ok(compared(scalar(2, 0), scalar(5, 0))));
+        assert!(matches!(
+            asker.condition("!HALT_REQUEST"),
+            Ok(Condition::Flag { negated: true, .. })
+        ));
+    }
+
+    #[test]
+    fn a_number_is_whatever_an_equation_has_on_its_right() {
+        let asker = asker();
+        let value = asker.number("P.X");
+        assert_eq!(value, Ok(ScalarExpression::Operand(scalar(3, 0))));
+        assert!(asker.number("A + CYCLE").is_ok());
+        assert_eq!(asker.number("NORM P"), Ok(ScalarExpression::Norm(3)));
+    }
+
+    #[test]
+    fn what_is_wrong_is_placed_in_the_text() {
+        let asker = asker();
+        for (text, start) in [
+            ("HEIGHT > 3", 0),
+            ("A > HEIGHT", 4),
+            ("A = 3", 2),
+            ("", 0),
+            // The THEN that follows is one too many.
+            ("A > 3 THEN", 10),
+            ("A > 3\nA = 2\nIF A > 3", 0),
+            ("A > \u{7F}", 0),
+        ] {
+            let error = asker.condition(text).expect_err(text);
+            assert_eq!(error.span.start, start, "{text}");
+            assert!(error.span.end <= text.len(), "{text}");
+            assert!(!error.headline(Lang::English).is_empty(), "{text}");
+        }
+        for text in ["P", "1 +", "1 + 2 + 3", "1\nA = 2", "A > 3"] {
+            assert!(asker.number(text).is_err(), "{text}");
+        }
+    }
+}

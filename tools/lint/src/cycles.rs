@@ -1,0 +1,175 @@
+//! How many control cycles parts of a program take (T.I.P. 3.1 §10-3: one command a cycle).
+//!
+//! The counts are exact over all paths of the control flow: the minimum is the shortest path,
+//! the maximum the longest one, and there is none where a path can loop. A call counts with what
+//! its subroutine takes, a FOR over constants with its turns. A step that waits counts as the least
+//! that it can take, and marks its part. A subroutine that calls itself has no bound here, although
+//! ten open calls are one. All together takes time O(n log n): where jumps cross so often that the same steps belong to very
+//! many parts, counting ends early, and says so.
+
+mod costs;
+mod count;
+mod counted;
+mod counters;
+mod distance;
+mod graph;
+mod loops;
+mod render;
+mod rings;
+mod routines;
+mod steps;
+mod turns;
+
+#[cfg(test)]
+mod tests;
+
+pub use count::Count;
+pub use render::{human, json, short};
+pub use steps::Steps;
+
+use distance::{Place, Work};
+use graph::Graph;
+use std::collections::BTreeSet;
+use tipc::Robot;
+use tipc::analysis::flow::{Flow, NodeId};
+use tipc::program::{Program, StepId};
+use turns::turns;
+
+/// A part of a program, and how many cycles it takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Which part.
+    pub span: Span,
+    /// How many cycles it takes.
+    pub cycles: Count,
+}
+
+/// A part of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Span {
+    /// From the step that GOSUB or CALL leads to, up to its RETURN or SUBEND and with it.
+    Subroutine {
+        /// The first step.
+        entry: StepId,
+    },
+    /// One turn of a loop: from a step that a jump leads back to until it is reached again.
+    Turn {
+        /// That step; of a FOR, the first one of its body.
+        head: StepId,
+        /// The steps that a turn can pass.
+        steps: Steps,
+        /// How many turns a FOR over constants makes.
+        turns: Option<u64>,
+    },
+    /// From a label, or the beginning, to the next label or the end, calls included.
+    Stretch {
+        /// The label's step, or 0.
+        from: StepId,
+        /// Where it ends.
+        to: Stop,
+    },
+}
+
+/// Where a stretch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stop {
+    /// Before the step of a label.
+    Label(StepId),
+    /// With RETURN or SUBEND.
+    Return,
+    /// With END or EXIT.
+    End,
+}
+
+/// The sampling times of a run: ms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// The robot's standard one, in force until the program sets another.
+    pub standard: f64,
+    /// The longest one that the robot accepts.
+    pub longest: f64,
+}
+
+impl Sampling {
+    /// Those of a robot.
+    pub fn of(robot: Robot) -> Self {
+        let facts = robot.facts();
+        Sampling {
+            standard: facts.period,
+            longest: facts.periods.max,
+        }
+    }
+}
+
+/// The parts of a program that could be counted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// Subroutines, then turns of loops, then stretches, each in the order of steps.
+    pub counted: Vec<Part>,
+    /// There are more, whose paths cross too often to be counted.
+    pub has_more: bool,
+}
+
+/// Counts the parts of a program.
+pub fn parts(program: &Program, sampling: Sampling) -> Parts {
+    let flow = Flow::of(program);
+    let Some(graph) = Graph::new(program, &flow, sampling) else {
+        return Parts {
+            has_more: true,
+            ..Parts::default()
+        };
+    };
+    let mut counted = subroutines(&flow, &graph);
+    let (turns, are_all_turns) = turns(&flow, &graph);
+    let (stretches, are_all_stretches) = stretches(program, &flow, &graph);
+    counted.extend(turns);
+    counted.extend(stretches);
+    Parts {
+        counted,
+        has_more: !(are_all_turns && are_all_stretches),
+    }
+}
+
+fn subroutines(flow: &Flow, graph: &Graph) -> Vec<Part> {
+    let returning = graph.routines().filter_map(|(entry, cycles)| {
+        Some(Part {
+            span: Span::Subroutine {
+                entry: flow.nodes()[entry].step,
+            },
+            cycles: cycles?,
+        })
+    });
+    returning.collect()
+}
+
+/// The stretches, and whether those are all.
+fn stretches(program: &Program, flow: &Flow, graph: &Graph) -> (Vec<Part>, bool) {
+    let work = Work::of(flow.nodes().len());
+    let labels: BTreeSet<NodeId> = program
+        .labels()
+        .iter()
+        .map(|label| flow.first(label.step))
+        .collect();
+    let mut begins = labels.clone();
+    begins.insert(0);
+    let mut parts = Vec::new();
+    for from in begins {
+        let Some(found) = graph.stretches(from, &labels, &work) else {
+            return (parts, false);
+        };
+        for (place, cycles) in found {
+            let to = match place {
+                Place::Stop(id) => Stop::Label(flow.nodes()[id].step),
+                Place::Return => Stop::Return,
+                Place::End => Stop::End,
+                Place::Pass(_) => continue,
+            };
+            let from = flow.nodes()[from].step;
+            parts.push(Part {
+                span: Span::Stretch { from, to },
+                cycles,
+            });
+        }
+    }
+    (parts, true)
+}

@@ -1,0 +1,231 @@
+//! Cycle counts as a table for people, and as lines for tools.
+
+use super::{Part, Parts, Sampling, Span, Stop};
+use std::fmt::Write;
+use tip_runtime::printable::Printable;
+use tipc::language::Keyword;
+use tipc::program::{Action, Op, Program, StepId};
+use tipc::render::{push_member, push_number, push_string};
+
+/// What is said where counting ended early.
+const MORE: &str = "further parts are not counted: their paths cross too often";
+
+/// A table: part, lines, cycles, ms at the robot's standard sampling time.
+pub fn human(program: &Program, parts: &Parts, sampling: Sampling) -> String {
+    let name = Printable::line(program.source_name());
+    let robot = program.signature().robot;
+    let mut out = format!("{name} for {robot}, {} ms a cycle\n", sampling.standard);
+    if let Some(line) = sampling_set(program) {
+        let note =
+            format!("line {line} sets a sampling time: other times hold while it is in force\n");
+        out += &note;
+    }
+    let mut rows = vec![["part", "lines", "cycles", "ms", ""].map(str::to_owned)];
+    rows.extend(
+        parts
+            .counted
+            .iter()
+            .map(|part| row(program, part, sampling)),
+    );
+    let width = |column: usize| {
+        let widths = rows.iter().map(|row| row[column].chars().count());
+        widths.max().unwrap_or_default()
+    };
+    let widths: Vec<usize> = (0..5).map(width).collect();
+    for row in &rows {
+        let mut line = String::new();
+        for (cell, width) in row.iter().zip(&widths) {
+            line += cell;
+            line += &" ".repeat(width - cell.chars().count() + 2);
+        }
+        out += line.trim_end();
+        out.push('\n');
+    }
+    if parts.has_more {
+        out = out + MORE + "\n";
+    }
+    out
+}
+
+/// One line a part: `FILE:LINE: part: cycles`; a last one without a line of the file if there are more.
+pub fn short(program: &Program, parts: &Parts, sampling: Sampling) -> String {
+    let lines = parts.counted.iter().map(|part| {
+        let [what, _, cycles, ms, waits] = row(program, part, sampling);
+        let line = line_of(program, first_step(program, &part.span));
+        let waits = if waits.is_empty() { "" } else { ", waits" };
+        let name = Printable::line(program.source_name());
+        let plural = if cycles == "1" { "" } else { "s" };
+        format!("{name}:{line}: {what}: {cycles} cycle{plural}, {ms} ms{waits}\n")
+    });
+    let more = parts.has_more.then(|| {
+        let name = Printable::line(program.source_name());
+        format!("{name}: {MORE}\n")
+    });
+    lines.chain(more).collect()
+}
+
+/// One object a line: `part` (`subroutine`, `turn`, `stretch`), `name`, `file`, `line`, of a stretch `to`, of a
+/// FOR over constants `turns`, then `min`, `max` (absent without bound), `min_ms`, `max_ms` and `waits`. A last object
+/// without `part`, with `file` and `note`, if there are more.
+pub fn json(program: &Program, parts: &Parts, sampling: Sampling) -> String {
+    let objects = parts.counted.iter();
+    let objects = objects.map(|part| object(program, part, sampling) + "\n");
+    let more = parts.has_more.then(|| {
+        let mut out = String::from("{\"file\":");
+        push_string(&mut out, program.source_name());
+        push_member(&mut out, "note", MORE);
+        out + "}\n"
+    });
+    objects.chain(more).collect()
+}
+
+fn object(program: &Program, part: &Part, sampling: Sampling) -> String {
+    let first = first_step(program, &part.span);
+    let mut out = String::from("{\"part\":");
+    push_string(&mut out, kind(&part.span));
+    push_member(&mut out, "name", &begin(program, &part.span));
+    push_member(&mut out, "file", program.source_name());
+    push_number(&mut out, "line", line_of(program, first));
+    match &part.span {
+        Span::Stretch { to, .. } => push_member(&mut out, "to", &end(program, *to)),
+        Span::Turn {
+            turns: Some(turns), ..
+        } => push(&mut out, "turns", turns),
+        Span::Turn { .. } | Span::Subroutine { .. } => {}
+    }
+    push(&mut out, "min", part.cycles.min);
+    if let Some(max) = part.cycles.max {
+        push(&mut out, "max", max);
+    }
+    push(&mut out, "min_ms", ms(part.cycles.min, sampling));
+    if let Some(max) = part.cycles.max {
+        push(&mut out, "max_ms", ms(max, sampling));
+    }
+    push(&mut out, "waits", part.cycles.waits);
+    out.push('}');
+    out
+}
+
+fn push(out: &mut String, key: &str, value: impl std::fmt::Display) {
+    // Writing to a string cannot fail.
+    let _ = write!(out, ",\"{key}\":{value}");
+}
+
+fn row(program: &Program, part: &Part, sampling: Sampling) -> [String; 5] {
+    let first = first_step(program, &part.span);
+    let name = begin(program, &part.span);
+    let what = match &part.span {
+        Span::Subroutine { .. } => format!("subroutine {name}"),
+        Span::Turn {
+            turns: Some(turns), ..
+        } => format!("turn of {name}, {turns} in all"),
+        Span::Turn { .. } => format!("turn of {name}"),
+        Span::Stretch { to, .. } => format!("{name} to {}", end(program, *to)),
+    };
+    let first = line_of(program, first);
+    let lines = match last_step(&part.span).map(|step| line_of(program, step)) {
+        Some(last) if last != first => format!("{first}-{last}"),
+        _ => first.to_string(),
+    };
+    let (min, max) = (part.cycles.min, part.cycles.max);
+    let waits = if part.cycles.waits { "and waits" } else { "" };
+    [
+        what,
+        lines,
+        interval(min, max),
+        interval(ms(min, sampling), max.map(|max| ms(max, sampling))),
+        waits.to_owned(),
+    ]
+}
+
+fn interval<T: PartialEq + std::fmt::Display>(min: T, max: Option<T>) -> String {
+    match max {
+        Some(max) if max == min => min.to_string(),
+        Some(max) => format!("{min} to {max}"),
+        None => format!("{min} or more"),
+    }
+}
+
+fn ms(cycles: u64, sampling: Sampling) -> f64 {
+    cycles as f64 * sampling.standard
+}
+
+fn kind(span: &Span) -> &'static str {
+    match span {
+        Span::Subroutine { .. } => "subroutine",
+        Span::Turn { .. } => "turn",
+        Span::Stretch { .. } => "stretch",
+    }
+}
+
+/// The step that a part is known by: the turn of a FOR by the FOR, not by the first step of its body.
+fn first_step(program: &Program, span: &Span) -> StepId {
+    match span {
+        Span::Subroutine { entry } => *entry,
+        Span::Turn { head, .. } => {
+            let before = head.saturating_sub(1);
+            let is_for = matches!(program.steps()[before as usize].action, Action::For { .. });
+            if is_for { before } else { *head }
+        }
+        Span::Stretch { from, .. } => *from,
+    }
+}
+
+fn last_step(span: &Span) -> Option<StepId> {
+    match span {
+        Span::Turn { steps, .. } => steps.last(),
+        Span::Stretch {
+            to: Stop::Label(step),
+            ..
+        } => Some(*step),
+        Span::Subroutine { .. } | Span::Stretch { .. } => None,
+    }
+}
+
+fn line_of(program: &Program, step: StepId) -> u32 {
+    program.steps()[step as usize].line
+}
+
+/// What a part is called: the label at its first step, else the statement.
+fn begin(program: &Program, span: &Span) -> String {
+    let step = first_step(program, span);
+    match (label(program, step), span) {
+        (Some(label), _) => label.to_owned(),
+        (None, Span::Stretch { .. }) => "start".to_owned(),
+        (None, Span::Subroutine { .. } | Span::Turn { .. }) => {
+            program.steps()[step as usize].text.to_string()
+        }
+    }
+}
+
+/// The label that stands for a step.
+fn label(program: &Program, step: StepId) -> Option<&str> {
+    let labels = program.labels();
+    let place = labels
+        .binary_search_by_key(&step, |label| label.step)
+        .ok()?;
+    Some(&labels[place].name)
+}
+
+fn end(program: &Program, stop: Stop) -> String {
+    match stop {
+        Stop::Label(step) => label(program, step).unwrap_or_default().to_owned(),
+        Stop::Return => Keyword::Return.to_string(),
+        Stop::End => Keyword::End.to_string(),
+    }
+}
+
+/// The line of the first step that sets a sampling time.
+fn sampling_set(program: &Program) -> Option<u32> {
+    let sets = |action: &Action| {
+        matches!(
+            action,
+            Action::Command {
+                op: Op::SetSamplingTime | Op::SetSamplingFreq,
+                ..
+            }
+        )
+    };
+    let step = program.steps().iter().find(|step| sets(&step.action))?;
+    Some(step.line)
+}

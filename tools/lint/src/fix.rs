@@ -1,0 +1,53 @@
+//! Fixes: for what a finding says, the changes of the text that put it right. It judges no program: what the checker knows
+//! is in the finding's messages, the rest in the statement around its place.
+
+mod blocks;
+mod braces;
+mod characters;
+mod conditions;
+mod declarations;
+mod jumps;
+mod numbers;
+mod operators;
+mod site;
+mod texts;
+mod words;
+
+use site::{Shared, Site};
+use tipc::diagnostic::{Diagnostic, Edit, Fix};
+use tipc::source::Source;
+use tipc::syntax::Module;
+
+/// What may know a fix. The first that does is asked.
+const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
+    characters::fix,
+    texts::fix,
+    words::fix,
+    jumps::fix,
+    blocks::fix,
+    braces::fix,
+    conditions::fix,
+    operators::fix,
+    numbers::fix,
+    declarations::fix,
+];
+
+/// Gives each finding the fix that is known for it.
+pub(crate) fn attach(source: &Source, module: &Module, diagnostics: &mut [Diagnostic]) {
+    let shared = Shared::default();
+    for diagnostic in diagnostics {
+        let site = Site::new(source, module, &shared, diagnostic);
+        let fix = ROOMS.iter().find_map(|room| room(&site));
+        diagnostic.fixes = fix
+            .filter(|fix| is_sound(source, fix))
+            .into_iter()
+            .collect();
+    }
+}
+
+/// Whether its edits change the text, follow each other, and write what every encoding spells alike.
+fn is_sound(source: &Source, fix: &Fix) -> bool {
+    let is_change = |edit: &Edit| source.slice(edit.span) != edit.text && edit.text.is_ascii();
+    let follows = |pair: &[Edit]| pair[0].span.end <= pair[1].span.start;
+    !fix.edits.is_empty() && fix.edits.iter().all(is_change) && fix.edits.windows(2).all(follows)
+}

@@ -1,0 +1,168 @@
+//! Blocks: THEN, words that stand alone on their line, END.
+
+use super::site::Site;
+use crate::message::Fixing;
+use tipc::diagnostic::{Edit, Fix};
+use tipc::language::Keyword;
+use tipc::lex::Token;
+use tipc::message::phrase::End;
+use tipc::message::{Habit, Message, Parsing};
+use tipc::source::Span;
+use tipc::syntax::{Shape, StatementKind};
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (Message::Parsing(Parsing::ThenOrJumpBelongsHere | Parsing::ThenBelongsHere), _) => {
+            then(site)
+        }
+        (Message::Habit(Habit::NoColon), _) => colon(site),
+        (
+            Message::Parsing(Parsing::NothingBehind {
+                end: End::Condition,
+            }),
+            _,
+        ) => after_condition(site),
+        (Message::Habit(Habit::OneLineIf), _) => one_line_if(site),
+        (Message::Parsing(Parsing::NotAlone { .. }), _) => alone(site),
+        (Message::Parsing(Parsing::ProgramEndsHere), _) => end(site),
+        _ => None,
+    }
+}
+
+/// `IF c`, with nothing after it.
+fn then(site: &Site<'_>) -> Option<Fix> {
+    let title = Fixing::Insert {
+        text: Keyword::Then.into(),
+    };
+    let then = site.append(site.span().start, Keyword::Then.word());
+    site.text().is_empty().then(|| Fix::certain(title, [then]))
+}
+
+/// `IF c:`, `WHILE c:`
+fn colon(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let first = tokens.first()?;
+    let fix = removed(site, site.span());
+    let branches = site.is(first, Keyword::If) || site.is(first, Keyword::ElseIf);
+    if !branches || tokens.iter().any(|it| site.is(it, Keyword::Then)) {
+        return Some(fix);
+    }
+    let place = fix.edits.first()?.span;
+    let then = format!(" {}", site.like(Keyword::Then.word()));
+    let title = Fixing::Replace {
+        old: ":".into(),
+        new: Keyword::Then.into(),
+    };
+    Some(Fix::certain(title, [Edit::replace(place, then)]))
+}
+
+/// `WHILE c DO`
+fn after_condition(site: &Site<'_>) -> Option<Fix> {
+    let openers = ["DO", Keyword::Then.word()];
+    let text = site.text();
+    let is_opener = openers.iter().any(|it| it.eq_ignore_ascii_case(text));
+    is_opener.then(|| removed(site, site.span()))
+}
+
+/// Something goes, and the blanks before it.
+fn removed(site: &Site<'_>, place: Span) -> Fix {
+    let before = site.tokens().into_iter().map(|token| token.span.end);
+    let before = before.take_while(|end| *end <= place.start).last();
+    let start = before.unwrap_or(place.start);
+    let title = Fixing::Remove {
+        text: site.slice(place).into(),
+    };
+    Fix::certain(title, [Edit::remove(Span::new(start, place.end))])
+}
+
+/// `IF c THEN A = 1`, perhaps with an ELSE and an ENDIF on the same line.
+fn one_line_if(site: &Site<'_>) -> Option<Fix> {
+    let index = site.index()?;
+    let statement = &site.module.statements[index];
+    let next = site.module.statements.get(index + 1);
+    if next.is_some_and(|next| next.line == statement.line) {
+        return None;
+    }
+    let tokens = site.tokens();
+    let is = |token: &Token, word| site.is(token, word);
+    let then = tokens.iter().position(|it| is(it, Keyword::Then))?;
+    let closed = tokens.last().is_some_and(|it| is(it, Keyword::EndIf));
+    let goes_on = next.is_some_and(|next| {
+        matches!(
+            next.kind.shape(),
+            Shape::Else | Shape::ElseIf | Shape::EndIf
+        )
+    });
+    let line = site.next_line();
+    let inside = format!("{line}  ");
+    let mut edits = Vec::new();
+    for pair in tokens[then..].windows(2) {
+        let [before, after] = pair else {
+            continue;
+        };
+        let gap = Span::new(before.span.end, after.span.start);
+        if is(after, Keyword::Else) || is(after, Keyword::EndIf) {
+            edits.push(Edit::replace(gap, line.as_str()));
+        } else if is(before, Keyword::Then) || is(before, Keyword::Else) {
+            edits.push(Edit::replace(gap, inside.as_str()));
+        }
+    }
+    if !closed && !goes_on {
+        let close = format!("{line}{}", site.like(Keyword::EndIf.word()));
+        edits.push(Edit::insert(statement.span.end, close));
+    }
+    Some(Fix::certain(Fixing::Block, edits))
+}
+
+/// `ELSE A = 1`, `WHILE c; A = 1; WEND`.
+fn alone(site: &Site<'_>) -> Option<Fix> {
+    let index = site.index()?;
+    let statements = &site.module.statements;
+    let statement = &statements[index];
+    let other = site.finding.labels.first()?.span;
+    let line = site.next_line();
+    let mut edits = Vec::new();
+    let mut part = |from: usize, to: usize| {
+        let gap = Span::new(from, to);
+        let is_gap = site
+            .slice(gap)
+            .chars()
+            .all(|char| matches!(char, ' ' | '\t' | ';' | ','));
+        is_gap.then(|| edits.push(Edit::replace(gap, line.as_str())))
+    };
+    if statement.span.start <= other.start && other.end <= statement.span.end {
+        part(site.span().end, other.start)?;
+        return Some(Fix::certain(Fixing::OwnLines, edits));
+    }
+    let is_here = |at: usize| {
+        let neighbour = statements.get(at).filter(|it| it.line == statement.line);
+        neighbour.filter(|it| !matches!(it.kind, StatementKind::Label(_)))
+    };
+    if let Some(before) = index.checked_sub(1).and_then(is_here) {
+        part(before.span.end, statement.span.start)?;
+    }
+    if let Some(after) = is_here(index + 1) {
+        part(statement.span.end, after.span.start)?;
+    }
+    Some(Fix::certain(Fixing::OwnLines, edits))
+}
+
+/// END on a line of its own after the last one.
+fn end(site: &Site<'_>) -> Option<Fix> {
+    let count = site.source.line_count();
+    // On line 2 it would be the title.
+    if count < 2 {
+        return None;
+    }
+    let last = site.source.line(count);
+    let (line_end, word) = (site.line_end(), Keyword::End.word());
+    let text = match site.slice(last.end) {
+        "" => format!("{line_end}{word}{line_end}"),
+        _ => format!("{word}{line_end}"),
+    };
+    let title = Fixing::Insert {
+        text: Keyword::End.into(),
+    };
+    let at = site.source.text().len();
+    Some(Fix::certain(title, [Edit::insert(at, text)]))
+}

@@ -1,0 +1,172 @@
+//! Characters that cannot stand where they are: full-width words, and comments of other languages.
+
+use super::site::Site;
+use crate::message::Fixing;
+use tipc::diagnostic::{Edit, Fix, Label};
+use tipc::foreign;
+use tipc::language::{Keyword, keywords};
+use tipc::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
+use tipc::message::{Habit, Instead, Message, Naming, Parsing};
+use tipc::parse::{LONG_VOWEL, narrow};
+use tipc::source::Span;
+
+/// What a comment begins with here.
+const COMMENT: &str = "//";
+
+/// What a comment of C begins and ends with.
+const OPENS: &str = "/*";
+const CLOSES: &str = "*/";
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()?) {
+        (_, Message::Parsing(Parsing::WriteHalfWidth { .. }))
+        | (_, Message::Habit(Habit::Plain { .. } | Habit::PlainBlank)) => half_width(site),
+        (_, Message::Instead(Instead::Invisible)) => {
+            let title = Fixing::RemoveInvisible;
+            Some(Fix::certain(title, [Edit::remove(site.span())]))
+        }
+        (_, Message::Habit(Habit::Comment)) => comment(site),
+        (_, Message::Habit(Habit::EachLine)) => comment_of_lines(site),
+        _ => None,
+    }
+}
+
+/// `ＮＥＸＴ`, at each place that the finding lists.
+fn half_width(site: &Site<'_>) -> Option<Fix> {
+    let also = |label: &&Label| label.text == Naming::AlsoHere.into();
+    let others = site.finding.labels.iter().filter(also);
+    let places = [site.span()].into_iter().chain(others.map(|it| it.span));
+    let statements = places.filter_map(|place| site.module.statement_at(place.start));
+    let mut statements: Vec<usize> = statements.collect();
+    statements.dedup();
+    let spans = statements.iter().map(|at| site.module.statements[*at].span);
+    let edits = spans.flat_map(|span| narrowed(site, span));
+    Some(Fix::certain(Fixing::HalfWidth, edits.collect::<Vec<_>>()))
+}
+
+/// All full-width characters of a statement, since one after the other would never be the last one.
+fn narrowed(site: &Site<'_>, mut span: Span) -> Vec<Edit> {
+    let text = site.source.text();
+    let first = Span::new(
+        span.start,
+        word_end(text.as_bytes(), span.start).min(span.end),
+    );
+    // After these words any character may stand.
+    let word = narrow(site.slice(first));
+    let takes_text = keywords::find(&word, site.module.edition)
+        .is_some_and(|word| matches!(word, Keyword::Message | Keyword::Rem));
+    if takes_text {
+        span = first;
+    }
+    let mut edits = Vec::new();
+    'words: for token in site.tokens_of(span) {
+        let mut rest = token.span;
+        while let Some(run) = foreign_run(text, rest) {
+            let written = plain(site.slice(run));
+            let comments = written.contains(COMMENT);
+            edits.push(Edit::replace(run, written));
+            if comments {
+                break 'words;
+            }
+            rest.start = run.end;
+        }
+    }
+    edits
+}
+
+/// What is typed for characters that are wide, or of typesetting.
+fn plain(text: &str) -> String {
+    if text == LONG_VOWEL {
+        return "-".to_owned();
+    }
+    let mut out = String::new();
+    for char in text.chars() {
+        match foreign::plain(char) {
+            Some(plain) => out += plain,
+            None if char.is_whitespace() => out.push(' '),
+            None => out.push(char),
+        }
+    }
+    narrow(&out)
+}
+
+/// `# …`, `' …`, `/* … */` on one line.
+fn comment(site: &Site<'_>) -> Option<Fix> {
+    let line = site.line().span;
+    let before = site.slice(Span::new(line.start, site.span().end));
+    let starts = site.statement().map(|it| it.span.start);
+    // Of a comment after a statement the mark stands before its text.
+    let start = match starts.filter(|start| foreign::is_comment(&before[start - line.start..])) {
+        Some(start) => start,
+        None => line.start + foreign::comment_after(before)?,
+    };
+    let rest = Span::new(start, line.end);
+    let text = site.slice(rest);
+    let mark = foreign::comment_mark(text)?;
+    let mut edits = vec![Edit::replace(Span::new(start, start + mark.len()), COMMENT)];
+    let kept = text.trim_end_matches(BLANKS);
+    if let Some(at) = kept.find(CLOSES).filter(|_| mark == OPENS) {
+        // What follows the comment is a statement.
+        if at + CLOSES.len() != kept.len() {
+            return None;
+        }
+        edits.push(without_end(site, start + mark.len(), start + at));
+    }
+    match surely_comments(text) {
+        true => Some(Fix::certain(Fixing::Comment, edits)),
+        false => Some(Fix::likely(Fixing::Comment, edits)),
+    }
+}
+
+/// Whether a comment of another language can be nothing else: `#define` and `--N` do something.
+fn surely_comments(comment: &str) -> bool {
+    let directives = ["define", "if", "else", "endif", "undef", "pragma"];
+    let rest = comment.trim_start_matches('#');
+    match foreign::comment_mark(comment) {
+        Some("#") => !directives.iter().any(|word| rest.starts_with(word)),
+        Some(mark @ "--") => comment[mark.len()..].starts_with(' '),
+        mark => mark.is_some(),
+    }
+}
+
+/// The end of a comment, and the blanks before it, from `start` on.
+fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
+    let before = site
+        .slice(Span::new(start, closes))
+        .trim_end_matches(BLANKS);
+    let end = Span::new(start + before.len(), closes + CLOSES.len());
+    Edit::remove(end)
+}
+
+/// `/* …` up to `… */`, lines below.
+fn comment_of_lines(site: &Site<'_>) -> Option<Fix> {
+    let start = site.statement()?.span.start;
+    let statement = site.slice(Span::new(start, site.statement()?.span.end));
+    foreign::comment_of_lines(statement).filter(|[opens, _]| *opens == OPENS)?;
+    let mark = Span::new(start, start + OPENS.len());
+    let mut edits = vec![Edit::replace(mark, COMMENT)];
+    let (first, _) = site.source.line_column(start);
+    for number in first + 1..=site.source.line_count() {
+        let line = site.source.line(number).span;
+        let text = site.slice(line);
+        let begin = line.start + text.len() - text.trim_start_matches(BLANKS).len();
+        let kept = text.trim_end_matches(BLANKS);
+        let closed = kept.find(CLOSES).map(|at| line.start + at);
+        match closed {
+            Some(at) if at + CLOSES.len() != line.start + kept.len() => return None,
+            Some(at) if at == begin => {
+                edits.push(Edit::replace(Span::new(at, at + CLOSES.len()), COMMENT));
+            }
+            Some(at) => {
+                edits.push(Edit::insert(begin, format!("{COMMENT} ")));
+                edits.push(without_end(site, begin, at));
+            }
+            None if kept.trim_start_matches(DELIMITERS).is_empty() => {}
+            None => edits.push(Edit::insert(begin, format!("{COMMENT} "))),
+        }
+        if closed.is_some() {
+            return Some(Fix::certain(Fixing::Comment, edits));
+        }
+    }
+    None
+}

@@ -1,0 +1,132 @@
+//! Declarations: the title before them, names that lack one, values in them, and those that nothing uses.
+
+use super::site::Site;
+use crate::message::Fixing;
+use tipc::code::Code;
+use tipc::diagnostic::{Edit, Fix};
+use tipc::lex::{Kind, Token};
+use tipc::message::{Habit, Message, Naming};
+use tipc::source::Span;
+use tipc::syntax::StatementKind;
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (_, Some(Message::Habit(Habit::Title))) => {
+            let title = site.source.line(2).span.start;
+            let edit = Edit::insert(title, site.line_end());
+            Some(Fix::certain(Fixing::TitleLine, [edit]))
+        }
+        (_, Some(Message::Habit(Habit::Initial { .. }))) => {
+            let (name, edit) = initial(site, &site.tokens())?;
+            Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
+        }
+        (_, Some(Message::Habit(Habit::NoHyphen { name }))) => underscore(site, name),
+        (_, Some(Message::Naming(Naming::DeclareAs { declaration }))) => declare(site, declaration),
+        (Message::Naming(Naming::NothingUses), _) if site.finding.code == Code::Unused => {
+            unused(site)
+        }
+        _ => None,
+    }
+}
+
+/// `DEF_VAR N = 0`: the value as an assignment after the declaration, and the name.
+pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str, Edit)> {
+    let (name, value) = match tokens {
+        [_, name, operator, value] if operator.kind == Kind::Assign(None) => (name, value.span),
+        [_, name, operator, sign, value]
+            if operator.kind == Kind::Assign(None) && !value.spaced =>
+        {
+            (name, sign.span.to(value.span))
+        }
+        _ => return None,
+    };
+    let word = site.slice(name.span);
+    let text = format!("{}{word} = {}", site.next_line(), site.slice(value));
+    let rest = Span::new(name.span.end, value.end);
+    Some((word, Edit::replace(rest, text)))
+}
+
+/// `STEP-LENGTH`: the name in one piece, wherever it stands. Where both its parts are names, it may be a calculation.
+fn underscore(site: &Site<'_>, name: &str) -> Option<Fix> {
+    let written = site.text().to_ascii_uppercase();
+    let is_part =
+        |byte: Option<&u8>| byte.is_some_and(|it| it.is_ascii_alphanumeric() || *it == b'_');
+    if !site.may_look_at(site.module.statements.len()) {
+        return None;
+    }
+    let mut edits = Vec::new();
+    for statement in &site.module.statements {
+        if let StatementKind::Define { names, .. } = &statement.kind
+            && names
+                .iter()
+                .any(|one| written.split('-').any(|part| part == one.node))
+        {
+            return None;
+        }
+        if matches!(
+            statement.kind,
+            StatementKind::Message { .. } | StatementKind::Rem
+        ) {
+            continue;
+        }
+        let text = site.slice(statement.span).to_ascii_uppercase();
+        for (at, _) in text.match_indices(&written) {
+            let bytes = text.as_bytes();
+            let before = at.checked_sub(1).and_then(|at| bytes.get(at));
+            if is_part(before) || is_part(bytes.get(at + written.len())) {
+                continue;
+            }
+            let start = statement.span.start + at;
+            let place = Span::new(start, start + written.len());
+            let new = match site.slice(place) == written {
+                true => name.to_owned(),
+                false => name.to_ascii_lowercase(),
+            };
+            edits.push(Edit::replace(place, new));
+        }
+    }
+    let title = Fixing::Replace {
+        old: site.text().into(),
+        new: name.into(),
+    };
+    Some(Fix::likely(title, edits))
+}
+
+/// A declaration before the first statement that is none.
+fn declare(site: &Site<'_>, declaration: &str) -> Option<Fix> {
+    let start = site.source.line(site.first_line()?).span.start;
+    let title = Fixing::Insert {
+        text: declaration.into(),
+    };
+    let text = format!("{declaration}{}", site.line_end());
+    Some(Fix::likely(title, [Edit::insert(start, text)]))
+}
+
+/// The name alone, or the whole declaration if it has no other.
+fn unused(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let title = Fixing::RemoveDeclaration {
+        name: site.text().into(),
+    };
+    let place = match (at, tokens.get(2)) {
+        // Where the line is wrong too, what stands before the name may be no part of it.
+        (0, _) => return None,
+        (_, None) => declaration(site)?,
+        // Of several names, one side's blanks stay.
+        (1, Some(next)) => Span::new(tokens[1].span.start, next.span.start),
+        (_, Some(_)) => Span::new(tokens[at - 1].span.end, tokens[at].span.end),
+    };
+    Some(Fix::likely(title, [Edit::remove(place)]))
+}
+
+/// The line of a declaration, if it holds nothing else.
+fn declaration(site: &Site<'_>) -> Option<Span> {
+    let statement = site.statement()?.span;
+    let line = site.line();
+    let is_alone = site.slice(line.span).trim() == site.slice(statement);
+    Some(match is_alone {
+        true => line.span.to(line.end),
+        false => statement,
+    })
+}

@@ -1,0 +1,245 @@
+//! Operators, signs and parentheses.
+
+use super::site::Site;
+use crate::message::Fixing;
+use tipc::diagnostic::{Edit, Fix};
+use tipc::foreign;
+use tipc::lex::{Kind, Token};
+use tipc::message::{Commanding, Habit, Instead, Message, Parsing};
+use tipc::source::Span;
+use tipc::syntax::Relation;
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (
+            Message::Habit(Habit::SplitOperator { .. }),
+            Some(Message::Habit(Habit::WriteRelation { relation })),
+        ) => Some(certain(site, site.span(), relation)),
+        (
+            Message::Parsing(Parsing::NoRelation),
+            Some(Message::Habit(Habit::WriteRelation { relation })),
+        ) if foreign::relation(site.text().to_ascii_uppercase().trim_end_matches('='))
+            .is_some() =>
+        {
+            Some(certain(site, site.span(), relation))
+        }
+        (
+            Message::Parsing(Parsing::NotStandsBeforeFlag),
+            Some(Message::Instead(Instead::Write { .. })),
+        ) => not_apart(site),
+        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
+            let title = Fixing::Insert { text: " ".into() };
+            let edit = Edit::insert(site.span().start + command.len(), " ");
+            Some(Fix::certain(title, [edit]))
+        }
+        (_, Some(Message::Instead(Instead::Digits { number }))) => {
+            let fix = certain(site, site.span(), number);
+            Some(Fix::likely(fix.title, fix.edits))
+        }
+        (
+            Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
+            | Message::Habit(Habit::NotEqual),
+            _,
+        ) => relation(site),
+        (Message::Habit(Habit::CompareAsStatement), _) => {
+            let operator = site.tokens().get(1)?.span;
+            Some(certain(site, operator, "="))
+        }
+        (_, Some(Message::Habit(Habit::Increment { sign, .. }))) => increment(site, sign),
+        (_, Some(Message::Habit(Habit::WriteSigned { text }))) => signed(site, text),
+        (Message::Parsing(Parsing::PlusBeforeConstants), _) => plus(site),
+        (_, Some(Message::Habit(Habit::WriteNot))) => not(site),
+        (Message::Habit(Habit::SplitOperator { sign }), _) => {
+            let tokens = site.tokens();
+            let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
+            Some(certain(site, place, sign))
+        }
+        // `N =+ 5`
+        (Message::Habit(Habit::NoOperator { sign }), Some(Message::Instead(_)))
+            if matches!(sign.as_str(), "=+" | "=-") =>
+        {
+            let turned: String = sign.chars().rev().collect();
+            let fix = certain(site, site.span(), &turned);
+            Some(Fix::likely(fix.title, fix.edits))
+        }
+        (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
+            Some(certain(site, site.span(), "="))
+        }
+        (_, Some(Message::Commanding(Commanding::Compare { .. }))) => {
+            let title = Fixing::Insert {
+                text: COMPARED.into(),
+            };
+            let edit = Edit::insert(site.span().end, format!(" {COMPARED}"));
+            Some(Fix::likely(title, [edit]))
+        }
+        (
+            _,
+            Some(
+                Message::Parsing(Parsing::NoParentheses)
+                | Message::Instead(
+                    Instead::NoParentheses
+                    | Instead::WithoutParentheses { .. }
+                    | Instead::OpenBlock { .. },
+                )
+                | Message::Habit(Habit::Glued { .. } | Habit::NoBrackets),
+            ),
+        ) => parentheses(site),
+        _ => None,
+    }
+}
+
+/// `! INPOS_ALL`
+fn not_apart(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let gap = Span::new(site.span().end, tokens.get(at + 1)?.span.start);
+    Some(Fix::certain(Fixing::RemoveBlanks, [Edit::remove(gap)]))
+}
+
+/// What a number is compared with to be a condition.
+const COMPARED: &str = "<> 0";
+
+pub(super) fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
+    let title = Fixing::Replace {
+        old: site.slice(place).into(),
+        new: new.into(),
+    };
+    Fix::certain(title, [Edit::replace(place, new)])
+}
+
+/// What other languages write for a relation, and what is written here.
+const RELATIONS: &[(&str, &str)] = &[
+    ("===", "=="),
+    ("!==", "<>"),
+    ("!=", "<>"),
+    ("><", "<>"),
+    ("=>", ">="),
+    ("=<", "<="),
+    ("=!", "<>"),
+    ("=", "=="),
+];
+
+/// `!=`, `=>`, `=`: all signs that stand there together.
+fn relation(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let is_sign = |token: &&Token| !matches!(token.kind, Kind::Word | Kind::Arithmetic(_));
+    let start = site.span().start;
+    let at = tokens.iter().position(|token| token.span.start == start)?;
+    let before = tokens[..at].iter().rev().take_while(is_sign).last();
+    let last = tokens[at..].iter().take_while(is_sign).last()?;
+    let place = before.unwrap_or(&tokens[at]).span.to(last.span);
+    let text = site.slice(place);
+    let (_, new) = RELATIONS.iter().find(|(old, _)| *old == text)?;
+    Some(certain(site, place, new))
+}
+
+/// `A++`
+fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
+    let tokens = site.tokens();
+    let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
+    let title = Fixing::Replace {
+        old: site.slice(place).into(),
+        new: format!("{sign}= 1").into(),
+    };
+    let gap = Span::new(tokens[0].span.end, place.end);
+    Some(Fix::certain(
+        title,
+        [Edit::replace(gap, format!(" {sign}= 1"))],
+    ))
+}
+
+/// `A = - 5`; between arguments it may be a calculation.
+fn signed(site: &Site<'_>, text: &str) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let operand = tokens.get(at + 1)?;
+    let is_value = matches!(
+        tokens[at.checked_sub(1)?].kind,
+        Kind::Assign(_) | Kind::Relation(_)
+    );
+    let fix = certain(site, site.span().to(operand.span), text);
+    Some(match is_value {
+        true => fix,
+        false => Fix::likely(fix.title, fix.edits),
+    })
+}
+
+/// `A = +B`; among arguments it may be a calculation.
+fn plus(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let before = tokens.iter().take_while(|it| it.span != site.span());
+    let is_value = before.last().is_some_and(|it| it.kind != Kind::Word);
+    let title = Fixing::Remove { text: "+".into() };
+    is_value.then(|| Fix::certain(title, [Edit::remove(site.span())]))
+}
+
+/// `NOT KB_HIT`, `NOT A == 1`.
+fn not(site: &Site<'_>) -> Option<Fix> {
+    let tokens = site.tokens();
+    let at = tokens.iter().position(|token| token.span == site.span())?;
+    let next = tokens.get(at + 1)?;
+    let gap = Span::new(site.span().start, next.span.start);
+    let Some(Kind::Relation(relation)) = tokens.get(at + 2).map(|token| token.kind) else {
+        let place = site.span().to(next.span);
+        let new = format!("!{}", site.slice(next.span));
+        return Some(certain(site, place, &new));
+    };
+    let opposite = match relation {
+        Relation::Eq => "<>",
+        Relation::Ne => "==",
+        Relation::Lt => ">=",
+        Relation::Gt => "<=",
+        Relation::Le => ">",
+        Relation::Ge => "<",
+    };
+    let operator = tokens[at + 2].span;
+    let mut fix = certain(site, operator, opposite);
+    fix.edits.insert(0, Edit::remove(gap));
+    Some(fix)
+}
+
+/// The only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.
+fn parentheses(site: &Site<'_>) -> Option<Fix> {
+    let statement = site.statement()?.span;
+    let text = site.slice(statement);
+    let (opens, closes) = (text.find('(')?, text.rfind(')')?);
+    let is_one = text.matches(['(', ')']).count() == 2 && opens < closes;
+    let inside = Span::new(statement.start + opens + 1, statement.start + closes);
+    if !is_one || calculates(site, statement, inside) {
+        return None;
+    }
+    let glued = |char: Option<char>| char.is_some_and(|it| it.is_ascii_alphanumeric() || it == '_');
+    let gap = |glued: bool| if glued { " " } else { "" };
+    let before = gap(glued(text[..opens].chars().next_back()));
+    let after = gap(glued(text[closes + 1..].chars().next()));
+    let edits = [
+        Edit::replace(Span::new(inside.start - 1, inside.start), before),
+        Edit::replace(Span::new(inside.end, inside.end + 1), after),
+    ];
+    Some(Fix::certain(Fixing::RemoveParentheses, edits))
+}
+
+/// Whether parentheses hold a calculation that would be another one without them: all but the whole right side.
+fn calculates(site: &Site<'_>, statement: Span, inside: Span) -> bool {
+    let (before, tokens, after) = (
+        site.tokens_of(Span::new(statement.start, inside.start - 1)),
+        site.tokens_of(inside),
+        site.tokens_of(Span::new(inside.end + 1, statement.end)),
+    );
+    let is_operator = |token: &Token| matches!(token.kind, Kind::Arithmetic(_) | Kind::Not);
+    // A sign follows a comma, or nothing.
+    let is_sign = |at: usize| {
+        at == 0
+            || site
+                .slice(tokens[at - 1].span.to(tokens[at].span))
+                .contains(',')
+    };
+    let calculates = (0..tokens.len()).any(|at| is_operator(&tokens[at]) && !is_sign(at));
+    let is_assigned = before
+        .last()
+        .is_some_and(|last| matches!(last.kind, Kind::Assign(_)));
+    let is_whole = is_assigned && after.is_empty();
+    let is_negated = before.last().is_some_and(is_operator) && tokens.len() > 1;
+    let goes_on = !is_assigned && after.first().is_some_and(is_operator);
+    calculates && !is_whole || is_negated || goes_on
+}

@@ -1,0 +1,200 @@
+//! A finding, and what stands around it.
+
+use smol_str::SmolStr;
+use std::cell::{Cell, OnceCell};
+use std::collections::HashSet;
+use tipc::diagnostic::{Diagnostic, Edit};
+use tipc::language::Keyword;
+use tipc::language::reserved::LOOP;
+use tipc::lex::{BLANKS, Kind, Token, lex};
+use tipc::message::Message;
+use tipc::source::{Line, Source, Span};
+use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
+
+/// The most statements that are looked at for all findings of a file, each of which may need all that follow.
+const LOOKED_AT: usize = 1_000_000;
+
+/// What is looked up once for all findings of a file.
+#[derive(Debug, Default)]
+pub(super) struct Shared {
+    /// The names that something jumps to, or was going to.
+    targets: OnceCell<HashSet<SmolStr>>,
+    first: OnceCell<Option<u32>>,
+    /// How many statements were looked at for other findings than theirs.
+    looked_at: Cell<usize>,
+}
+
+/// A finding in its file.
+#[derive(Clone, Copy)]
+pub(super) struct Site<'a> {
+    pub(super) source: &'a Source,
+    pub(super) module: &'a Module,
+    shared: &'a Shared,
+    pub(super) finding: &'a Diagnostic,
+}
+
+impl<'a> Site<'a> {
+    pub(super) fn new(
+        source: &'a Source,
+        module: &'a Module,
+        shared: &'a Shared,
+        finding: &'a Diagnostic,
+    ) -> Self {
+        Site {
+            source,
+            module,
+            shared,
+            finding,
+        }
+    }
+
+    pub(super) fn reason(&self) -> &'a Message {
+        &self.finding.reason
+    }
+
+    pub(super) fn help(&self) -> Option<&'a Message> {
+        self.finding.help.as_ref()
+    }
+
+    /// The place of the finding.
+    pub(super) fn span(&self) -> Span {
+        self.finding.span
+    }
+
+    /// The text at the place of the finding.
+    pub(super) fn text(&self) -> &'a str {
+        self.slice(self.span())
+    }
+
+    pub(super) fn slice(&self, span: Span) -> &'a str {
+        self.source.slice(span)
+    }
+
+    /// The statement around the finding, by its place among all.
+    pub(super) fn index(&self) -> Option<usize> {
+        self.module.statement_at(self.span().start)
+    }
+
+    /// The statement around the finding.
+    pub(super) fn statement(&self) -> Option<&'a Statement> {
+        self.index().map(|index| &self.module.statements[index])
+    }
+
+    /// The words and operators of the statement around the finding.
+    pub(super) fn tokens(&self) -> Vec<Token> {
+        self.statement()
+            .map(|statement| self.tokens_of(statement.span))
+            .unwrap_or_default()
+    }
+
+    /// The words and operators at a place.
+    pub(super) fn tokens_of(&self, span: Span) -> Vec<Token> {
+        let mut tokens = Vec::new();
+        lex(self.source.text(), span, &mut tokens);
+        tokens
+    }
+
+    /// Whether a token is a keyword.
+    pub(super) fn is(&self, token: &Token, keyword: Keyword) -> bool {
+        token.kind == Kind::Word && self.is_word(token.span, keyword)
+    }
+
+    /// Whether there is a keyword at a place.
+    pub(super) fn is_word(&self, span: Span, keyword: Keyword) -> bool {
+        self.slice(span).eq_ignore_ascii_case(keyword.word())
+    }
+
+    /// The line of the finding.
+    pub(super) fn line(&self) -> Line {
+        let (line, _) = self.source.line_column(self.span().start);
+        self.source.line(line)
+    }
+
+    /// How the lines of the file end.
+    pub(super) fn line_end(&self) -> &'a str {
+        match self.slice(self.source.line(1).end) {
+            "" => "\n",
+            end => end,
+        }
+    }
+
+    /// The end of a line, and the blanks that the line of the finding begins with.
+    pub(super) fn next_line(&self) -> String {
+        let text = self.slice(self.line().span);
+        let indent = &text[..text.len() - text.trim_start_matches([' ', '\t']).len()];
+        format!("{}{indent}", self.line_end())
+    }
+
+    /// `word` in small letters if that is how the statement begins.
+    pub(super) fn like(&self, word: &str) -> String {
+        let start = self.statement().map_or(self.span(), |it| it.span);
+        let letters = || {
+            self.slice(start)
+                .chars()
+                .take_while(|char| !BLANKS.contains(char))
+        };
+        let small = letters().any(|char| char.is_ascii_lowercase())
+            && !letters().any(|char| char.is_ascii_uppercase());
+        match small {
+            true => word.to_ascii_lowercase(),
+            false => word.to_owned(),
+        }
+    }
+
+    /// A keyword in the place of what stands there.
+    pub(super) fn write(&self, place: Span, word: &str) -> Edit {
+        Edit::replace(place, self.like(word))
+    }
+
+    /// A keyword after what ends at `at`.
+    pub(super) fn append(&self, at: usize, word: &str) -> Edit {
+        Edit::insert(at, format!(" {}", self.like(word)))
+    }
+
+    /// Whether something jumps to a label, or was going to.
+    pub(super) fn is_target(&self, name: &str) -> bool {
+        let targets = || {
+            self.module
+                .statements
+                .iter()
+                .flat_map(|it| self.targets_of(it))
+        };
+        let targets = self.shared.targets.get_or_init(|| targets().collect());
+        targets.contains(&upper_case(name))
+    }
+
+    fn targets_of(&self, statement: &Statement) -> Vec<SmolStr> {
+        if let Some((_, jump)) = statement.kind.jump() {
+            let label = jump.label.as_ref().map(|label| label.node.clone());
+            return vec![label.unwrap_or(SmolStr::new_static(LOOP))];
+        }
+        // A jump that is broken, most often for its colon.
+        if statement.kind != StatementKind::Broken(Shape::Plain) {
+            return Vec::new();
+        }
+        let jumps = [Keyword::Goto, Keyword::Gosub, Keyword::Call];
+        let tokens = self.tokens_of(statement.span);
+        let is_jump = |token: &Token| jumps.iter().any(|jump| self.is(token, *jump));
+        let jumps = tokens.windows(2).filter(|pair| is_jump(&pair[0]));
+        jumps
+            .map(|pair| upper_case(self.slice(pair[1].span)))
+            .collect()
+    }
+
+    /// Whether so many statements may still be looked at: of many findings that need it, the first ones get their fixes.
+    pub(super) fn may_look_at(&self, statements: usize) -> bool {
+        let looked_at = self.shared.looked_at.get() + statements;
+        self.shared.looked_at.set(looked_at);
+        looked_at <= LOOKED_AT
+    }
+
+    /// The line of the first statement that declares nothing.
+    pub(super) fn first_line(&self) -> Option<u32> {
+        let declares = |it: &Statement| matches!(it.kind, StatementKind::Define { .. });
+        let first = || {
+            let mut others = self.module.statements.iter().filter(|it| !declares(it));
+            others.next().map(|it| it.line)
+        };
+        *self.shared.first.get_or_init(first)
+    }
+}

@@ -1,0 +1,109 @@
+//! Texts for people: PRINT of other languages, quotes, and line breaks.
+
+use super::site::Site;
+use crate::message::Fixing;
+use tipc::diagnostic::{Edit, Fix};
+use tipc::foreign;
+use tipc::language::Keyword;
+use tipc::lex::DELIMITERS;
+use tipc::message::{Habit, Message, Parsing, Warning};
+use tipc::source::Span;
+use tipc::syntax::StatementKind;
+
+/// What a text of C ends its line with.
+const BREAK: &str = "\\n";
+/// What begins a placeholder or an escape: other languages mean something else by them.
+const SPECIAL: &[char] = &['%', '\\', '\u{A5}', '{'];
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()) {
+        (_, Some(Message::Habit(Habit::ShowText))) => print(site),
+        (_, Some(Message::Habit(Habit::Glued { command })))
+            if *command == Keyword::Message.word() =>
+        {
+            glued(site)
+        }
+        (Message::Parsing(Parsing::LineBreak), _) => last_break(site),
+        (_, Some(Message::Warning(Warning::ShowValue { name }))) => Some(value(site, name)),
+        _ => None,
+    }
+}
+
+/// `PRINT "text"`.
+fn print(site: &Site<'_>) -> Option<Fix> {
+    let start = site.span().start;
+    let word = Span::new(start, start + foreign::name(site.text()).len());
+    let rest = Span::new(word.end, site.statement()?.span.end);
+    let [opening, closing] = quotes(site, rest)?;
+    let gap = if opening.start == word.end { " " } else { "" };
+    let edits = [
+        site.write(word, Keyword::Message.word()),
+        Edit::replace(opening, gap),
+        Edit::remove(closing),
+    ];
+    Some(Fix::certain(Fixing::Show, edits))
+}
+
+/// `MESSAGE"text"`, `MESSAGE("text")`.
+fn glued(site: &Site<'_>) -> Option<Fix> {
+    let statement = site.statement()?.span;
+    let start = statement.start + Keyword::Message.word().len();
+    let [opening, closing] = quotes(site, Span::new(start, statement.end))?;
+    let edits = [Edit::replace(opening, " "), Edit::remove(closing)];
+    Some(Fix::certain(Fixing::Show, edits))
+}
+
+/// What opens and closes the one text that stands there: quotes, perhaps in parentheses.
+fn quotes(site: &Site<'_>, place: Span) -> Option<[Span; 2]> {
+    let place = trimmed(site, place);
+    let mut inside = place;
+    if site.slice(place).starts_with('(')
+        && site.slice(place).ends_with(')')
+        && place.end > place.start + 1
+    {
+        inside = trimmed(site, Span::new(place.start + 1, place.end - 1));
+    }
+    let quoted = site.slice(inside);
+    let quote = quoted
+        .chars()
+        .next()
+        .filter(|char| ['"', '\''].contains(char))?;
+    let text = quoted.get(1..)?.strip_suffix(quote)?;
+    let shown = text.strip_suffix(BREAK).unwrap_or(text);
+    if shown.is_empty() || shown.contains(quote) || shown.contains(SPECIAL) {
+        return None;
+    }
+    let start = inside.start + 1;
+    let end = start + shown.len();
+    Some([Span::new(place.start, start), Span::new(end, place.end)])
+}
+
+/// `$N`, `{N}`, `%N` of a variable.
+fn value(site: &Site<'_>, name: &str) -> Fix {
+    let new = format!("%{name}%");
+    let title = Fixing::Replace {
+        old: site.text().into(),
+        new: new.as_str().into(),
+    };
+    Fix::certain(title, [Edit::replace(site.span(), new)])
+}
+
+/// A place without the blanks at its ends.
+fn trimmed(site: &Site<'_>, place: Span) -> Span {
+    let text = site.slice(place);
+    let kept = text.trim_end_matches(DELIMITERS);
+    let end = place.start + kept.len();
+    Span::new(end - kept.trim_start_matches(DELIMITERS).len(), end)
+}
+
+/// `\n` at the end of a text, which ends there anyway.
+fn last_break(site: &Site<'_>) -> Option<Fix> {
+    let StatementKind::Message { text } = &site.statement()?.kind else {
+        return None;
+    };
+    let is_last = site.span().end == text.span.end;
+    let title = Fixing::Remove {
+        text: site.text().into(),
+    };
+    is_last.then(|| Fix::certain(title, [Edit::remove(site.span())]))
+}

@@ -1,0 +1,235 @@
+//! Words: those of other languages, misspelled ones, and those that have another name here.
+
+use super::declarations::initial;
+use super::site::Site;
+use crate::message::Fixing;
+use tip_runtime::command::Op;
+use tipc::diagnostic::{Edit, Fix};
+use tipc::foreign::{self, Means};
+use tipc::language::{Keyword, commands};
+use tipc::lex::{Kind, Token};
+use tipc::message::{Commanding, Habit, Message, Naming, Parsing, Structuring, Suggesting};
+use tipc::source::Span;
+use tipc::syntax::VariableKind;
+
+pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
+    match (site.reason(), site.help()?) {
+        (_, Message::Habit(habit)) => foreign_word(site, habit),
+        (_, Message::Suggesting(Suggesting::DidYouMean { near }))
+        | (_, Message::Structuring(Structuring::DidYouMean { near })) => meant(site, near),
+        (_, Message::Commanding(Commanding::CalledNow { command })) => {
+            Some(certain(site, site.span(), command))
+        }
+        (Message::Commanding(Commanding::MovesFeet { other, .. }), _) => {
+            let command = site.tokens().first()?.span;
+            Some(likely(site, command, other))
+        }
+        (Message::Structuring(Structuring::PlainLabel { .. }), _) => {
+            let call = *site.tokens().first()?;
+            site.is(&call, Keyword::Call)
+                .then(|| certain(site, call.span, Keyword::Gosub.word()))
+        }
+        (Message::Parsing(Parsing::IfCannotCall), _) => {
+            Some(certain(site, site.span(), Keyword::Gosub.word()))
+        }
+        _ => None,
+    }
+}
+
+fn foreign_word(site: &Site<'_>, habit: &Habit) -> Option<Fix> {
+    let tokens = site.tokens();
+    match habit {
+        Habit::ElseIf if !stands_for_it(site) => None,
+        Habit::ElseIf => Some(branch(site, &tokens)),
+        Habit::EndIf => closer(site, Keyword::EndIf),
+        Habit::Wend => closer(site, Keyword::Wend),
+        Habit::Next => closer(site, Keyword::Next),
+        Habit::SubEnd => closer(site, Keyword::SubEnd),
+        Habit::InOneWord { word } if word == Keyword::ElseIf.word() => Some(branch(site, &tokens)),
+        Habit::InOneWord { word } => {
+            let place = match site.reason() {
+                // Of `DEF VAR N` the first word is what is unknown, of `PTP ANGLE` the second one.
+                Message::Commanding(_) => in_pieces(site, &tokens, word)?,
+                _ => site.span(),
+            };
+            Some(certain(site, place, word))
+        }
+        Habit::Return if tokens.len() == 1 => {
+            Some(certain(site, site.span(), Keyword::Return.word()))
+        }
+        Habit::Exit if tokens.len() == 1 => Some(likely(site, site.span(), Keyword::Exit.word())),
+        Habit::Subroutine => subroutine(site, &tokens),
+        Habit::Goto => goto(site, &tokens),
+        Habit::Let => assignment(&tokens),
+        Habit::Wait => wait(site, &tokens),
+        Habit::Declare => declaration(site, &tokens),
+        // `#define N 3` has no sign between.
+        Habit::Constant if tokens.iter().any(|it| it.kind != Kind::Word) => {
+            declaration(site, &tokens)
+        }
+        Habit::Number { value, .. } => Some(everywhere(site, value)),
+        _ => None,
+    }
+}
+
+/// The words of a statement that are one in `whole`.
+fn in_pieces(site: &Site<'_>, tokens: &[Token], whole: &str) -> Option<Span> {
+    let parts = 1 + whole.matches('_').count();
+    (2..=parts.min(tokens.len())).find_map(|count| {
+        let words = tokens[..count].iter().map(|token| site.slice(token.span));
+        let joined = words.collect::<Vec<_>>().join("_");
+        let place = tokens[0].span.to(tokens[count - 1].span);
+        joined.eq_ignore_ascii_case(whole).then_some(place)
+    })
+}
+
+/// `ENDWHILE`, `END WHILE`.
+fn closer(site: &Site<'_>, keyword: Keyword) -> Option<Fix> {
+    stands_for_it(site).then(|| certain(site, site.span(), keyword.word()))
+}
+
+/// Whether the place of the finding is the word itself, spelled otherwise.
+fn stands_for_it(site: &Site<'_>) -> bool {
+    matches!(
+        site.reason(),
+        Message::Commanding(Commanding::NoCommand { .. }) | Message::Habit(Habit::EndInTwo { .. })
+    )
+}
+
+/// `ELIF c`, `ELSE IF c`.
+fn branch(site: &Site<'_>, tokens: &[Token]) -> Fix {
+    let mut fix = certain(site, site.span(), Keyword::ElseIf.word());
+    fix.edits.extend(then(site, tokens));
+    fix
+}
+
+/// THEN where an ELSEIF of another language has none, or a colon.
+fn then(site: &Site<'_>, tokens: &[Token]) -> Option<Edit> {
+    let last = tokens.last()?;
+    match last.kind {
+        Kind::Colon => Some(Edit::replace(
+            last.span,
+            format!(" {}", site.like(Keyword::Then.word())),
+        )),
+        _ if site.is(last, Keyword::Then) => None,
+        _ => Some(site.append(last.span.end, Keyword::Then.word())),
+    }
+}
+
+fn certain(site: &Site<'_>, place: Span, word: &str) -> Fix {
+    let title = Fixing::Replace {
+        old: site.slice(place).into(),
+        new: site.like(word).into(),
+    };
+    Fix::certain(title, [site.write(place, word)])
+}
+
+fn likely(site: &Site<'_>, place: Span, word: &str) -> Fix {
+    let fix = certain(site, place, word);
+    Fix::likely(fix.title, fix.edits)
+}
+
+/// The name that is near to the one that stands there.
+fn meant(site: &Site<'_>, near: &str) -> Option<Fix> {
+    let is_name = matches!(
+        site.reason(),
+        Message::Naming(Naming::NotDeclared { .. })
+            | Message::Structuring(Structuring::NoSuchLabel { .. })
+    );
+    match is_name {
+        true => Some(everywhere(site, near)),
+        false => Some(likely(site, site.span(), near)),
+    }
+}
+
+/// Another word for a name that is not declared, at each place that the finding lists.
+fn everywhere(site: &Site<'_>, word: &str) -> Fix {
+    let name = site.finding.subject.as_deref().unwrap_or_default();
+    let places = [site.span()].into_iter();
+    let places = places.chain(site.finding.labels.iter().map(|label| label.span));
+    let edits = places.filter_map(|place| {
+        // A sign may precede the name, a member follow it.
+        let text = site.slice(place);
+        let start = place.start + text.len() - text.trim_start_matches(['+', '-']).len();
+        let name = Span::new(start, start + name.len());
+        let found = site.slice(name);
+        let is_name = found.eq_ignore_ascii_case(site.finding.subject.as_deref()?);
+        is_name.then(|| site.write(name, word))
+    });
+    let title = Fixing::Replace {
+        old: name.into(),
+        new: word.into(),
+    };
+    Fix::likely(title, edits.collect::<Vec<_>>())
+}
+
+/// `SUB WALK`, its colon forgotten as well.
+fn subroutine(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+    let mut fix = certain(site, site.span(), Keyword::Subroutine.word());
+    match tokens {
+        [_, name] if name.kind == Kind::Word => fix.edits.push(Edit::insert(name.span.end, ":")),
+        [_, name, colon] if name.kind == Kind::Word && colon.kind == Kind::Colon => {}
+        _ => return None,
+    }
+    Some(fix)
+}
+
+/// `JUMP L1`, `GO TO L1:`.
+fn goto(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+    let second = tokens.get(1).filter(|second| site.is(second, Keyword::To));
+    let (place, rest) = match second {
+        Some(second) => (site.span().to(second.span), &tokens[2..]),
+        None => (site.span(), &tokens[1.min(tokens.len())..]),
+    };
+    let mut fix = certain(site, place, Keyword::Goto.word());
+    match rest {
+        [label] if label.kind == Kind::Word => fix.edits.push(Edit::insert(label.span.end, ":")),
+        [_, colon] if colon.kind == Kind::Colon => {}
+        _ => return None,
+    }
+    Some(fix)
+}
+
+/// `LET A = 1`.
+fn assignment(tokens: &[Token]) -> Option<Fix> {
+    let [word, name, operator, ..] = tokens else {
+        return None;
+    };
+    let is_equation = name.kind == Kind::Word && matches!(operator.kind, Kind::Assign(_));
+    let title = Fixing::Remove { text: "LET".into() };
+    let rest = Span::new(word.span.start, name.span.start);
+    is_equation.then(|| Fix::certain(title, [Edit::remove(rest)]))
+}
+
+/// `WAIT INPOS ALL`, `WAIT 200`.
+fn wait(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+    let [word, second, rest @ ..] = tokens else {
+        return None;
+    };
+    let joined = format!("{}_{}", site.slice(word.span), site.slice(second.span));
+    if commands::find(&joined).is_some() {
+        let place = word.span.to(second.span);
+        return Some(certain(site, place, &joined));
+    }
+    let is_number = site.slice(second.span).parse::<f64>().is_ok();
+    let is_alone = is_number && rest.is_empty();
+    is_alone.then(|| likely(site, word.span, Op::Sleep.name()))
+}
+
+/// `VAR N`, `DIM N = 0`.
+fn declaration(site: &Site<'_>, tokens: &[Token]) -> Option<Fix> {
+    let Means::Declaration(kind) = foreign::statement(site.text())?.means else {
+        return None;
+    };
+    let keyword = match kind {
+        VariableKind::Var => Keyword::DefVar,
+        VariableKind::Pos => Keyword::DefPos,
+        VariableKind::Joint => Keyword::DefJoint,
+    };
+    let mut fix = certain(site, site.span(), keyword.word());
+    let are_names = tokens.iter().all(|token| token.kind == Kind::Word);
+    if !are_names {
+        fix.edits.push(initial(site, tokens)?.1);
+    }
+    Some(fix)
+}

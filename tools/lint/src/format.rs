@@ -1,0 +1,57 @@
+//! Programs in the one style of docs/style.md: blanks, capital letters, indentation, comments in columns.
+//!
+//! Lines are neither joined nor parted nor moved, and no byte of a comment, of a text, of the first two lines or of what
+//! follows END changes, whatever the encoding. **What is written back is the same program**: each call reads it again and
+//! compares the statements.
+//!
+//! ```
+//! use tip_lint::{Options, format::format};
+//!
+//! let written = "3.1\nlift a foot\nfor n=1 to 3\nptp f1 r 0,r 0,r 50//mm\nnext\ndef_var n\nend";
+//! let formatted = format("lift.prg", written.as_bytes(), &Options::default()).expect("a program");
+//! assert_eq!(
+//!     String::from_utf8(formatted).expect("UTF-8, as before"),
+//!     "3.1\nlift a foot\nFOR N = 1 TO 3\n  PTP F1 R 0 R 0 R 50  //mm\nNEXT\nDEF_VAR N\nEND\n"
+//! );
+//! ```
+
+mod layout;
+mod rows;
+mod same;
+
+use crate::message::Formatting;
+use crate::{Loaded, Options, load};
+use tipc::load::{Parsed, parsed};
+
+/// Why a file is left as it is.
+#[derive(Clone, Debug)]
+pub enum Refusal {
+    /// It does not load; what is wrong with it.
+    Findings(Box<Loaded>),
+    /// It loads, and cannot be written in the style.
+    Because(Formatting),
+}
+
+/// The bytes of a program in the style. `name` is how findings call the file.
+///
+/// # Errors
+///
+/// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
+pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
+    let before = parsed(name, bytes, options);
+    if !before.loads(options) {
+        let found = load(name, bytes, options);
+        return Err(Refusal::Findings(Box::new(found)));
+    }
+    laid_out(&before, bytes, options).map_err(Refusal::Because)
+}
+
+/// The bytes of a program in the style, if they are the same program.
+fn laid_out(before: &Parsed, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Formatting> {
+    let rows = layout::rows(&before.source, &before.module);
+    let formatted = rows.write(&before.source)?;
+    if formatted != bytes {
+        same::check(before, &formatted, options)?;
+    }
+    Ok(formatted)
+}

@@ -1,0 +1,40 @@
+//! The classical listing files (T.I.P. 3.1 §4-2, §10-4, §11).
+
+pub(crate) mod formal;
+mod object;
+
+pub use object::object;
+
+use tipc::code::Level;
+use tipc::diagnostic::Diagnostic;
+use tipc::program::Program;
+use tipc::render;
+use tipc::source::Source;
+use tipc::syntax::Module;
+
+/// FORMAL.TMP of the module that a source was parsed to: one line a step, fields separated by tabs.
+pub fn formal(source: &Source, module: &Module) -> String {
+    let mut text = Vec::new();
+    for statement in module.steps() {
+        formal::write(&mut text, source, statement, b'\t');
+        text.push(b'\n');
+    }
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// LABEL.TMP: `L` or `S` (declared by SUBROUTINE), name and step of each label.
+pub fn label(program: &Program) -> String {
+    let line = |label: &tipc::program::Label| {
+        let kind = if label.subroutine { 'S' } else { 'L' };
+        format!("{kind}\t{}:\t{}\n", label.name, label.step)
+    };
+    program.labels().iter().map(line).collect()
+}
+
+/// WARNING.LOG: the warnings among the findings about a source, one a line.
+pub fn warnings(source: &Source, findings: &[Diagnostic]) -> String {
+    let warnings = findings.iter().filter(|it| it.level() == Level::Warning);
+    warnings
+        .map(|warning| render::classical(source, warning) + "\n")
+        .collect()
+}

@@ -1,0 +1,293 @@
+//! TIP.OBJ: what the original keeps of each step in memory, as text (T.I.P. 3.1 §11, layouts in §5 to §7).
+
+mod record;
+mod slot;
+
+use super::formal;
+use record::Record;
+use slot::{Slot, Variables, port_name, target_name};
+use tip_runtime::command::{Port, Target};
+use tipc::language::Keyword;
+use tipc::language::commands::find;
+use tipc::language::functions::Operation;
+use tipc::program::{
+    Action, Argument, Arithmetic, Condition, Operand, Program, Relation, ScalarExpression, StepId,
+    StructExpression,
+};
+use tipc::source::Source;
+use tipc::syntax::Module;
+
+/// TIP.OBJ of a program, and the source and module that it was lowered from: for each step its command, its target, and the types and values of its arguments.
+///
+/// There are five arguments, or as many as a leg has joints if that is more.
+pub fn object(source: &Source, module: &Module, program: &Program) -> String {
+    let count = usize::from(program.signature().joints).max(5);
+    let mut listing = Listing {
+        variables: Variables::new(program),
+        texts: 0,
+    };
+    let steps = module.steps().zip(program.steps()).enumerate();
+    let mut line = Vec::new();
+    steps
+        .map(|(number, (statement, step))| {
+            line.clear();
+            formal::write(&mut line, source, statement, b'\t');
+            let formal = String::from_utf8_lossy(&line);
+            listing.record(&formal, &step.action).text(number, count)
+        })
+        .collect()
+}
+
+/// What the records so far mean for the next ones.
+struct Listing<'a> {
+    variables: Variables<'a>,
+    /// How many MESSAGE texts there were.
+    texts: u32,
+}
+
+impl Listing<'_> {
+    /// The record of a step, whose line of FORMAL.TMP says how it was written.
+    fn record(&mut self, formal: &str, action: &Action) -> Record {
+        let mut fields = formal.split('\t');
+        let word = fields.next().unwrap_or_default();
+        let name = find(word).map_or(word, |command| command.name);
+        let last = fields.next_back();
+        match action {
+            Action::Nothing if word.ends_with(':') => Record::new("LABEL_CMD"),
+            Action::Message { .. } if word == Keyword::Message.word() => self.message(),
+            Action::KeyIn { into } => {
+                // Without argument it names none, although VAR_KEY receives the key.
+                let into = last.map(|_| self.variables.scalar(*into, false));
+                Record::new(name).with(into.unwrap_or(Slot::NONE))
+            }
+            Action::AdIn { port, into } => {
+                self.ad_in(name, *port, self.variables.scalar(*into, false))
+            }
+            Action::TeachStruct { target, into, .. } => Record::new(name)
+                .to(target_name(*target))
+                .with(self.variables.whole(*into)),
+            Action::TeachScalar { target, into, .. } => Record::new(name)
+                .to(target_name(*target))
+                .with(self.variables.scalar(*into, false)),
+            Action::Command {
+                hs,
+                target,
+                arguments,
+                ..
+            } => {
+                let fast = if *hs { "_HS" } else { "" };
+                let record = Record::new(format!("{name}{fast}")).to(target_name(*target));
+                let slots = self.arguments(arguments, last.unwrap_or_default());
+                slots.into_iter().fold(record, Record::with)
+            }
+            Action::SetScalar {
+                target,
+                update,
+                value,
+            } => {
+                let left = self.variables.scalar(*target, false);
+                equation(self.scalar_value(value), *update, left)
+            }
+            Action::SetStruct {
+                target,
+                update,
+                value,
+            } => {
+                let left = self.variables.whole(*target);
+                equation(self.struct_value(value), *update, left)
+            }
+            Action::If {
+                condition,
+                otherwise,
+            } => self.conditional("IF_THEN", condition, *otherwise),
+            // The fourth argument is the cell that the block before writes.
+            Action::ElseIf {
+                condition,
+                otherwise,
+            } => self
+                .conditional(Keyword::ElseIf.word(), condition, *otherwise)
+                .with(Slot::constant(0.0)),
+            Action::While { condition, exit } => {
+                self.conditional(Keyword::While.word(), condition, *exit)
+            }
+            Action::Until { condition, back } => {
+                self.conditional(Keyword::Until.word(), condition, *back)
+            }
+            Action::IfGoto { condition, to } => self.conditional("IF_GOTO", condition, *to),
+            Action::IfGosub { condition, to } => self.conditional("IF_GOSUB", condition, *to),
+            Action::Else { end } => Record::new(Keyword::Else.word())
+                .with(label(*end))
+                .with(Slot::constant(0.0)),
+            Action::Goto { to } | Action::Gosub { to } => Record::new(name).with(label(*to)),
+            Action::For {
+                variable,
+                from,
+                to,
+                step,
+                exit,
+            } => Record::new(Keyword::For.word())
+                .with(self.variables.scalar(*variable, false))
+                .with(self.variables.operand(*from))
+                .with(self.variables.operand(*to))
+                .with(label(*exit))
+                .with(self.variables.operand(*step)),
+            Action::Next { variable, body, .. } => Record::new(Keyword::Next.word())
+                .with(self.variables.scalar(*variable, false))
+                .with(label(body.saturating_sub(1))),
+            Action::Nothing | Action::Return | Action::Finish(_) | Action::Message { .. } => {
+                Record::new(name)
+            }
+        }
+    }
+
+    /// The text's place among all texts.
+    fn message(&mut self) -> Record {
+        let text = Slot::new("STRING", f64::from(self.texts));
+        self.texts += 1;
+        Record::new(Keyword::Message.word()).with(text)
+    }
+
+    fn ad_in(&self, name: &str, port: Port, into: Slot) -> Record {
+        let record = Record::new(name);
+        match port {
+            Port::Channel(channel) => record
+                .with(Slot::constant(0.0))
+                .with(Slot::constant(f64::from(channel)))
+                .with(into),
+            _ => record
+                .to(port_name(port))
+                .with(Slot::NONE)
+                .with(Slot::NONE)
+                .with(into),
+        }
+    }
+
+    /// A struct is one argument if it was written as one: as `last`.
+    fn arguments(&self, arguments: &[Argument], last: &str) -> Vec<Slot> {
+        if let Some(whole) = self.variables.written_whole(arguments, last) {
+            return vec![whole];
+        }
+        let slot = |argument: &Argument| {
+            let operand = self.variables.operand(argument.operand);
+            operand.marked(argument.mark)
+        };
+        arguments.iter().map(slot).collect()
+    }
+
+    fn scalar_value(&self, value: &ScalarExpression) -> (String, Vec<Slot>) {
+        let slot = |operand: &Operand| self.variables.operand(*operand);
+        match value {
+            ScalarExpression::Operand(operand) => ("EQUAL".to_owned(), vec![slot(operand)]),
+            ScalarExpression::Binary {
+                left,
+                operation,
+                right,
+            } => (
+                binary_name(*operation).to_owned(),
+                vec![slot(left), slot(right)],
+            ),
+            ScalarExpression::Function { function, operand } => {
+                (equal(Operation::Scalar(*function)), vec![slot(operand)])
+            }
+            ScalarExpression::Atan2 { y, x } => (equal(Operation::Atan2), vec![slot(y), slot(x)]),
+            ScalarExpression::Norm(variable) => (
+                equal(Operation::Norm),
+                vec![self.variables.whole(*variable)],
+            ),
+        }
+    }
+
+    fn struct_value(&self, value: &StructExpression) -> (String, Vec<Slot>) {
+        let whole = |variable: &usize| self.variables.whole(*variable);
+        match value {
+            StructExpression::Copy(variable) => ("EQUAL".to_owned(), vec![whole(variable)]),
+            StructExpression::Binary {
+                left,
+                operation,
+                right,
+            } => (
+                binary_name(*operation).to_owned(),
+                vec![whole(left), whole(right)],
+            ),
+            StructExpression::UnitVect(variable) => {
+                (equal(Operation::UnitVect), vec![whole(variable)])
+            }
+            StructExpression::Rotate {
+                axis,
+                operand,
+                angle,
+            } => {
+                let name = equal(Operation::Rotate(*axis));
+                (name, vec![whole(operand), self.variables.operand(*angle)])
+            }
+        }
+    }
+
+    fn conditional(&self, name: &str, condition: &Condition, to: StepId) -> Record {
+        let (kind, left, right) = match condition {
+            Condition::Compare {
+                left,
+                relation,
+                right,
+            } => (
+                relation_name(*relation),
+                self.variables.operand(*left),
+                self.variables.operand(*right),
+            ),
+            Condition::Flag { flag, negated } => {
+                let sign = if *negated { -1.0 } else { 1.0 };
+                ("EVENT", Slot::new(flag.to_string(), sign), Slot::NONE)
+            }
+        };
+        Record::new(format!("{name}_{kind}"))
+            .with(left)
+            .with(right)
+            .with(label(to))
+    }
+}
+
+fn equation((name, right): (String, Vec<Slot>), update: Option<Arithmetic>, left: Slot) -> Record {
+    let record = Record::new(name).to(left_name(update)).with(left);
+    right.into_iter().fold(record, Record::with)
+}
+
+fn label(step: StepId) -> Slot {
+    Slot::new("LABEL", f64::from(step))
+}
+
+/// How the right side meets the left one.
+fn left_name(update: Option<Arithmetic>) -> String {
+    let name = match update {
+        None => return target_name(Target::None),
+        Some(Arithmetic::Add) => "CAL_LEFT_ADD",
+        Some(Arithmetic::Sub) => "CAL_LEFT_SUB",
+        Some(Arithmetic::Mul) => "CAL_LEFT_MULT",
+        Some(Arithmetic::Div) => "CAL_LEFT_DIV",
+    };
+    name.to_owned()
+}
+
+const fn binary_name(operation: Arithmetic) -> &'static str {
+    match operation {
+        Arithmetic::Add => "EQUAL_ADD",
+        Arithmetic::Sub => "EQUAL_SUB",
+        Arithmetic::Mul => "EQUAL_MULT",
+        Arithmetic::Div => "EQUAL_DIV",
+    }
+}
+
+/// An equation with a function.
+fn equal(function: Operation) -> String {
+    format!("EQUAL_{}", function.word())
+}
+
+const fn relation_name(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Eq => "EQ",
+        Relation::Ne => "NE",
+        Relation::Gt => "GT",
+        Relation::Lt => "LT",
+        Relation::Ge => "GE",
+        Relation::Le => "LE",
+    }
+}

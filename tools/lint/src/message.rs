@@ -1,0 +1,53 @@
+//! The messages of this crate, and the parts of them that vary.
+//!
+//! ```
+//! use tip_lint::message::Changes;
+//!
+//! assert_eq!(Changes::from(2).to_string(), "2 changes");
+//! ```
+
+mod fixing;
+mod formatting;
+mod migrating;
+
+pub use fixing::Fixing;
+pub use formatting::Formatting;
+pub use migrating::Migrating;
+
+use tipc::message::list::List;
+
+tipc::count_table! {
+    /// So many changes of a program.
+    Changes: "1 change", "変更1か所"; "{count} changes", "変更{count}か所";
+}
+
+tipc::count_table! {
+    /// So many questions about a program.
+    Questions: "1 question", "質問1件"; "{count} questions", "質問{count}件";
+}
+
+tipc::count_table! {
+    /// So many findings.
+    Findings: "1 finding", "1件"; "{count} findings", "{count}件";
+}
+
+tipc::count_table! {
+    /// So many findings beyond those that are reported.
+    More: "... and 1 more finding", "……ほかに1件あります"; "... and {count} more findings", "……ほかに{count}件あります";
+}
+
+tipc::message_table! {
+    /// The robots that a migrated program loads for.
+    Loads;
+
+    ForNone "loads for no robot yet; `tipc check` on the new program says why", "まだどのロボットでも読み込めません。新しいプログラムを`tipc check`にかけると理由が分かります";
+    For { robots: List } "loads for {robots}", "{robots}で読み込めます";
+}
+
+tipc::message_table! {
+    /// Why a declaration is put in.
+    Declared;
+
+    OneType ": variables are declared since 3.0, AGL and TRQ as one type", "(3.0から変数は宣言が必要です。AGLとTRQは一つの型になりました)";
+    Plainly ": variables are declared since 3.0", "(3.0から変数は宣言が必要です)";
+}

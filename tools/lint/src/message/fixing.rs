@@ -1,0 +1,75 @@
+//! What a fix does.
+
+use super::Findings;
+use smol_str::SmolStr;
+
+tipc::message_table! {
+    /// The titles of fixes, and what is said of them.
+    Fixing;
+
+    Replace { old: SmolStr, new: SmolStr }
+        "replace `{old}` with `{new}`",
+        "`{old}` を `{new}` に直す";
+    Insert { text: SmolStr }
+        "insert `{text}`",
+        "`{text}` を入れる";
+    Remove { text: SmolStr }
+        "remove `{text}`",
+        "`{text}` を取る";
+    RemoveInvisible
+        "delete the invisible character",
+        "見えない文字を消す";
+    RemoveBlanks
+        "remove the blanks",
+        "空白を取る";
+    Apart
+        "put a blank after each flag",
+        "フラグの後に空白を入れる";
+    RemoveParentheses
+        "leave the parentheses out",
+        "括弧を取る";
+    RemoveDeclaration { name: SmolStr }
+        "remove the declaration of `{name}`",
+        "`{name}` の宣言を消す";
+    HalfWidth
+        "write it in half-width characters",
+        "半角文字で書く";
+    Comment
+        "make it a comment with `//`",
+        "`//` のコメントにする";
+    TitleLine
+        "put an empty title line before it",
+        "その前に空の題名の行を入れる";
+    OwnLine { name: SmolStr }
+        "assign `{name}` on a line of its own",
+        "`{name}` への代入を別の行に書く";
+    OwnLines
+        "put each statement on a line of its own",
+        "文を1行に1つずつ書く";
+    Block
+        "make a block of it, with its statement on a line of its own",
+        "文を別の行に書いて、ブロックにする";
+    Words
+        "write the words of the block in place of the braces",
+        "波括弧の代わりにブロックの語を書く";
+    TwoIfs
+        "make two IFs of it",
+        "2つのIFに分ける";
+    Show
+        "show the text with MESSAGE, without quotes",
+        "引用符を取り、MESSAGEで表示する";
+
+    // What `check` says of them.
+    Fixed { findings: Findings }
+        "fixed {findings}",
+        "{findings}を直しました";
+    CanFix { findings: Findings }
+        "`tipc check --fix` fixes {findings}",
+        "`tipc check --fix` で{findings}を直せます";
+    CanFixMore { findings: Findings, all: usize }
+        "`tipc check --fix` fixes {findings}, with `--unsafe-fixes` {all}: look at what it writes",
+        "`tipc check --fix` で{findings}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
+    CanFixLikely { findings: Findings }
+        "`tipc check --fix --unsafe-fixes` fixes {findings}: look at what it writes",
+        "`tipc check --fix --unsafe-fixes` で{findings}を直せます。結果を確かめてください";
+}

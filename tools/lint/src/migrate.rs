@@ -1,0 +1,234 @@
+//! Programs of older versions of the language to version 3.1 (T.I.P. 3.1 §1-1).
+//!
+//! The original bytes are kept and only spliced: comments, layout, encoding and the order of the steps stay as they
+//! are. Every change is noted with its line. What cannot be decided from the text is a question, and then there is
+//! no result.
+
+mod commands;
+mod declarations;
+mod edits;
+mod header;
+mod labels;
+mod lines;
+mod message;
+mod near;
+mod placeholders;
+mod report;
+mod variables;
+mod verify;
+
+pub use report::{render_human, render_json, render_short};
+
+use crate::message::Migrating;
+use crate::{Loaded, Options, load};
+use edits::Edits;
+use header::Header;
+use lines::{Piece, Statement};
+use near::Moves;
+use tipc::Robot;
+use tipc::source::{Encoding, Source, Span};
+
+/// Whether something was changed or has to be asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum NoteKind {
+    /// A change that was made.
+    Change,
+    /// Something that the text does not decide.
+    Question,
+}
+
+impl NoteKind {
+    /// Its name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            NoteKind::Change => "change",
+            NoteKind::Question => "question",
+        }
+    }
+}
+
+/// One line of the report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// A change or a question.
+    pub kind: NoteKind,
+    /// The line of the old program, from 1.
+    pub line: u32,
+    /// The column on that line in characters, from 1.
+    pub column: u32,
+    /// What was changed and why, or what is asked.
+    pub text: Migrating,
+}
+
+/// The result for an older program.
+#[derive(Clone, Debug)]
+pub struct Migration {
+    source: Source,
+    encoding: Encoding,
+    notes: Vec<Note>,
+    bytes: Option<Vec<u8>>,
+}
+
+impl Migration {
+    /// The old program's text.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The new program in the encoding of the old one; `None` if a question is open.
+    pub fn bytes(&self) -> Option<&[u8]> {
+        self.bytes.as_deref()
+    }
+
+    /// The report, in order of lines.
+    pub fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
+    /// What was changed.
+    pub fn changes(&self) -> impl Iterator<Item = &Note> {
+        self.of_kind(NoteKind::Change)
+    }
+
+    /// What has to be decided first.
+    pub fn questions(&self) -> impl Iterator<Item = &Note> {
+        self.of_kind(NoteKind::Question)
+    }
+
+    fn of_kind(&self, kind: NoteKind) -> impl Iterator<Item = &Note> {
+        self.notes.iter().filter(move |note| note.kind == kind)
+    }
+
+    /// The robots that the new program loads for.
+    pub fn robots(&self) -> Vec<Robot> {
+        let Some(bytes) = &self.bytes else {
+            return Vec::new();
+        };
+        let loads = |robot: &Robot| {
+            let options = Options {
+                robot: *robot,
+                encoding: self.encoding,
+                ..Options::default()
+            };
+            load(self.source.name(), bytes, &options).program.is_some()
+        };
+        Robot::ALL.iter().copied().filter(loads).collect()
+    }
+}
+
+/// Turns a program of an older version into one of version 3.1. `name` is how the report calls the file.
+///
+/// # Errors
+///
+/// The findings about bytes that are not text, as [`load`] reports them.
+pub fn migrate(name: &str, bytes: &[u8], encoding: Encoding) -> Result<Migration, Box<Loaded>> {
+    let (source, undecodable) = Source::decode(name, bytes, encoding);
+    if let Some(fault) = undecodable {
+        return Err(Box::new(Loaded::refused(source, vec![fault.into()])));
+    }
+    let mut migrator = Migrator {
+        source: &source,
+        edits: Edits::default(),
+        notes: Vec::new(),
+    };
+    let older = migrator.program();
+    let Migrator {
+        edits, mut notes, ..
+    } = migrator;
+    let result = edits.apply(&source);
+    if older {
+        notes.extend(verify::questions(&source, &result, encoding, &notes));
+    }
+    notes.sort_by_key(|note| (note.line, note.column));
+    let open = notes.iter().any(|note| note.kind == NoteKind::Question);
+    Ok(Migration {
+        source,
+        encoding,
+        notes,
+        bytes: (!open).then_some(result),
+    })
+}
+
+/// Collects edits and notes.
+struct Migrator<'a> {
+    source: &'a Source,
+    edits: Edits,
+    notes: Vec<Note>,
+}
+
+impl Migrator<'_> {
+    /// Every rule, in order; whether the program is of a known older version.
+    fn program(&mut self) -> bool {
+        let Some(Header { style, title }) = self.header() else {
+            return false;
+        };
+        let pieces = lines::read(self.source, title.first_line(), style.single());
+        let spelling = variables::Variables::collect(self.source, &pieces, style);
+        self.labels(&pieces);
+        let moves = Moves::of(self.source, &pieces);
+        for statement in pieces.iter().filter_map(Piece::statement) {
+            self.statement(statement, style, &spelling, &moves);
+        }
+        self.variables(&spelling);
+        self.declare(&spelling, title);
+        true
+    }
+
+    fn statement(
+        &mut self,
+        statement: &Statement,
+        style: header::Style,
+        variables: &variables::Variables,
+        moves: &Moves,
+    ) {
+        match statement.keyword.as_str() {
+            "MESSAGE" if style.typed() => self.message(statement, variables),
+            "MESSAGE" => {}
+            "REM" if style.typed() => self.remark(statement),
+            "REM" => {}
+            "DEF_VAR" | "DEF_POS" | "DEF_JOINT" => self.clashes(statement),
+            "FOR" => self.for_statement(statement),
+            "WAIT_NEAR" => self.wait_near(statement, variables, moves),
+            _ if statement.is_equation() => self.sign(statement),
+            _ => self.command(statement),
+        }
+    }
+
+    /// The text at `span`.
+    fn slice(&self, span: Span) -> &str {
+        self.source.slice(span)
+    }
+
+    /// Notes a change at `span`.
+    fn change(&mut self, span: Span, text: Migrating) {
+        self.note(NoteKind::Change, span, text);
+    }
+
+    /// Asks about `span`.
+    fn question(&mut self, span: Span, text: Migrating) {
+        self.note(NoteKind::Question, span, text);
+    }
+
+    fn note(&mut self, kind: NoteKind, span: Span, text: Migrating) {
+        let (line, column) = self.source.line_column(span.start);
+        self.notes.push(Note {
+            kind,
+            line,
+            column,
+            text,
+        });
+    }
+
+    /// Puts another word in the place of a command word, in small letters if the program writes it so.
+    fn rename(&mut self, keyword: Span, name: &str) {
+        let small = !self
+            .slice(keyword)
+            .contains(|c: char| c.is_ascii_uppercase());
+        let name = if small {
+            name.to_ascii_lowercase()
+        } else {
+            name.to_owned()
+        };
+        self.edits.replace(keyword, name);
+    }
+}

@@ -1,0 +1,305 @@
+//! Applies fixes to a file until none is left that does what it says.
+//!
+//! A fix counts only if the changed text, read again, no longer has the finding and has no new one. All other bytes of the file stay
+//! as they are.
+//!
+//! ```
+//! use tipc::diagnostic::Applicability;
+//! use tip_lint::repair::repair;
+//! use tip_lint::{Options, load};
+//!
+//! let bytes = b"3.1\r\nwait\r\nIF KB_HIT\r\nREM\r\nEND IF\r\nEND\r\n";
+//! let options = Options::default();
+//! let repaired = repair(load("wait.prg", bytes, &options), &options, Applicability::Certain);
+//! assert_eq!(repaired.applied.len(), 2);
+//! assert!(repaired.loaded.program.is_some());
+//! let bytes = repaired.loaded.source.bytes();
+//! assert_eq!(bytes, b"3.1\r\nwait\r\nIF KB_HIT THEN\r\nREM\r\nENDIF\r\nEND\r\n");
+//! ```
+
+mod judge;
+mod report;
+mod taken;
+
+pub use report::{render_json, render_short};
+
+use crate::{Loaded, Options, load};
+use std::cell::Cell;
+use std::collections::HashSet;
+use taken::Taken;
+use tipc::diagnostic::{Applicability, Diagnostic, Edit, Fix};
+use tipc::source::Span;
+
+/// The most times that a file is read again.
+const READINGS: usize = 200;
+
+/// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
+const READ: usize = 1 << 18;
+
+/// How many times a file is read again, whatever its length, if its fixes are asked for.
+const FEW: usize = 8;
+
+/// The most mistakes of one line that are put right one after the other.
+const HIDDEN: usize = 4;
+
+/// A finding that was put right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Applied {
+    /// Its line from 1, in the text that it was found in: fixes before it may have moved it.
+    pub line: u32,
+    /// Its column in characters from 1.
+    pub column: u32,
+    /// What was found.
+    pub finding: Diagnostic,
+    /// What put it right.
+    pub fix: Fix,
+}
+
+/// A file after its fixes.
+#[derive(Clone, Debug)]
+pub struct Repaired {
+    /// What was put right, in order.
+    pub applied: Vec<Applied>,
+    /// The file as it is then, and what is left to say of it.
+    pub loaded: Loaded,
+}
+
+/// Applies the fixes that are at least as sure as `least` to what was loaded with `options`, and those of what then is found.
+pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
+    apply(loaded, options, least, FEW)
+}
+
+/// The same, as far as it takes little time, to say what [`repair`] would do at least.
+pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
+    apply(loaded, options, least, 1)
+}
+
+/// Applies fixes; the file may be read again this `often`, and a short one more often.
+fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) -> Repaired {
+    let length = loaded.source.text().len();
+    let mut repair = Repair {
+        options,
+        least,
+        follows: true,
+        readings: READINGS,
+        bytes: Cell::new(READ.max(often * length)),
+        applied: Vec::new(),
+        loaded,
+    };
+    while repair.round() {}
+    Repaired {
+        applied: repair.applied,
+        loaded: repair.loaded,
+    }
+}
+
+/// Keeps the fixes of what was loaded with `options` that do what they say: those that, applied alone or with others, put
+/// their finding right without a new one.
+pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
+    let mut repair = Repair {
+        options,
+        least: Applicability::Likely,
+        follows: false,
+        readings: READINGS,
+        bytes: Cell::new(READ.max(loaded.source.text().len())),
+        applied: Vec::new(),
+        loaded,
+    };
+    let mut confirmed = HashSet::new();
+    let mut tried = HashSet::new();
+    loop {
+        let candidates = repair.candidates(&tried);
+        if candidates.is_empty() {
+            break;
+        }
+        let mut accepted = None;
+        repair.accept(&candidates, &mut accepted);
+        tried.extend(candidates);
+        confirmed.extend(accepted.into_iter().flat_map(|it: Accepted| it.findings));
+    }
+    for (index, finding) in repair.loaded.diagnostics.iter_mut().enumerate() {
+        if !confirmed.contains(&index) {
+            finding.fixes.clear();
+        }
+    }
+    repair.loaded
+}
+
+struct Repair<'a> {
+    options: &'a Options,
+    least: Applicability,
+    /// Whether what another mistake hid on its line may be put right along with it.
+    follows: bool,
+    readings: usize,
+    /// How many bytes may still be read again.
+    bytes: Cell<usize>,
+    applied: Vec<Applied>,
+    loaded: Loaded,
+}
+
+/// The findings that are put right together, and what comes of the file.
+struct Accepted {
+    findings: Vec<usize>,
+    /// What they hid, which is put right as well.
+    hidden: Vec<Applied>,
+    loaded: Loaded,
+}
+
+impl Repair<'_> {
+    /// Applies what can be applied at once; whether there was anything.
+    fn round(&mut self) -> bool {
+        let candidates = self.candidates(&HashSet::new());
+        let mut accepted = None;
+        self.accept(&candidates, &mut accepted);
+        let Some(accepted) = accepted else {
+            return false;
+        };
+        let applied = self.applied(&self.loaded, &accepted.findings);
+        self.applied.extend(applied);
+        self.applied.extend(accepted.hidden);
+        self.loaded = accepted.loaded;
+        true
+    }
+
+    /// What is put right by the fixes of these findings.
+    fn applied(&self, before: &Loaded, findings: &[usize]) -> Vec<Applied> {
+        let applied = findings.iter().filter_map(|index| {
+            let finding = &before.diagnostics[*index];
+            let (line, column) = before.source.line_column(finding.span.start);
+            Some(Applied {
+                line,
+                column,
+                finding: finding.clone(),
+                fix: self.fix(finding)?.clone(),
+            })
+        });
+        applied.collect()
+    }
+
+    /// The fix of a finding, if it is sure enough.
+    fn fix<'d>(&self, finding: &'d Diagnostic) -> Option<&'d Fix> {
+        let mut fixes = finding.fixes.iter();
+        fixes.find(|fix| fix.applicability <= self.least)
+    }
+
+    /// The findings, but for some, whose fixes do not touch each other.
+    fn candidates(&self, tried: &HashSet<usize>) -> Vec<usize> {
+        let mut taken = Taken::default();
+        let found = self.loaded.diagnostics.iter().enumerate();
+        let free = found.filter(|(index, finding)| {
+            let fix = self.fix(finding).filter(|_| !tried.contains(index));
+            fix.is_some_and(|fix| taken.take(&fix.edits))
+        });
+        free.map(|(index, _)| index).collect()
+    }
+
+    /// Adds these findings to those that are put right; of several that do not go together, what does.
+    fn accept(&mut self, findings: &[usize], accepted: &mut Option<Accepted>) {
+        if findings.is_empty() || self.readings == 0 {
+            return;
+        }
+        self.readings -= 1;
+        let mut together = accepted
+            .as_ref()
+            .map_or(Vec::new(), |it| it.findings.clone());
+        together.extend(findings);
+        let lines = match self.attempt(together) {
+            Ok(better) => {
+                *accepted = Some(better);
+                return;
+            }
+            Err(lines) => lines,
+        };
+        // What stands where something new was found comes last.
+        let is_at = |index: &usize| {
+            let fix = self.fix(&self.loaded.diagnostics[*index]);
+            let mut edits = fix.into_iter().flat_map(|fix| &fix.edits);
+            edits.any(|edit| lines.contains(&self.loaded.source.line_column(edit.span.start).0))
+        };
+        let (mut second, mut first): (Vec<usize>, Vec<usize>) =
+            findings.iter().copied().partition(is_at);
+        if first.is_empty() || second.is_empty() {
+            let (one, other) = findings.split_at(findings.len() / 2);
+            (first, second) = (one.to_vec(), other.to_vec());
+        }
+        if !first.is_empty() {
+            self.accept(&first, accepted);
+            self.accept(&second, accepted);
+        }
+    }
+
+    /// The file with the fixes of these findings, if it is better; else the changed lines on which something new is found.
+    /// What the findings hid on their lines is put right, too.
+    fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
+        let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
+        let mut hidden = Vec::new();
+        for _ in 0..HIDDEN {
+            if new.is_empty() {
+                return Ok(Accepted {
+                    findings,
+                    hidden,
+                    loaded,
+                });
+            }
+            let can_follow = |index: &usize| self.fix(&loaded.diagnostics[*index]).is_some();
+            if !self.follows || !new.iter().all(can_follow) {
+                // No line was put in or taken out.
+                let follows = |index: &&usize| self.follows && can_follow(index);
+                let rest = new.iter().filter(|index| !follows(index));
+                let starts = rest.map(|index| loaded.diagnostics[*index].span.start);
+                return Err(starts
+                    .map(|start| loaded.source.line_column(start).0)
+                    .collect());
+            }
+            hidden.extend(self.applied(&loaded, &new));
+            (loaded, new) = self.changed(&loaded, &new)?;
+        }
+        Err(HashSet::new())
+    }
+
+    /// A file with the fixes of some findings, and the findings that are new then, if all of them were hidden; else the
+    /// changed lines on which the others are.
+    fn changed(
+        &self,
+        before: &Loaded,
+        findings: &[usize],
+    ) -> Result<(Loaded, Vec<usize>), HashSet<u32>> {
+        let found = findings.iter().map(|index| &before.diagnostics[*index]);
+        let fixes: Vec<&Fix> = found.filter_map(|finding| self.fix(finding)).collect();
+        let mut taken = Taken::default();
+        if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
+            return Err(HashSet::new());
+        }
+        let mut edits: Vec<&Edit> = fixes.iter().flat_map(|fix| &fix.edits).collect();
+        edits.sort_by_key(|edit| edit.span);
+        let source = &before.source;
+        let changes = edits.iter().map(|edit| (edit.span, edit.text.as_str()));
+        let bytes = source.changed(changes.clone());
+        let Some(left) = self.bytes.get().checked_sub(bytes.len()) else {
+            return Err(HashSet::new());
+        };
+        self.bytes.set(left);
+        let loaded = load(source.name(), &bytes, self.options);
+        if loaded.source.text() != spliced(source.text(), changes) {
+            return Err(HashSet::new());
+        }
+        let new = judge::news(before, &loaded, findings, &edits);
+        let is_shown = judge::not_hidden(before, &loaded, &new, &edits);
+        match is_shown.is_empty() {
+            true => Ok((loaded, new)),
+            false => Err(judge::lines(before, &loaded, &is_shown, &edits)),
+        }
+    }
+}
+
+/// A text with others in the place of some spans.
+fn spliced<'a>(text: &str, changes: impl Iterator<Item = (Span, &'a str)>) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for (span, new) in changes {
+        out += &text[at..span.start];
+        out += new;
+        at = span.end;
+    }
+    out + &text[at..]
+}

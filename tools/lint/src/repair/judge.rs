@@ -1,0 +1,186 @@
+//! Whether a changed text is better: what was to be put right is gone, and nothing else is wrong that could be seen before.
+//! A statement has one finding at most, so that a second mistake shows when the first is put right.
+
+use crate::Loaded;
+use std::collections::{HashMap, HashSet};
+use std::hash::Hash;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::{Diagnostic, Edit};
+use tipc::syntax::StatementKind;
+
+/// The findings that are new after these were to be put right. One that is still there counts as new.
+pub(super) fn news(
+    before: &Loaded,
+    after: &Loaded,
+    fixed: &[usize],
+    edits: &[&Edit],
+) -> Vec<usize> {
+    let fixed: HashSet<usize> = fixed.iter().copied().collect();
+    let ends = Ends::of(edits);
+    let mut here: HashMap<(Key, usize), usize> = HashMap::new();
+    let mut anywhere: HashMap<Key, usize> = HashMap::new();
+    for (index, finding) in before.diagnostics.iter().enumerate() {
+        if !fixed.contains(&index) {
+            let place = ends.moved(finding.span.start);
+            *here.entry((key(finding), place)).or_default() += 1;
+            *anywhere.entry(key(finding)).or_default() += 1;
+        }
+    }
+    let seen = Seen::of(before, &ends, edits);
+    let found = after.diagnostics.iter().enumerate();
+    let mut new: Vec<_> = found
+        .filter(|(_, finding)| seen.would_show(finding))
+        .collect();
+    // What stands where it stood comes first: its like elsewhere may be new.
+    new.retain(|(_, finding)| {
+        let stays = takes(&mut here, &(key(finding), finding.span.start));
+        !(stays && takes(&mut anywhere, &key(finding)))
+    });
+    new.retain(|(_, finding)| !takes(&mut anywhere, &key(finding)));
+    new.into_iter().map(|(index, _)| index).collect()
+}
+
+/// Takes one of those that are left; whether there was one.
+fn takes<K: Hash + Eq>(left: &mut HashMap<K, usize>, key: &K) -> bool {
+    match left.get_mut(key) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    }
+}
+
+/// Where edits end, in the text before and in the changed one.
+struct Ends(Vec<(usize, usize)>);
+
+impl Ends {
+    /// Of edits in their order.
+    fn of(edits: &[&Edit]) -> Ends {
+        let (mut gone, mut new) = (0, 0);
+        let ends = edits.iter().map(|edit| {
+            gone += edit.span.end - edit.span.start;
+            new += edit.text.len();
+            (edit.span.end, edit.span.end + new - gone)
+        });
+        Ends(ends.collect())
+    }
+
+    /// Where a place of the text is after the change.
+    fn moved(&self, at: usize) -> usize {
+        let passed = self.0.partition_point(|(end, _)| *end <= at);
+        let last = passed.checked_sub(1).map(|last| self.0[last]);
+        last.map_or(at, |(before, after)| after + (at - before))
+    }
+}
+
+/// Of some findings those that stand on no line that was changed: no mistake before may have hidden them.
+pub(super) fn not_hidden(
+    before: &Loaded,
+    after: &Loaded,
+    findings: &[usize],
+    edits: &[&Edit],
+) -> Vec<usize> {
+    let same_lines = before.source.line_count() == after.source.line_count();
+    let changed = edits.iter().filter(|_| same_lines);
+    let changed = changed.map(|edit| before.source.line_column(edit.span.start).0);
+    let changed: HashSet<u32> = changed.collect();
+    let line = |index: usize| {
+        let start = after.diagnostics[index].span.start;
+        after.source.line_column(start).0
+    };
+    let findings = findings.iter().copied();
+    findings
+        .filter(|index| !changed.contains(&line(*index)))
+        .collect()
+}
+
+/// The lines before the change that hold an edit, if a finding stands there after it.
+pub(super) fn lines(
+    before: &Loaded,
+    after: &Loaded,
+    findings: &[usize],
+    edits: &[&Edit],
+) -> HashSet<u32> {
+    let line = |index: &usize| {
+        let start = after.diagnostics[*index].span.start;
+        after.source.line_column(start).0
+    };
+    let found: HashSet<u32> = findings.iter().map(line).collect();
+    let ends = Ends::of(edits);
+    let is_found = |edit: &&&Edit| {
+        let end = ends.moved(edit.span.end);
+        found.contains(&after.source.line_column(end).0)
+    };
+    let edits = edits.iter().filter(is_found);
+    edits
+        .map(|edit| before.source.line_column(edit.span.start).0)
+        .collect()
+}
+
+/// What makes two findings the same, wherever they are.
+type Key = (Code, String);
+
+fn key(finding: &Diagnostic) -> Key {
+    (finding.code, finding.reason.to_string())
+}
+
+/// What was looked at before the change.
+struct Seen {
+    /// How far the text was read, as a place of the changed text.
+    read: usize,
+    /// The blocks were whole, so that the use of variables was judged.
+    usage: bool,
+    /// There was a program, so that its warnings were known.
+    program: bool,
+    /// Where the last error and the last warning was reported, as places of the changed text, if further ones were omitted.
+    last: [Option<usize>; 2],
+}
+
+impl Seen {
+    fn of(before: &Loaded, ends: &Ends, edits: &[&Edit]) -> Seen {
+        let last = before.module.statements.last();
+        let end = last.filter(|last| matches!(last.kind, StatementKind::End));
+        let read = end.map_or(before.source.text().len(), |end| end.span.end);
+        // No further than the start of a change across the end.
+        let edits = edits.iter().filter(|edit| edit.span.start < read);
+        let last = [Level::Error, Level::Warning].map(|level| {
+            let omitted = before.omitted.of_level(level, before.module.edition);
+            let of_level = |it: &&Diagnostic| it.level() == level;
+            let last = before.diagnostics.iter().rfind(of_level);
+            let last = last.map_or(0, |last| ends.moved(last.span.start));
+            (omitted > 0).then_some(last)
+        });
+        let (gone, new) = edits.fold((0, 0), |(gone, new), edit| {
+            let gone = gone + edit.span.end.min(read) - edit.span.start;
+            (gone, new + edit.text.len())
+        });
+        Seen {
+            read: if end.is_some() {
+                read + new - gone
+            } else {
+                usize::MAX
+            },
+            usage: before
+                .diagnostics
+                .iter()
+                .all(|it| it.code != Code::Structure),
+            program: before.program.is_some(),
+            last,
+        }
+    }
+
+    /// Whether a finding of the changed text would have been reported before.
+    fn would_show(&self, finding: &Diagnostic) -> bool {
+        let is_usage = matches!(
+            finding.code,
+            Code::NeverAssigned | Code::Unused | Code::NeverRead
+        );
+        let is_warning = finding.level() == Level::Warning;
+        let last = self.last[usize::from(is_warning)];
+        last.is_none_or(|last| finding.span.start < last)
+            && finding.span.start < self.read
+            && (self.usage || !is_usage)
+            && (self.program || !is_warning)
+    }
+}

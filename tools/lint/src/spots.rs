@@ -1,0 +1,250 @@
+//! What runs of a program can reach: its steps, and the edges that leave steps with several of them.
+
+use std::collections::{BTreeSet, HashMap};
+use tipc::analysis::flow::{Flow, Node, NodeId};
+use tipc::program::{Action, Program, StepId};
+
+/// A step, or an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spot {
+    /// The step, or the one that the edge leaves.
+    pub step: StepId,
+    /// Which edge it is, such as `true` or `passed`; none for a step.
+    pub way: Option<&'static str>,
+}
+
+/// Where a run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The step that runs next.
+    pub step: StepId,
+    /// It is reached from an IF or ELSEIF that was false.
+    pub not_taken: bool,
+}
+
+/// The spots that the flow of control can come to. An IF has two edges; an ELSEIF has three, since the branch above it
+/// passes it; a call has one on which it is returned from, whichever RETURN takes it. A step that always leads to the same place has none.
+#[derive(Clone, Debug)]
+pub struct Spots {
+    flow: Flow,
+    spots: Vec<Spot>,
+    /// The spots of the steps that can be reached.
+    steps: HashMap<StepId, usize>,
+    /// Where edges lead from a node, and their spots.
+    edges: HashMap<NodeId, Vec<(NodeId, usize)>>,
+    /// The spots of the returns, by the nodes that they come back to.
+    returns: HashMap<NodeId, usize>,
+}
+
+impl Spots {
+    /// Those of a program: the steps in their order, then the edges in the order of theirs.
+    pub fn of(program: &Program) -> Self {
+        let mut spots = Spots {
+            flow: Flow::of(program),
+            spots: Vec::new(),
+            steps: HashMap::new(),
+            edges: HashMap::new(),
+            returns: HashMap::new(),
+        };
+        let live = live(&spots.flow);
+        for id in &live {
+            let step = spots.flow.nodes()[*id].step;
+            if !spots.steps.contains_key(&step) {
+                let spot = spots.add(step, None);
+                spots.steps.insert(step, spot);
+            }
+        }
+        for id in live {
+            let node = spots.flow.nodes()[id].clone();
+            let action = &program.steps()[node.step as usize].action;
+            spots.add_edges(action, id, &node);
+        }
+        spots
+    }
+
+    fn add_edges(&mut self, action: &Action, id: NodeId, node: &Node) {
+        let called = node.call.map(|call| call.entry);
+        let ways: BTreeSet<NodeId> = node.next.iter().copied().chain(called).collect();
+        // Each node of an ELSEIF or ELSE may have only one edge; together they have several.
+        let has_two_nodes = action.passed_to().is_some();
+        if ways.len() > 1 || has_two_nodes {
+            let edges = ways.into_iter().map(|to| {
+                let way = self.way(action, node, to);
+                (to, self.add(node.step, Some(way)))
+            });
+            let edges = edges.collect();
+            self.edges.insert(id, edges);
+        }
+        if let Some(call) = node.call {
+            let spot = self.add(node.step, Some("returned from"));
+            self.returns.insert(call.back, spot);
+        }
+    }
+
+    fn add(&mut self, step: StepId, way: Option<&'static str>) -> usize {
+        self.spots.push(Spot { step, way });
+        self.spots.len() - 1
+    }
+
+    /// The edge from a node to another, in a word.
+    fn way(&self, action: &Action, node: &Node, to: NodeId) -> &'static str {
+        let goes_on = to == self.flow.first(node.step + 1);
+        match (action, goes_on) {
+            _ if node.is_passed => "passed",
+            (Action::Else { .. } | Action::For { .. }, true) => "entered",
+            (Action::For { .. }, false) => "skipped",
+            (Action::Next { .. }, true) => "over",
+            (Action::Next { .. }, false) => "repeated",
+            (Action::IfGoto { .. } | Action::IfGosub { .. }, goes_on) => truth(!goes_on),
+            (_, goes_on) => truth(goes_on),
+        }
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[Spot] {
+        &self.spots
+    }
+
+    /// Whether some path leads to a step.
+    pub fn can_reach(&self, step: StepId) -> bool {
+        self.steps.contains_key(&step)
+    }
+
+    /// The step that ran, by its place in [`all`](Self::all).
+    pub fn step(&self, step: StepId) -> Option<usize> {
+        self.steps.get(&step).copied()
+    }
+
+    /// The edge that a run went along, by its place in [`all`](Self::all).
+    pub fn edge(&self, from: Place, to: Place) -> Option<usize> {
+        let (from, to) = (self.node(from), self.node(to));
+        if self.flow.nodes().get(from).is_some_and(|node| node.returns) {
+            return self.returns.get(&to).copied();
+        }
+        let mut edges = self.edges.get(&from)?.iter();
+        edges.find(|(end, _)| *end == to).map(|(_, spot)| *spot)
+    }
+
+    /// The edges on from a place, by their places in [`all`](Self::all).
+    pub fn edges(&self, from: Place) -> impl Iterator<Item = usize> {
+        let edges = self.edges.get(&self.node(from)).into_iter().flatten();
+        edges.map(|(_, spot)| *spot)
+    }
+
+    fn node(&self, Place { step, not_taken }: Place) -> NodeId {
+        let first = self.flow.first(step);
+        let has_two = self
+            .flow
+            .nodes()
+            .get(first)
+            .is_some_and(|node| node.is_passed);
+        first + usize::from(has_two && not_taken)
+    }
+}
+
+const fn truth(is_true: bool) -> &'static str {
+    if is_true { "true" } else { "false" }
+}
+
+/// The nodes that some path leads to from the start.
+fn live(flow: &Flow) -> BTreeSet<NodeId> {
+    let mut live = BTreeSet::new();
+    let mut open = vec![0];
+    while let Some(id) = open.pop() {
+        let Some(node) = flow.nodes().get(id).filter(|_| live.insert(id)) else {
+            continue;
+        };
+        let called = node.call.iter().flat_map(|call| [call.entry, call.back]);
+        open.extend(node.next.iter().copied().chain(called));
+    }
+    live
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spots(statements: &str) -> Spots {
+        let source = format!("3.1\nspots\n{statements}\n");
+        let loaded = crate::load("spots.prg", source.as_bytes(), &crate::Options::default());
+        Spots::of(&loaded.program.expect("it loads"))
+    }
+
+    /// The edges, as step and name.
+    fn edges(statements: &str) -> Vec<(StepId, &'static str)> {
+        let spots = spots(statements);
+        let edges = spots.all().iter();
+        edges
+            .filter_map(|spot| Some((spot.step, spot.way?)))
+            .collect()
+    }
+
+    #[test]
+    fn each_way_on_from_a_step_with_several_is_an_edge() {
+        let branches = "IF KB_HIT THEN\nREM\nELSEIF HALT_REQUEST THEN\nELSE\nREM\nENDIF\nEND";
+        assert_eq!(
+            edges(branches),
+            [
+                (0, "true"),
+                (0, "false"),
+                (2, "passed"),
+                (2, "true"),
+                (2, "false"),
+                (3, "passed"),
+                (3, "entered"),
+            ]
+        );
+        let loops = "WHILE KB_HIT\nWEND\nREPEAT\nUNTIL KB_HIT\nL1:\nIF KB_HIT GOTO L1:\nEND";
+        let both = |step| [(step, "true"), (step, "false")];
+        let found: BTreeSet<_> = edges(loops).into_iter().collect();
+        assert_eq!(
+            found,
+            [both(0), both(3), both(5)].concat().into_iter().collect()
+        );
+        let counted = "DEF_VAR N, M\nM = 3\nFOR N = 1 TO M\nNEXT\nEND";
+        let found: BTreeSet<_> = edges(counted).into_iter().collect();
+        let ways = [(1, "entered"), (1, "skipped"), (2, "over"), (2, "repeated")];
+        assert_eq!(found, ways.into());
+    }
+
+    #[test]
+    fn what_constants_decide_is_no_edge() {
+        assert_eq!(edges("DEF_VAR N\nFOR N = 1 TO 3\nREM\nNEXT\nEND").len(), 2);
+        assert_eq!(edges("IF 1 > 2 THEN\nREM\nENDIF\nEND"), []);
+        assert_eq!(edges("IF KB_HIT GOTO L1:\nL1:\nEND"), []);
+    }
+
+    #[test]
+    fn a_call_is_returned_from_and_what_nothing_leads_to_is_no_spot() {
+        let program = "GOSUB L1:\nIF KB_HIT GOSUB L1:\nEXIT\nL1:\nRETURN\nEND";
+        let spots = spots(program);
+        let returned = |step| Spot {
+            step,
+            way: Some("returned from"),
+        };
+        assert!(spots.all().contains(&returned(0)) && spots.all().contains(&returned(1)));
+        assert!(spots.can_reach(4) && !spots.can_reach(5));
+        assert_eq!(spots.step(5), None);
+        // A RETURN after the second call returns to the EXIT.
+        let at = |step| Place {
+            step,
+            not_taken: false,
+        };
+        let edge = spots.edge(at(4), at(2)).expect("an edge");
+        assert_eq!(spots.all()[edge], returned(1));
+        assert_eq!(spots.edge(at(3), at(4)), None);
+    }
+
+    #[test]
+    fn an_else_is_told_by_how_it_is_reached() {
+        let spots = spots("IF KB_HIT THEN\nELSE\nREM\nENDIF\nEND");
+        let place = |step, not_taken| Place { step, not_taken };
+        let way = |from, to| spots.all()[spots.edge(from, to).expect("an edge")].way;
+        let start = place(0, false);
+        assert_eq!(way(start, place(1, false)), Some("true"));
+        assert_eq!(way(start, place(1, true)), Some("false"));
+        assert_eq!(way(place(1, true), place(2, false)), Some("entered"));
+        assert_eq!(way(place(1, false), place(3, false)), Some("passed"));
+        assert_eq!(spots.edges(start).count(), 2);
+    }
+}

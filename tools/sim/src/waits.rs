@@ -1,0 +1,212 @@
+//! What a program waits for while its robot rests.
+
+use crate::interp::Interpreter;
+use crate::message::Awaited;
+use crate::run::Run;
+use tip_runtime::command::{Flag, Op};
+use tip_runtime::hardware::JointCommand;
+use tipc::program::{Action, Condition, Operand, Program, Step};
+
+/// Joints that move slowly and variables are looked at so often: ms.
+const OFTEN: f64 = 1000.0;
+/// A joint that is this much from where it was has moved: deg.
+const MOVED: f64 = 0.1;
+
+/// A wait.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wait {
+    /// The lines that run meanwhile: the first and the last one of a loop, or twice the same.
+    pub lines: [u32; 2],
+    /// What ends it; none for a loop without conditions.
+    pub on: Option<Awaited>,
+    /// When it began: ms.
+    pub since: f64,
+    /// How long it has lasted: ms.
+    pub time: f64,
+}
+
+/// Watches a run for waits. A robot whose commanded angles change moves; a program that comes to a step for the first time
+/// since then, that changes variables or switches lamps, does something.
+#[derive(Clone, Debug, Default)]
+pub struct Waits {
+    /// The cycle after which each step was the next one, the last time.
+    visited: Vec<u64>,
+    /// The step that is next, and since when.
+    step: u32,
+    entered: f64,
+    /// Whether nothing came before it again.
+    is_first: bool,
+    /// Steps that were next before this cycle count as new ones.
+    effect: u64,
+    /// The cycle in which something was done last, and when that was.
+    done: u64,
+    rests_since: f64,
+    commands: Vec<JointCommand>,
+    /// When joints and variables were looked at last, and how they were.
+    looked: f64,
+    angles: Vec<f64>,
+    values: Vec<Option<u64>>,
+}
+
+impl Waits {
+    /// Looks at a run after each of its cycles.
+    pub fn after(&mut self, run: &Run) {
+        let (cycle, now, step) = (run.cycles(), run.time(), run.program().at());
+        let Some(program) = run.engine::<Interpreter>().map(Interpreter::program) else {
+            return;
+        };
+        self.visited.resize(program.steps().len(), 0);
+        let action = program.steps().get(step as usize).map(|step| &step.action);
+        if self.commands.is_empty() {
+            self.step = step;
+        }
+        if self.moves(run, now) || action.is_some_and(switches) {
+            (self.effect, self.is_first) = (cycle, true);
+            self.does(cycle, now);
+        }
+        let is_other = step != self.step;
+        let Some(visited) = self.visited.get_mut(step as usize) else {
+            return;
+        };
+        let is_new = *visited < self.effect;
+        *visited = cycle;
+        if is_other {
+            (self.step, self.entered, self.is_first) = (step, now, is_new);
+        }
+        // The time that a program lets pass once is no wait.
+        let sleeps = self.is_first && matches!(action, Some(Action::Command { op: Op::Sleep, .. }));
+        if (is_new && is_other) || sleeps {
+            self.does(cycle, now);
+        }
+    }
+
+    fn does(&mut self, cycle: u64, now: f64) {
+        (self.done, self.rests_since) = (cycle, now);
+    }
+
+    /// Whether robot or variables have changed.
+    fn moves(&mut self, run: &Run, now: f64) -> bool {
+        let is_first = self.commands.is_empty();
+        let mut moves = self.commands != run.commands();
+        if moves {
+            self.commands = run.commands().to_vec();
+        }
+        if is_first || now - self.looked >= OFTEN {
+            self.looked = now;
+            let angles = run.angles();
+            let pairs = self.angles.iter().zip(angles);
+            let differ = |(before, now): (&f64, &f64)| (before - now).abs() > MOVED;
+            if self.angles.len() != angles.len() || pairs.into_iter().any(differ) {
+                self.angles = angles.to_vec();
+                moves = true;
+            }
+            let program = run.program();
+            let values = (0..).map_while(|index| program.scalar(index));
+            let values: Vec<_> = values.map(|(_, value)| value.map(f64::to_bits)).collect();
+            moves |= values != self.values;
+            self.values = values;
+        }
+        moves
+    }
+
+    /// Returns for how long nothing has moved and nothing was done: ms.
+    pub fn rest(&self, run: &Run) -> f64 {
+        run.time() - self.rests_since
+    }
+
+    /// Returns what the run waits for now, if it does.
+    pub fn now(&self, run: &Run) -> Option<Wait> {
+        let program = run.engine::<Interpreter>()?.program();
+        let step = program.steps().get(run.program().at() as usize)?;
+        let now = run.time();
+        let of = |lines, on, since| Wait {
+            lines,
+            on,
+            since,
+            time: now - since,
+        };
+        let is_stay = now > self.entered && run.program().at() == self.step;
+        if let Some(on) = awaited(&step.action).filter(|_| is_stay) {
+            return Some(of([step.line; 2], Some(on), self.entered));
+        }
+        if self.rest(run) < OFTEN {
+            return None;
+        }
+        let visited = self.visited.iter().zip(program.steps());
+        let again = visited.filter(|(visited, _)| **visited > self.done);
+        let again: Vec<&Step> = again.map(|(_, step)| step).collect();
+        let lines = again.iter().map(|step| step.line);
+        let lines = [lines.clone().min()?, lines.max()?];
+        Some(of(lines, conditions(program, &again), self.rests_since))
+    }
+}
+
+/// What ends the wait of a step that may take any time.
+fn awaited(action: &Action) -> Option<Awaited> {
+    let flag = |flag: Flag| Awaited::Flags {
+        names: flag.to_string().into(),
+    };
+    match action {
+        Action::KeyIn { .. } => Some(Awaited::Key),
+        Action::Command { op, target, .. } => match op {
+            Op::WaitInpos => Some(flag(Flag::Inpos(*target))),
+            Op::WaitNear => Some(flag(Flag::Near(*target))),
+            Op::StandUp | Op::SitDown | Op::InitialPosture => Some(Awaited::Motion),
+            Op::DetectFloor | Op::DetectObject => Some(Awaited::Touch),
+            Op::Special => Some(Awaited::Native),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a step does what can be seen without a motion.
+fn switches(action: &Action) -> bool {
+    matches!(
+        action,
+        Action::Command {
+            op: Op::LampOn | Op::LampOff,
+            ..
+        }
+    )
+}
+
+/// What the steps of a loop ask for: flags, inputs and variables.
+fn conditions(program: &Program, steps: &[&Step]) -> Option<Awaited> {
+    let mut names: Vec<String> = Vec::new();
+    let mut add = |name: String| {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    };
+    let scalars: Vec<String> = program.scalar_names().collect();
+    let read = |step: &&Step| match step.action {
+        Action::AdIn { port, into } => Some((program.scalar_index(into), port)),
+        _ => None,
+    };
+    let inputs: Vec<_> = steps.iter().filter_map(read).collect();
+    for step in steps {
+        if let Some(awaited) = awaited(&step.action) {
+            return Some(awaited);
+        }
+        match step.action.condition() {
+            Some(Condition::Flag { flag, .. }) => add(flag.to_string()),
+            Some(Condition::Compare { left, right, .. }) => {
+                for operand in [left, right] {
+                    let Operand::Scalar { scalar, .. } = operand else {
+                        continue;
+                    };
+                    let index = program.scalar_index(*scalar);
+                    let input = inputs.iter().find(|(into, _)| *into == index);
+                    let name = input.map(|(_, port)| port.to_string());
+                    let name = name.or_else(|| scalars.get(index).cloned());
+                    name.into_iter().for_each(&mut add);
+                }
+            }
+            None => {}
+        }
+    }
+    (!names.is_empty()).then(|| Awaited::Flags {
+        names: names.join(", ").into(),
+    })
+}

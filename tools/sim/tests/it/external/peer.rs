@@ -1,0 +1,88 @@
+//! The other process: joints that are at once where they are commanded to be.
+
+use std::error::Error;
+use std::time::Duration;
+use tip_runtime::fault::Fault;
+use tip_runtime::record::Ending;
+use tip_sim::external::{Patience, Trouble};
+use tip_sim::{ExternalPlant, Limit, Robot, Run, load};
+
+pub(crate) type Outcome = Result<(), Box<dyn Error>>;
+
+/// Angles of TITAN VIII's joints.
+pub(crate) const ANGLES: &str = "angles=0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0,0.0,0.0,90.0";
+
+/// Answers `ready` with what it is given; then, in each cycle, runs what it is given, with `$n` and `$targets` as the line has
+/// them.
+pub(crate) fn script(ready: &str, each: &str) -> String {
+    format!(
+        "while read kind rest; do
+           for word in $rest; do
+             case $word in n=*) n=${{word#n=}};; targets=*) targets=${{word#targets=}};; esac
+           done
+           case $kind in
+             hello) {ready};;
+             cycle) {each};;
+             bye) exit 0;;
+           esac
+         done"
+    )
+}
+
+/// What it does with `hello`.
+pub(crate) fn ready() -> String {
+    format!("echo \"ready version=1 {ANGLES}\"")
+}
+
+/// What it does in a cycle.
+pub(crate) const ECHO: &str = "echo \"state n=$n angles=$targets\"";
+
+/// So much time as a test has.
+pub(crate) const PATIENCE: Patience = Patience {
+    first: Duration::from_secs(20),
+    later: Duration::from_secs(20),
+};
+
+/// A process of a shell.
+pub(crate) fn peer(ready: &str, each: &str) -> ExternalPlant {
+    ExternalPlant::new("sh", ["-c", &script(ready, each)]).with_patience(PATIENCE)
+}
+
+/// A process that does something else in cycle 3.
+pub(crate) fn in_cycle_3(does: &str) -> ExternalPlant {
+    let each = format!("if [ $n = 3 ]; then {does}; else {ECHO}; fi");
+    peer(&ready(), &each)
+}
+
+/// Some joints move, and the program ends.
+pub(crate) const NOD: &str = "PTP_ANGLE F1 R 10 R -5 R 7.25\nWAIT_INPOS F1\nMESSAGE there\nEND";
+
+/// Statements on TITAN VIII.
+pub(crate) fn run(statements: &str, plant: &ExternalPlant) -> Result<Run, Box<dyn Error>> {
+    run_on("titan8", statements, plant)
+}
+
+pub(crate) fn run_on(
+    robot: &str,
+    statements: &str,
+    plant: &ExternalPlant,
+) -> Result<Run, Box<dyn Error>> {
+    let robot = Robot::named(robot)?;
+    let program = load("p.prg", &format!("3.1\nt\n{statements}\n"), &robot)?;
+    Ok(Run::external(program, &robot, plant)?.with_trace(true))
+}
+
+/// Runs it until it stops: the word, the cycle, and what is wrong.
+pub(crate) fn stopped(
+    plant: &ExternalPlant,
+) -> Result<(&'static str, u64, Trouble), Box<dyn Error>> {
+    let mut run = run(NOD, plant)?;
+    let Ending::Emergency(emergency) = run.to_end(Limit::cycles(1000)) else {
+        return Err("no emergency".into());
+    };
+    let Fault::Hardware(word) = emergency.fault else {
+        return Err(emergency.to_string().into());
+    };
+    let trouble = run.trouble().cloned().ok_or("no trouble")?;
+    Ok((word, emergency.cycle, trouble))
+}

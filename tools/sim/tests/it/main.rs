@@ -1,0 +1,19 @@
+//! The tests of the simulator, in one binary.
+
+mod debug;
+mod described;
+#[cfg(unix)]
+mod external;
+mod inputs;
+mod interp;
+mod lockstep;
+mod mjcf;
+mod motion;
+mod published;
+mod reach;
+mod run;
+mod snapshot;
+mod special;
+mod urdf;
+#[cfg(unix)]
+mod verify;

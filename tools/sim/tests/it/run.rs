@@ -1,0 +1,255 @@
+//! Runs of programs on simulated robots.
+
+use std::error::Error;
+use tip_runtime::command::{Op, Target, Value};
+use tip_runtime::console::Transcript;
+use tip_runtime::fault::Fault;
+use tip_runtime::machine::Status;
+use tip_runtime::program::End;
+use tip_runtime::record::{Cycle, Ending, Sink};
+use tip_sim::{Asked, Limit, Observer, Plant, Refused, Robot, Run, load};
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+fn run_on(robot: &str, statements: &str) -> Result<Run, Box<dyn Error>> {
+    let robot = Robot::named(robot)?;
+    let program = load("p.prg", &format!("3.1\nt\n{statements}\n"), &robot)?;
+    Ok(Run::new(program, robot)?)
+}
+
+fn fault(run: &Run) -> Option<Fault> {
+    run.emergency().map(|emergency| emergency.fault)
+}
+
+#[test]
+fn a_program_runs_to_its_end_and_leaves_a_trace() -> Outcome {
+    let mut run =
+        run_on("generic", "DEF_VAR A\nA = 2\nMESSAGE a is %A%\nEXIT\nEND")?.with_trace(false);
+    assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::Exit));
+    assert_eq!(
+        run.trace(),
+        "{\"cycle\":0,\"step\":0,\"next\":1,\"set\":{\"A\":2.0}}\n\
+         {\"cycle\":1,\"step\":1,\"next\":2,\"say\":\"a is 2\"}\n\
+         {\"cycle\":2,\"step\":2}\n\
+         {\"end\":\"EXIT\",\"cycles\":3}\n"
+    );
+    // Its end is its end.
+    assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::Exit));
+    assert_eq!(run.cycles(), 3);
+    Ok(())
+}
+
+#[test]
+fn a_limit_ends_a_run_until_it_is_let_go_on() -> Outcome {
+    let mut run = run_on("titan8", "L:\nGOTO L:\nEND")?.with_trace(false);
+    assert_eq!(run.to_end(Limit::cycles(1)), Ending::Limit);
+    assert!(run.trace().ends_with("{\"end\":\"LIMIT\",\"cycles\":1}\n"));
+    assert_eq!(run.to_end(Limit::cycles(2)), Ending::Limit);
+    assert_eq!(run.trace().lines().count(), 3);
+    Ok(())
+}
+
+#[test]
+fn a_cycle_tells_what_its_step_did() -> Outcome {
+    let mut run = run_on(
+        "titan8",
+        "DEF_VAR A\nA = -1\nPTP_ANGLE F1 R 0 R 1 R 0\nLAMP_ON 3\nMESSAGE hi\nEND",
+    )?;
+    let set = run.cycle();
+    assert_eq!((set.number, set.step, set.next), (0, Some(0), Some(1)));
+    assert_eq!((set.time, set.set), (0.0, vec![("A".to_owned(), -1.0)]));
+    let asked = run.cycle();
+    let expected = Asked {
+        op: Op::PtpAngle,
+        hs: false,
+        target: Target::Foot(1),
+        values: [0.0, 1.0, 0.0].map(Value::Relative).to_vec(),
+    };
+    assert_eq!(asked.command, Some(expected));
+    // The sampling time is 20 ms.
+    assert_eq!((asked.time, asked.set), (20.0, vec![]));
+    assert_eq!(run.cycle().lamp, Some((3, true)));
+    assert!(run.lamp(3) && !run.lamp(2));
+    let said = run.cycle();
+    assert_eq!(said.say.as_deref(), Some("hi"));
+    assert_eq!(said.state, run.state_hash());
+    assert_eq!(said.pose, run.motion().map(|motion| motion.pose));
+    let last = run.cycle();
+    assert_eq!((last.next, last.status), (None, Status::Finished(End::End)));
+    let held = run.cycle();
+    assert_eq!((held.number, held.step), (5, None));
+    Ok(())
+}
+
+#[test]
+fn a_failing_cycle_has_no_step() -> Outcome {
+    let mut run = run_on("titan8", "DEF_VAR A\nA = 0\nA = 1 / A\nEND")?;
+    run.cycle();
+    let failed = run.cycle();
+    assert_eq!((failed.step, failed.status), (None, Status::Emergency));
+    assert_eq!(fault(&run), Some(Fault::Domain));
+    assert_eq!(run.cycles(), 1);
+    Ok(())
+}
+
+const LISTEN: &str =
+    "DEF_VAR V\nL:\nAD_IN VR1 V\nIF HALT_REQUEST GOTO M:\nGOTO L:\nM:\nKEY_IN\nEND";
+
+#[test]
+fn events_come_before_the_step_of_their_cycle() -> Outcome {
+    let mut run = run_on("titan8", LISTEN)?.events("1:VR1=8, 9:key f, 5:VR1=3, 9:key g, 6:halt")?;
+    let read = |run: &mut Run| run.cycle().set;
+    assert_eq!(read(&mut run), []);
+    assert_eq!(read(&mut run), [("V".to_owned(), 8.0)]);
+    run.to_end(Limit::cycles(5));
+    assert_eq!(read(&mut run), [("V".to_owned(), 3.0)]);
+    // In cycle 6 IF finds the halt request, the label M is step 4, and KEY_IN waits in cycle 8.
+    assert_eq!(run.cycle().next, Some(4));
+    assert_eq!(run.cycle().next, Some(5));
+    assert_eq!(run.cycle().next, Some(5));
+    assert_eq!(run.cycle().set, [("VAR_KEY".to_owned(), f64::from(b'F'))]);
+    assert_eq!(run.to_end(Limit::NONE), Ending::Program(End::End));
+    Ok(())
+}
+
+const DOUBLE: &str = "DEF_VAR STRIDE, TWICE\nSTRIDE = 1\nL:\nTWICE = STRIDE * 2\nGOTO L:\nEND";
+
+#[test]
+fn a_host_sets_variables_between_cycles() -> Outcome {
+    // Step 2 runs in the cycles 2, 5, 8 …
+    let mut run = run_on("titan8", DOUBLE)?
+        .events("4:set STRIDE=10")?
+        .with_trace(false);
+    run.to_end(Limit::cycles(4));
+    // The write itself is none of the step's.
+    assert_eq!(run.cycle().set, []);
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), 20.0)]);
+    let mark = run.snapshot();
+    run.set("STRIDE", -3.0)?;
+    run.to_end(Limit::cycles(8));
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), -6.0)]);
+    run.restore(&mark);
+    run.to_end(Limit::cycles(8));
+    assert_eq!(run.cycle().set, [("TWICE".to_owned(), -6.0)]);
+    assert_eq!(run.trace().matches("STRIDE").count(), 1);
+    for (name, value) in [("SPEED", 1.0), ("CHAR_A", 1.0), ("STRIDE", f64::NAN)] {
+        let refused = run.set(name, value);
+        assert!(matches!(refused, Err(Refused::Variable(..))), "{name}");
+    }
+    Ok(())
+}
+
+#[test]
+fn an_event_that_comes_too_late_comes_at_once() -> Outcome {
+    let mut run = run_on("titan8", LISTEN)?.events("50:VR1=1")?;
+    run.to_end(Limit::cycles(4));
+    run.add("0:VR1=9".parse()?)?;
+    run.to_end(Limit::cycles(5));
+    assert_eq!(run.cycle().set, [("V".to_owned(), 9.0)]);
+    Ok(())
+}
+
+#[test]
+fn failing_hardware_and_the_return_key_stop_the_robot() -> Outcome {
+    for (event, expected) in [
+        ("3:read fails", Fault::Hardware("read")),
+        ("2:write fails", Fault::Hardware("write")),
+        ("3:key 0x0D", Fault::EmergencyKey),
+    ] {
+        let mut run = run_on("titan8", LISTEN)?.events(event)?;
+        run.to_end(Limit::cycles(9));
+        assert_eq!((fault(&run), run.cycles()), (Some(expected), 3), "{event}");
+    }
+    Ok(())
+}
+
+#[test]
+fn soles_feel_a_touch() -> Outcome {
+    let text = "DEF_VAR V\nAD_IN PAW2 V\nAD_IN PAW2 V\nAD_IN PAW2 V\nEND";
+    for plant in [Plant::Echo, Plant::Simulated] {
+        let robot = Robot::named("titan8")?.with_plant(plant);
+        let program = load("p.prg", &format!("3.1\nt\n{text}\n"), &robot)?;
+        let mut run = Run::new(program, robot)?.events("1:touch on, 2:touch off")?;
+        run.cycle();
+        assert_eq!(run.cycle().set, [("V".to_owned(), 2.0)]);
+        assert_eq!(run.cycle().set, [("V".to_owned(), 0.0)]);
+    }
+    Ok(())
+}
+
+#[test]
+fn what_does_not_fit_is_refused() -> Outcome {
+    let refused = |text: &str| run_on("generic", "END").map(|run| run.events(text).err());
+    let told = |text: &str| refused(text).map(|error| error.map(|error| error.to_string()));
+    assert_eq!(
+        told("3:J99=1")?.as_deref(),
+        Some("the robot has no input J99")
+    );
+    assert!(matches!(refused("nonsense")?, Some(Refused::Text(_))));
+    let hand = Robot::named("hand")?;
+    let for_hand = load("p.prg", "3.1\nt\nEND\n", &hand)?;
+    assert!(Run::new(for_hand, Robot::named("titan8")?).is_err());
+    let error = Robot::named("arm").expect_err("no robot").to_string();
+    assert!(error.starts_with("'arm' is not a robot"), "{error}");
+    let error = load("p.prg", "3.1\nt\nPTP F9 0 0 0\nEND\n", &hand).expect_err("three fingers");
+    assert!(error.to_string().contains("p.prg:3:"), "{error}");
+    Ok(())
+}
+
+/// Counts what is reported to it, and interrupts.
+#[derive(Default)]
+struct Counter {
+    left: u64,
+    told: Vec<u64>,
+    after: u64,
+}
+
+impl Sink for Counter {
+    fn cycle(&mut self, cycle: &Cycle<'_>) {
+        self.told.push(cycle.sample.cycle);
+    }
+}
+
+impl Observer for Counter {
+    fn goes_on(&mut self) -> bool {
+        self.left -= 1;
+        self.left > 0
+    }
+
+    fn sink(&mut self) -> Option<&mut dyn Sink> {
+        Some(self)
+    }
+
+    fn after(&mut self, _run: &mut Run) {
+        self.after += 1;
+    }
+}
+
+#[test]
+fn an_observer_is_told_each_cycle_once_and_may_interrupt() -> Outcome {
+    let mut run = run_on("titan8", "L:\nGOTO L:\nEND")?.with_trace(false);
+    let mut counter = Counter {
+        left: 4,
+        ..Counter::default()
+    };
+    assert_eq!(run.observed(Limit::NONE, &mut counter), Ending::Interrupted);
+    assert_eq!((counter.told, counter.after), (vec![0, 1, 2], 3));
+    assert!(
+        run.trace()
+            .ends_with("{\"end\":\"INTERRUPTED\",\"cycles\":3}\n")
+    );
+    Ok(())
+}
+
+#[test]
+fn a_console_is_shown_what_the_program_shows() -> Outcome {
+    let mut run =
+        run_on("titan8", "MESSAGE one\nMESSAGE two\nEND")?.with_console(Transcript::default());
+    run.to_end(Limit::NONE);
+    let shown: &Transcript = run.console().expect("it was given");
+    assert_eq!(
+        (&shown.messages[..], shown.ended),
+        (&["one".to_owned(), "two".to_owned()][..], 1)
+    );
+    Ok(())
+}

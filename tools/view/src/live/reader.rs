@@ -1,0 +1,74 @@
+//! Checks the text of the editor and answers questions about it: what takes long in a long text, apart from the run.
+
+use super::finding::{Finding, findings};
+use super::known::{self, Known};
+use super::request::{Answer, Asked, Request};
+use tip_ide::Document;
+use tip_sim::{Robot, reach, special};
+use tipc::{Loaded, Options};
+
+/// A text that nobody has checked yet.
+#[derive(Debug)]
+pub struct Unread {
+    pub(super) version: u64,
+    pub(super) name: String,
+    pub(super) bytes: Vec<u8>,
+    pub(super) options: Options,
+}
+
+/// What was found in a text.
+#[derive(Debug, Default)]
+pub struct Reading {
+    pub(super) version: u64,
+    pub(super) findings: Vec<Finding>,
+    /// None if there are errors in it.
+    pub(super) program: Option<Box<Loaded>>,
+}
+
+/// Checks texts, and knows the last one.
+#[derive(Debug)]
+pub struct Reader {
+    robot: Robot,
+    document: Option<Document>,
+}
+
+impl Reader {
+    /// One for programs of a robot.
+    pub fn new(robot: Robot) -> Self {
+        Reader {
+            robot,
+            document: None,
+        }
+    }
+
+    /// Checks a text.
+    pub fn read(&mut self, unread: Unread) -> Reading {
+        let Unread {
+            version,
+            name,
+            bytes,
+            options,
+        } = unread;
+        let mut loaded = tip_lint::load(&name, &bytes, &options);
+        reach::warn(&mut loaded, &self.robot);
+        special::warn(&mut loaded, &self.robot);
+        let reading = Reading {
+            version,
+            findings: findings(&loaded),
+            program: loaded.program.is_some().then(|| Box::new(loaded.clone())),
+        };
+        self.document = Some(Document::of(loaded, &options));
+        reading
+    }
+
+    /// Answers what an editor asks about the last text; none if something else is asked.
+    pub fn answer(&self, asked: &Asked) -> Option<String> {
+        let document = self.document.as_ref();
+        let known: Option<Known> = match &asked.request {
+            Ok(Request::Hover { at }) => document.map(|it| known::hover(it, *at)),
+            Ok(Request::Complete { at }) => document.map(|it| known::offers(it, *at)),
+            _ => return None,
+        };
+        Some(Answer::new(asked.id, Ok(known)).text())
+    }
+}

@@ -1,0 +1,132 @@
+//! Taking a run back.
+
+use crate::live::bench::{COUNTS, does, refuses, session_of};
+use crate::live::page::Page;
+use serde_json::json;
+use tip_sim::Robot;
+use tip_view::live::{Session, Setup};
+
+#[test]
+fn back_is_the_state_that_was_and_the_same_happens_again() {
+    let mut session = session_of(COUNTS);
+    let mut page = Page::default();
+    does(&mut session, json!({"do": "step", "cycles": 700}));
+    does(&mut session, json!({"do": "event", "event": "key F"}));
+    does(&mut session, json!({"do": "step", "cycles": 9}));
+    page.look(&session);
+    let earlier = (session.cycles(), session.state_hash(), page.seen());
+    does(&mut session, json!({"do": "event", "event": "VR1=4"}));
+    does(&mut session, json!({"do": "step", "cycles": 900}));
+    page.look(&session);
+    let later = (session.cycles(), session.state_hash(), page.seen());
+    does(&mut session, json!({"do": "step", "cycles": -900}));
+    page.look(&session);
+    let back = (session.cycles(), session.state_hash(), page.seen());
+    assert_eq!(back, earlier);
+    does(&mut session, json!({"do": "step", "cycles": 900}));
+    page.look(&session);
+    let again = (session.cycles(), session.state_hash(), page.seen());
+    assert_eq!(again, later, "the knob turned again");
+    let mut fresh = Page::default();
+    fresh.look(&session);
+    assert_eq!(fresh.seen(), page.seen());
+}
+
+#[test]
+fn whatever_is_done_after_going_back_is_another_future() {
+    let robot = Robot::named("titan8").expect("it has a name");
+    let mut setup = Setup::new("counts.prg", COUNTS.as_bytes(), robot);
+    setup.events = "300:VR1=2".parse().expect("an event");
+    let mut session = Session::new(setup).expect("a program");
+    does(&mut session, json!({"do": "step", "cycles": 100}));
+    does(&mut session, json!({"do": "event", "event": "VR1=4"}));
+    does(&mut session, json!({"do": "step", "cycles": 300}));
+    does(&mut session, json!({"do": "go", "cycle": 50}));
+    assert_eq!(session.cycles(), 51);
+    does(&mut session, json!({"do": "event", "event": "VR1=6"}));
+    does(&mut session, json!({"do": "step", "cycles": 200}));
+    let mut page = Page::default();
+    page.look(&session);
+    assert_eq!(page.value("V"), 6.0, "not 4");
+    does(&mut session, json!({"do": "step", "cycles": 100}));
+    page.look(&session);
+    assert_eq!(
+        page.value("V"),
+        2.0,
+        "the command line's event is still to come"
+    );
+    assert_eq!(
+        page.lists["events"],
+        [json!([51, "VR1=6"]), json!([300, "VR1=2"])]
+    );
+    refuses(
+        &mut session,
+        json!({"do": "go", "cycle": 9999}),
+        "impossible",
+    );
+    does(&mut session, json!({"do": "step", "cycles": -1000}));
+    assert_eq!(session.cycles(), 1, "the first cycle stays");
+}
+
+#[test]
+fn a_viewer_that_missed_many_returns_begins_anew() {
+    let mut session = session_of(COUNTS);
+    let mut page = Page::default();
+    does(&mut session, json!({"do": "step", "cycles": 100}));
+    page.look(&session);
+    for _ in 0..100 {
+        does(&mut session, json!({"do": "step", "cycles": -1}));
+        does(&mut session, json!({"do": "event", "event": "VR1=1"}));
+        does(&mut session, json!({"do": "step", "cycles": 1}));
+    }
+    page.look(&session);
+    let mut fresh = Page::default();
+    fresh.look(&session);
+    assert_eq!(fresh.seen(), page.seen());
+}
+
+#[test]
+fn an_emergency_stops_a_run_also_at_rest_and_can_be_taken_back() {
+    let mut session = session_of(COUNTS);
+    let mut page = Page::default();
+    does(&mut session, json!({"do": "step", "cycles": 20}));
+    does(&mut session, json!({"do": "event", "event": "key 0x0D"}));
+    page.look(&session);
+    assert_eq!(page.status["over"], true, "{}", page.status);
+    assert_eq!(page.status["outcome"]["how"], "emergency");
+    refuses(&mut session, json!({"do": "play"}), "over");
+    refuses(
+        &mut session,
+        json!({"do": "event", "event": "key F"}),
+        "over",
+    );
+    does(&mut session, json!({"do": "step", "cycles": -5}));
+    page.look(&session);
+    assert_eq!(page.status["over"], false);
+    does(&mut session, json!({"do": "play"}));
+}
+
+#[test]
+fn a_long_run_forgets_its_beginning_and_no_more() {
+    let mut session = session_of(COUNTS);
+    does(&mut session, json!({"do": "play"}));
+    let mut page = Page::default();
+    // 20 minutes; the last 5 to 6 stay.
+    for _ in 0..20 {
+        session.advance(60_000.0, || true);
+    }
+    page.look(&session);
+    let first = *page.frames.keys().next().expect("frames");
+    assert!((42_000..=45_000).contains(&first), "{first}");
+    assert_eq!(page.cycles, 60_001);
+    let count = page.lists["sets"].len();
+    assert!(count < 40_000, "{count}");
+    does(&mut session, json!({"do": "go", "cycle": first}));
+    refuses(
+        &mut session,
+        json!({"do": "go", "cycle": first - 1}),
+        "impossible",
+    );
+    page.look(&session);
+    assert_eq!(page.cycles, first + 1);
+}
