@@ -50,6 +50,7 @@ pub use shape::{Form, Shape, Shapes};
 use crate::diagnostic::Diagnostic;
 use crate::load::Loaded;
 use crate::message::Describing;
+use crate::published::Published;
 use crate::source::{Encoding, Source, Span};
 use section::{Found, Section, fault};
 use tip_runtime::model::{Body, Forces, Inverse, Joint, Point, Range, Slider, Standards};
@@ -92,6 +93,16 @@ struct Leg {
 /// Everything that is wrong with the file, each fault at its place; there is no program in it.
 pub fn parse(name: &str, bytes: &[u8]) -> Result<Description, Box<Loaded>> {
     open(name, bytes, Part::Robot, describe)
+}
+
+impl Published {
+    /// Reads the description.
+    ///
+    /// # Errors
+    /// None: a test reads each of them.
+    pub fn read(&self) -> Result<Description, Box<Loaded>> {
+        parse(&self.file(), self.text.as_bytes())
+    }
 }
 
 /// Reads a file whose top is `part`.

@@ -9,11 +9,6 @@
 //! assert_eq!(phantomx.read().expect("it was tried").robot().signature().legs, 6);
 //! ```
 
-#[cfg(feature = "robot-files")]
-use crate::description::{self, Description};
-#[cfg(feature = "robot-files")]
-use crate::load::Loaded;
-
 /// A robot, and the text that describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Published {
@@ -50,15 +45,6 @@ impl Published {
     /// What messages call the text.
     pub fn file(&self) -> String {
         format!("{}.toml", self.name)
-    }
-
-    /// The description, read.
-    ///
-    /// # Errors
-    /// None: a test reads each of them.
-    #[cfg(feature = "robot-files")]
-    pub fn read(&self) -> Result<Description, Box<Loaded>> {
-        description::parse(&self.file(), self.text.as_bytes())
     }
 }
 

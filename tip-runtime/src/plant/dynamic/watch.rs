@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::terrain::Terrain;
 use super::trunk::Trunk;
 use crate::plant::Travel;
-use crate::plant::walker::fall::{FallCounter, Posture};
+use crate::plant::walker::fall::{FallCounter, Posture, TILTED};
 use crate::plant::walker::polygon;
 use core::f64::consts::{PI, TAU};
 
@@ -16,6 +16,9 @@ const UP: f64 = 200.0;
 const LOST: f64 = 200.0;
 /// Distance of the centre of mass from the support polygon then: a share of its height above the feet.
 const OUTSIDE: f64 = 0.25;
+/// Feet of a tilted body that are this much higher than the lowest, along its z axis, were lifted, and the body came
+/// down on them: m.
+const LIFTED: f64 = 0.02;
 
 /// What has been seen so far.
 #[derive(Clone, Copy, Debug)]
@@ -78,10 +81,10 @@ impl Watch {
     ) {
         self.turn(&trunk.frame, terrain);
         let over = flat(trunk.frame.position + centre);
-        let standing = feet.filter(|foot| foot.load > 0.0);
-        let lowest = standing.clone().map(|foot| foot.place.z);
+        let carrying = feet.filter(|foot| foot.load > 0.0);
+        let lowest = carrying.clone().map(|foot| foot.place.z);
         let lowest = lowest.fold(f64::INFINITY, f64::min);
-        let standing = standing.map(|foot| flat(foot.place));
+        let standing = carrying.clone().map(|foot| flat(foot.place));
         let corners = trunk.corners().into_iter().zip(trunk.loads);
         let corners = corners.filter(|(_, load)| *load > 0.0);
         let corners = corners.map(|(corner, _)| flat(trunk.frame.point(corner)));
@@ -95,13 +98,18 @@ impl Watch {
             self.least = self.least.min(self.margin);
         }
         let height = (trunk.frame.position.z + centre.z - lowest) * 1000.0;
-        let is_outside = stands && self.margin < -OUTSIDE * height;
+        let uprightness = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal);
+        let support = if uprightness < TILTED {
+            polygon::margin(standing_below(trunk, terrain, carrying), over)
+        } else {
+            self.margin
+        };
+        let is_outside = stands && support < -OUTSIDE * height;
         self.unsupported = if is_outside || !(is_carried || lies) {
             self.unsupported + period
         } else {
             0.0
         };
-        let uprightness = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal);
         self.stood = if stands && !is_outside {
             self.stood + period
         } else {
@@ -143,6 +151,20 @@ impl Watch {
             turn: self.turned.to_degrees(),
         }
     }
+}
+
+/// Returns the feet under a tilted body that its program has not lifted. The height of a foot is measured along the body's z
+/// axis and from the ground under that foot, so that a body parallel to the floor stands on all its feet.
+fn standing_below<'a>(
+    trunk: &Trunk,
+    terrain: &Terrain,
+    feet: impl Iterator<Item = &'a Foothold> + Clone,
+) -> impl Iterator<Item = [f64; 2]> + Clone {
+    let (up, normal) = (trunk.frame.rotation * Vector::z(), terrain.normal);
+    let lift = move |foot: &Foothold| (up - normal).dot(&foot.place);
+    let lowest = feet.clone().map(lift).fold(f64::INFINITY, f64::min);
+    feet.filter(move |foot| lift(foot) <= lowest + LIFTED)
+        .map(|foot| flat(foot.place))
 }
 
 /// Where the robot's y axis points along the floor, from where it pointed at first: rad.

@@ -9,8 +9,9 @@ pub(super) const TIPPING: f64 = 1.0;
 
 /// A body that touches the ground lies flat if it is tilted by no more than this: cosine of 2 deg.
 const FLAT: f64 = 0.999_390_827_019_095_8;
-/// A body that comes to touch the ground has fallen if it is tilted by more: cosine of 5 deg.
-const TILTED: f64 = 0.996_194_698_091_745_5;
+/// A body that comes to touch the ground has fallen if it is tilted by more, and feet that were lifted hold no body that
+/// is: cosine of 5 deg.
+pub(in crate::plant) const TILTED: f64 = 0.996_194_698_091_745_5;
 /// A body that leans farther has fallen, whatever it touches: cosine of 60 deg.
 const LEANING: f64 = 0.5;
 

@@ -47,9 +47,11 @@ What would take time or memory without end, and what bounds it. Work is counted 
 
 | where | what | bound | test |
 |---|---|---|---|
-| `tipc cycles` | loops in loops, labels, calls in calls | in proportion to the steps; a loop that a jump enters from aside takes as long as what is around it, and the stretches between labels as long as there are stretches | `tipc/tests/it/bounded.rs` |
-| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tipc/tests/it/bounded.rs` |
-| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tipc/tests/it/bounded.rs` |
+| `tipc cycles`, hovers | loops in loops, labels, calls in calls, jumps across the program | in proportion to the steps: 1,000,000 and 32 for each node of the flow may be passed for each kind of parts, then counting ends, and says so | `tools/lint/tests/it/bounded.rs` |
+| `tipc check` | blocks in blocks with constant conditions, many variables in messages | in proportion to the steps | `tools/lint/tests/it/bounded.rs` |
+| reads of variables | thousands of variables that are assigned elsewhere than they are read | 1008 of them, and more while blocks times 63 variables are below 1,000,000; other reads are tested when they run | `tools/lint/tests/it/bounded.rs` |
+| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tools/lint/tests/it/bounded.rs` |
+| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
 | messages | words that a program, a description or a URDF file holds | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
 | messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
 | VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/it/log_files.rs` |

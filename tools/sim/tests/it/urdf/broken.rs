@@ -275,7 +275,7 @@ fn nan_is_no_number_in_any_version() {
 /// What the report of a file in a version says.
 fn said(version: &str, from: &str, to: &str) -> String {
     let import = import("test.urdf", &file(version, from, to));
-    crate::told(&import.unwrap_or_else(|error| panic!("{error}")))
+    crate::urdf::told(&import.unwrap_or_else(|error| panic!("{error}")))
 }
 
 #[test]
