@@ -8,11 +8,15 @@ use tipc::language::Keyword;
 use tipc::language::reserved::LOOP;
 use tipc::lex::{BLANKS, Kind, Token, lex};
 use tipc::message::Message;
+use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 
 /// The most statements that are looked at for all findings of a file, each of which may need all that follow.
 const LOOKED_AT: usize = 1_000_000;
+
+/// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
+const LONGEST: usize = 4 * LINE_LIMIT;
 
 /// What is looked up once for all findings of a file.
 #[derive(Debug, Default)]
@@ -80,11 +84,11 @@ impl<'a> Site<'a> {
         self.index().map(|index| &self.module.statements[index])
     }
 
-    /// The words and operators of the statement around the finding.
+    /// Returns the words and operators of the statement around the finding; none of one that no line can hold.
     pub(super) fn tokens(&self) -> Vec<Token> {
-        self.statement()
-            .map(|statement| self.tokens_of(statement.span))
-            .unwrap_or_default()
+        let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
+        let statement = self.statement().filter(is_short);
+        statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }
 
     /// The words and operators at a place.
