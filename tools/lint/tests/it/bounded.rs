@@ -259,6 +259,18 @@ fn a_check_takes_time_in_proportion() {
         let names: String = (0..count).map(|n| format!(" V{n}")).collect();
         check(&format!("DEF_VAR{names}\n"))
     });
+    for (open, close) in [
+        ("IF 1 > 2 THEN\n", "ENDIF\n"),
+        ("FOR I = 1 TO 3\n", "NEXT\n"),
+    ] {
+        require_linear(open, |depth| {
+            let (open, close) = (open.repeat(depth), close.repeat(depth));
+            check(&format!("DEF_VAR I\n{open}SLEEP 20\n{close}"))
+        });
+    }
+    require_linear("comments that allow", |count| {
+        check(&"SLEEP 20 // tip: allow(W112)\n".repeat(count))
+    });
     require_linear("words of other languages", |count| {
         check(&"ENDWHILE\n".repeat(count))
     });
