@@ -139,16 +139,14 @@ pub struct Parsed {
 }
 
 impl Parsed {
-    /// Returns true if it was read without errors.
-    pub fn is_well_formed(&self) -> bool {
-        self.is_program && !self.diagnostics.have_error(self.module.edition)
-    }
-
     /// Returns true if it is a program without errors.
     pub fn loads(&self, options: &Options) -> bool {
         let found = self.diagnostics.clone();
         let checked = || check(&self.source, &self.module, options.robot, found);
-        self.is_program && sound(&mut checked(), self.module.edition).is_some()
+        let edition = self.module.edition;
+        self.is_program
+            && !self.diagnostics.have_error(edition)
+            && sound(&mut checked(), edition).is_some()
     }
 }
 
