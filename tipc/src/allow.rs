@@ -10,11 +10,14 @@ use crate::lex::split_comment;
 use crate::message::Allowing;
 use crate::source::{Source, Span, Unit};
 use crate::syntax::Module;
+use std::collections::HashMap;
 
 /// What the comments of a program silence.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Allows {
     allows: Vec<Allow>,
+    /// The comments for each code on each line, or on every line, by their places among all.
+    by_line: HashMap<(Code, Option<u32>), Vec<usize>>,
     /// What is wrong with the comments themselves.
     faults: Vec<Diagnostic>,
 }
@@ -22,8 +25,6 @@ pub(crate) struct Allows {
 #[derive(Clone, Debug, PartialEq)]
 struct Allow {
     code: Code,
-    /// The line it is for; every line, if there is none.
-    line: Option<u32>,
     /// The code in the comment.
     place: Span,
     silences: bool,
@@ -101,12 +102,15 @@ impl Allows {
             let place = Span::new(at, at + name.len());
             start += part.len() + 1;
             match code(name) {
-                Ok(code) => self.allows.push(Allow {
-                    code,
-                    line,
-                    place,
-                    silences: false,
-                }),
+                Ok(code) => {
+                    let alike = self.by_line.entry((code, line)).or_default();
+                    alike.push(self.allows.len());
+                    self.allows.push(Allow {
+                        code,
+                        place,
+                        silences: false,
+                    });
+                }
                 Err(reason) => {
                     let fault = Diagnostic::new(Code::Allow, place, reason);
                     self.faults.push(fault.help(Allowing::WriteList));
@@ -125,10 +129,14 @@ impl Allows {
     fn silences(&mut self, source: &Source, finding: &Diagnostic) -> bool {
         let line = source.position(finding.span.start, Unit::Character).line;
         let mut silences = false;
-        for allow in &mut self.allows {
-            if allow.code == finding.code && allow.line.is_none_or(|of| of == line) {
-                allow.silences = true;
-                silences = true;
+        for of in [None, Some(line)] {
+            let Some(alike) = self.by_line.get_mut(&(finding.code, of)) else {
+                continue;
+            };
+            silences = true;
+            // The first finding marks all of them.
+            for allow in alike.drain(..) {
+                self.allows[allow].silences = true;
             }
         }
         silences

@@ -25,7 +25,7 @@ mod uses;
 mod values;
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Findings;
 use crate::robot::Robot;
 use crate::source::Source;
 use crate::symbols::Symbols;
@@ -45,7 +45,7 @@ pub(crate) struct Checked<'m> {
     /// The module with all that its words stand for, unless a statement of it could not be resolved.
     pub(crate) resolved: Option<ResolvedModule<'m>>,
     /// All findings, those of the parser among them.
-    pub(crate) found: Vec<Diagnostic>,
+    pub(crate) found: Findings,
 }
 
 /// Runs every pass over a module, in which the parser found these mistakes.
@@ -53,7 +53,7 @@ pub(crate) fn check<'m>(
     source: &Source,
     module: &'m Module,
     robot: Robot,
-    mut found: Vec<Diagnostic>,
+    mut found: Findings,
 ) -> Checked<'m> {
     let names = Names::collect(module, robot, &mut found);
     let labels = Labels::collect(module, &mut found);

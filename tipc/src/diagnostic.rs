@@ -1,8 +1,10 @@
 //! One diagnostic, as every pass makes it.
 
+mod findings;
 mod fix;
 mod undecodable;
 
+pub use findings::{Findings, Omitted};
 pub use fix::{Applicability, Edit, Fix};
 
 use crate::code::{Code, Level, Mistake};

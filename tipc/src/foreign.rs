@@ -10,7 +10,9 @@ use crate::language::functions::{Axis, Operation};
 use crate::language::reserved::LOOP;
 use crate::language::{Edition, Keyword, flags};
 use crate::message::Habit;
-use crate::syntax::VariableKind;
+use crate::syntax::{VariableKind, upper_case};
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use tip_runtime::function::Function;
 
 /// What a first word of another language was going to be, so that one mistake does not lead to others.
@@ -89,15 +91,27 @@ const ROWS: &[Row] = &[
 
 /// What the first word of a statement is in another language.
 pub fn statement(word: &str) -> Option<&'static Row> {
-    find(ROWS, word).or_else(|| find(PARTS, word))
+    row_of(word).or_else(|| part_of(word))
 }
 
-fn find(rows: &'static [Row], word: &str) -> Option<&'static Row> {
-    let is_it = |row: &&Row| {
-        let mut words = row.words.split(' ');
-        words.any(|one| one.eq_ignore_ascii_case(word))
-    };
-    rows.iter().find(is_it)
+/// The rows of some words, by each of them.
+type Index = LazyLock<HashMap<&'static str, &'static Row>>;
+
+fn index(rows: &'static [Row]) -> HashMap<&'static str, &'static Row> {
+    let words = |row: &'static Row| row.words.split(' ').map(move |word| (word, row));
+    rows.iter().flat_map(words).collect()
+}
+
+/// The row of [`ROWS`] with a word, whatever its case.
+fn row_of(word: &str) -> Option<&'static Row> {
+    static INDEX: Index = LazyLock::new(|| index(ROWS));
+    INDEX.get(upper_case(word).as_str()).copied()
+}
+
+/// The row of [`PARTS`] with a word, whatever its case.
+fn part_of(word: &str) -> Option<&'static Row> {
+    static INDEX: Index = LazyLock::new(|| index(PARTS));
+    INDEX.get(upper_case(word).as_str()).copied()
 }
 
 /// First words that go on with what one of [`ROWS`] began: alone they are as wrong as that one.
@@ -117,34 +131,34 @@ pub fn is_main(name: &str) -> bool {
 
 /// Whether a word goes on with what the word `first` began in another language.
 pub fn goes_on(first: &str, word: &str) -> bool {
-    let (begun, part) = (find(ROWS, first), find(PARTS, word));
+    let (begun, part) = (row_of(first), part_of(word));
     begun.zip(part).is_some_and(|(begun, part)| {
         let is_loop = begun.habit == Habit::Loops && part.habit == Habit::LoopLabel;
         begun.habit == part.habit || is_loop
     }) || ends_routine(first, word)
-        || begins_cases(first) && find(ROWS, word).is_some_and(|row| row.habit == Habit::Break)
+        || begins_cases(first) && row_of(word).is_some_and(|row| row.habit == Habit::Break)
         || first.eq_ignore_ascii_case(LOOP) && part.is_some_and(|part| part.habit == Habit::Loops)
 }
 
 /// Whether a word ends the routine that another one begins: `PROC` … `ENDPROC`.
 fn ends_routine(first: &str, word: &str) -> bool {
-    let begins = find(ROWS, first).is_some_and(|row| row.habit == Habit::Subroutine);
-    begins && find(ROWS, word).is_some_and(|row| row.habit == Habit::SubEnd)
+    let begins = row_of(first).is_some_and(|row| row.habit == Habit::Subroutine);
+    begins && row_of(word).is_some_and(|row| row.habit == Habit::SubEnd)
 }
 
 /// Whether a word ends a loop in another language, whatever began it.
 pub fn ends_loop(word: &str) -> bool {
-    find(PARTS, word).is_some_and(|row| matches!(row.habit, Habit::Loops | Habit::LoopLabel))
+    part_of(word).is_some_and(|row| matches!(row.habit, Habit::Loops | Habit::LoopLabel))
 }
 
 /// Whether a word begins the cases of a value; a `BREAK` ends each of them.
 fn begins_cases(word: &str) -> bool {
-    find(ROWS, word).is_some_and(|row| row.habit == Habit::Cases)
+    row_of(word).is_some_and(|row| row.habit == Habit::Cases)
 }
 
 /// The words of other languages for the end of a block, after END, and what ends it here.
 pub fn ends(word: &str) -> Option<Keyword> {
-    match find(ROWS, word)?.means {
+    match row_of(word)?.means {
         Means::Keyword(Keyword::Subroutine) => Some(Keyword::SubEnd),
         _ => None,
     }

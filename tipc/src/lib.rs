@@ -38,5 +38,5 @@ mod warn;
 
 #[cfg(feature = "build")]
 pub use generate::{BuildError, Config, compile};
-pub use load::{Loaded, Options, load};
+pub use load::{Loaded, MOST, Options, load};
 pub use robot::{Facts, Robot};

@@ -9,7 +9,7 @@ mod title;
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings, Omitted};
 use crate::language::Edition;
 use crate::lower::lower;
 use crate::message::{Habit, Message, Parsing};
@@ -41,6 +41,9 @@ impl Default for Options {
     }
 }
 
+/// The most findings of a file that are reported: nobody reads more, and what shows and tries them takes a while for each.
+pub const MOST: usize = 1_000;
+
 /// What came of a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -55,8 +58,10 @@ pub struct Loaded {
     pub program: Option<Program>,
     /// The robot that the program was checked for; none if it is no program.
     pub robot: Option<Robot>,
-    /// All findings, in order of their places.
+    /// The findings, in order of their places: no more than [`MOST`], of many the first errors.
     pub diagnostics: Vec<Diagnostic>,
+    /// The findings beyond that.
+    pub omitted: Omitted,
 }
 
 impl Loaded {
@@ -69,6 +74,7 @@ impl Loaded {
             program: None,
             robot: None,
             diagnostics,
+            omitted: Omitted::default(),
         }
     }
 }
@@ -82,15 +88,15 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 ///
 /// With the feature `build` it also finds what only an analysis of the program warns of.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
-    let mut loaded = lowered(name, bytes, options);
+    let (mut loaded, found) = lowered(name, bytes, options);
     #[cfg(feature = "build")]
-    doubts::find(&mut loaded, bytes, options);
-    in_order(&mut loaded.diagnostics, loaded.module.edition);
+    let found = doubts::find(&loaded, found, bytes, options);
+    (loaded.diagnostics, loaded.omitted) = in_order(found, loaded.module.edition);
     loaded
 }
 
-/// Reads, checks and lowers a program without an analysis of it. The diagnostics are in no order.
-pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
+/// Reads, checks and lowers a program without an analysis of it. The findings are apart, and in no order.
+pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> (Loaded, Findings) {
     let Parsed {
         source,
         module,
@@ -106,14 +112,16 @@ pub fn lowered(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     } else {
         (Symbols::default(), None)
     };
-    Loaded {
+    let loaded = Loaded {
         source,
         module,
         symbols,
         program,
         robot: Some(options.robot),
-        diagnostics,
-    }
+        diagnostics: Vec::new(),
+        omitted: Omitted::default(),
+    };
+    (loaded, diagnostics)
 }
 
 /// A file that was parsed, before anything is looked up or judged.
@@ -127,7 +135,7 @@ pub struct Parsed {
     /// True if the file is text, of the version that is asked for.
     pub is_program: bool,
     /// The diagnostics of the parser.
-    pub diagnostics: Vec<Diagnostic>,
+    pub diagnostics: Findings,
 }
 
 impl Parsed {
@@ -135,7 +143,10 @@ impl Parsed {
     pub fn loads(&self, options: &Options) -> bool {
         let found = self.diagnostics.clone();
         let checked = || check(&self.source, &self.module, options.robot, found);
-        self.is_program && sound(&mut checked(), self.module.edition).is_some()
+        let edition = self.module.edition;
+        self.is_program
+            && !self.diagnostics.have_error(edition)
+            && sound(&mut checked(), edition).is_some()
     }
 }
 
@@ -145,7 +156,7 @@ pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
     let is_text = undecodable.is_none();
     let (module, mut diagnostics) = match undecodable {
         None => parse(&source, options.tip_version),
-        Some(fault) => (Module::default(), vec![fault.into()]),
+        Some(fault) => (Module::default(), vec![fault.into()].into()),
     };
     name_encoding(&mut diagnostics, bytes);
     judge(&mut diagnostics, module.edition);
@@ -160,28 +171,39 @@ pub fn parsed(name: &str, bytes: &[u8], options: &Options) -> Parsed {
 
 /// Checks a module for a robot and returns the diagnostics, in no order.
 pub fn check_module(source: &Source, module: &Module, robot: Robot) -> Vec<Diagnostic> {
-    check(source, module, robot, Vec::new()).found
+    check(source, module, robot, Findings::default())
+        .found
+        .into_parts()
+        .0
 }
 
 /// Takes what a module is resolved to, unless there is an error in it.
 fn sound<'m>(checked: &mut Checked<'m>, edition: Edition) -> Option<ResolvedModule<'m>> {
     judge(&mut checked.found, edition);
-    let is_error = |finding: &Diagnostic| finding.level() == Level::Error;
-    match checked.found.iter().any(is_error) {
+    match checked.found.have_error(edition) {
         true => None,
         false => checked.resolved.take(),
     }
 }
 
-/// Puts findings in the order of their places, judged by the rules of an edition.
-fn in_order(diagnostics: &mut Vec<Diagnostic>, edition: Edition) {
-    judge(diagnostics, edition);
+/// Puts findings in the order of their places, judged by the rules of an edition. Of too many the last ones are omitted,
+/// warnings before errors.
+fn in_order(found: Findings, edition: Edition) -> (Vec<Diagnostic>, Omitted) {
+    let (mut diagnostics, mut omitted) = found.into_parts();
+    judge(&mut diagnostics, edition);
     diagnostics.sort_by_key(place);
     // One mistake is reported once, however many passes find it.
     diagnostics.dedup_by(|later, first| {
         let is_mistake = |one: &Diagnostic| one.level() == Level::Error && one.code != Code::NoEnd;
         later.span == first.span && is_mistake(later) && is_mistake(first)
     });
+    if diagnostics.len() > MOST {
+        diagnostics.sort_by_key(|one| one.level() == Level::Warning);
+        let rest = diagnostics.drain(MOST..);
+        rest.for_each(|one| omitted.add(one.code));
+        diagnostics.sort_by_key(place);
+    }
+    (diagnostics, omitted)
 }
 
 /// Names the encoding of a file that the language does not know, where something in it cannot be read.

@@ -27,7 +27,7 @@ pub use jump::glued;
 pub use line::{LONG_VOWEL, narrow};
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Edition;
 #[cfg(feature = "build")]
 use crate::language::commands;
@@ -42,9 +42,9 @@ pub const LINE_LIMIT: usize = 1023;
 /// Parses a source for version `tip_version` of the language.
 ///
 /// If line 1 names another version, the module is empty and that is the only diagnostic.
-pub fn parse(source: &Source, tip_version: f64) -> (Module, Vec<Diagnostic>) {
+pub fn parse(source: &Source, tip_version: f64) -> (Module, Findings) {
     if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong]);
+        return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
     parser.lines(&mut |_| ());
@@ -56,9 +56,9 @@ pub fn parse_taking(
     source: &Source,
     tip_version: f64,
     take: &mut dyn FnMut(&mut Vec<Statement>),
-) -> (Module, Vec<Diagnostic>) {
+) -> (Module, Findings) {
     if let Err(wrong) = header::version(source, tip_version) {
-        return (Module::default(), vec![*wrong]);
+        return (Module::default(), vec![*wrong].into());
     }
     let mut parser = Parser::new(source, tip_version);
     parser.lines(take);
@@ -121,7 +121,7 @@ struct Parser<'a> {
     /// The finding about lines with numbers.
     numbered: Option<usize>,
     module: Module,
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: Findings,
 }
 
 impl<'a> Parser<'a> {
@@ -143,7 +143,7 @@ impl<'a> Parser<'a> {
                 statements: Vec::new(),
                 after_end: None,
             },
-            diagnostics: Vec::new(),
+            diagnostics: Findings::default(),
         }
     }
 }

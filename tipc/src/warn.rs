@@ -14,7 +14,7 @@ mod waits;
 
 use crate::analysis::Flow;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::program::{Program, StepId};
 use crate::robot::Robot;
 use crate::source::Source;
@@ -34,7 +34,7 @@ pub(crate) struct Judged<'a> {
 
 impl Judged<'_> {
     /// Adds everything that its analysis gives reason to warn of to what was found before.
-    pub(crate) fn warn(&self, found: &mut Vec<Diagnostic>) {
+    pub(crate) fn warn(&self, found: &mut Findings) {
         let warnings = self.warnings();
         let meant = message::meant(&warnings);
         let is_meant = |name: &String| meant.contains(name.as_str());
@@ -45,18 +45,18 @@ impl Judged<'_> {
         let means_any = message::means_any(&warnings);
         let is_unread = |finding: &Diagnostic| means_any && finding.code == Code::NeverRead;
         found.retain(|finding| !follows(finding) && !is_unread(finding));
-        found.extend(warnings);
+        found.append(warnings);
     }
 
-    fn warnings(&self) -> Vec<Diagnostic> {
+    fn warnings(&self) -> Findings {
         let mut found = self.of_statements();
-        found.extend(self.of_flow());
+        found.append(self.of_flow());
         found
     }
 
     /// What statements by themselves, and the values that they read, give reason for.
-    fn of_statements(&self) -> Vec<Diagnostic> {
-        let mut found = Vec::new();
+    fn of_statements(&self) -> Findings {
+        let mut found = Findings::default();
         assignment::warn(self, &mut found);
         commands::warn(self, &mut found);
         equations::warn(self, &mut found);
@@ -65,8 +65,8 @@ impl Judged<'_> {
     }
 
     /// What conditions and jumps give reason for.
-    fn of_flow(&self) -> Vec<Diagnostic> {
-        let mut found = Vec::new();
+    fn of_flow(&self) -> Findings {
+        let mut found = Findings::default();
         let constant = conditions::constant(self);
         let open: Vec<StepId> = constant.iter().map(|one| one.step).collect();
         let unreachable = unreachable::Unreachable::of(self, &open);

@@ -5,7 +5,7 @@ mod names;
 
 use super::title;
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label};
+use crate::diagnostic::{Diagnostic, Findings, Label};
 use crate::foreign;
 use crate::language::Keyword;
 use crate::language::commands;
@@ -14,10 +14,11 @@ use crate::message::{Commanding, Habit, Message, Naming, Parsing, Structuring};
 use crate::parse::narrow;
 use crate::source::{Source, Span};
 use crate::syntax::{Module, OperandKind, StatementKind, upper_case};
+use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
 
 /// Lets findings about one name be one finding, at the first place.
-pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+pub(super) fn join(source: &Source, module: &Module, found: &mut Findings) {
     found.sort_by_key(|finding| finding.span);
     // What ends no block here may be reported as such already.
     found.dedup_by(|second, first| {
@@ -45,7 +46,7 @@ pub(super) fn join(source: &Source, module: &Module, found: &mut Vec<Diagnostic>
 }
 
 /// `START` where `START:` was meant: the jumps to it are not wrong.
-fn labels_without_colon(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+fn labels_without_colon(source: &Source, module: &Module, found: &mut Findings) {
     let is_broken = |it: &&Diagnostic| it.reason == Parsing::LabelColonMissing.into();
     let broken = found.iter().filter(is_broken);
     let broken: HashSet<_> = broken.map(|it| upper_case(source.slice(it.span))).collect();
@@ -85,7 +86,7 @@ fn labels_without_colon(source: &Source, module: &Module, found: &mut Vec<Diagno
 }
 
 /// Labels that stand after END are one mistake: END stands too early.
-fn labels_after_end(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+fn labels_after_end(source: &Source, module: &Module, found: &mut Findings) {
     let is_missing = |finding: &Diagnostic| finding.code == Code::UnknownLabel;
     let end = module.statements.last();
     let Some(end) = end.filter(|it| it.kind == StatementKind::End && found.iter().any(is_missing))
@@ -140,7 +141,7 @@ fn labels_in(source: &Source, span: Span) -> HashMap<String, Span> {
 }
 
 /// `CASE` belongs to the SWITCH before it: one statement of another language is one mistake.
-fn parts_of_statements(found: &mut Vec<Diagnostic>) {
+fn parts_of_statements(found: &mut Findings) {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     let mut begun: Option<usize> = None;
     for finding in found.drain(..) {
@@ -159,7 +160,7 @@ fn parts_of_statements(found: &mut Vec<Diagnostic>) {
         }
         kept.push(finding);
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// `DO` … `UNTIL A > 3`, which ends a REPEAT here; `DO` … `WHILE A < 3`, which begins another loop here.
@@ -172,7 +173,7 @@ fn ends_do(begun: &Diagnostic, finding: &Diagnostic) -> bool {
 }
 
 /// `WHILE TRUE:`: that it repeats for ever is said, and so its colon does not matter.
-fn endless_loops(source: &Source, found: &mut Vec<Diagnostic>) {
+fn endless_loops(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let forever = found
         .iter()
@@ -182,7 +183,7 @@ fn endless_loops(source: &Source, found: &mut Vec<Diagnostic>) {
 }
 
 /// A line that is too long for its text.
-fn long_texts(source: &Source, found: &mut Vec<Diagnostic>) {
+fn long_texts(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let texts = found.iter().filter(|it| it.code == Code::LongString);
     let lines: HashSet<u32> = texts.map(line_of).collect();
@@ -192,7 +193,7 @@ fn long_texts(source: &Source, found: &mut Vec<Diagnostic>) {
 }
 
 /// `DIM A(10)`: that there are no arrays is the mistake.
-fn arrays_declared(source: &Source, found: &mut Vec<Diagnostic>) {
+fn arrays_declared(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let is_array =
         |it: &&Diagnostic| matches!(it.help, Some(Message::Habit(Habit::NoArray { .. })));
@@ -201,7 +202,7 @@ fn arrays_declared(source: &Source, found: &mut Vec<Diagnostic>) {
 }
 
 /// UNTIL with its REPEAT after it, or `REPEAT` … `WHILE A < 3`, if nothing else is wrong with the structure.
-fn reversed_loops(found: &mut Vec<Diagnostic>) {
+fn reversed_loops(found: &mut Findings) {
     let is_structure = |it: &&Diagnostic| it.code == Code::Structure;
     let both: Vec<&Diagnostic> = found.iter().filter(is_structure).collect();
     let [first, second] = both.as_slice() else {
@@ -236,7 +237,7 @@ fn reversed_loops(found: &mut Vec<Diagnostic>) {
 }
 
 /// `FOR A`, `FOR B`, `NEXT A`, `NEXT B`: two that name each other's variable are in the wrong order, which is one mistake.
-fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
+fn crossed_loops(source: &Source, found: &mut Findings) {
     let names = |it: &Diagnostic| match &it.reason {
         Message::Structuring(Structuring::NextNames { name }) => {
             let own = it.labels.first()?.span;
@@ -245,13 +246,25 @@ fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
         _ => None,
     };
     let all: Vec<_> = found.iter().map(names).collect();
+    // Where each pair is named, the first place last.
+    let mut places: HashMap<(SmolStr, SmolStr), Vec<usize>> = HashMap::new();
+    for (at, named) in all.iter().enumerate().rev() {
+        if let Some(named) = named {
+            places.entry(named.clone()).or_default().push(at);
+        }
+    }
     let mut joined = HashSet::new();
-    for (at, named) in all.iter().enumerate() {
-        let Some((outer, inner)) = named.clone().filter(|_| !joined.contains(&at)) else {
+    for (at, named) in all.into_iter().enumerate() {
+        let Some((outer, inner)) = named.filter(|_| !joined.contains(&at)) else {
             continue;
         };
-        let other = Some((inner.clone(), outer.clone()));
-        let after = (at + 1..all.len()).find(|it| all[*it] == other && !joined.contains(it));
+        let other = places.get_mut(&(inner.clone(), outer.clone()));
+        let after = other.and_then(|other| {
+            while other.last().is_some_and(|it| *it <= at) {
+                other.pop();
+            }
+            other.pop()
+        });
         if let Some(second) = after {
             let place = found[second].span;
             found[at].labels.push(label(place, Naming::AlsoHere));
@@ -264,7 +277,7 @@ fn crossed_loops(source: &Source, found: &mut Vec<Diagnostic>) {
 }
 
 /// The line after a statement that breaks off: `PTP F1` and `391 201 -150` are one mistake.
-fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
+fn broken_lines(source: &Source, found: &mut Findings) {
     let line_of = |finding: &Diagnostic| source.line_column(finding.span.start).0;
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
@@ -283,11 +296,11 @@ fn broken_lines(source: &Source, found: &mut Vec<Diagnostic>) {
             _ => kept.push(finding),
         }
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// The same characters that no statement may hold, or the same array, are one mistake wherever they stand.
-fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+fn same_text(source: &Source, module: &Module, found: &mut Findings) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
@@ -344,7 +357,7 @@ fn same_text(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
             }
         }
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// Whether a statement at this place is this word alone.

@@ -1,13 +1,13 @@
 //! SUBROUTINEs that a program runs into (T.I.P. 3.1 §7-6-5).
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Structuring;
 use crate::source::Span;
 use crate::syntax::{Module, StatementKind};
 
 /// Warns of each SUBROUTINE that the step above it runs into.
-pub(crate) fn warn_of_entries(module: &Module, found: &mut Vec<Diagnostic>) {
+pub(crate) fn warn_of_entries(module: &Module, found: &mut Findings) {
     let mut open_above = true;
     for statement in &module.statements {
         if !statement.is_step() {

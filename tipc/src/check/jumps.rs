@@ -1,9 +1,9 @@
 //! Where jumps lead, and where they may not (T.I.P. 3.1 §4-2 path 4, §7-6, §7-7).
 
-use super::blocks::{BlockKind, Blocks};
+use super::blocks::{BlockKind, Blocks, Tree};
 use super::labels::Labels;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::reserved::LOOP;
 use crate::message::phrase::Entered;
 use crate::message::{Instead, Message, Naming, Structuring};
@@ -16,12 +16,13 @@ pub(crate) fn resolve(
     module: &Module,
     labels: &Labels<'_>,
     blocks: &Blocks,
-    found: &mut Vec<Diagnostic>,
+    found: &mut Findings,
 ) -> Vec<Option<usize>> {
     let mut jumps = Jumps {
         module,
         labels,
         blocks,
+        tree: Tree::of(&blocks.blocks),
         found,
     };
     module
@@ -42,7 +43,8 @@ struct Jumps<'a> {
     module: &'a Module,
     labels: &'a Labels<'a>,
     blocks: &'a Blocks,
-    found: &'a mut Vec<Diagnostic>,
+    tree: Tree<'a>,
+    found: &'a mut Findings,
 }
 
 impl Jumps<'_> {
@@ -55,7 +57,11 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, place);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
-            let help = match nearest(name, self.labels.names()) {
+            let near = match self.found.is_full() {
+                true => None,
+                false => nearest(name, self.labels.names()),
+            };
+            let help = match near {
                 Some(near) => Structuring::DidYouMean { near: near.into() },
                 None => Structuring::DeclareLabel { name: name.into() },
             };
@@ -115,24 +121,15 @@ impl Jumps<'_> {
 
     /// A jump may leave blocks, but not enter them; GOTO may not leave a SUBROUTINE.
     fn check(&mut self, from: usize, to: usize, kind: JumpKind, place: Span) {
-        let blocks = self.blocks;
-        let called = kind != JumpKind::Goto && self.is_subroutine(to);
-        let entered = blocks
-            .chain(to)
-            .take_while(|block| !blocks.blocks[*block].contains(from))
-            .filter(|block| {
-                let block = &blocks.blocks[*block];
-                let is_called = called && block.opener == to;
-                !block.broken && !is_called
-            });
-        let mut entered_for = None;
-        let mut refused = None;
-        for block in entered {
-            match blocks.blocks[block].kind {
-                BlockKind::For => entered_for = Some(block),
-                _ => refused = Some(block),
-            }
+        let mut inner = self.blocks.around[to];
+        if let Some(routine) = inner
+            && kind != JumpKind::Goto
+            && self.is_subroutine(to)
+        {
+            // What is called may be entered.
+            inner = self.blocks.blocks[routine].parent;
         }
+        let [entered_for, refused] = self.tree.entered(inner, from);
         if let Some(block) = refused {
             return self.refuse_entry(block, to, place);
         }

@@ -1,7 +1,7 @@
 //! Labels and subroutine names (T.I.P. 3.1 §4-3).
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::reserved::{LOOP, is_reserved};
 use crate::language::{Edition, names};
 use crate::message::{Instead, Message, Naming};
@@ -32,7 +32,7 @@ pub(crate) struct DeclaredLabel<'m> {
 
 impl<'m> Labels<'m> {
     /// Reads every label and SUBROUTINE.
-    pub(crate) fn collect(module: &'m Module, found: &mut Vec<Diagnostic>) -> Self {
+    pub(crate) fn collect(module: &'m Module, found: &mut Findings) -> Self {
         let mut labels = Labels {
             edition: module.edition,
             ..Labels::default()
@@ -50,7 +50,7 @@ impl<'m> Labels<'m> {
         statement: usize,
         name: &'m Word,
         subroutine: bool,
-        found: &mut Vec<Diagnostic>,
+        found: &mut Findings,
     ) {
         let label = DeclaredLabel {
             name,

@@ -1,7 +1,7 @@
 //! Declared variables and what stands for a number (T.I.P. 3.1 §4-4, §4-5, §7-10-1).
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
@@ -13,8 +13,12 @@ use crate::source::Span;
 use crate::suggest::nearest;
 use crate::syntax::{Module, Operand, OperandKind, Statement, StatementKind, VariableKind, Word};
 use smol_str::SmolStr;
+use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, Target};
+
+/// How many unknown names are compared with those that are declared.
+const COMPARED: usize = 10_000;
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;
@@ -26,6 +30,8 @@ pub(crate) struct Names {
     /// Where each variable is declared; `None` for VAR_KEY.
     pub(crate) declared: Vec<Option<Span>>,
     ids: HashMap<String, VariableId>,
+    /// What unknown names were near to, so that each is compared once.
+    near: RefCell<HashMap<String, Option<String>>>,
     /// Names whose declaration was refused: their uses are not reported again.
     refused: HashSet<String>,
     joints: usize,
@@ -64,7 +70,7 @@ impl Meant {
 
 impl Names {
     /// Reads every declaration.
-    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Vec<Diagnostic>) -> Self {
+    pub(crate) fn collect(module: &Module, robot: Robot, found: &mut Findings) -> Self {
         let mut names = Names {
             joints: usize::from(robot.signature().joints),
             edition: module.edition,
@@ -86,7 +92,7 @@ impl Names {
     }
 
     /// A variable may be called `R`, `A` or `HS`; a motion that has the word means its flag.
-    fn warn_of_flags(&self, module: &Module, found: &mut Vec<Diagnostic>) {
+    fn warn_of_flags(&self, module: &Module, found: &mut Findings) {
         for (variable, declared) in self.variables.iter().zip(&self.declared) {
             let name = variable.name.as_str();
             let is_flag = is_motion_flag(name, self.edition);
@@ -116,7 +122,7 @@ impl Names {
         });
     }
 
-    fn declare(&mut self, kind: VariableKind, word: &Word, found: &mut Vec<Diagnostic>) {
+    fn declare(&mut self, kind: VariableKind, word: &Word, found: &mut Findings) {
         let name = word.node.as_str();
         if let Some(fault) = self.refusal(word) {
             found.push(fault);
@@ -289,10 +295,20 @@ impl Names {
             .map(|_| format!("{base}.{member}"))
     }
 
+    /// The declared name that is nearest to an unknown one.
+    fn nearest(&self, name: &str) -> Option<String> {
+        let mut near = self.near.borrow_mut();
+        if near.len() >= COMPARED && !near.contains_key(name) {
+            return None;
+        }
+        let known = || self.variables.iter().map(|variable| variable.name.as_str());
+        let nearest = || nearest(name, known()).map(str::to_owned);
+        near.entry(name.to_owned()).or_insert_with(nearest).clone()
+    }
+
     fn unknown(&self, name: &str, span: Span, guess: Option<VariableKind>) -> Diagnostic {
-        let known = self.variables.iter().map(|variable| variable.name.as_str());
-        let member = self.meant_member(name);
-        let help: Message = match member.as_deref().or_else(|| nearest(name, known)) {
+        let near = self.meant_member(name).or_else(|| self.nearest(name));
+        let help: Message = match near {
             _ if name.starts_with(CONSTANT) => Instead::Keys.into(),
             Some(near) => Suggesting::DidYouMean { near: near.into() }.into(),
             None if is_reserved(name, self.edition) => self.instead_of(name),

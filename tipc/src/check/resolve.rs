@@ -6,7 +6,7 @@ use super::names::{Meant, Names};
 use super::resolved::{Counting, Resolved, StatementId};
 use super::uses::{Named, Uses};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::lex::split_comment;
 use crate::message::{Commanding, Message};
 use crate::program::{self, Scalar};
@@ -42,7 +42,7 @@ enum Unresolved {
 /// Resolves every statement; all of them, or none if one cannot be.
 pub(super) fn statements(
     known: &Known<'_>,
-    found: &mut Vec<Diagnostic>,
+    found: &mut Findings,
 ) -> (Option<Vec<Resolved>>, Named) {
     let statements = &known.module.statements;
     let mut resolver = Resolver {
@@ -78,7 +78,7 @@ pub(super) struct Resolver<'a> {
     pub(super) uses: Uses<'a>,
     /// What each FOR counts.
     counted: HashMap<StatementId, Counting>,
-    pub(super) found: &'a mut Vec<Diagnostic>,
+    pub(super) found: &'a mut Findings,
 }
 
 impl Resolver<'_> {

@@ -5,15 +5,16 @@ mod other;
 
 use super::blocks::{Block, BlockKind, Blocks, Link};
 use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Label};
+use crate::diagnostic::{Diagnostic, Findings, Label};
 use crate::language::Keyword;
-use crate::message::{Habit, Message, Structuring};
+use crate::message::{Habit, Message, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::{Module, Shape, StatementKind};
 use std::collections::HashSet;
+use std::ops::Deref;
 
 /// Ties every control word to its partner and reports those without one.
-pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) -> Blocks {
+pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Findings) -> Blocks {
     let count = module.statements.len();
     let mut matcher = Matcher {
         module,
@@ -22,8 +23,9 @@ pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnosti
             around: vec![None; count],
             links: vec![Link::default(); count],
         },
-        open: Vec::new(),
-        owed: Vec::new(),
+        open: Stack::default(),
+        owed: Default::default(),
+        closes_more: HashSet::new(),
         foreign: foreign_statements(module, found),
         found,
     };
@@ -31,7 +33,16 @@ pub(crate) fn blocks(source: &Source, module: &Module, found: &mut Vec<Diagnosti
         matcher.statement(index);
     }
     matcher.close_rest(source);
-    matcher.result
+    let Matcher {
+        result,
+        closes_more,
+        found,
+        ..
+    } = matcher;
+    let is_alone =
+        |it: &Diagnostic| matches!(it.reason, Message::Parsing(Parsing::NotAlone { .. }));
+    found.retain(|it| !is_alone(it) || !closes_more.contains(&it.span.start));
+    result
 }
 
 struct Open {
@@ -48,9 +59,52 @@ struct Open {
     nested: Vec<usize>,
 }
 
+/// The constructs that are open, outermost first, and where among them those of each kind are.
+#[derive(Default)]
+struct Stack {
+    all: Vec<Open>,
+    of_kind: [Vec<usize>; 5],
+}
+
+impl Stack {
+    fn push(&mut self, open: Open) {
+        self.of_kind[open.kind as usize].push(self.all.len());
+        self.all.push(open);
+    }
+
+    fn pop(&mut self) -> Option<Open> {
+        let open = self.all.pop()?;
+        self.of_kind[open.kind as usize].pop();
+        Some(open)
+    }
+
+    /// Those of a kind in the innermost SUBROUTINE, or that one itself.
+    fn within(&self, kind: BlockKind) -> &[usize] {
+        let of_kind = &self.of_kind[kind as usize];
+        let routine = self.of_kind[BlockKind::Subroutine as usize].last();
+        let outside = routine.map_or(0, |routine| of_kind.partition_point(|at| at < routine));
+        &of_kind[outside..]
+    }
+}
+
+impl Deref for Stack {
+    type Target = [Open];
+
+    fn deref(&self) -> &[Open] {
+        &self.all
+    }
+}
+
+/// The closers of one kind that may still come.
+#[derive(Default)]
+struct AllOwed {
+    all: Vec<Owed>,
+    /// How many of them may have other branches.
+    branches: usize,
+}
+
 /// A closer that may still come of a construct that is reported already: it is not a second mistake.
 struct Owed {
-    kind: BlockKind,
     /// The diagnostic of the construct, if it was cut off.
     fault: Option<usize>,
     /// Whether other branches may come as well.
@@ -60,11 +114,14 @@ struct Owed {
 struct Matcher<'a> {
     module: &'a Module,
     result: Blocks,
-    open: Vec<Open>,
-    owed: Vec<Owed>,
+    open: Stack,
+    /// By the kinds of the constructs.
+    owed: [AllOwed; 5],
+    /// Where words stand that were to close another block: that they are not alone on their lines does not matter.
+    closes_more: HashSet<usize>,
     /// Where statements start that are those of another language, which is reported.
     foreign: HashSet<usize>,
-    found: &'a mut Vec<Diagnostic>,
+    found: &'a mut Findings,
 }
 
 impl Matcher<'_> {
@@ -92,11 +149,13 @@ impl Matcher<'_> {
     /// Its statement should be a block; so its ENDIF may be there.
     fn one_line_if(&mut self, index: usize) {
         self.result.around[index] = self.current();
-        self.owed.push(Owed {
-            kind: BlockKind::If,
-            fault: None,
-            branches: true,
-        });
+        self.owes(BlockKind::If, None, true);
+    }
+
+    fn owes(&mut self, kind: BlockKind, fault: Option<usize>, branches: bool) {
+        let owed = &mut self.owed[kind as usize];
+        owed.branches += usize::from(branches);
+        owed.all.push(Owed { fault, branches });
     }
 
     fn current(&self) -> Option<usize> {
@@ -124,8 +183,8 @@ impl Matcher<'_> {
     fn open(&mut self, kind: BlockKind, index: usize) {
         let is_subroutine = kind == BlockKind::Subroutine;
         if is_subroutine {
-            self.owed.clear();
-            if let Some(outer) = self.open.last_mut() {
+            self.owed = Default::default();
+            if let Some(outer) = self.open.all.last_mut() {
                 outer.nested.push(index);
             }
         }
@@ -200,13 +259,8 @@ impl Matcher<'_> {
     /// Takes the construct that a word belongs to, and reports the open ones that it leaves behind.
     fn unwind(&mut self, index: usize, kind: BlockKind, name: Keyword) -> Option<Open> {
         // A block that leaves a SUBROUTINE open would take all of its rest along.
-        let fits = |open: &Open| open.kind == kind || open.kind == BlockKind::Subroutine;
-        let reachable = self
-            .open
-            .iter()
-            .rposition(fits)
-            .filter(|depth| self.open[*depth].kind == kind)
-            .map(|depth| self.named_by_next(index).unwrap_or(depth));
+        let reachable = self.open.within(kind).last().copied();
+        let reachable = reachable.map(|depth| self.named_by_next(index).unwrap_or(depth));
         if self.closes_other(index, kind, name, reachable.is_some()) {
             self.result.around[index] = self.current();
             return None;
@@ -224,11 +278,7 @@ impl Matcher<'_> {
             let help = match (name == closer, kind) {
                 (false, _) => {
                     // The rest of it is no second mistake.
-                    self.owed.push(Owed {
-                        kind,
-                        fault: None,
-                        branches: name == Keyword::ElseIf,
-                    });
+                    self.owes(kind, None, name == Keyword::ElseIf);
                     Structuring::IfFirst { word: name }
                 }
                 (_, BlockKind::Subroutine) => Structuring::SubEndCloses,
@@ -253,20 +303,19 @@ impl Matcher<'_> {
 
     /// Whether a construct that was cut off waits for this word. It closes only that.
     fn is_owed(&mut self, index: usize, kind: BlockKind, name: Keyword) -> bool {
-        let is_closer = name == kind.closer();
-        let waits = |owed: &Owed| owed.kind == kind && (is_closer || owed.branches);
-        let Some(at) = self.owed.iter().rposition(waits) else {
+        let owed = &mut self.owed[kind as usize];
+        if name != kind.closer() {
+            return owed.branches > 0;
+        }
+        let Some(last) = owed.all.pop() else {
             return false;
         };
-        if is_closer {
-            let owed = self.owed.remove(at);
-            let label = Label {
-                span: self.place(index),
-                text: Structuring::StandsHere { word: name }.into(),
-            };
-            if let Some(fault) = owed.fault {
-                self.found[fault].labels.push(label);
-            }
+        owed.branches -= usize::from(last.branches);
+        let text = Structuring::StandsHere { word: name }.into();
+        let span = self.place(index);
+        // Of too many findings it is omitted.
+        if let Some(fault) = last.fault.and_then(|fault| self.found.get_mut(fault)) {
+            fault.labels.push(Label { span, text });
         }
         true
     }
@@ -281,11 +330,7 @@ impl Matcher<'_> {
         block.broken = true;
         block.end = met.map_or(usize::MAX, |(index, _)| index);
         if self.is_reported(open.first) {
-            return self.owed.push(Owed {
-                kind: open.kind,
-                fault: None,
-                branches: true,
-            });
+            return self.owes(open.kind, None, true);
         }
         let reason = Structuring::NotClosed { opener };
         let mut fault = Diagnostic::new(Code::Structure, self.place(open.first), reason)
@@ -311,11 +356,7 @@ impl Matcher<'_> {
             (None, None) => fault,
         };
         if met.is_some() {
-            self.owed.push(Owed {
-                kind: open.kind,
-                fault: Some(self.found.len()),
-                branches: true,
-            });
+            self.owes(open.kind, Some(self.found.len()), true);
         }
         self.found.push(fault);
     }

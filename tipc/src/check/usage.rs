@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::uses::Named;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::names::LIMIT;
 use crate::message::phrase::{Assign, Lacking};
 use crate::message::{Commanding, Message, Naming, Parsing, Suggesting};
@@ -13,7 +13,7 @@ use crate::syntax::VariableKind;
 use std::collections::HashSet;
 
 /// Reports reads that nothing assigned, and variables that serve nothing.
-pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Vec<Diagnostic>) {
+pub(super) fn report(source: &Source, names: &Names, named: &Named, found: &mut Findings) {
     let mut serves = vec![Service::default(); names.variables.len()];
     for used in named.symbols.all_uses() {
         if let Some(service) = serves.get_mut(used.definition.index()) {

@@ -7,6 +7,7 @@ use crate::program::VariableId;
 use crate::source::{Source, Span};
 use crate::symbols::{Access, Definition, DefinitionId, DefinitionKind, Symbols, Use};
 use crate::syntax::{Jump, Operand, OperandKind, Word};
+use std::collections::HashSet;
 
 /// What the statements name, so far.
 pub(super) struct Uses<'a> {
@@ -147,7 +148,8 @@ impl<'a> Uses<'a> {
     pub(super) fn excuse(&mut self, source: &Source, statement: Span) {
         let text = source.slice(statement);
         let is_outside = |char: char| !(char.is_ascii_alphanumeric() || char == '_');
-        let noted = self.all.len();
+        let known = self.all[self.first..].iter().map(|it| it.place.start);
+        let known: HashSet<usize> = known.collect();
         let mut start = 0;
         for word in text.split_inclusive(is_outside) {
             let name = word.trim_end_matches(is_outside);
@@ -167,8 +169,7 @@ impl<'a> Uses<'a> {
             };
             self.excuse_one(definition);
             let is_member = source.text()[..place.start].ends_with('.');
-            let mut known = self.all[self.first..noted].iter();
-            if !is_member && known.all(|it| it.place.start != place.start) {
+            if !is_member && !known.contains(&place.start) {
                 self.note(place, definition, Access::Unclear);
             }
         }

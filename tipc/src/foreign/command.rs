@@ -2,6 +2,8 @@
 
 use crate::language::Keyword;
 use crate::language::commands::COMMANDS;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use tip_runtime::command::ABSOLUTE;
 
 /// Parts of names that say the same, the first of each as a command has it.
@@ -36,10 +38,22 @@ const PARTS: usize = 6;
 
 /// The one command that says the same as this word.
 pub fn command(word: &str) -> Option<&'static str> {
+    /// The commands with the same parts.
+    static NAMES: LazyLock<HashMap<Vec<&str>, Vec<&str>>> = LazyLock::new(|| {
+        let mut names: HashMap<_, Vec<_>> = HashMap::new();
+        for name in COMMANDS.iter().map(|command| command.name) {
+            names
+                .entry(parts(name).unwrap_or_default())
+                .or_default()
+                .push(name);
+        }
+        names
+    });
     let parts = parts(word).filter(|parts| parts.len() > 1)?;
-    let names = COMMANDS.iter().map(|command| command.name);
-    let mut alike = names.filter(|name| self::parts(name).as_ref() == Some(&parts));
-    alike.next().filter(|_| alike.next().is_none())
+    match NAMES.get(&parts)?.as_slice() {
+        [name] => Some(name),
+        _ => None,
+    }
 }
 
 /// The parts of a name as commands have them, in order of the alphabet.

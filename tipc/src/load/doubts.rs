@@ -1,10 +1,10 @@
 //! Warnings of a program that loads, and the comments that silence them.
 
-use super::{Loaded, Options, judge, place, title};
+use super::{Loaded, Options, in_order, title};
 use crate::allow::Allows;
 use crate::analysis::Flow;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::{Habit, Reading};
 use crate::parse;
 use crate::source::{Encoding, Source, Span, looks_like};
@@ -12,7 +12,12 @@ use crate::syntax::Module;
 use crate::warn::Judged;
 
 /// Adds what an analysis of the program warns of, and leaves out what its comments silence.
-pub(super) fn find(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
+pub(super) fn find(
+    loaded: &Loaded,
+    mut found: Findings,
+    bytes: &[u8],
+    options: &Options,
+) -> Findings {
     if let Some(program) = &loaded.program {
         let judged = Judged {
             source: &loaded.source,
@@ -22,18 +27,18 @@ pub(super) fn find(loaded: &mut Loaded, bytes: &[u8], options: &Options) {
             flow: &Flow::of(program),
             robot: options.robot,
         };
-        judged.warn(&mut loaded.diagnostics);
+        judged.warn(&mut found);
         let encoding = other_encoding(loaded, bytes, options);
         let title = title::warn(loaded, options);
         let after_end = after_end(&loaded.source, &loaded.module);
-        let found = encoding.into_iter().chain(title).chain(after_end);
-        loaded.diagnostics.extend(found);
+        found.extend(encoding.into_iter().chain(title).chain(after_end));
     }
     let mut allows = Allows::of(&loaded.source, &loaded.module);
-    allows.silence(&loaded.source, &mut loaded.diagnostics);
+    allows.silence(&loaded.source, &mut found);
     if loaded.program.is_some() {
-        loaded.diagnostics.extend(allows.warnings(&loaded.source));
+        found.extend(allows.warnings(&loaded.source));
     }
+    found
 }
 
 impl Loaded {
@@ -43,9 +48,11 @@ impl Loaded {
             return;
         }
         Allows::of(&self.source, &self.module).silence(&self.source, &mut found);
-        judge(&mut found, self.module.edition);
-        self.diagnostics.append(&mut found);
-        self.diagnostics.sort_by_key(place);
+        let mut all = Findings::from(std::mem::take(&mut self.diagnostics));
+        all.extend(found);
+        let (diagnostics, omitted) = in_order(all, self.module.edition);
+        self.diagnostics = diagnostics;
+        self.omitted.append(omitted);
     }
 }
 

@@ -1,7 +1,7 @@
 //! A statement where the title belongs.
 
 use super::{Loaded, Options, lowered};
-use crate::code::{Code, Level};
+use crate::code::Code;
 use crate::diagnostic::Diagnostic;
 use crate::language::Keyword;
 use crate::language::commands::{self, Meaning};
@@ -23,9 +23,8 @@ pub(super) fn warn(loaded: &Loaded, options: &Options) -> Option<Diagnostic> {
         encoding: Encoding::Utf8,
         ..*options
     };
-    let titled = lowered(source.name(), text.as_bytes(), &options);
-    let is_error = |it: &Diagnostic| it.level() == Level::Error;
-    if titled.diagnostics.iter().any(is_error) {
+    let (titled, found) = lowered(source.name(), text.as_bytes(), &options);
+    if found.have_error(titled.module.edition) {
         return None;
     }
     let place = tokens.first()?.span.to(tokens.last()?.span);

@@ -7,6 +7,7 @@ use crate::foreign;
 use crate::language::Keyword;
 use crate::language::commands::{self, Meaning};
 use crate::lex::Token;
+use crate::load::MOST;
 use crate::message::{Commanding, Instead};
 use crate::source::Span;
 use crate::syntax::{Shape, StatementKind};
@@ -29,9 +30,12 @@ impl Parser<'_> {
         match self.numbered {
             Some(first) => {
                 let text = Instead::NumberedToo.into();
-                self.diagnostics[first]
-                    .labels
-                    .push(Label { span: word, text });
+                // Of too many findings it is omitted.
+                if let Some(first) = self.diagnostics.get_mut(first)
+                    && first.labels.len() < MOST
+                {
+                    first.labels.push(Label { span: word, text });
+                }
             }
             None => {
                 self.numbered = Some(self.diagnostics.len());

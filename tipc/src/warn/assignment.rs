@@ -3,7 +3,7 @@
 use super::Judged;
 use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::message::list::{Pieces, Quoted};
 use crate::message::phrase::{Assign, Lack, Stretch};
@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let program = judged.program;
     let gaps = gaps(program, &Assignment::along(program, judged.flow));
     let warnings = gaps

@@ -3,14 +3,14 @@
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::commands::{self, Form};
 use crate::message::Warning;
 use crate::program::{Action, Op};
 use crate::syntax::{self, OperandKind, StatementKind};
 use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let keeps_period = judged
         .program
         .steps()

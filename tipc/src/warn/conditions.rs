@@ -4,7 +4,7 @@ use super::Judged;
 use super::unreachable::Unreachable;
 use crate::analysis::{Entry, always, enters, stuck::stuck};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::program::{Action, Condition, Operand, Program, StepId};
 use crate::source::Span;
@@ -82,7 +82,7 @@ pub(super) fn warn(
     judged: &Judged<'_>,
     constant: &[Constant],
     unreachable: &Unreachable,
-    found: &mut Vec<Diagnostic>,
+    found: &mut Findings,
 ) {
     let deeds = Deeds::of(judged.program);
     for Constant { step, outcome } in constant {

@@ -2,13 +2,13 @@
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::source::Span;
 use crate::syntax::{Equation, Expression, OperandKind, StatementKind};
 
 /// The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look like.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     for statement in judged.module.steps() {
         if let StatementKind::Equation(equation) = &statement.kind
             && let Some(sign) = swapped(judged.source.text(), equation)

@@ -2,7 +2,7 @@
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Keyword;
 use crate::message::{Message, Warning};
 use crate::parse::glued;
@@ -11,7 +11,7 @@ use std::collections::{HashMap, HashSet};
 
 /// Silent about a label that something jumps to, and where no label has the rest of its name. That nothing comes to the
 /// label that was meant follows from it.
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let suspects = suspects(judged.symbols);
     let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
     let follows = |finding: &Diagnostic| match &finding.reason {

@@ -4,7 +4,7 @@ mod wide;
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::phrase::Type;
 use crate::message::{Message, Warning};
 use crate::program::{Variable, VariableId, VariableKind};
@@ -53,7 +53,7 @@ impl<'a> Names<'a> {
     }
 }
 
-pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let mut names = None;
     for statement in judged.module.steps() {
         if let StatementKind::Message { text } = &statement.kind {
@@ -67,12 +67,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
 }
 
 /// `%d`, `$N`, `{N}`, `%N`: what other languages would show as a value. Names count only if they are those of VARs.
-fn foreign_values(
-    judged: &Judged<'_>,
-    names: &Names<'_>,
-    place: Span,
-    found: &mut Vec<Diagnostic>,
-) {
+fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
     let is_var = |name: &str| names.is_var(name);
     let mut signs = text.match_indices(['%', '$', '{']);
@@ -153,7 +148,7 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
 }
 
 /// Everything of the form `%NAME%` that stands for nothing. The text is read from left to right, as a run does.
-fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+fn placeholders(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
     let mut from = 0;
     while let Some(at) = text[from..].find('%').map(|at| from + at) {

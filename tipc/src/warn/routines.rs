@@ -4,14 +4,14 @@ use super::Judged;
 use super::unreachable::Unreachable;
 use crate::analysis::calls::{OneWay, mismatches};
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::program::StepId;
 use crate::syntax::StatementKind;
 
 /// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
 /// another warning speaks of running into that.
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
     let mut inside = Vec::new();
     let mut is_inside = false;
     for statement in judged.module.steps() {

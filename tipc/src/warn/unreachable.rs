@@ -3,7 +3,7 @@
 use super::Judged;
 use crate::analysis::dead::dead;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::program::{Action, Program, StepId};
 use crate::syntax::StatementKind;
@@ -24,7 +24,7 @@ impl Unreachable {
 
     /// Warns once of each run of steps that would do something. Silent about routines that nothing calls: a program may
     /// have more of them than it needs.
-    pub(super) fn warn(&self, judged: &Judged<'_>, found: &mut Vec<Diagnostic>) {
+    pub(super) fn warn(&self, judged: &Judged<'_>, found: &mut Findings) {
         if self.0.is_empty() {
             return;
         }

@@ -7,14 +7,14 @@ use super::Judged;
 use super::conditions::condition;
 use super::unreachable::Unreachable;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::commands::{self, Moves};
 use crate::message::Warning;
 use crate::program::{Action, Condition, Flag, Op, Step, Target};
 use crate::source::Span;
 use crate::syntax::{Statement, StatementKind};
 
-pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
     let steps = judged.program.steps();
     if steps.iter().any(calls_native_code) {
         return;

@@ -64,7 +64,13 @@ impl Deny {
         };
         let codes = loaded.diagnostics.iter().map(|finding| finding.code);
         let mut denied: Vec<Code> = codes.filter(|code| is_denied(*code)).collect();
-        let count = denied.len();
+        let omitted = loaded.omitted.codes();
+        let omitted = omitted.filter(|(code, _)| is_denied(*code));
+        let mut count = denied.len();
+        for (code, more) in omitted {
+            denied.push(code);
+            count += more;
+        }
         denied.sort_unstable();
         denied.dedup();
         if count > 0 {

@@ -7,7 +7,7 @@ use super::shown::Shown;
 use super::{input, output, report};
 use std::path::Path;
 use tip_lint::message::Fixing;
-use tip_lint::repair::{Repaired, confirm, render_json, render_short, repair};
+use tip_lint::repair::{Repaired, confirm, preview, render_json, render_short, repair};
 use tip_runtime::printable::Printable;
 use tipc::diagnostic::Applicability;
 use tipc::{Loaded, Options};
@@ -85,8 +85,8 @@ impl Fixable {
         if !is_known || shown.message_format != Format::Human {
             return;
         }
-        let certain = repair(loaded.clone(), options, Applicability::Certain);
-        let likely = repair(certain.loaded, options, Applicability::Likely);
+        let certain = preview(loaded.clone(), options, Applicability::Certain);
+        let likely = preview(certain.loaded, options, Applicability::Likely);
         self.certain += certain.applied.len();
         self.all += certain.applied.len() + likely.applied.len();
     }

@@ -34,11 +34,6 @@ pub(crate) mod count {
         /// So many files.
         Files: "1 file", "1ファイル"; "{count} files", "{count}ファイル";
     }
-
-    tipc::count_table! {
-        /// What is not shown.
-        More: "... and 1 more finding", "……ほかに1件あります"; "... and {count} more findings", "……ほかに{count}件あります";
-    }
 }
 
 tipc::message_table! {

@@ -6,8 +6,8 @@ use super::output;
 use super::sarif::Document;
 use super::shown::Shown;
 use crate::message::Checking;
-use crate::message::count::More;
 use std::io::{self, Write};
+use tip_lint::message::More;
 use tip_runtime::printable::Printable;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
@@ -85,11 +85,6 @@ pub(super) fn check(loaded: &Loaded, shown: Shown) -> Result<(), Error> {
     match shown.message_format {
         Format::Human => {
             shows(&text);
-            let found = loaded.diagnostics.len();
-            if found > MOST {
-                let more = More::from(found - MOST);
-                complain(&format!("{}\n\n", more.in_lang(shown.lang())));
-            }
             complain(&format!("{}\n", summary(loaded).in_lang(shown.lang())));
             Ok(())
         }
@@ -151,7 +146,30 @@ fn render(loaded: &Loaded, shown: Shown) -> String {
         let gap = if format == Format::Human { "\n" } else { "" };
         format!("{line}{end}{gap}")
     });
-    lines.collect()
+    lines.chain(render_more(loaded, shown)).collect()
+}
+
+/// Returns the last line, about the findings that are left out, if there are any.
+fn render_more(loaded: &Loaded, shown: Shown) -> Option<String> {
+    let (found, omitted) = (loaded.diagnostics.len(), loaded.omitted.count());
+    let count = match shown.message_format {
+        Format::Human => found.saturating_sub(MOST) + omitted,
+        Format::Short | Format::Json | Format::Sarif => omitted,
+    };
+    let more = More::from(count).in_lang(shown.lang()).to_string();
+    let file = loaded.source.name();
+    let line = match shown.message_format {
+        Format::Human => more + "\n\n",
+        Format::Short => format!("{}: note: {more}\n", Printable::line(file)),
+        Format::Json => {
+            let mut object = String::from("{\"level\":\"note\"");
+            render::push_member(&mut object, "message", &more);
+            render::push_member(&mut object, "file", file);
+            format!("{object},\"omitted\":{count}}}\n")
+        }
+        Format::Sarif => return None,
+    };
+    (count > 0).then_some(line)
 }
 
 /// A finding about a file that has no text.
@@ -185,7 +203,7 @@ fn summary(loaded: &Loaded) -> Checking {
 
 fn count(loaded: &Loaded, level: Level) -> usize {
     let of_level = loaded.diagnostics.iter().filter(|one| one.level() == level);
-    of_level.count()
+    of_level.count() + loaded.omitted.of_level(level, loaded.module.edition)
 }
 
 /// So many of something.

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
+use tip_lint::message::More;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic::{Diagnostic, Fix};
@@ -23,6 +24,8 @@ pub(super) struct Document {
     lang: Lang,
     artifacts: Vec<Value>,
     results: Vec<Value>,
+    /// What is said of findings that are omitted.
+    notes: Vec<Value>,
     /// The first finding of each code.
     rules: BTreeMap<&'static str, Diagnostic>,
 }
@@ -34,6 +37,7 @@ impl Document {
             lang,
             artifacts: Vec::new(),
             results: Vec::new(),
+            notes: Vec::new(),
             rules: BTreeMap::new(),
         }
     }
@@ -51,6 +55,7 @@ impl Document {
             let rule = self.rules.entry(finding.id());
             rule.or_insert_with(|| finding.clone());
         }
+        self.notes.extend(file.note(loaded.omitted.count()));
     }
 
     /// The text of the document, with a line end.
@@ -62,7 +67,7 @@ impl Document {
             let index = ids.iter().position(|id| result["ruleId"] == **id);
             result["ruleIndex"] = json!(index);
         }
-        let document = json!({
+        let mut document = json!({
             "$schema": SCHEMA,
             "version": "2.1.0",
             "runs": [{
@@ -81,6 +86,12 @@ impl Document {
                 "results": self.results,
             }],
         });
+        if !self.notes.is_empty() {
+            document["runs"][0]["invocations"] = json!([{
+                "executionSuccessful": true,
+                "toolExecutionNotifications": self.notes,
+            }]);
+        }
         output::escaped(&format!("{document:#}\n"))
     }
 }
@@ -103,6 +114,17 @@ impl File<'_> {
 
     fn location(&self) -> Value {
         json!({ "uri": uri(self.source.name()), "index": self.index })
+    }
+
+    /// What is said of so many findings that are omitted, if there are any.
+    fn note(&self, omitted: usize) -> Option<Value> {
+        let text = More::from(omitted).in_lang(self.lang).to_string();
+        let note = json!({
+            "level": "note",
+            "message": { "text": text },
+            "locations": [{ "physicalLocation": { "artifactLocation": self.location() } }],
+        });
+        (omitted > 0).then_some(note)
     }
 
     fn result(&self, finding: &Diagnostic) -> Value {

@@ -2,6 +2,7 @@
 
 use crate::Document;
 use crate::message::Editing;
+use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::names;
@@ -122,14 +123,14 @@ impl Document {
         }
         text += &self.loaded.source.text()[at..];
         let after = Document::new(self.loaded.source.name(), &text, &self.options);
-        !finds_more(&self.loaded.diagnostics, &after.loaded.diagnostics)
+        !finds_more(&self.loaded, &after.loaded)
             && same_symbols(&self.loaded.symbols, &after.loaded.symbols, renamed, name)
     }
 }
 
 /// Whether something is found that was not before. What only the robot's geometry tells is not looked for again.
-fn finds_more(before: &[Diagnostic], after: &[Diagnostic]) -> bool {
-    let mut known: Vec<Code> = before.iter().map(|it| it.code).collect();
+fn finds_more(before: &Loaded, after: &Loaded) -> bool {
+    let mut known: Vec<Code> = before.diagnostics.iter().map(|it| it.code).collect();
     let is_new = |finding: &Diagnostic| match known.iter().position(|it| *it == finding.code) {
         Some(at) => {
             known.swap_remove(at);
@@ -137,7 +138,7 @@ fn finds_more(before: &[Diagnostic], after: &[Diagnostic]) -> bool {
         }
         None => true,
     };
-    after.iter().any(is_new)
+    after.omitted.count() > before.omitted.count() || after.diagnostics.iter().any(is_new)
 }
 
 /// Whether two programs name the same things in the same order, but for the name of one.

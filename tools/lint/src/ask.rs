@@ -129,14 +129,14 @@ impl Asker {
             }
             whole.push_str(line);
         }
-        let loaded = lowered("", whole.as_bytes(), &self.options);
+        let (loaded, found) = lowered("", whole.as_bytes(), &self.options);
         match loaded.program {
             Some(program) => {
                 let steps = program.steps().iter().skip(self.head_steps);
                 Ok(steps.map(|step| step.action.clone()).collect())
             }
             None => {
-                let errors = loaded.diagnostics.into_iter();
+                let errors = found.into_iter();
                 let error = errors.min_by_key(|one| (one.level() != Level::Error, one.span));
                 Err(error.map_or_else(|| refused(text), |error| placed(error, start, text)))
             }
@@ -186,7 +186,7 @@ mod tests {
             robot: Robot::Titan8,
             ..Options::default()
         };
-        let program = lowered("asked.prg", TEXT.as_bytes(), &options).program;
+        let program = lowered("asked.prg", TEXT.as_bytes(), &options).0.program;
         Asker::new(&program.expect("it is right"), options, &["CYCLE", "TIME"])
     }
 

@@ -31,6 +31,11 @@ tipc::count_table! {
     Findings: "1 finding", "1件"; "{count} findings", "{count}件";
 }
 
+tipc::count_table! {
+    /// So many findings beyond those that are reported.
+    More: "... and 1 more finding", "……ほかに1件あります"; "... and {count} more findings", "……ほかに{count}件あります";
+}
+
 tipc::message_table! {
     /// The robots that a migrated program loads for.
     Loads;

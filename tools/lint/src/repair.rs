@@ -24,6 +24,7 @@ mod taken;
 pub use report::{render_json, render_short};
 
 use crate::{Loaded, Options, load};
+use std::cell::Cell;
 use std::collections::HashSet;
 use taken::Taken;
 use tipc::diagnostic::{Applicability, Diagnostic, Edit, Fix};
@@ -31,6 +32,12 @@ use tipc::source::Span;
 
 /// The most times that a file is read again.
 const READINGS: usize = 200;
+
+/// The most bytes that are read again to try the fixes of a file: what is not tried is not offered.
+const READ: usize = 1 << 18;
+
+/// How many times a file is read again, whatever its length, if its fixes are asked for.
+const FEW: usize = 8;
 
 /// The most mistakes of one line that are put right one after the other.
 const HIDDEN: usize = 4;
@@ -59,11 +66,23 @@ pub struct Repaired {
 
 /// Applies the fixes that are at least as sure as `least` to what was loaded with `options`, and those of what then is found.
 pub fn repair(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
+    apply(loaded, options, least, FEW)
+}
+
+/// The same, as far as it takes little time, to say what [`repair`] would do at least.
+pub fn preview(loaded: Loaded, options: &Options, least: Applicability) -> Repaired {
+    apply(loaded, options, least, 1)
+}
+
+/// Applies fixes; the file may be read again this `often`, and a short one more often.
+fn apply(loaded: Loaded, options: &Options, least: Applicability, often: usize) -> Repaired {
+    let length = loaded.source.text().len();
     let mut repair = Repair {
         options,
         least,
         follows: true,
         readings: READINGS,
+        bytes: Cell::new(READ.max(often * length)),
         applied: Vec::new(),
         loaded,
     };
@@ -82,6 +101,7 @@ pub fn confirm(loaded: Loaded, options: &Options) -> Loaded {
         least: Applicability::Likely,
         follows: false,
         readings: READINGS,
+        bytes: Cell::new(READ.max(loaded.source.text().len())),
         applied: Vec::new(),
         loaded,
     };
@@ -111,6 +131,8 @@ struct Repair<'a> {
     /// Whether what another mistake hid on its line may be put right along with it.
     follows: bool,
     readings: usize,
+    /// How many bytes may still be read again.
+    bytes: Cell<usize>,
     applied: Vec<Applied>,
     loaded: Loaded,
 }
@@ -181,23 +203,39 @@ impl Repair<'_> {
             .as_ref()
             .map_or(Vec::new(), |it| it.findings.clone());
         together.extend(findings);
-        if let Some(better) = self.attempt(together) {
-            *accepted = Some(better);
-        } else if let (first, second @ [_, ..]) = findings.split_at(findings.len() / 2)
-            && !first.is_empty()
-        {
-            self.accept(first, accepted);
-            self.accept(second, accepted);
+        let lines = match self.attempt(together) {
+            Ok(better) => {
+                *accepted = Some(better);
+                return;
+            }
+            Err(lines) => lines,
+        };
+        // What stands where something new was found comes last.
+        let is_at = |index: &usize| {
+            let fix = self.fix(&self.loaded.diagnostics[*index]);
+            let mut edits = fix.into_iter().flat_map(|fix| &fix.edits);
+            edits.any(|edit| lines.contains(&self.loaded.source.line_column(edit.span.start).0))
+        };
+        let (mut second, mut first): (Vec<usize>, Vec<usize>) =
+            findings.iter().copied().partition(is_at);
+        if first.is_empty() || second.is_empty() {
+            let (one, other) = findings.split_at(findings.len() / 2);
+            (first, second) = (one.to_vec(), other.to_vec());
+        }
+        if !first.is_empty() {
+            self.accept(&first, accepted);
+            self.accept(&second, accepted);
         }
     }
 
-    /// The file with the fixes of these findings, if it is better. What they hid on their lines is put right, too.
-    fn attempt(&self, findings: Vec<usize>) -> Option<Accepted> {
+    /// The file with the fixes of these findings, if it is better; else the changed lines on which something new is found.
+    /// What the findings hid on their lines is put right, too.
+    fn attempt(&self, findings: Vec<usize>) -> Result<Accepted, HashSet<u32>> {
         let (mut loaded, mut new) = self.changed(&self.loaded, &findings)?;
         let mut hidden = Vec::new();
         for _ in 0..HIDDEN {
             if new.is_empty() {
-                return Some(Accepted {
+                return Ok(Accepted {
                     findings,
                     hidden,
                     loaded,
@@ -205,37 +243,52 @@ impl Repair<'_> {
             }
             let can_follow = |index: &usize| self.fix(&loaded.diagnostics[*index]).is_some();
             if !self.follows || !new.iter().all(can_follow) {
-                return None;
+                // No line was put in or taken out.
+                let follows = |index: &&usize| self.follows && can_follow(index);
+                let rest = new.iter().filter(|index| !follows(index));
+                let starts = rest.map(|index| loaded.diagnostics[*index].span.start);
+                return Err(starts
+                    .map(|start| loaded.source.line_column(start).0)
+                    .collect());
             }
             hidden.extend(self.applied(&loaded, &new));
             (loaded, new) = self.changed(&loaded, &new)?;
         }
-        None
+        Err(HashSet::new())
     }
 
-    /// A file with the fixes of some findings, and the findings that are new then; `None` if one of them was not hidden.
-    fn changed(&self, before: &Loaded, findings: &[usize]) -> Option<(Loaded, Vec<usize>)> {
+    /// A file with the fixes of some findings, and the findings that are new then, if all of them were hidden; else the
+    /// changed lines on which the others are.
+    fn changed(
+        &self,
+        before: &Loaded,
+        findings: &[usize],
+    ) -> Result<(Loaded, Vec<usize>), HashSet<u32>> {
         let found = findings.iter().map(|index| &before.diagnostics[*index]);
         let fixes: Vec<&Fix> = found.filter_map(|finding| self.fix(finding)).collect();
         let mut taken = Taken::default();
         if !fixes.iter().all(|fix| taken.take(&fix.edits)) {
-            return None;
+            return Err(HashSet::new());
         }
         let mut edits: Vec<&Edit> = fixes.iter().flat_map(|fix| &fix.edits).collect();
         edits.sort_by_key(|edit| edit.span);
         let source = &before.source;
         let changes = edits.iter().map(|edit| (edit.span, edit.text.as_str()));
         let bytes = source.changed(changes.clone());
+        let Some(left) = self.bytes.get().checked_sub(bytes.len()) else {
+            return Err(HashSet::new());
+        };
+        self.bytes.set(left);
         let loaded = load(source.name(), &bytes, self.options);
         if loaded.source.text() != spliced(source.text(), changes) {
-            return None;
+            return Err(HashSet::new());
         }
         let new = judge::news(before, &loaded, findings, &edits);
-        let was_hidden = |index: &usize| {
-            let finding = &loaded.diagnostics[*index];
-            judge::was_hidden(before, finding, &loaded, &edits)
-        };
-        new.iter().all(was_hidden).then_some((loaded, new))
+        let is_shown = judge::not_hidden(before, &loaded, &new, &edits);
+        match is_shown.is_empty() {
+            true => Ok((loaded, new)),
+            false => Err(judge::lines(before, &loaded, &is_shown, &edits)),
+        }
     }
 }
 

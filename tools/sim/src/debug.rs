@@ -111,7 +111,7 @@ impl Debugger {
             run,
             now: 0,
             history: History::default(),
-            marks: Marks::default(),
+            marks: Marks::new(program.scalar_count()),
             breakpoints: Breakpoints::new(program.steps().len()),
             watches: Watches::default(),
             stops_at_fall: false,

@@ -1,13 +1,13 @@
 //! A word that stands where END was meant.
 
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Keyword;
 use crate::message::{Habit, Message, Suggesting};
 use crate::suggest::is_near;
 
 /// The word that was to be END at the end of the text: STOP, EDN. One mistake is one finding.
-pub(super) fn last_word(found: &mut Vec<Diagnostic>) {
+pub(super) fn last_word(found: &mut Findings) {
     let Some(missing) = found.iter().position(|it| it.code == Code::NoEnd) else {
         return;
     };

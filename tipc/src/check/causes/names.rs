@@ -3,14 +3,14 @@
 use super::label;
 use crate::check::title;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::{Commanding, Habit, Instead, Message, Naming, Parsing, Structuring};
 use crate::source::{Source, Span};
 use crate::syntax::Module;
 use std::collections::{HashMap, HashSet};
 
 /// A name that is not declared is one finding; the others become its labels, and the best guess of its type its help.
-pub(super) fn undeclared(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+pub(super) fn undeclared(source: &Source, module: &Module, found: &mut Findings) {
     let in_title = title::declared(source, module);
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
@@ -34,7 +34,7 @@ pub(super) fn undeclared(source: &Source, module: &Module, found: &mut Vec<Diagn
         first_of.insert(name, kept.len());
         kept.push(finding);
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// Whether a help leaves the type open.
@@ -48,7 +48,7 @@ fn is_guess(help: Option<&Message>) -> bool {
 }
 
 /// A label that is missing is one mistake, however many jumps name it.
-pub(super) fn missing_labels(found: &mut Vec<Diagnostic>) {
+pub(super) fn missing_labels(found: &mut Findings) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
@@ -64,11 +64,11 @@ pub(super) fn missing_labels(found: &mut Vec<Diagnostic>) {
         }
         kept.push(finding);
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// What follows from a second declaration: the name is not of the type, or not the SUBROUTINE, that its uses mean.
-pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Findings) {
     let is_again =
         |it: &&Diagnostic| matches!(it.reason, Message::Naming(Naming::DeclaredAgain { .. }));
     let again: HashSet<String> = found
@@ -97,7 +97,7 @@ pub(super) fn declared_again(source: &Source, module: &Module, found: &mut Vec<D
 }
 
 /// `DEF_VAR A$`, and wherever `A$` stands.
-pub(super) fn with_sign(source: &Source, found: &mut Vec<Diagnostic>) {
+pub(super) fn with_sign(source: &Source, found: &mut Findings) {
     let mut first_of: HashMap<String, usize> = HashMap::new();
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(found.len());
     for finding in found.drain(..) {
@@ -117,7 +117,7 @@ pub(super) fn with_sign(source: &Source, found: &mut Vec<Diagnostic>) {
         }
         kept.push(finding);
     }
-    *found = kept;
+    **found = kept;
 }
 
 /// The name that a sign ends.
@@ -129,7 +129,7 @@ fn word_at(source: &Source, sign: Span) -> Span {
 }
 
 /// `SUBROUTINE LOOP:` and its calls.
-pub(super) fn called_loop(found: &mut Vec<Diagnostic>) {
+pub(super) fn called_loop(found: &mut Findings) {
     let is_named = |it: &Diagnostic| it.reason == Naming::SubroutineLoop.into();
     let is_called = |it: &Diagnostic| it.reason == Structuring::LoopForGoto.into();
     if !found.iter().any(is_named) {
@@ -144,7 +144,7 @@ pub(super) fn called_loop(found: &mut Vec<Diagnostic>) {
 }
 
 /// `PTP F1 R 0 0` with a variable R: that R is a flag there explains the missing number.
-pub(super) fn flags(source: &Source, module: &Module, found: &mut Vec<Diagnostic>) {
+pub(super) fn flags(source: &Source, module: &Module, found: &mut Findings) {
     let statement = |span: Span| module.statement_at(span.start);
     let mut explained = HashSet::new();
     for at in 0..found.len() {

@@ -1,6 +1,7 @@
 //! Variables that NEXT names: they say which FOR is meant.
 
 use super::Matcher;
+use super::other::FAR;
 use crate::check::blocks::BlockKind;
 use crate::code::Code;
 use crate::diagnostic::Diagnostic;
@@ -11,21 +12,14 @@ impl Matcher<'_> {
     /// `FOR I`, `FOR J`, `NEXT I`: the outer FOR, whose variable NEXT names, if the inner one never gets its own NEXT.
     pub(super) fn named_by_next(&self, index: usize) -> Option<usize> {
         let name = self.named(index)?;
-        let is_routine = |open: &super::Open| open.kind == BlockKind::Subroutine;
-        let inside = self
-            .open
-            .iter()
-            .rposition(is_routine)
-            .map_or(0, |at| at + 1);
-        let fors = (inside..self.open.len()).filter(|at| self.open[*at].kind == BlockKind::For);
-        let fors: Vec<usize> = fors.collect();
-        let place = fors
-            .iter()
-            .rposition(|at| self.counter(self.open[*at].first) == Some(name))?;
-        let is_innermost = place + 1 == fors.len();
+        let fors = self.open.within(BlockKind::For);
+        let near = &fors[fors.len().saturating_sub(FAR)..];
+        let mut near = near.iter().rev();
+        let place = near.position(|at| self.counter(self.open[*at].first) == Some(name))?;
+        let is_innermost = place == 0;
         // With enough others for those around it, it names the wrong variable.
         let is_outer = !is_innermost && self.later(index, BlockKind::For) < fors.len() - 1;
-        is_outer.then(|| fors[place])
+        is_outer.then(|| fors[fors.len() - 1 - place])
     }
 
     /// The variable of a FOR.

@@ -7,12 +7,12 @@ use crate::diagnostic::Diagnostic;
 use crate::foreign;
 use crate::language::Keyword;
 use crate::lex::BLANKS;
-use crate::message::{Commanding, Habit, Instead, Message, Parsing, Structuring};
+use crate::message::{Commanding, Habit, Instead, Message, Structuring};
 use crate::source::Source;
 use crate::syntax::{Shape, StatementKind};
 
-/// How far the end of a block is looked for.
-const FAR: usize = 1_000;
+/// How far the end of a block is looked for, and the block that an end names.
+pub(super) const FAR: usize = 1_000;
 
 impl Matcher<'_> {
     /// `WHILE … NEXT`: the end of another block, where the innermost one never gets its own. `other_open` says whether
@@ -34,15 +34,12 @@ impl Matcher<'_> {
             && name == kind.closer()
             && !self.is_reported(index)
             && !self.is_reported(first);
-        let is_needed = || other_open && self.later(index, kind) < self.open_of(kind);
+        let is_needed = || other_open && self.later(index, kind) < self.open.within(kind).len();
         if !may_be || self.later(index, inner) > 0 || is_needed() {
             return false;
         }
         // That it is alone on its line would not help.
-        let place = self.place(index);
-        let is_alone = Message::from(Parsing::NotAlone { word: name.into() });
-        self.found
-            .retain(|it| it.reason != is_alone || it.span.start != place.start);
+        self.closes_more.insert(self.place(index).start);
         self.open.pop();
         self.result.blocks[block].end = index;
         self.result.blocks[block].broken = true;
@@ -94,13 +91,6 @@ impl Matcher<'_> {
         true
     }
 
-    /// How many blocks of this kind are open in the routine.
-    fn open_of(&self, kind: BlockKind) -> usize {
-        let open = self.open.iter().rev();
-        let open = open.take_while(|open| open.kind != BlockKind::Subroutine);
-        open.filter(|open| open.kind == kind).count()
-    }
-
     /// How many ends of blocks of this kind that are open now come after a statement.
     pub(super) fn later(&self, index: usize, kind: BlockKind) -> usize {
         let (mut inside, mut later) = (0, 0);
@@ -147,7 +137,7 @@ impl Matcher<'_> {
             .label(self.place(innermost.first), Structuring::Open { opener })
             .help(help);
         self.found.push(fault);
-        for open in self.open.drain(..) {
+        while let Some(open) = self.open.pop() {
             self.result.blocks[open.block].broken = true;
         }
         Some(())
@@ -180,7 +170,7 @@ impl Matcher<'_> {
         let is_one = self.is_foreign(innermost.first)
             || innermost.kind == BlockKind::Repeat && self.is_reported(innermost.first);
         self.found.extend(Some(fault).filter(|_| !is_one));
-        for open in self.open.drain(..) {
+        while let Some(open) = self.open.pop() {
             self.result.blocks[open.block].broken = true;
         }
         Some(())

@@ -97,7 +97,7 @@ fn try_on(bytes: &[u8]) {
             assert_in_range(&source, bad.span, bytes);
         }
         let (module, diagnostics) = parse(&source, 3.1);
-        for diagnostic in &diagnostics {
+        for diagnostic in diagnostics.iter() {
             assert_in_range(&source, diagnostic.span, bytes);
             for label in &diagnostic.labels {
                 assert_in_range(&source, label.span, bytes);
@@ -148,7 +148,7 @@ fn time(unit: &str, length: usize) -> Duration {
     let start = Instant::now();
     let (source, _) = Source::decode("long.prg", text.as_bytes(), Encoding::Auto);
     let (_, diagnostics) = parse(&source, 3.1);
-    for diagnostic in &diagnostics {
+    for diagnostic in diagnostics.iter() {
         source.line_column(diagnostic.span.start);
     }
     start.elapsed()

@@ -2,7 +2,7 @@
 
 use super::Judged;
 use crate::code::Code;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Findings};
 use crate::message::Warning;
 use crate::parse::narrow;
 use crate::program::VariableKind;
@@ -12,7 +12,7 @@ use crate::syntax::upper_case;
 const SIGNS: [char; 2] = ['%', '％'];
 
 /// Warns of the first one that would show a VAR, were it half-width.
-pub(super) fn warn(judged: &Judged<'_>, place: Span, found: &mut Vec<Diagnostic>) {
+pub(super) fn warn(judged: &Judged<'_>, place: Span, found: &mut Findings) {
     let text = judged.source.slice(place);
     if text.is_ascii() {
         return;

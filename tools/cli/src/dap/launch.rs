@@ -12,6 +12,7 @@ use crate::scene::SceneChoice;
 use crate::usage::Wrong;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
+use tip_lint::message::More;
 use tip_sim::debug::Debugger;
 use tip_sim::event::EventError;
 use tipc::message::Lang;
@@ -93,8 +94,9 @@ fn beside(program: &Path, path: PathBuf) -> PathBuf {
 /// All that is wrong, one line each.
 fn findings(loaded: &Loaded, lang: Lang) -> String {
     let lines = loaded.diagnostics.iter();
-    let lines: Vec<String> = lines
-        .map(|one| render::short(&loaded.source, one, lang))
-        .collect();
+    let lines = lines.map(|one| render::short(&loaded.source, one, lang));
+    let omitted = loaded.omitted.count();
+    let more = (omitted > 0).then(|| More::from(omitted).in_lang(lang).to_string());
+    let lines: Vec<String> = lines.chain(more).collect();
     lines.join("\n")
 }

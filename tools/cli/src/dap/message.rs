@@ -211,6 +211,8 @@ pub(crate) struct Scope {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) presentation_hint: Option<&'static str>,
     pub(crate) variables_reference: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) named_variables: Option<usize>,
     pub(crate) expensive: bool,
 }
 

@@ -59,10 +59,14 @@ impl<H: Host> Session<H> {
 
     pub(super) fn scopes(&mut self) -> Answer {
         self.standing()?;
+        let debuggee = self.debuggee.as_ref();
+        let count = debuggee.map(|it| it.debugger.program().variables().len());
         let scope = |name, variables_reference, presentation_hint| Scope {
             name: self.text(name),
             presentation_hint,
             variables_reference,
+            // A client may ask for some of them.
+            named_variables: count.filter(|_| variables_reference == PROGRAM),
             expensive: false,
         };
         let scopes = [
@@ -81,11 +85,19 @@ impl<H: Host> Session<H> {
         let lang = self.lang();
         let no_such_list = self.text(Debugging::NoSuchList);
         let debugger = &self.standing()?.debugger;
+        let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
+        let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
+        let count = usize::try_from(count).unwrap_or(usize::MAX);
         let all = match asked.variables_reference {
-            PROGRAM => (0..)
-                .zip(debugger.variables())
-                .map(|(place, it)| variable(place, &it, lang))
-                .collect(),
+            PROGRAM => {
+                let all = (0..).zip(debugger.variables());
+                let asked = all.skip(from).take(count);
+                let shown = asked.filter_map(|(place, it)| {
+                    serde_json::to_value(variable(place, &it, lang)).ok()
+                });
+                let shown: Vec<Value> = shown.collect();
+                return Ok(Some(json!({ "variables": shown })));
+            }
             ROBOT => robot(debugger, lang),
             LEGS => {
                 let aims = debugger.run().aims();
@@ -96,12 +108,10 @@ impl<H: Host> Session<H> {
                 members(debugger, place, lang).ok_or(no_such_list)?
             }
         };
-        let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
-        let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
         let shown: Vec<Value> = all
             .iter()
             .skip(from)
-            .take(usize::try_from(count).unwrap_or(usize::MAX))
+            .take(count)
             .filter_map(|it| serde_json::to_value(it).ok())
             .collect();
         Ok(Some(json!({ "variables": shown })))

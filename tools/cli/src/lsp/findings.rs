@@ -7,6 +7,7 @@ use gen_lsp_types::{
     Code as Id, CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
     DiagnosticTag, Location, Uri,
 };
+use tip_lint::message::More;
 use tipc::Loaded;
 use tipc::code::{Code, Level};
 use tipc::diagnostic;
@@ -14,7 +15,7 @@ use tipc::diagnostic;
 /// Who found it.
 const SOURCE: &str = "tipc";
 
-/// The findings about a text.
+/// The findings about a text, and how many others are omitted.
 pub(crate) fn findings(
     loaded: &Loaded,
     uri: &str,
@@ -22,9 +23,23 @@ pub(crate) fn findings(
     around: &mut impl Surroundings,
 ) -> Vec<Diagnostic> {
     let found = loaded.diagnostics.iter();
-    found
+    let mut found: Vec<Diagnostic> = found
         .map(|one| finding(loaded, one, uri, client, around))
-        .collect()
+        .collect();
+    let omitted = loaded.omitted.count();
+    if let Some(last) = found.last().filter(|_| omitted > 0) {
+        let more = Diagnostic {
+            severity: Some(DiagnosticSeverity::Information),
+            code: None,
+            code_description: None,
+            message: More::from(omitted).in_lang(client.lang).to_string().into(),
+            tags: None,
+            related_information: None,
+            ..last.clone()
+        };
+        found.push(more);
+    }
+    found
 }
 
 /// One of them.

@@ -312,6 +312,41 @@ fn many_findings_are_cut_and_counted_over_all_files() {
 }
 
 #[test]
+fn findings_beyond_a_thousand_are_omitted_and_counted() {
+    let mut naps: String = (0..1_200).map(|n| format!("DEF_VAR V{n}\n")).collect();
+    naps += "SLEEP 1\nMESSAGE done\nEND";
+    let folder = Folder::new("omitted")
+        .program("wrong.prg", &("FOO\n".repeat(1_500) + "END"))
+        .program("naps.prg", &naps);
+    let tipc = |arguments: &[&str]| folder.tipc(arguments);
+    let human = tipc(&["check", "wrong.prg"]).expect(1);
+    for line in [
+        "... and 1450 more findings",
+        "wrong.prg: 1500 errors, 0 warnings",
+    ] {
+        assert!(human.err.lines().any(|one| one == line), "{line}");
+    }
+    let short = tipc(&["check", "--message-format", "short", "wrong.prg"]).expect(1);
+    assert_eq!(short.lines().len(), 1_001);
+    let note = "wrong.prg: note: ... and 500 more findings";
+    assert_eq!(short.lines().last(), Some(&note));
+    let json = tipc(&["check", "--message-format", "json", "wrong.prg"]).expect(1);
+    assert_eq!(json.lines().len(), 1_001);
+    let note = r#"{"level":"note","message":"... and 500 more findings","file":"wrong.prg","omitted":500}"#;
+    assert_eq!(json.lines().last(), Some(&note));
+    // What is omitted is denied like the rest.
+    let checked =
+        |more: &[&str]| tipc(&[&["check", "--message-format", "short", "naps.prg"], more].concat());
+    checked(&[]).expect(0);
+    for (code, line) in [
+        ("W118", "error: naps.prg: 1 denied warning: W118\n"),
+        ("W101", "error: naps.prg: 1200 denied warnings: W101\n"),
+    ] {
+        assert_eq!(checked(&["--deny", code]).expect(1).err, line);
+    }
+}
+
+#[test]
 fn colours_come_when_asked_for() {
     let folder = Folder::new("colours").program("p.prg", "FOO\nEND");
     let shown = |arguments: &[&str], insists: &str| {

@@ -153,6 +153,18 @@ fn a_bad_message_gets_an_error_and_the_session_goes_on() {
 }
 
 #[test]
+fn findings_that_are_omitted_are_counted_at_the_last_one() {
+    let folder = Folder::new("lsp-omitted");
+    let mut editor = Editor::start(&folder, ENCODINGS[1], Value::Null);
+    let found = editor.open(&format!("3.1\nTitle\n{}END\n", "FOO\n".repeat(1_500)));
+    assert_eq!(found.len(), 1_001);
+    assert_eq!(found[1_000]["severity"], 3);
+    assert_eq!(found[1_000]["message"], "... and 500 more findings");
+    assert_eq!(found[1_000]["range"], found[999]["range"]);
+    assert_eq!(editor.end(), 0);
+}
+
+#[test]
 fn the_robot_is_that_of_the_settings() {
     let folder = Folder::new("lsp-robot");
     let text = "3.1\nTitle\nDEF_VAR T\nTEACH_TORQUE J11 T\nSLEEP T\nEND\n";

@@ -12,6 +12,18 @@ fn document(folder: &Folder, arguments: &[&str]) -> Value {
 }
 
 #[test]
+fn findings_that_are_omitted_are_a_note_about_the_run() {
+    let folder =
+        Folder::new("sarif-omitted").program("wrong.prg", &("FOO\n".repeat(1_500) + "END"));
+    let run = &document(&folder, &["wrong.prg"])["runs"][0];
+    assert_eq!(run["results"].as_array().map(Vec::len), Some(1_000));
+    let note = &run["invocations"][0]["toolExecutionNotifications"][0];
+    assert_eq!(note["message"]["text"], "... and 500 more findings");
+    let place = &note["locations"][0]["physicalLocation"];
+    assert_eq!(place["artifactLocation"]["uri"], "wrong.prg");
+}
+
+#[test]
 fn all_files_are_one_run_of_one_document() {
     let folder = Folder::new("sarif-all")
         .program("good.prg", "END")

@@ -30,7 +30,8 @@ fn block(site: &Site<'_>) -> Option<Fix> {
     };
     let mut edits = vec![opening(site, opener)?];
     let mut depth = 0;
-    for statement in &site.module.statements[index + 1..] {
+    let after = site.module.statements[index + 1..].iter();
+    for statement in after.take_while(|_| site.may_look_at(1)) {
         let text = site.slice(statement.span);
         match statement.kind.shape() {
             Shape::If | Shape::While | Shape::Repeat | Shape::For => depth += 1,

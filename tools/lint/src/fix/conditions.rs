@@ -55,7 +55,8 @@ fn both_jump(site: &Site<'_>, gap: Span) -> Option<Fix> {
 fn both(site: &Site<'_>, gap: Span) -> Option<Fix> {
     let index = site.index()?;
     let mut depth = 0;
-    for statement in &site.module.statements[index + 1..] {
+    let after = site.module.statements[index + 1..].iter();
+    for statement in after.take_while(|_| site.may_look_at(1)) {
         match statement.kind.shape() {
             Shape::If => depth += 1,
             Shape::ElseIf | Shape::Else if depth == 0 => return None,

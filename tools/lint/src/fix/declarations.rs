@@ -51,6 +51,9 @@ fn underscore(site: &Site<'_>, name: &str) -> Option<Fix> {
     let written = site.text().to_ascii_uppercase();
     let is_part =
         |byte: Option<&u8>| byte.is_some_and(|it| it.is_ascii_alphanumeric() || *it == b'_');
+    if !site.may_look_at(site.module.statements.len()) {
+        return None;
+    }
     let mut edits = Vec::new();
     for statement in &site.module.statements {
         if let StatementKind::Define { names, .. } = &statement.kind

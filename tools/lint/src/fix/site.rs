@@ -1,15 +1,22 @@
 //! A finding, and what stands around it.
 
 use smol_str::SmolStr;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::collections::HashSet;
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::Keyword;
 use tipc::language::reserved::LOOP;
 use tipc::lex::{BLANKS, Kind, Token, lex};
 use tipc::message::Message;
+use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
+
+/// The most statements that are looked at for all findings of a file, each of which may need all that follow.
+const LOOKED_AT: usize = 1_000_000;
+
+/// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
+const LONGEST: usize = 4 * LINE_LIMIT;
 
 /// What is looked up once for all findings of a file.
 #[derive(Debug, Default)]
@@ -17,6 +24,8 @@ pub(super) struct Shared {
     /// The names that something jumps to, or was going to.
     targets: OnceCell<HashSet<SmolStr>>,
     first: OnceCell<Option<u32>>,
+    /// How many statements were looked at for other findings than theirs.
+    looked_at: Cell<usize>,
 }
 
 /// A finding in its file.
@@ -75,11 +84,11 @@ impl<'a> Site<'a> {
         self.index().map(|index| &self.module.statements[index])
     }
 
-    /// The words and operators of the statement around the finding.
+    /// Returns the words and operators of the statement around the finding; none of one that no line can hold.
     pub(super) fn tokens(&self) -> Vec<Token> {
-        self.statement()
-            .map(|statement| self.tokens_of(statement.span))
-            .unwrap_or_default()
+        let is_short = |it: &&Statement| it.span.end - it.span.start <= LONGEST;
+        let statement = self.statement().filter(is_short);
+        statement.map_or_else(Vec::new, |it| self.tokens_of(it.span))
     }
 
     /// The words and operators at a place.
@@ -174,6 +183,13 @@ impl<'a> Site<'a> {
         jumps
             .map(|pair| upper_case(self.slice(pair[1].span)))
             .collect()
+    }
+
+    /// Whether so many statements may still be looked at: of many findings that need it, the first ones get their fixes.
+    pub(super) fn may_look_at(&self, statements: usize) -> bool {
+        let looked_at = self.shared.looked_at.get() + statements;
+        self.shared.looked_at.set(looked_at);
+        looked_at <= LOOKED_AT
     }
 
     /// The line of the first statement that declares nothing.

@@ -5,9 +5,7 @@ use crate::Options;
 use crate::listing::formal;
 use crate::message::Formatting;
 use std::mem::discriminant;
-use tipc::code::Level;
-use tipc::diagnostic::Diagnostic;
-use tipc::load::{Parsed, judge};
+use tipc::load::Parsed;
 use tipc::parse::parse_taking;
 use tipc::source::Source;
 use tipc::syntax::{Statement, StatementKind, Word};
@@ -41,17 +39,15 @@ fn is_equal(before: &Parsed, after: &Source, options: &Options) -> bool {
         old: Vec::new(),
         new: Vec::new(),
     };
-    let (module, mut found) = parse_taking(after, options.tip_version, &mut |read| {
+    let (module, found) = parse_taking(after, options.tip_version, &mut |read| {
         for new in read.drain(..) {
             let old = left.next();
             is_equal = is_equal && old.is_some_and(|old| pair.is_equal(old, after, &new));
         }
     });
-    judge(&mut found, module.edition);
-    let is_error = |it: &Diagnostic| it.level() == Level::Error;
     is_equal
         && left.next().is_none()
-        && !found.iter().any(is_error)
+        && !found.have_error(module.edition)
         && before.module.edition == module.edition
         && before.module.title == module.title
 }
@@ -111,7 +107,7 @@ mod tests {
     fn is_same(before: &str, after: &str) -> bool {
         let options = Options::default();
         let before = parsed("long.prg", before.as_bytes(), &options);
-        assert_eq!(before.diagnostics, []);
+        assert_eq!(*before.diagnostics, []);
         check(&before, after.as_bytes(), &options).is_ok()
     }
 

@@ -26,7 +26,7 @@ pub(super) fn news(
             *anywhere.entry(key(finding)).or_default() += 1;
         }
     }
-    let seen = Seen::of(before, edits);
+    let seen = Seen::of(before, &ends, edits);
     let found = after.diagnostics.iter().enumerate();
     let mut new: Vec<_> = found
         .filter(|(_, finding)| seen.would_show(finding))
@@ -74,17 +74,48 @@ impl Ends {
     }
 }
 
-/// Whether a finding stands on a line that was changed, where the mistake before may have hidden it.
-pub(super) fn was_hidden(
+/// Of some findings those that stand on no line that was changed: no mistake before may have hidden them.
+pub(super) fn not_hidden(
     before: &Loaded,
-    finding: &Diagnostic,
     after: &Loaded,
+    findings: &[usize],
     edits: &[&Edit],
-) -> bool {
-    let (line, _) = after.source.line_column(finding.span.start);
+) -> Vec<usize> {
     let same_lines = before.source.line_count() == after.source.line_count();
-    let changed = |edit: &&Edit| before.source.line_column(edit.span.start).0 == line;
-    same_lines && edits.iter().any(changed)
+    let changed = edits.iter().filter(|_| same_lines);
+    let changed = changed.map(|edit| before.source.line_column(edit.span.start).0);
+    let changed: HashSet<u32> = changed.collect();
+    let line = |index: usize| {
+        let start = after.diagnostics[index].span.start;
+        after.source.line_column(start).0
+    };
+    let findings = findings.iter().copied();
+    findings
+        .filter(|index| !changed.contains(&line(*index)))
+        .collect()
+}
+
+/// The lines before the change that hold an edit, if a finding stands there after it.
+pub(super) fn lines(
+    before: &Loaded,
+    after: &Loaded,
+    findings: &[usize],
+    edits: &[&Edit],
+) -> HashSet<u32> {
+    let line = |index: &usize| {
+        let start = after.diagnostics[*index].span.start;
+        after.source.line_column(start).0
+    };
+    let found: HashSet<u32> = findings.iter().map(line).collect();
+    let ends = Ends::of(edits);
+    let is_found = |edit: &&&Edit| {
+        let end = ends.moved(edit.span.end);
+        found.contains(&after.source.line_column(end).0)
+    };
+    let edits = edits.iter().filter(is_found);
+    edits
+        .map(|edit| before.source.line_column(edit.span.start).0)
+        .collect()
 }
 
 /// What makes two findings the same, wherever they are.
@@ -102,15 +133,24 @@ struct Seen {
     usage: bool,
     /// There was a program, so that its warnings were known.
     program: bool,
+    /// Where the last error and the last warning was reported, as places of the changed text, if further ones were omitted.
+    last: [Option<usize>; 2],
 }
 
 impl Seen {
-    fn of(before: &Loaded, edits: &[&Edit]) -> Seen {
+    fn of(before: &Loaded, ends: &Ends, edits: &[&Edit]) -> Seen {
         let last = before.module.statements.last();
         let end = last.filter(|last| matches!(last.kind, StatementKind::End));
         let read = end.map_or(before.source.text().len(), |end| end.span.end);
         // No further than the start of a change across the end.
         let edits = edits.iter().filter(|edit| edit.span.start < read);
+        let last = [Level::Error, Level::Warning].map(|level| {
+            let omitted = before.omitted.of_level(level, before.module.edition);
+            let of_level = |it: &&Diagnostic| it.level() == level;
+            let last = before.diagnostics.iter().rfind(of_level);
+            let last = last.map_or(0, |last| ends.moved(last.span.start));
+            (omitted > 0).then_some(last)
+        });
         let (gone, new) = edits.fold((0, 0), |(gone, new), edit| {
             let gone = gone + edit.span.end.min(read) - edit.span.start;
             (gone, new + edit.text.len())
@@ -126,6 +166,7 @@ impl Seen {
                 .iter()
                 .all(|it| it.code != Code::Structure),
             program: before.program.is_some(),
+            last,
         }
     }
 
@@ -136,6 +177,10 @@ impl Seen {
             Code::NeverAssigned | Code::Unused | Code::NeverRead
         );
         let is_warning = finding.level() == Level::Warning;
-        finding.span.start < self.read && (self.usage || !is_usage) && (self.program || !is_warning)
+        let last = self.last[usize::from(is_warning)];
+        last.is_none_or(|last| finding.span.start < last)
+            && finding.span.start < self.read
+            && (self.usage || !is_usage)
+            && (self.program || !is_warning)
     }
 }

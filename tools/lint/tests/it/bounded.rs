@@ -6,11 +6,13 @@ use std::fmt::Write;
 use tip_lint::cycles::{Sampling, human, json, parts, short};
 use tip_lint::load;
 use tip_lint::migrate::migrate;
+use tip_lint::repair::{confirm, preview};
 use tipc::analysis::assignment::{Assigned, Assignment, Read};
+use tipc::diagnostic::Applicability;
 use tipc::emit::{Options as Spelling, pretty};
 use tipc::program::Program;
 use tipc::source::Encoding;
-use tipc::{Options, Robot};
+use tipc::{MOST, Options, Robot};
 
 fn program(statements: &str) -> Program {
     let text = format!("3.1\ntest\n{statements}\nEND\n");
@@ -170,14 +172,7 @@ fn a_count_that_ends_early_says_so() {
 fn check(statements: &str) -> u64 {
     let text = format!("3.1\ntest\n{statements}\nEND\n");
     let options = Options::default();
-    let run = || {
-        assert!(
-            load("test.prg", text.as_bytes(), &options)
-                .program
-                .is_some()
-        )
-    };
-    measure(run).bytes_total
+    measure(|| drop(load("test.prg", text.as_bytes(), &options))).bytes_total
 }
 
 #[test]
@@ -249,4 +244,103 @@ fn generated_code_takes_little_more_memory_than_its_text() {
     // What a few steps at once take is there in both.
     let a_step = (peak(8_000) - peak(4_000)) / 4_000;
     assert!(a_step < 1_500, "{a_step} bytes a step");
+}
+
+#[test]
+fn a_check_takes_time_in_proportion() {
+    require_linear("values in messages", |count| {
+        let names = lines(count, |n| format!("DEF_VAR V{n}"));
+        check(&(names + &lines(count, |n| format!("V{n} = 1\nMESSAGE %V{n}% V{n}"))))
+    });
+    require_linear("labels that are jumped to without their colons", |count| {
+        check(&lines(count, |n| format!("L{n}\nGOTO L{n}:")))
+    });
+    require_linear("declarations on one line", |count| {
+        let names: String = (0..count).map(|n| format!(" V{n}")).collect();
+        check(&format!("DEF_VAR{names}\n"))
+    });
+    for (open, close) in [
+        ("IF 1 > 2 THEN\n", "ENDIF\n"),
+        ("FOR I = 1 TO 3\n", "NEXT\n"),
+    ] {
+        require_linear(open, |depth| {
+            let (open, close) = (open.repeat(depth), close.repeat(depth));
+            check(&format!("DEF_VAR I\n{open}SLEEP 20\n{close}"))
+        });
+    }
+    require_linear("comments that allow", |count| {
+        check(&"SLEEP 20 // tip: allow(W112)\n".repeat(count))
+    });
+    require_linear("words of other languages", |count| {
+        check(&"ENDWHILE\n".repeat(count))
+    });
+    require_linear("ends of other blocks", |count| {
+        check(&("WHILE KB_HIT\n".repeat(count) + &"NEXT\n".repeat(count)))
+    });
+    require_linear("branches of no IF", |count| check(&"ELSE\n".repeat(count)));
+    require_linear("loops that end crosswise", |count| {
+        let names = lines(count, |n| format!("DEF_VAR V{n}"));
+        let open = lines(count, |n| format!("FOR V{n} = 1 TO 2"));
+        check(&(names + &open + &lines(count, |n| format!("NEXT V{n}"))))
+    });
+    require_linear("jumps into blocks in blocks", |count| {
+        let (jumps, open) = ("GOTO L:\n".repeat(count), "WHILE KB_HIT\n".repeat(count));
+        check(&format!("{jumps}{open}L:\n{}", "WEND\n".repeat(count)))
+    });
+}
+
+/// Three mistakes that are put right in two words, and a third that is not.
+const WRONG: &str = "SLEPE 20 ; WIAT_INPOS ALL ; GOTOO L\n";
+
+#[test]
+fn fixes_are_tried_within_a_budget() {
+    let options = Options::default();
+    let tries = |count: usize| {
+        let text = format!("3.1\ntest\n{}END\n", WRONG.repeat(count));
+        let loaded = load("test.prg", text.as_bytes(), &options);
+        let reading = measure(|| drop(load("test.prg", text.as_bytes(), &options)));
+        let trying = measure(|| {
+            let tried = loaded.clone();
+            drop(preview(tried, &options, Applicability::Likely));
+            drop(confirm(loaded, &options));
+        });
+        (trying.bytes_total / reading.bytes_total.max(1)) as usize * text.len()
+    };
+    // A quarter of a megabyte is read again each time, or the file once.
+    for count in [25, 100, 400, 1_600] {
+        let bytes = tries(count);
+        assert!(bytes < 3 << 18, "{count} lines: {bytes} bytes");
+    }
+}
+
+#[test]
+fn findings_are_capped_and_the_others_counted() {
+    let options = Options::default();
+    for (mistake, count) in [(":", 250_000), ("ENDWHILE\n", 20_000), ("SLEEP V\n", 1_500)] {
+        let mistakes = match mistake {
+            "SLEEP V\n" => lines(count, |n| format!("SLEEP V{n}")),
+            _ => mistake.repeat(count),
+        };
+        let text = format!("3.1\ntest\n{mistakes}\nEND\n");
+        let mut loaded = None;
+        let info = measure(|| loaded = Some(load("test.prg", text.as_bytes(), &options)));
+        let loaded = loaded.expect("it was loaded");
+        assert!(loaded.program.is_none());
+        assert_eq!(loaded.diagnostics.len(), MOST, "{mistake}");
+        let all = loaded.omitted.count() + MOST;
+        assert!((count..=count + 2).contains(&all), "{mistake}: {all}");
+        // What is kept of them does not grow with their number.
+        let most = 40_000_000 + 200 * text.len() as u64;
+        assert!(info.bytes_max < most, "{mistake}: {}", info.bytes_max);
+    }
+}
+
+#[test]
+fn errors_are_reported_before_warnings() {
+    let unused = lines(2 * MOST, |n| format!("DEF_VAR V{n}"));
+    let text = format!("3.1\ntest\n{unused}FOO\nEND\n");
+    let loaded = load("test.prg", text.as_bytes(), &Options::default());
+    let last = loaded.diagnostics.last().expect("there is one");
+    assert_eq!(last.code, tipc::code::Code::UnknownCommand);
+    assert_eq!(loaded.omitted.count(), MOST + 1);
 }

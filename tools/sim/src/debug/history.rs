@@ -87,31 +87,35 @@ const SPACING: u64 = 200;
 /// How many snapshots there may be: more than ten minutes of 2 ms need.
 const MOST: usize = 2048;
 
+/// How many values of variables all snapshots may hold together.
+const VALUES: usize = 1 << 24;
+
 /// Snapshots, two hundred cycles apart. When there are too many, every second one goes, and later ones are as far apart as
 /// those that stay; so a run of any length needs no more memory than a long one.
 #[derive(Debug)]
 pub(super) struct Marks {
     marks: Vec<(u64, Snapshot)>,
     spacing: u64,
-}
-
-impl Default for Marks {
-    fn default() -> Self {
-        Marks {
-            marks: Vec::new(),
-            spacing: SPACING,
-        }
-    }
+    most: usize,
 }
 
 impl Marks {
+    /// Returns no snapshots yet, of a program with so many values. The more it has, the fewer snapshots are kept.
+    pub(super) fn new(values: usize) -> Self {
+        Marks {
+            marks: Vec::new(),
+            spacing: SPACING,
+            most: (VALUES / values.max(1)).clamp(2, MOST),
+        }
+    }
+
     /// Marks a run at a position beyond all others, if it is far enough from the last mark.
     pub(super) fn note(&mut self, at: u64, run: &Run) {
         let due = self.marks.last().map_or(0, |(last, _)| last + self.spacing);
         if at < due {
             return;
         }
-        if self.marks.len() == MOST {
+        if self.marks.len() >= self.most {
             let mut place = 0;
             self.marks.retain(|_| {
                 place += 1;

@@ -1,0 +1,127 @@
+//! The findings of a pass, of which only so many are kept.
+
+use super::Diagnostic;
+use crate::code::{Code, Level};
+use crate::language::Edition;
+use std::collections::BTreeMap;
+use std::ops::{Deref, DerefMut};
+
+/// The most findings that the passes keep: of a hostile file there may be one for each byte, and each takes hundreds.
+const KEPT: usize = 10_000;
+
+/// Findings; those beyond the most that are kept are counted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Findings {
+    kept: Vec<Diagnostic>,
+    omitted: Omitted,
+}
+
+impl Findings {
+    /// Adds a finding.
+    pub fn push(&mut self, finding: Diagnostic) {
+        match self.is_full() {
+            true => self.omitted.add(finding.code),
+            false => self.kept.push(finding),
+        }
+    }
+
+    /// Whether no more are kept.
+    pub(crate) fn is_full(&self) -> bool {
+        self.kept.len() >= KEPT
+    }
+
+    /// Adds those of another pass, the omitted ones among them.
+    pub(crate) fn append(&mut self, later: Findings) {
+        self.omitted.append(later.omitted);
+        self.extend(later.kept);
+    }
+
+    /// Whether there is an error by the rules of an edition, kept or not.
+    pub fn have_error(&self, edition: Edition) -> bool {
+        let is_error = |code: Code| code.level(edition) == Level::Error;
+        self.kept.iter().any(|it| is_error(it.code))
+            || self.omitted.codes().any(|(code, _)| is_error(code))
+    }
+
+    /// The findings that are kept, and how many others there were.
+    pub(crate) fn into_parts(self) -> (Vec<Diagnostic>, Omitted) {
+        (self.kept, self.omitted)
+    }
+}
+
+impl Deref for Findings {
+    type Target = Vec<Diagnostic>;
+
+    fn deref(&self) -> &Vec<Diagnostic> {
+        &self.kept
+    }
+}
+
+impl DerefMut for Findings {
+    fn deref_mut(&mut self) -> &mut Vec<Diagnostic> {
+        &mut self.kept
+    }
+}
+
+impl Extend<Diagnostic> for Findings {
+    fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, findings: T) {
+        findings.into_iter().for_each(|finding| self.push(finding));
+    }
+}
+
+impl From<Vec<Diagnostic>> for Findings {
+    fn from(findings: Vec<Diagnostic>) -> Self {
+        let mut all = Findings::default();
+        all.extend(findings);
+        all
+    }
+}
+
+impl IntoIterator for Findings {
+    type Item = Diagnostic;
+    type IntoIter = std::vec::IntoIter<Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.kept.into_iter()
+    }
+}
+
+/// The findings that are not reported, since there are too many: how many of each code.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Omitted(BTreeMap<Code, usize>);
+
+impl Omitted {
+    /// Whether all findings are reported.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.0.values().sum()
+    }
+
+    /// How many there are of a level, by the rules of an edition.
+    pub fn of_level(&self, level: Level, edition: Edition) -> usize {
+        let of_level = self.0.iter();
+        let of_level = of_level.filter(|(code, _)| code.level(edition) == level);
+        of_level.map(|(_, count)| count).sum()
+    }
+
+    /// Their codes, each with how many there are.
+    pub fn codes(&self) -> impl Iterator<Item = (Code, usize)> {
+        self.0.iter().map(|(code, count)| (*code, *count))
+    }
+
+    /// Counts one more.
+    pub(crate) fn add(&mut self, code: Code) {
+        *self.0.entry(code).or_default() += 1;
+    }
+
+    /// Counts others as well.
+    pub(crate) fn append(&mut self, others: Omitted) {
+        for (code, count) in others.0 {
+            *self.0.entry(code).or_default() += count;
+        }
+    }
+}
