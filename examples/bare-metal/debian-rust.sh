@@ -1,5 +1,6 @@
 # Read by the scripts beside it: a compiler with the source of its libraries, which the stock toolchain
 # has not. Debian packages one; it is unpacked below the target folder, nothing is installed.
+# shellcheck disable=SC2034 # what is set here, those scripts read
 
 . ../../tests/need.sh
 

@@ -1,7 +1,7 @@
 //! Writes a robot as URDF and as MJCF, and where its links are in 1,000 random postures and how its feet move there: what
 //! `tests/urdf/run` has judged by others.
 //!
-//! `cargo run -p tip-sim --example poses --features urdf -- FOLDER titan8 hexapod.toml quadruped.urdf`
+//! `cargo run -p tip-sim --example poses -- FOLDER titan8 hexapod.toml quadruped.urdf`
 
 use std::error::Error;
 use std::fmt::Write as _;
