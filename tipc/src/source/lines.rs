@@ -101,6 +101,7 @@ impl Source {
     }
 
     /// Returns the lines from one on, counted from 1.
+    #[cfg(feature = "build")]
     pub(crate) fn lines_from(&self, number: u32) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),

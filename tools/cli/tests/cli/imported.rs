@@ -188,8 +188,8 @@ fn a_quadruped_with_y_up_is_imported_and_walks_in_its_new_crate() {
     folder.tipc(&["fmt", "--check", program]).expect(0);
     for plant in ["quasi-static", "dynamic"] {
         let run = folder.tipc(&["run", "--plant", plant, program]).expect(0);
-        assert!(run.out.contains("falls   none"), "{}", run.out);
-        assert!(run.out.contains("mm forward"), "{}", run.out);
+        assert!(run.err.contains("falls   none"), "{}", run.err);
+        assert!(run.err.contains("mm forward"), "{}", run.err);
     }
     let test = folder.read("walker/tests/walk.rs");
     assert!(

@@ -42,7 +42,7 @@ fn a_run_without_end_stops_after_ten_minutes_and_says_so() {
         outcome.err
     );
     assert!(
-        outcome.err.contains("stopped after ten minutes"),
+        outcome.err.contains("stopped after 10 minutes"),
         "{}",
         outcome.err
     );

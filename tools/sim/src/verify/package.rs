@@ -87,7 +87,7 @@ publish = false
 
 [dependencies]
 tip-runtime = {{ {runtime} }}
-tip-sim = {{ {sim}, default-features = false, features = ["std"] }}
+tip-sim = {{ {sim} }}
 
 # What runs in control cycles is optimised. The rest only reads the program, and builds in half the time without.
 [profile.release.package."*"]
