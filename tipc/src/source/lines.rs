@@ -113,11 +113,13 @@ impl Source {
     /// A line by its number, from 1. A line that does not exist is empty, at the end.
     pub fn line(&self, number: u32) -> Line {
         let start = self.line_start(number);
-        let next = self.line_start(number.saturating_add(1)).max(start);
-        let end = match &self.text.as_bytes()[start..next] {
-            [.., b'\r', b'\n'] => next - 2,
-            [.., b'\r' | b'\n'] => next - 1,
-            _ => next,
+        let rest = &self.text.as_bytes()[start..];
+        let length = rest.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
+        let end = start + length.unwrap_or(rest.len());
+        let next = match &self.text.as_bytes()[end..] {
+            [b'\r', b'\n', ..] => end + 2,
+            [_, ..] => end + 1,
+            [] => end,
         };
         Line {
             number,

@@ -15,7 +15,7 @@ pub mod spots;
 
 pub use tipc::{Loaded, Options};
 
-/// Reads, checks and lowers a program as [`tipc::load`] does, and attaches the known fixes to its diagnostics.
+/// Reads, checks and lowers a program as [`tipc::load()`] does, and attaches the known fixes to its diagnostics.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let mut loaded = tipc::load(name, bytes, options);
     fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);

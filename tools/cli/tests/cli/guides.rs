@@ -158,10 +158,8 @@ fn what_the_guides_show_is_what_happens() {
     for (robot, ends) in [
         ("hand", "the cylinder is 39 mm above the floor"),
         ("hexapod", "1320 mm forward, 0 falls"),
-        (
-            "tip/tipc/tests/robots/hexapod.toml",
-            "0 mm forward, 0 falls",
-        ),
+        // A described robot crawls as far as its gait was tried.
+        ("tip/tipc/tests/robots/hexapod.toml", ""),
     ] {
         made_for(&mut terminal, robot, ends);
     }
@@ -180,6 +178,11 @@ fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
     terminal.run(&format!("cd {name}"));
     let run = terminal.run("cargo run --quiet");
     let last = run.lines().last().unwrap_or_default();
+    if ends.is_empty() {
+        let forward = last.strip_suffix(" mm forward, 0 falls");
+        let forward = forward.and_then(|text| text.parse::<f64>().ok());
+        assert!(forward.is_some_and(|mm| mm > 100.0), "{robot}: {run}");
+    }
     assert!(
         last.starts_with(ends) && !run.contains("warning"),
         "{robot}: {run}"
