@@ -20,6 +20,8 @@ const STRANGERS: usize = 32;
 const THREADS: usize = MOST + 2 * STRANGERS;
 /// How long it waits after a connection that could not be accepted.
 const PAUSE: Duration = Duration::from_millis(50);
+/// How often it looks whether a thread has ended.
+const STEP: Duration = Duration::from_millis(1);
 
 /// Begins to listen.
 pub(super) fn open(address: SocketAddr) -> io::Result<TcpListener> {
@@ -40,10 +42,13 @@ pub(super) fn accept(listener: TcpListener, guard: Guard, post: Post) {
                 thread::sleep(PAUSE);
                 continue;
             };
-            // Nothing is read or written here: who waits to be let in waits for nobody. Each thread holds the door.
-            if !door.has_come(number, &stream) || Arc::strong_count(&door) > THREADS {
-                door.has_gone(number);
+            // Nothing is read or written here: who waits to be let in waits for nobody.
+            if !door.has_come(number, &stream) {
                 continue;
+            }
+            // Each thread holds the door. Those that were cut off wait for no client, so there is soon room.
+            while Arc::strong_count(&door) > THREADS {
+                thread::sleep(STEP);
             }
             let own = Arc::clone(&door);
             let thread = thread::Builder::new().spawn(move || {
