@@ -14,7 +14,7 @@ pub(crate) struct Found {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// Why there is no file to read.
+/// The reason for which no file is read.
 #[derive(Debug)]
 pub(crate) enum Fault {
     /// It is not there, or may not be read.
@@ -79,7 +79,7 @@ fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// Whether two paths lead to the same file.
+/// Returns true if two paths lead to the same file.
 fn is_same(one: &Path, other: &Path) -> bool {
     let real = |path: &Path| fs::canonicalize(path).ok();
     real(one).is_some_and(|one| Some(one) == real(other))

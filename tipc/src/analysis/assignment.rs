@@ -28,7 +28,7 @@ use touches::{Sorted, Touches};
 /// For how many batches of scalars every program is followed.
 const LEAST: usize = 16;
 
-/// How many batches times blocks longer programs are followed for. Reads of the scalars that are left are not judged.
+/// The most batches times blocks that are followed in a longer program. Reads of the remaining scalars are not judged.
 const WORK: usize = 1_000_000;
 
 /// Whether a read finds a value.

@@ -17,7 +17,7 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, Target};
 
-/// How many unknown names are compared with those that are declared.
+/// The most unknown names that are compared with declared ones.
 const COMPARED: usize = 10_000;
 
 /// `VAR_KEY` is the first of all variables.

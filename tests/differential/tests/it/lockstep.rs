@@ -1,4 +1,4 @@
-//! What the comparison of two engines finds.
+//! Differences that the comparison of two engines must find.
 
 use ::lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
 use tip_sim::lockstep::Divergence;

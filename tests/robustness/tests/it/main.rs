@@ -1,4 +1,4 @@
-//! What must hold of any bytes, tried with the corpora and with random ones.
+//! Properties that hold for any input, tested with the corpora and with random bytes.
 
 mod dap;
 mod editing;

@@ -7,7 +7,7 @@ use tip_runtime::machine::Machine;
 use tip_runtime::model::{Body, Joint, Leg, Model, Range, generic, titan8};
 use tip_runtime::plant::{Pose, SimulatedPlant};
 
-/// Of free fall: mm/s².
+/// The acceleration of free fall, mm/s².
 const GRAVITY: f64 = 9806.65;
 
 /// Greatest step of a body within 20 ms: mm. Feet take it some 5 mm, and a fall over one of them the rest.

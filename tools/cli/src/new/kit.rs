@@ -44,7 +44,7 @@ pub(super) struct Motion {
     pub(super) test: &'static str,
     /// How far it walks at least: mm.
     pub(super) travel: f64,
-    /// What came of trying it on the simulated robot, line by line.
+    /// The results of trying it on the simulated robot, one per line.
     pub(super) tried: Vec<Making>,
 }
 
