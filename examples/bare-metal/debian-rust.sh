@@ -2,7 +2,7 @@
 # has not. Debian packages one; it is unpacked below the target folder, nothing is installed.
 # shellcheck disable=SC2034 # what is set here, those scripts read
 
-. ../../tests/need.sh
+. ../../tests/external/need.sh
 
 target=${CARGO_TARGET_DIR:-$PWD/target}
 unpacked=$target/debian-rust

@@ -234,7 +234,7 @@ mod tests {
     #[test]
     #[expect(clippy::disallowed_methods, reason = "goldens are files")]
     fn macro_and_build_script_make_the_same_tokens() {
-        let goldens = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/golden");
+        let goldens = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/codegen/golden");
         for name in ["counting", "branches", "motion"] {
             let path = format!("{name}.prg");
             let tokens = include_tip(quote!(pub #path), Some(&goldens.join("invoking.rs")));

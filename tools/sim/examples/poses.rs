@@ -1,5 +1,5 @@
 //! Writes a robot as URDF and as MJCF, and where its links are in 1,000 random postures and how its feet move there: what
-//! `tests/urdf/run` has judged by others.
+//! `tests/external/urdf/run` has judged by others.
 //!
 //! `cargo run -p tip-sim --example poses -- FOLDER titan8 hexapod.toml quadruped.urdf`
 

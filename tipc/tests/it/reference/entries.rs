@@ -11,7 +11,7 @@ use tipc::language::reserved::motion_flags;
 use tipc::language::{flags, functions, inputs};
 
 const PATH: &str = "docs/commands.md";
-const EXAMPLES: &str = "tests/cases/examples";
+const EXAMPLES: &str = "tests/language/cases/examples";
 
 /// `### names` and, further down, `<!-- name.prg -->`.
 struct Entry {

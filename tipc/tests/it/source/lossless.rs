@@ -61,8 +61,8 @@ fn files_of_the_project() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut found = Vec::new();
     for folder in [
-        "tests/cases",
-        "tests/golden",
+        "tests/language/cases",
+        "tests/codegen/golden",
         "tests/fuzz/corpus",
         "tests/fuzz/artifacts",
     ] {

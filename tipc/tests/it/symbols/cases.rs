@@ -9,7 +9,7 @@ use tipc::{Loaded, Options, Robot, load};
 
 /// The bytes of every program among the tests; none if the package stands alone.
 pub(crate) fn programs() -> Vec<(PathBuf, Vec<u8>)> {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/cases");
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../tests/language/cases");
     let mut paths = Vec::new();
     if root.is_dir() {
         collect(&root, &mut paths);

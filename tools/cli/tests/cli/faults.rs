@@ -56,7 +56,7 @@ What would take time or memory without end, and what bounds it. Work is counted 
 | messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
 | VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/it/log_files.rs` |
 | TITAN.LOG | a run without end | 10,000 rows | `tools/cli/tests/cli/faults/signals.rs` |
-| NORM | members whose squares are beyond the largest number | the root where it is finite; else `Domain error` | `tip-runtime/src/ops.rs`, `tests/cases/faults/norm-overflows` |
+| NORM | members whose squares are beyond the largest number | the root where it is finite; else `Domain error` | `tip-runtime/src/ops.rs`, `tests/language/cases/faults/norm-overflows` |
 ";
 
 #[test]

@@ -126,7 +126,7 @@ impl Terminal {
             .env("LC_ALL", "C")
             .env("CARGO_NET_OFFLINE", "true")
             .env("CARGO_TERM_COLOR", "never")
-            // Shared with the other crates outside the workspace that tests build, in tests/tests/it/outside.rs.
+            // Shared with the other crates outside the workspace that tests build, in tests/language/tests/it/outside.rs.
             .env(
                 "CARGO_TARGET_DIR",
                 Path::new(env!("CARGO_TARGET_TMPDIR")).join("nested"),

@@ -234,7 +234,7 @@ fn from_listing(loaded: &Loaded, program: &Program) -> String {
 #[test]
 fn a_listing_is_the_same_program() {
     let mut paths = Vec::new();
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/cases");
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/language/cases");
     if !root.is_dir() {
         return; // The package alone has no cases.
     }

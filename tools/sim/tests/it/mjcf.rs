@@ -1,4 +1,4 @@
-//! Robots as models of MuJoCo: names, motors, and where everything is. What MuJoCo itself makes of them, `tests/urdf/run` asks.
+//! Robots as models of MuJoCo: names, motors, and where everything is. What MuJoCo itself makes of them, `tests/external/urdf/run` asks.
 
 use roxmltree::{Document, Node};
 use tip_runtime::model::{Body, Model, Range, hand, titan8};

@@ -63,7 +63,7 @@ fn a_walk_with_mass_goes_as_far_and_does_not_fall() -> Outcome {
 
 #[test]
 fn a_trot_that_might_topple_falls_on_neither_plant() -> Outcome {
-    let trot = include_str!("../../../../tests/mujoco/trot.prg");
+    let trot = include_str!("../../../../tests/external/mujoco/trot.prg");
     let mut motions = Vec::new();
     for plant in [Plant::Simulated, Plant::Dynamic] {
         let mut run = on(Robot::named("titan8")?.with_plant(plant), trot)?;

@@ -100,9 +100,9 @@ fn robots_with_names_return() {
 fn described_robots_return() {
     for toml in [
         include_str!("../../../../../tipc/tests/robots/hexapod.toml"),
-        include_str!("../../../../../tests/cases/robots/nine.toml"),
-        include_str!("../../../../../tests/cases/robots/one.toml"),
-        include_str!("../../../../../tests/cases/robots/radial.toml"),
+        include_str!("../../../../../tests/language/cases/robots/nine.toml"),
+        include_str!("../../../../../tests/language/cases/robots/one.toml"),
+        include_str!("../../../../../tests/language/cases/robots/radial.toml"),
     ] {
         returns(&Robot::description(toml).expect("it is a robot"));
     }
@@ -195,7 +195,7 @@ fn masses_lie_in_the_middle_of_the_links() {
 /// A slider that another program wrote: 150 mm to the right and 250 mm to the left of where it stands, and up to 100 mm down.
 #[test]
 fn prismatic_joints_to_a_link_floor_are_a_slider() {
-    let gantry = include_str!("../../../../../tests/urdf/robots/gantry.urdf");
+    let gantry = include_str!("../../../../../tests/external/urdf/robots/gantry.urdf");
     let (import, _) = imported(gantry);
     let robot = Robot::description(&import.toml).expect("it is a robot");
     let slider = robot.anatomy().slider.expect("it has one");

@@ -1,0 +1,111 @@
+//! The rules of ARCHITECTURE.md that a compiler does not hold.
+
+use conventions::{circles, modules, packages, root};
+use std::fs;
+
+/// Where crates are.
+const FOLDERS: [&str; 11] = [
+    "tip-runtime",
+    "tipc",
+    "tip-macros",
+    "tools",
+    "examples",
+    "tests",
+    "tests/codegen",
+    "tests/differential",
+    "tests/fuzz",
+    "tests/language",
+    "benches",
+];
+
+#[test]
+fn no_modules_import_each_other_in_a_loop() {
+    let all = packages(&FOLDERS);
+    assert!(all.len() > 10, "the packages are found");
+    for package in all {
+        let circles = circles(&modules(&package.folder.join("src")));
+        let found: String = circles.iter().map(ToString::to_string).collect();
+        assert!(found.is_empty(), "{}:\n{found}", package.name);
+    }
+}
+
+/// What each product crate and tool may depend on among its own kind, even for its tests.
+const ARROWS: &[(&str, &[&str])] = &[
+    ("tip-runtime", &[]),
+    ("tipc", &["tip-runtime"]),
+    ("tip-macros", &["tipc"]),
+    ("tip-lint", &["tip-runtime", "tipc"]),
+    // Its front page compares compiled code.
+    (
+        "tip-sim",
+        &["tip-runtime", "tipc", "tip-lint", "tip-macros"],
+    ),
+    ("tip-ide", &["tip-runtime", "tipc", "tip-lint"]),
+    // The editor of a live page asks what every editor asks.
+    (
+        "tip-view",
+        &["tip-runtime", "tipc", "tip-lint", "tip-sim", "tip-ide"],
+    ),
+    (
+        "tipc-cli",
+        &[
+            "tip-runtime",
+            "tipc",
+            "tip-lint",
+            "tip-sim",
+            "tip-ide",
+            "tip-view",
+        ],
+    ),
+];
+
+#[test]
+fn dependencies_point_one_way() {
+    let published = packages(&["tip-runtime", "tipc", "tip-macros", "tools"]);
+    assert_eq!(published.len(), ARROWS.len(), "each crate has its row");
+    for package in published {
+        let row = ARROWS.iter().find(|(name, _)| *name == package.name);
+        let (name, allowed) = row.expect("each crate has its row");
+        let ours = |name: &str| ARROWS.iter().any(|(other, _)| *other == name);
+        for dependency in package.dependencies.iter().filter(|name| ours(name)) {
+            assert!(
+                allowed.contains(&dependency.as_str()),
+                "{name} -> {dependency}"
+            );
+        }
+    }
+}
+
+/// What the root holds, and nothing else.
+const ROOT: [&str; 17] = [
+    "ARCHITECTURE.md",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE",
+    "README.ja.md",
+    "README.md",
+    "benches",
+    "clippy.toml",
+    "docs",
+    "editors",
+    "examples",
+    "site",
+    "tests",
+    "tip-macros",
+    "tip-runtime",
+];
+
+#[test]
+fn the_root_holds_what_the_architecture_draws() {
+    let entries = fs::read_dir(root()).expect("a folder");
+    for entry in entries.map(|entry| entry.expect("an entry").file_name()) {
+        let name = entry.to_string_lossy();
+        let is_known = ROOT.contains(&&*name) || ["tipc", "tools", "target"].contains(&&*name);
+        let is_output = [".jsonl", ".csv", ".html"]
+            .iter()
+            .any(|ending| name.ends_with(ending));
+        assert!(is_known || is_output || name.starts_with('.'), "{name}");
+    }
+}

@@ -1,0 +1,117 @@
+//! Messages to the debug adapter of the command `tipc`, a line each.
+
+#[path = "../../../../tools/cli/src/dap/breakpoints.rs"]
+mod breakpoints;
+#[path = "../../../../tools/cli/src/dap/changes.rs"]
+mod changes;
+#[path = "../../../../tools/cli/src/dap/message.rs"]
+mod message;
+#[path = "../../../../tools/cli/src/dap/moves.rs"]
+mod moves;
+#[path = "../../../../tools/cli/src/dap/session.rs"]
+mod session;
+#[path = "../../../../tools/cli/src/dap/shown.rs"]
+mod shown;
+
+use crate::framing::{self, Frame};
+use message::Launch;
+use serde_json::Value;
+use session::{Debuggee, Host, Session};
+use tip_sim::debug::Debugger;
+use tip_sim::{Events, Plant, Robot};
+use tipc::message::Lang;
+
+const PROGRAM: &str = "3.1
+debugged
+DEF_VAR N
+DEF_POS P
+N = 0
+L:
+GOSUB S:
+MESSAGE %N%
+PTP_ANGLE J11 R 1
+IF N < 30 GOTO L:
+KEY_IN
+N = 1 / N
+EXIT
+S:
+N += 1
+TEACH_POS F1 P
+RETURN
+END
+";
+
+/// What a client sends before it sends anything else.
+const BEGIN: [&str; 3] = [
+    r#"{"seq":1,"type":"request","command":"initialize","arguments":{"adapterID":"tip","supportsProgressReporting":true,"supportsInvalidatedEvent":true}}"#,
+    r#"{"seq":2,"type":"request","command":"launch","arguments":{"program":"debugged.prg","stopOnEntry":true}}"#,
+    r#"{"seq":3,"type":"request","command":"configurationDone"}"#,
+];
+
+/// Loads one program, on any robot that has a name.
+struct OneProgram;
+
+impl Host for OneProgram {
+    fn launch(&mut self, launch: &Launch, _: Lang) -> Result<Debuggee, String> {
+        let name = launch.robot.as_deref().unwrap_or("titan8");
+        let robot = Robot::named(name).map_err(|error| error.to_string())?;
+        let robot = robot.with_plant(Plant::Echo);
+        let events = launch.events.as_deref().unwrap_or_default();
+        let events: Events = events.parse().map_err(|error| format!("{error}"))?;
+        let others = [&launch.scene, &launch.plant, &launch.encoding];
+        if others.iter().any(|given| given.is_some()) {
+            return Err("there is one scene, one plant and one encoding".to_owned());
+        }
+        let mut loaded = tipc::load("debugged.prg", PROGRAM.as_bytes(), &robot.options());
+        let program = loaded.program.take().ok_or("it is wrong")?;
+        let debugger = Debugger::new(program, &robot).map_err(|error| error.to_string())?;
+        let debugger = debugger.with_events(&events);
+        Ok(Debuggee {
+            debugger: debugger.map_err(|refused| refused.to_string())?,
+            source: loaded.source,
+            path: launch.program.clone(),
+            warnings: String::new(),
+        })
+    }
+}
+
+/// No message stops the adapter, and all that it sends are messages.
+///
+/// # Panics
+/// What it sends is no message.
+pub fn examine(bytes: &[u8]) {
+    let mut session = Session::new(OneProgram);
+    let begin = BEGIN.iter().map(|message| message.as_bytes());
+    for message in begin.chain(bytes.split(|byte| *byte == b'\n')) {
+        session.handle(message);
+        for _ in 0..4 {
+            if session.is_going() {
+                session.work();
+            }
+        }
+        judge(&session.sent());
+        if session.is_over() {
+            break;
+        }
+    }
+    let mut stream = bytes;
+    while let Ok(Some(frame)) = framing::read(&mut stream) {
+        match frame {
+            Frame::Message(message) => session.handle(&message),
+            Frame::Bad(_) => session.broken(),
+        }
+        judge(&session.sent());
+    }
+    let mut whole = Vec::new();
+    let written = framing::write(&mut whole, "{}");
+    assert!(written.is_ok() && framing::read(&mut &whole[..]).is_ok());
+}
+
+fn judge(sent: &[String]) {
+    for message in sent {
+        let message: Value = serde_json::from_str(message).expect("what is sent is JSON");
+        let kind = message["type"].as_str();
+        assert!(matches!(kind, Some("response" | "event")), "{message}");
+        assert!(message["seq"].is_i64(), "{message}");
+    }
+}

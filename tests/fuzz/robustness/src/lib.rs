@@ -1,0 +1,24 @@
+//! What must hold of any bytes, one file for each reader of the outside's files. The fuzzer of `tests/fuzz` finds the
+//! bytes; the test `fuzz` tries those that it found before.
+#![forbid(unsafe_code)]
+
+pub mod compile;
+pub mod dap;
+pub mod description;
+pub mod editing;
+#[cfg(unix)]
+pub mod files;
+pub mod fix;
+pub mod format;
+#[path = "../../../../tools/cli/src/framing.rs"]
+mod framing;
+pub mod load;
+mod lossless;
+pub mod lsp;
+pub mod migrate;
+pub mod names;
+pub mod requests;
+pub mod run;
+pub mod scene;
+pub mod terminal;
+pub mod urdf;

@@ -1,0 +1,1 @@
+../../../examples/six-legs/motions/tripod.prg

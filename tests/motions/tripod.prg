@@ -1,1 +1,0 @@
-../../examples/six-legs/motions/tripod.prg

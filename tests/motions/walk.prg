@@ -1,1 +1,0 @@
-../../examples/walk/motions/walk.prg
