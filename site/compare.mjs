@@ -1,11 +1,11 @@
 // Compares the trace of each example and lesson in WebAssembly with that of the command, by their hashes.
-// node compare.mjs FILE.wasm TIPC
+// node compare.mjs FILE.wasm TIP
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { playground } from './wasm.mjs';
 
-const [wasm, tipc] = process.argv.slice(2);
+const [wasm, tip] = process.argv.slice(2);
 const root = `${import.meta.dirname}/..`;
 const read = (path) => readFileSync(`${root}/${path}`, 'utf8');
 const { robots, examples, lessons } = JSON.parse(read('site/contents.json'));
@@ -18,7 +18,7 @@ for (const { program, robot: name, events = '' } of [...examples, ...lessons]) {
   const { robot, scene } = robots[name];
   const here = trace({ program: { name: program, text: read(program) }, robot: filled(robot), scene: filled(scene), events });
   const options = ['--robot', robot.name, ...(scene ? ['--scene', scene.name] : []), ...(events ? ['--events', events] : [])];
-  const native = execFileSync(tipc, ['run', program, '--quiet', '--trace', '-', '--trace-state', ...options], { cwd: root, maxBuffer: 1e9, encoding: 'utf8' });
+  const native = execFileSync(tip, ['run', program, '--quiet', '--trace', '-', '--trace-state', ...options], { cwd: root, maxBuffer: 1e9, encoding: 'utf8' });
   const equal = hash(here) === hash(native);
   different += equal ? 0 : 1;
   console.log(`${program}: ${here.split('\n').length - 1} records, ${hash(here)}${equal ? '' : ` DIFFERS from ${hash(native)}`}`);

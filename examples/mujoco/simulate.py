@@ -1,4 +1,4 @@
-"""Simulates in MuJoCo a walking robot that `tipc robot export --mjcf` wrote, under a program of `tipc run --plant exec:`.
+"""Simulates in MuJoCo a walking robot that `tip robot export --mjcf` wrote, under a program of `tip run --plant exec:`.
 
 Argument: the file. The lines are those of docs/external-plant.md. Inside everything is in m, rad, N, N·m and s.
 """

@@ -8,7 +8,7 @@
 //! tip-runtime = "0.1"
 //!
 //! [build-dependencies]
-//! tipc = "0.1"
+//! tipc = { package = "tip-compiler", version = "0.1" }
 //! ```
 //!
 //! `build.rs` compiles `motions/walk.prg` to `$OUT_DIR/walk.rs`:

@@ -1,4 +1,4 @@
-// What `tipc` is asked to do with a program.
+// What `tip` is asked to do with a program.
 
 const robot = (setting) => (setting('robot') ? ['--robot', setting('robot')] : []);
 

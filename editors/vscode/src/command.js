@@ -1,11 +1,11 @@
-// Where the command `tipc` is.
+// Where the command `tip` is.
 import { execFile } from 'node:child_process';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 
 /** Where to look for it: where the settings say, else on PATH and where Cargo installs. */
 export function places(setting, folder) {
-  const name = process.platform === 'win32' ? 'tipc.exe' : 'tipc';
+  const name = process.platform === 'win32' ? 'tip.exe' : 'tip';
   const path = setting.trim().replaceAll('${workspaceFolder}', folder ?? '.').replace(/^~(?=[/\\])/, homedir());
   return path === '' ? [name, join(homedir(), '.cargo', 'bin', name)] : [path];
 }
@@ -17,7 +17,7 @@ function wrong(path) {
       if (error?.code === 'ENOENT') resolve('missing');
       else if (typeof error?.code === 'string') resolve(error.message);
       // Linux has a command of the same name for networks.
-      else resolve(/^tipc \d/.test(output) ? undefined : 'other');
+      else resolve(/^tip \d/.test(output) ? undefined : 'other');
     });
   });
 }

@@ -1,12 +1,12 @@
-// The client of `tipc dap`.
+// The client of `tip dap`.
 import * as vscode from 'vscode';
-import { savedProgram, tipc } from './tipc.js';
+import { savedProgram, tip } from './tip.js';
 
 export function register(context) {
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory('tip', {
       async createDebugAdapterDescriptor() {
-        const command = await tipc();
+        const command = await tip();
         return command && new vscode.DebugAdapterExecutable(command, ['dap']);
       },
     }),
@@ -34,7 +34,7 @@ async function complete(folder, given) {
     return undefined;
   }
   // Someone who knows that the command is missing needs no second message.
-  if ((await tipc()) === undefined) return undefined;
+  if ((await tip()) === undefined) return undefined;
   const robot = vscode.workspace.getConfiguration('tip', folder?.uri).get('robot');
   return robot && !config.robot ? { ...config, robot } : config;
 }

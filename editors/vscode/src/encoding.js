@@ -88,7 +88,7 @@ async function warnOfBytes(document, bytes) {
   const found = await respelt(bytes, codec);
   if (found.length > 0) {
     const name = vscode.workspace.asRelativePath(document.uri);
-    const text = vscode.l10n.t('{0} holds characters with two spellings in Shift_JIS (places: {1}). Saved from here they change to the other one; tipc fmt and tipc check --fix keep them.', name, found.length);
+    const text = vscode.l10n.t('{0} holds characters with two spellings in Shift_JIS (places: {1}). Saved from here they change to the other one; tip fmt and tip check --fix keep them.', name, found.length);
     vscode.window.showWarningMessage(text);
   }
   const content = await codec.decode(bytes);

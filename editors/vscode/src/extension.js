@@ -1,4 +1,4 @@
-// T.I.P. in VS Code: everything about the language comes from the command `tipc`.
+// T.I.P. in VS Code: everything about the language comes from the command `tip`.
 import * as vscode from 'vscode';
 import * as debug from './debug.js';
 import * as encoding from './encoding.js';

@@ -1,11 +1,11 @@
-// The client of `tipc lsp`.
+// The client of `tip lsp`.
 import * as vscode from 'vscode';
 import { LanguageClient } from 'vscode-languageclient/node';
-import { tipc } from './tipc.js';
+import { tip } from './tip.js';
 
 export class Server {
   async start() {
-    const command = await tipc();
+    const command = await tip();
     if (command === undefined) return;
     const options = {
       documentSelector: ['file', 'untitled'].map((scheme) => ({ scheme, language: 'tip' })),
@@ -29,7 +29,7 @@ export class Server {
   /** What tip.toml says of a file's encoding. */
   async encodingOf(uri) {
     if (!this.client?.isRunning()) return undefined;
-    // An older tipc has no answer.
+    // An older tip has no answer.
     const answer = await this.client.sendRequest('tip/encoding', { uri: uri.toString() }).catch(() => undefined);
     return answer ?? undefined;
   }

@@ -1,12 +1,12 @@
-// Runs and traces in a terminal, and commands of tipc as tasks.
+// Runs and traces in a terminal, and commands of tip as tasks.
 import { basename, dirname } from 'node:path';
 import * as vscode from 'vscode';
 import { runArguments, traceArguments, traceOf } from './arguments.js';
-import { savedProgram, tipc } from './tipc.js';
+import { savedProgram, tip } from './tip.js';
 
 export function register(context) {
   context.subscriptions.push(
-    vscode.tasks.registerTaskProvider('tipc', {
+    vscode.tasks.registerTaskProvider('tip', {
       provideTasks: () => [],
       resolveTask: async (task) => {
         const { command, args = [] } = task.definition;
@@ -29,7 +29,7 @@ async function started(uri, argumentsOf, untilEnd = false) {
   const settings = vscode.workspace.getConfiguration('tip', saved);
   const args = argumentsOf(file, (name) => settings.get(name));
   const scope = vscode.workspace.getWorkspaceFolder(saved) ?? vscode.TaskScope.Workspace;
-  const task = await made({ type: 'tipc', command: args[0], args: args.slice(1) }, scope, args, dirname(file), basename(file));
+  const task = await made({ type: 'tip', command: args[0], args: args.slice(1) }, scope, args, dirname(file), basename(file));
   if (!task) return undefined;
   const execution = await vscode.tasks.executeTask(task);
   if (!untilEnd) return file;
@@ -37,10 +37,10 @@ async function started(uri, argumentsOf, untilEnd = false) {
 }
 
 async function made(definition, scope, args, cwd, name = args.slice(1).join(' ')) {
-  const command = await tipc();
+  const command = await tip();
   if (command === undefined) return undefined;
   const execution = new vscode.ProcessExecution(command, args, { cwd });
-  const task = new vscode.Task(definition, scope, `${args[0]} ${name}`, 'tipc', execution, '$tipc');
+  const task = new vscode.Task(definition, scope, `${args[0]} ${name}`, 'tip', execution, '$tip');
   // The program's keys are those of the terminal.
   task.presentationOptions = { clear: true, focus: true, panel: vscode.TaskPanelKind.Dedicated };
   return task;

@@ -1,4 +1,4 @@
-// The playground: the page of `tipc serve` with its session in a module of this page, and a guided tour.
+// The playground: the page of `tip serve` with its session in a module of this page, and a guided tour.
 
 import { openLive, prepareLive } from '../../../tools/view/page/src/live.js';
 import { teach } from '../../../tools/view/page/src/words.js';

@@ -1,4 +1,4 @@
-//! Compiler, reference interpreter, runtime and plants as a page without a server needs them: the session that `tipc serve`
+//! Compiler, reference interpreter, runtime and plants as a page without a server needs them: the session that `tip serve`
 //! serves, and traces.
 
 #[cfg(target_arch = "wasm32")]

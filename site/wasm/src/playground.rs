@@ -65,7 +65,7 @@ impl Playground {
     }
 }
 
-/// The trace of a run as `tipc run --trace --trace-state` writes it, of a [`Wanted`] in JSON.
+/// The trace of a run as `tip run --trace --trace-state` writes it, of a [`Wanted`] in JSON.
 ///
 /// # Errors
 /// It cannot run, in words for people.

@@ -1,4 +1,4 @@
-// Clients that send `tipc serve` what nobody would, over real sockets: node fuzz.mjs [SECONDS [SEED]].
+// Clients that send `tip serve` what nobody would, over real sockets: node fuzz.mjs [SECONDS [SEED]].
 // It must not panic, must go on answering a good client, and must not grow.
 import { readFileSync, readdirSync } from 'node:fs';
 import { createConnection } from 'node:net';

@@ -1,4 +1,4 @@
-// The page of `tipc serve`, in a browser: TIPC is the command that `run` has built.
+// The page of `tip serve`, in a browser: TIP is the command that `run` has built.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { after, afterEach, before, beforeEach, test } from 'node:test';

@@ -1,4 +1,4 @@
-// Programs that `tipc serve` serves, each a copy in a folder of its own.
+// Programs that `tip serve` serves, each a copy in a folder of its own.
 import { spawn } from 'node:child_process';
 import { copyFileSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,7 +9,7 @@ import { createInterface } from 'node:readline';
 export async function serve(program, ...options) {
   const file = join(mkdtempSync(join(tmpdir(), 'tip-serve-')), basename(program));
   copyFileSync(program, file);
-  const child = spawn(process.env.TIPC, ['serve', '--quiet', file, ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn(process.env.TIP, ['serve', '--quiet', file, ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';
   child.stderr.on('data', (data) => {
     said += data;

@@ -44,10 +44,10 @@ let sent;
 
 beforeEach(async () => {
   sent = [];
-  client = new DebugClient(process.env.TIPC, 'dap', 'tip');
+  client = new DebugClient(process.env.TIP, 'dap', 'tip');
   // The client runs an adapter as a script of node; this one is a program.
   const { spawn } = require('node:child_process');
-  const adapter = spawn(process.env.TIPC, ['dap'], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const adapter = spawn(process.env.TIP, ['dap'], { stdio: ['pipe', 'pipe', 'inherit'] });
   const dispatch = client.dispatch.bind(client);
   client.dispatch = (body) => {
     sent.push(body);

@@ -1,4 +1,4 @@
-"""What `tipc lsp` takes, as an editor sees it: bench.py TIPC. Needs nothing but Python."""
+"""What `tip lsp` takes, as an editor sees it: bench.py TIP. Needs nothing but Python."""
 
 import json
 import random
@@ -21,8 +21,8 @@ def program(lines: int) -> str:
 
 
 class Editor:
-    def __init__(self, tipc: str):
-        self.process = subprocess.Popen([tipc, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    def __init__(self, tip: str):
+        self.process = subprocess.Popen([tip, "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.asked, self.version = 0, 0
         self.ask("initialize", {"processId": None, "rootUri": None, "capabilities": {}})
         self.tell("initialized", {})
@@ -93,18 +93,18 @@ def show(what: str, taken: list[float], limit: float, unit: str = "ms") -> None:
     print(f"| {what} | {middle:.1f} {unit} | {late:.1f} {unit} | {limit} {unit} |")
 
 
-def main(tipc: str) -> None:
+def main(tip: str) -> None:
     random.seed(1)
     short, long = program(1_000), program(10_000)
 
     def first() -> None:
-        editor = Editor(tipc)
+        editor = Editor(tip)
         editor.open(short)
         editor.end()
 
     print("| what | median | p99 | limit |\n|---|---:|---:|---:|")
     show("process start to first findings, 1,000 lines, and end", timed(first, 20), 50)
-    editor = Editor(tipc)
+    editor = Editor(tip)
     editor.open(long)
     show("change to findings, 10,000 lines", timed(editor.change, 200), 30)
     # An editor that asks all the time would wait for what is found out after a change.

@@ -1,11 +1,11 @@
 // The session of session.json over npm's vscode-jsonrpc, with the messages of vscode-languageserver-protocol, for one encoding
-// of columns: node session.cjs TIPC SESSION ENCODING
+// of columns: node session.cjs TIP SESSION ENCODING
 const { spawn } = require("node:child_process");
 const fs = require("node:fs");
 const rpc = require("vscode-jsonrpc/node");
 const lsp = require("vscode-languageserver-protocol/node");
 
-const [tipc, path, encoding] = process.argv.slice(2);
+const [tip, path, encoding] = process.argv.slice(2);
 const session = JSON.parse(fs.readFileSync(path, "utf8"));
 const uri = "file:///robot/walk.prg";
 const textDocument = { uri };
@@ -43,7 +43,7 @@ const log = (...words) =>
   console.log(words.map((word) => String(word).replaceAll("\r\n", "⏎").replaceAll("\n", " | ")).join(" "));
 
 async function main() {
-  const server = spawn(tipc, ["lsp", "--stdio"], { stdio: ["pipe", "pipe", "inherit"] });
+  const server = spawn(tip, ["lsp", "--stdio"], { stdio: ["pipe", "pipe", "inherit"] });
   const connection = rpc.createMessageConnection(
     new rpc.StreamMessageReader(server.stdout),
     new rpc.StreamMessageWriter(server.stdin),

@@ -1,5 +1,5 @@
 -- The session of session.json in neovim, with its own buffer, columns, changes and edits: nvim -l is not needed, as in
--- nvim --headless -u NONE -c 'luafile session.lua', with TIPC, SESSION, FILE and LOG in the environment.
+-- nvim --headless -u NONE -c 'luafile session.lua', with TIP, SESSION, FILE and LOG in the environment.
 local util = vim.lsp.util
 local session = vim.json.decode(table.concat(vim.fn.readfile(vim.env.SESSION), "\n"))
 -- What its columns count: from version 0.10 on it would rather have bytes.
@@ -71,7 +71,7 @@ local function main()
   vim.o.fileformats = "unix,dos"
   vim.cmd("edit " .. vim.fn.fnameescape(vim.env.FILE))
   local id = vim.lsp.start_client({
-    name = "tipc", cmd = { vim.env.TIPC, "lsp" }, flags = { debounce_text_changes = 0 },
+    name = "tip", cmd = { vim.env.TIP, "lsp" }, flags = { debounce_text_changes = 0 },
     get_language_id = function() return "tip" end,
   })
   vim.lsp.buf_attach_client(0, id)

@@ -1,4 +1,4 @@
-"""The session of session.json from pytest-lsp's client, for one encoding of columns: session.py TIPC SESSION ENCODING."""
+"""The session of session.json from pytest-lsp's client, for one encoding of columns: session.py TIP SESSION ENCODING."""
 
 import asyncio
 import json
@@ -153,13 +153,13 @@ class Editor:
                 self.log("formatted", self.text, *codes)
 
 
-async def main(tipc: str, path: str, encoding: str) -> None:
+async def main(tip: str, path: str, encoding: str) -> None:
     with open(path, encoding="utf-8") as file:
         session = json.load(file)
     client = make_test_lsp_client()
     # The server asks to be told when a tip.toml changes; here none does.
     client.feature("client/registerCapability")(lambda params: None)
-    await client.start_io(tipc, "lsp")
+    await client.start_io(tip, "lsp")
     # What Visual Studio Code says of itself, but for the encoding.
     capabilities = client_capabilities("visual-studio-code")
     capabilities.general.position_encodings = [KINDS[encoding]]

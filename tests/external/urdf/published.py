@@ -150,7 +150,7 @@ def compare(source, exported, described):
 
 
 def main():
-    tipc, files = sys.argv[1], pathlib.Path(sys.argv[2])
+    tip, files = sys.argv[1], pathlib.Path(sys.argv[2])
     folder = pathlib.Path(tempfile.mkdtemp())
     failed = False
     for name, (options, refusal) in FILES.items():
@@ -160,13 +160,13 @@ def main():
             continue
         described, exported = folder / f"{name}.toml", folder / f"{name}.urdf"
         imported = subprocess.run(
-            [tipc, "robot", "import", source, "-o", described, *options], capture_output=True, text=True
+            [tip, "robot", "import", source, "-o", described, *options], capture_output=True, text=True
         )
         if refusal or imported.returncode:
             holds = bool(refusal) and refusal in imported.stderr and imported.returncode == 1
             print(f"{name}: refused: {imported.stderr.strip()}")
         else:
-            subprocess.run([tipc, "robot", "export", "--urdf", "--robot", described, "-o", exported], check=True)
+            subprocess.run([tip, "robot", "export", "--urdf", "--robot", described, "-o", exported], check=True)
             count, size, apart, moved, heavier, (kept, shifted, turned) = compare(source, exported, described.read_text())
             doubts = imported.stderr.count(" doubtful: ")
             # Without inertias that can be, uniform rods have taken their place.

@@ -15,24 +15,24 @@ const folder = mkdtempSync(join(tmpdir(), 'tip-vscode-'));
 after(() => rmSync(folder, { recursive: true }));
 
 test('the command is where the settings say, else on PATH or where Cargo installs', async () => {
-  assert.deepEqual(places('', '/robot'), ['tipc', join(homedir(), '.cargo/bin/tipc')]);
-  assert.deepEqual(places(' ${workspaceFolder}/bin/tipc ', '/robot'), ['/robot/bin/tipc']);
-  assert.deepEqual(places('~/tipc', undefined), [join(homedir(), 'tipc')]);
-  assert.deepEqual(await find(process.env.TIPC), { path: process.env.TIPC });
+  assert.deepEqual(places('', '/robot'), ['tip', join(homedir(), '.cargo/bin/tip')]);
+  assert.deepEqual(places(' ${workspaceFolder}/bin/tip ', '/robot'), ['/robot/bin/tip']);
+  assert.deepEqual(places('~/tip', undefined), [join(homedir(), 'tip')]);
+  assert.deepEqual(await find(process.env.TIP), { path: process.env.TIP });
   assert.deepEqual(await find(join(folder, 'none')), { reason: 'missing' });
   assert.deepEqual(await find('echo'), { reason: 'other' });
   const { reason } = await find(folder);
   assert.match(reason, /EACCES/);
 });
 
-test('the buttons ask for what tipc understands', () => {
+test('the buttons ask for what tip understands', () => {
   const settings = { robot: 'hand', runArguments: ['--cycles', '2'], traceArguments: ['--cycles', '3'] };
   const setting = (name) => settings[name];
   const file = join(folder, 'two words.PRG');
   writeFileSync(file, '3.1\n\nLOOP:\nGOTO\nEND\n');
   assert.equal(traceOf(file), join(folder, 'two words.jsonl'));
   for (const args of [runArguments(file, setting), traceArguments(file, setting)]) {
-    const run = spawnSync(process.env.TIPC, args, { encoding: 'utf8' });
+    const run = spawnSync(process.env.TIP, args, { encoding: 'utf8' });
     assert.equal(run.status, 0, run.stderr);
   }
   // One record for each cycle.
@@ -46,7 +46,7 @@ test('the problem matcher reads every line of the short format', () => {
   const [{ pattern }] = manifest.contributes.problemMatchers;
   writeFileSync(join(folder, 'wrong.prg'), '3.1\n歩く\nDEF_VAR A // 変数\nSLEP 10\n  PTP F1 1 2\nEND\n');
   for (const lang of ['en', 'ja']) {
-    const check = spawnSync(process.env.TIPC, ['check', '--lang', lang, '--message-format', 'short', 'wrong.prg'], { cwd: folder, encoding: 'utf8' });
+    const check = spawnSync(process.env.TIP, ['check', '--lang', lang, '--message-format', 'short', 'wrong.prg'], { cwd: folder, encoding: 'utf8' });
     const lines = (check.stdout + check.stderr).trim().split('\n');
     const read = lines.map((line) => {
       const found = new RegExp(pattern.regexp).exec(line);

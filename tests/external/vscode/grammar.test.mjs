@@ -7,7 +7,7 @@ import { grammar, server } from './words.mjs';
 
 const root = join(import.meta.dirname, '../../..');
 const colour = await grammar(join(root, 'editors/vscode'));
-const lsp = server(process.env.TIPC);
+const lsp = server(process.env.TIP);
 await lsp.start('titan8');
 after(() => lsp.end());
 

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 
-const { CODE_SERVER, CODE_NODE = process.execPath, TIPC, VSIX, SHOTS } = process.env;
+const { CODE_SERVER, CODE_NODE = process.execPath, TIP, VSIX, SHOTS } = process.env;
 
 const SETTINGS = {
   'workbench.startupEditor': 'none',
@@ -27,13 +27,13 @@ const freePort = () =>
     });
   });
 
-/** An editor on files, by their names; `tipc` is where it looks for the command. */
-export async function open(files, tipc = TIPC) {
+/** An editor on files, by their names; `tip` is where it looks for the command. */
+export async function open(files, tip = TIP) {
   const home = mkdtempSync(join(tmpdir(), 'tip-host-'));
   const folder = join(home, 'robot');
   mkdirSync(folder);
   // Where a command is belongs to the machine.
-  for (const [whose, settings] of [['User', SETTINGS], ['Machine', { 'tip.path': tipc }]]) {
+  for (const [whose, settings] of [['User', SETTINGS], ['Machine', { 'tip.path': tip }]]) {
     mkdirSync(join(home, 'data', whose), { recursive: true });
     writeFileSync(join(home, 'data', whose, 'settings.json'), JSON.stringify(settings));
   }

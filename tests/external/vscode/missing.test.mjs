@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { open } from './host.mjs';
 
-const { page, shot, close } = await open({ 'walk.prg': '3.1\n\nEND\n' }, '/nowhere/tipc');
+const { page, shot, close } = await open({ 'walk.prg': '3.1\n\nEND\n' }, '/nowhere/tip');
 after(close);
 page.setDefaultTimeout(30_000);
 
@@ -11,7 +11,7 @@ test('a command that is missing is named, and how to install it', async () => {
   await page.keyboard.press('Control+P');
   await page.locator('.quick-input-widget input').fill('walk.prg');
   await page.locator('.quick-input-list .monaco-list-row', { hasText: 'walk.prg' }).first().click();
-  const message = page.locator('.notification-toast', { hasText: 'The command /nowhere/tipc is not found' });
+  const message = page.locator('.notification-toast', { hasText: 'The command /nowhere/tip is not found' });
   await message.waitFor();
   await shot('missing');
   await message.getByText('How to Install').click();

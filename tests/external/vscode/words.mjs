@@ -66,9 +66,9 @@ function spread(line, stretches) {
   return classes.map((name, at) => (/[\s,]/.test(line[at]) ? '' : name));
 }
 
-/** A session with `tipc lsp`; its `classes(text)` are like those of the grammar, or nothing where the program has errors. */
-export function server(tipc) {
-  const child = spawn(tipc, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
+/** A session with `tip lsp`; its `classes(text)` are like those of the grammar, or nothing where the program has errors. */
+export function server(tip) {
+  const child = spawn(tip, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
   const connection = rpc.createMessageConnection(
     new rpc.StreamMessageReader(child.stdout),
     new rpc.StreamMessageWriter(child.stdin),

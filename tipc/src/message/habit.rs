@@ -375,8 +375,8 @@ messages! {
 
     // Files.
     Migrate
-        "`tipc migrate OLD.prg -o NEW.prg` makes it a program of version 3.1",
-        "`tipc migrate OLD.prg -o NEW.prg` でバージョン3.1のプログラムに直せます";
+        "`tip migrate OLD.prg -o NEW.prg` makes it a program of version 3.1",
+        "`tip migrate OLD.prg -o NEW.prg` でバージョン3.1のプログラムに直せます";
     Title
         "line 2 is the title, not a statement: put a line with the title before it",
         "2行目は題名で、文ではありません。その前に題名の行を入れてください";

@@ -45,7 +45,7 @@ pub fn json(source: &Source, diagnostic: &Diagnostic, robot: Option<Robot>, lang
     push_member(
         &mut out,
         "page",
-        &format!("tipc explain {}", diagnostic.id()),
+        &format!("tip explain {}", diagnostic.id()),
     );
     out.push('}');
     out

@@ -226,7 +226,7 @@ fn json_is_one_object_on_one_line() {
             r#""labels":[{"text":"there","#,
             r#""range":{"start":{"byte":4,"line":2,"column":1,"utf8":1,"utf16":1},"#,
             r#""end":{"byte":5,"line":2,"column":2,"utf8":2,"utf16":2}}}],"fixes":[],"encoding":"UTF-8","#,
-            r#""robot":"titan8","related":[],"page":"tipc explain E206"}"#
+            r#""robot":"titan8","related":[],"page":"tip explain E206"}"#
         )
     );
     let warning = at(&source, Code::CommentInMessage, "3.1", "here");
@@ -237,7 +237,7 @@ fn json_is_one_object_on_one_line() {
             r#""file":"a\"b\\.prg","line":1,"column":1,"reason":"here","class":"W103","#,
             r#""range":{"start":{"byte":0,"line":1,"column":1,"utf8":1,"utf16":1},"#,
             r#""end":{"byte":3,"line":1,"column":4,"utf8":4,"utf16":4}},"labels":[],"fixes":[],"encoding":"UTF-8","related":[],"#,
-            r#""page":"tipc explain W103"}"#
+            r#""page":"tip explain W103"}"#
         )
     );
 }

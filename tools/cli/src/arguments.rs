@@ -20,7 +20,7 @@ static TITAN: RobotChoice = RobotChoice::Named(RobotName::Titan8);
 /// How a source file is to be read. Every command takes these.
 #[derive(Clone, Debug, Args)]
 pub(super) struct SourceArguments {
-    /// The robot that the program is for: a name that 'tipc robot list' shows, or a description; else that of tip.toml, or titan8
+    /// The robot that the program is for: a name that 'tip robot list' shows, or a description; else that of tip.toml, or titan8
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) robot: Option<RobotChoice>,
 
@@ -111,7 +111,7 @@ pub(super) struct InputArguments {
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub(super) scene: Option<SceneChoice>,
 
-    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tipc run' also exec:COMMAND,
+    /// How a walking robot is simulated: quasi-static, at rest wherever it is, or dynamic, with mass; for 'tip run' also exec:COMMAND,
     /// a process of yours that simulates any robot
     #[arg(long, value_name = "PLANT")]
     pub(super) plant: Option<PlantChoice>,

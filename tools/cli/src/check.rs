@@ -1,4 +1,4 @@
-//! `tipc check`: reports everything that is wrong with programs.
+//! `tip check`: reports everything that is wrong with programs.
 
 use super::arguments::SourceArguments;
 use super::choices::Format;
@@ -13,23 +13,23 @@ use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use tipc::diagnostic::Applicability;
 
-/// `tipc check`
+/// `tip check`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc check walk.prg turn.prg
-  tipc check --robot hand grasp.prg
-  tipc check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
-  tipc check --message-format json walk.prg   one object a line, on standard output
-  tipc check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
-  tipc check --message-format sarif *.prg     one document of SARIF 2.1.0, on standard output
-  tipc check - < walk.prg                     from standard input
-  tipc check --lang ja walk.prg               reasons and helps in Japanese
-  tipc check --fix walk.prg                   put right what is certain, and report what is left
-  tipc check --fix - < walk.prg > new.prg     the program with its fixes on standard output
-  tipc check --deny warnings walk.prg         exit status 1 if there is a warning
-  tipc check --deny W112,W117 walk.prg        if there is one of these
-  tipc check --quiet *.prg                    nothing of the programs that are in order
-  tipc check --watch walk.prg                 again after each change, until Ctrl-C
+  tip check walk.prg turn.prg
+  tip check --robot hand grasp.prg
+  tip check --robot hexapod.toml march.prg   a robot of your own (docs/robots.md)
+  tip check --message-format json walk.prg   one object a line, on standard output
+  tip check --message-format short *.prg     FILE:LINE:COLUMN: error[E205]: REASON (TIP_ERR:...)
+  tip check --message-format sarif *.prg     one document of SARIF 2.1.0, on standard output
+  tip check - < walk.prg                     from standard input
+  tip check --lang ja walk.prg               reasons and helps in Japanese
+  tip check --fix walk.prg                   put right what is certain, and report what is left
+  tip check --fix - < walk.prg > new.prg     the program with its fixes on standard output
+  tip check --deny warnings walk.prg         exit status 1 if there is a warning
+  tip check --deny W112,W117 walk.prg        if there is one of these
+  tip check --quiet *.prg                    nothing of the programs that are in order
+  tip check --watch walk.prg                 again after each change, until Ctrl-C
 
 A comment silences warnings: '// tip: allow(W112)' at the end of a line, on a line above a statement, or above the
 first statement for the whole program.

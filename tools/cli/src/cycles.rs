@@ -1,4 +1,4 @@
-//! `tipc cycles`: how many control cycles the parts of a program take.
+//! `tip cycles`: how many control cycles the parts of a program take.
 
 use super::arguments::SourceArguments;
 use super::choices::Format;
@@ -9,7 +9,7 @@ use clap::Args;
 use std::path::PathBuf;
 use tip_lint::cycles::{self, Sampling};
 
-/// `tipc cycles`
+/// `tip cycles`
 #[derive(Debug, Args)]
 #[command(
     after_help = "For each subroutine, each turn of a loop, and each stretch from a label to the next: the least and the
@@ -17,8 +17,8 @@ most control cycles, and the time at the robot's standard sampling time. One ste
 waits counts as the least that it can take, and its part is marked 'waits'. 'or more' marks a part without a bound.
 
 Examples:
-  tipc cycles walk.prg
-  tipc cycles --message-format json walk.prg   one object a line, for tools
+  tip cycles walk.prg
+  tip cycles --message-format json walk.prg   one object a line, for tools
 
 Exit status: 0 if the program loads, 1 otherwise."
 )]

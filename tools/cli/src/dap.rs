@@ -1,4 +1,4 @@
-//! `tipc dap`: a debugger behind the Debug Adapter Protocol, on standard input and output.
+//! `tip dap`: a debugger behind the Debug Adapter Protocol, on standard input and output.
 
 mod breakpoints;
 mod changes;
@@ -18,11 +18,11 @@ use std::io::{self, BufReader};
 use std::sync::mpsc::{Receiver, TryRecvError, sync_channel};
 use std::thread;
 
-/// `tipc dap`
+/// `tip dap`
 #[derive(Debug, Args)]
 #[command(
     after_help = "Editors start it; it speaks the Debug Adapter Protocol on standard input and output.
-A launch names what 'tipc run' has as options:
+A launch names what 'tip run' has as options:
 
   { \"request\": \"launch\", \"program\": \"walk.prg\", \"robot\": \"titan8\", \"scene\": \"cylinder\",
     \"events\": \"10:key F, 300:VR1=8\", \"stopOnEntry\": true, \"stopOnFall\": true }

@@ -1,4 +1,4 @@
-//! `tipc debug`: a debugger on the terminal.
+//! `tip debug`: a debugger on the terminal.
 
 mod app;
 mod ask;
@@ -25,12 +25,12 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tip_sim::debug::Debugger;
 
-/// `tipc debug`
+/// `tip debug`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc debug walk.prg                            stands before the first step
-  tipc debug walk.prg --events '120:key F'       a key is pressed before cycle 120
-  tipc debug --robot hand grasp.prg --scene scene.toml
+  tip debug walk.prg                            stands before the first step
+  tip debug walk.prg --events '120:key F'       a key is pressed before cycle 120
+  tip debug --robot hand grasp.prg --scene scene.toml
 
 Keys: r runs, n goes over the next step, s into routines, o out of one, c one control cycle,
 l to the line of the cursor, g to a cycle; the same in capitals goes back. b places and removes a
@@ -63,7 +63,7 @@ pub(super) fn debug(arguments: &Debug) -> Result<Status, Error> {
         return Ok(Status::Failure);
     };
     if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
-        let reason = "tipc debug needs a terminal; editors start tipc dap";
+        let reason = "tip debug needs a terminal; editors start tip dap";
         return Err(Error::Usage(reason.to_owned()));
     }
     interrupt::catch();

@@ -1,4 +1,4 @@
-//! `tipc robot`: descriptions of robots.
+//! `tip robot`: descriptions of robots.
 
 mod export;
 mod foot;
@@ -29,10 +29,10 @@ pub(super) enum RobotVerb {
     Export(export::Export),
 }
 
-/// `tipc robot check`
+/// `tip robot check`
 #[derive(Debug, Args)]
 #[command(after_help = "Example:
-  tipc robot check hexapod.toml
+  tip robot check hexapod.toml
 
 Exit status: 0 if the description can be used, 1 otherwise.")]
 pub(super) struct CheckRobot {

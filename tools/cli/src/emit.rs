@@ -1,4 +1,4 @@
-//! `tipc emit`: a program in another form.
+//! `tip emit`: a program in another form.
 
 use super::arguments::SourceArguments;
 use super::error::Error;
@@ -25,7 +25,7 @@ pub(super) enum Form {
     Warning,
 }
 
-/// `tipc emit`
+/// `tip emit`
 #[derive(Debug, Args)]
 #[command(after_help = "Forms:
   rust     one state for each step, as the macros and build scripts compile it
@@ -35,8 +35,8 @@ pub(super) enum Form {
   warning  WARNING.LOG: the warnings, one a line
 
 Examples:
-  tipc emit rust walk.prg -o walk.rs
-  tipc emit label walk.prg")]
+  tip emit rust walk.prg -o walk.rs
+  tip emit label walk.prg")]
 pub(super) struct Emit {
     /// Which form
     #[arg(value_enum)]

@@ -1,4 +1,4 @@
-//! `tipc explain`: what a code means, with a wrong and a right program.
+//! `tip explain`: what a code means, with a wrong and a right program.
 
 mod pages;
 
@@ -12,12 +12,12 @@ use tipc::code::{Code, Mistake};
 use tipc::message::Lang;
 use tipc::message::list::Each;
 
-/// `tipc explain`
+/// `tip explain`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc explain E205           with a list of the finer codes
-  tipc explain E205-03
-  tipc explain W109 --lang ja
+  tip explain E205           with a list of the finer codes
+  tip explain E205-03
+  tip explain W109 --lang ja
 
 Exit status: 0 if there is such a code, 2 otherwise.")]
 pub(super) struct Explain {
@@ -59,8 +59,8 @@ fn related(code: &str, lang: Lang) -> String {
     if let Some(mistake) = Mistake::ALL.iter().find(|mistake| mistake.id == code) {
         let class = mistake.class.id();
         return match is_japanese {
-            true => format!("\n`tipc explain {class}` に、{class}のほかのコードがあります。\n"),
-            false => format!("\n`tipc explain {class}` lists the other codes of {class}.\n"),
+            true => format!("\n`tip explain {class}` に、{class}のほかのコードがあります。\n"),
+            false => format!("\n`tip explain {class}` lists the other codes of {class}.\n"),
         };
     }
     let class = Code::ALL.iter().find(|class| class.id() == code);

@@ -1,4 +1,4 @@
-//! `tipc check --fix`: files with their fixes, and what can be fixed.
+//! `tip check --fix`: files with their fixes, and what can be fixed.
 
 use super::choices::Format;
 use super::error::Error;

@@ -1,4 +1,4 @@
-//! `tipc fmt`: programs in the one style.
+//! `tip fmt`: programs in the one style.
 
 use super::arguments::version_number;
 use super::choices::EncodingName;
@@ -16,7 +16,7 @@ use tipc::code::Level;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 
-/// `tipc fmt`
+/// `tip fmt`
 #[derive(Debug, Args)]
 #[command(
     after_help = "There is one style and no option of it: blocks indented by two blanks, capital letters, one blank between words and
@@ -25,10 +25,10 @@ the first two lines or of what follows END changes: docs/style.md. What is writt
 call checks. A file with errors is left as it is.
 
 Examples:
-  tipc fmt walk.prg turn.prg
-  tipc fmt --check *.prg      name the files that are not in the style
-  tipc fmt --diff walk.prg    show what would change
-  tipc fmt - < walk.prg       from standard input to standard output
+  tip fmt walk.prg turn.prg
+  tip fmt --check *.prg      name the files that are not in the style
+  tip fmt --diff walk.prg    show what would change
+  tip fmt - < walk.prg       from standard input to standard output
 
 Exit status: 0 if every file is in the style now, 1 if one is left as it is, or is not in the style with --check or
 --diff."

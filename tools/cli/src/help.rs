@@ -11,13 +11,13 @@ const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{a
 
 /// The command line with its help in a language.
 pub(super) fn command(lang: Lang) -> Command {
-    let mut tipc = Arguments::command();
+    let mut tip = Arguments::command();
     if lang == Lang::Japanese {
         // Adds what every command has: options and a command for help.
-        tipc.build();
-        tipc = translated(tipc, "");
+        tip.build();
+        tip = translated(tip, "");
     }
-    tipc
+    tip
 }
 
 /// A command and those below it; `above` is what is typed before its name, joined by `_`.
@@ -25,7 +25,7 @@ fn translated(command: Command, above: &str) -> Command {
     let name = command.get_name().to_owned();
     let about = command.get_about().map(line).unwrap_or_default();
     let path = match above {
-        "" | "tipc" => name,
+        "" | "tip" => name,
         above => format!("{above}_{name}"),
     };
     let ending = endings().find(|(command, _)| *command == path);

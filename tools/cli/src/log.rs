@@ -1,4 +1,4 @@
-//! `tipc log`: a run as a file that the field's viewers and tables read.
+//! `tip log`: a run as a file that the field's viewers and tables read.
 
 use super::error::Error;
 use super::plant::Ours;
@@ -10,20 +10,20 @@ use std::path::{Path, PathBuf};
 use tip_sim::urdf;
 use tip_view::Pace;
 
-/// `tipc log`
+/// `tip log`
 #[derive(Debug, Args)]
 #[command(
     after_help = "run.mcap holds the robot and its frames, joint states, forces, trails, objects, and what the program did: step and line,
 flags, messages, variables. Foxglove and Rerun show it. run.csv has a row for each cycle. docs/logs.md lists topics and columns.
 
 Examples:
-  tipc log walk.prg -o walk.mcap
-  tipc log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
+  tip log walk.prg -o walk.mcap
+  tip log grasp.prg --robot hand --scene scene.toml -o grasp.csv --every 10
 
 A run that has no end is recorded for ten minutes of the robot's time, or until it has waited for a minute without a motion;
 --cycles sets another end.
 
-Exit status: as for 'tipc run'."
+Exit status: as for 'tip run'."
 )]
 pub(super) struct Log {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `tipc lsp`: the language server, over standard input and output. What it answers comes from `tip-ide`.
+//! `tip lsp`: the language server, over standard input and output. What it answers comes from `tip-ide`.
 
 mod answers;
 mod client;
@@ -30,7 +30,7 @@ use std::time::Duration;
 /// How long nothing has to be asked before the server finds out what may be asked next: whoever types would wait for that.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// `tipc lsp`
+/// `tip lsp`
 #[derive(Debug, Args)]
 #[command(
     after_help = "An editor starts it, and talks to it through standard input and output: findings while you type, with fixes,
@@ -46,7 +46,7 @@ pub(super) struct Lsp {
     #[arg(long)]
     stdio: bool,
 
-    /// The robot of every program: a name that 'tipc robot list' shows, or a description
+    /// The robot of every program: a name that 'tip robot list' shows, or a description
     #[arg(long, value_name = "NAME|FILE.toml")]
     robot: Option<RobotChoice>,
 }
@@ -136,7 +136,7 @@ fn take(server: &mut Server<Files>, incoming: Incoming) -> Result<Option<Status>
 
 /// The answer where this program failed itself.
 fn defect(id: RequestId) -> Message {
-    let message = "tipc failed; this is a defect of tipc, please report it".to_owned();
+    let message = "tip failed; this is a defect of tip, please report it".to_owned();
     Response::new_err(id, ErrorCode::InternalError as i32, message).into()
 }
 

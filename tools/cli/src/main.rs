@@ -1,4 +1,4 @@
-//! The command `tipc`: its commands, one file each, and what they share.
+//! The command `tip`: its commands, one file each, and what they share.
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -53,28 +53,28 @@ use tipc::Loaded;
 /// Compiler, checker and simulator for T.I.P. 3.1 robot programs.
 #[derive(Debug, Parser)]
 #[command(
-    name = "tipc",
+    name = "tip",
     version,
     arg_required_else_help = true,
     after_help = "A first session:
-  tipc new demo                       make a crate whose robot moves at once
-  tipc check walk.prg                 report all its errors at once
-  tipc check --fix walk.prg           put right what is certain
-  tipc run walk.prg                   run it on the simulated TITAN VIII
-  tipc fmt walk.prg                   lay it out in the one style
-  tipc log walk.prg -o walk.mcap      write what it did, for Foxglove, Rerun or a table
-  tipc plot walk.prg -o walk.svg      draw what it did
-  tipc emit rust walk.prg -o walk.rs  write it as Rust source
-  tipc cycles walk.prg                count the control cycles of its parts
-  tipc view walk.prg                  write walk.html, a page that replays the run
-  tipc serve walk.prg                 run it live in a page, with keys and knobs, and edit it there
-  tipc verify walk.prg                compare its compiled code with the interpreter
-  tipc migrate old.prg -o walk.prg    turn an older program into version 3.1
-  tipc explain E205                   say what the code of a finding means
-  tipc lsp                            serve an editor, which starts it
-  tipc robot check hexapod.toml       check the description of your robot
+  tip new demo                       make a crate whose robot moves at once
+  tip check walk.prg                 report all its errors at once
+  tip check --fix walk.prg           put right what is certain
+  tip run walk.prg                   run it on the simulated TITAN VIII
+  tip fmt walk.prg                   lay it out in the one style
+  tip log walk.prg -o walk.mcap      write what it did, for Foxglove, Rerun or a table
+  tip plot walk.prg -o walk.svg      draw what it did
+  tip emit rust walk.prg -o walk.rs  write it as Rust source
+  tip cycles walk.prg                count the control cycles of its parts
+  tip view walk.prg                  write walk.html, a page that replays the run
+  tip serve walk.prg                 run it live in a page, with keys and knobs, and edit it there
+  tip verify walk.prg                compare its compiled code with the interpreter
+  tip migrate old.prg -o walk.prg    turn an older program into version 3.1
+  tip explain E205                   say what the code of a finding means
+  tip lsp                            serve an editor, which starts it
+  tip robot check hexapod.toml       check the description of your robot
 
-'tipc help COMMAND' shows examples of each command.
+'tip help COMMAND' shows examples of each command.
 Exit status: 0 done, 1 the program does not load, does not verify or has a denied warning, or a file cannot be written,
 2 wrong usage, 3 emergency stop, 4 a fall with --deny falls, 130 interrupted (by SIGTERM 143,
 by SIGHUP 129)."
@@ -227,7 +227,7 @@ fn main() -> ExitCode {
     }
     let outcome = match &arguments.verb {
         verb if verb.format() == Some(Format::Sarif) => Err(Error::Usage(
-            "tipc check writes SARIF, no other command does".to_owned(),
+            "tip check writes SARIF, no other command does".to_owned(),
         )),
         Verb::New(arguments) => new::new(arguments),
         Verb::Check(arguments) => check::check(arguments),

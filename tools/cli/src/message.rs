@@ -37,21 +37,21 @@ pub(crate) mod count {
 }
 
 tipc::message_table! {
-    /// Wrong usage of the command `tipc`.
+    /// Wrong usage of the command `tip`.
     Using;
 
     RunThat { file: Text }
-        "`{file}` is not a command of tipc: did you mean `tipc run {file}`?",
-        "`{file}` はtipcのコマンドではありません。`tipc run {file}` のことですか?";
+        "`{file}` is not a command of tip: did you mean `tip run {file}`?",
+        "`{file}` はtipのコマンドではありません。`tip run {file}` のことですか?";
     OtherWord { word: String, command: String }
-        "`{word}` is not a command of tipc: did you mean `tipc {command}`?",
-        "`{word}` はtipcのコマンドではありません。`tipc {command}` のことですか?";
+        "`{word}` is not a command of tip: did you mean `tip {command}`?",
+        "`{word}` はtipのコマンドではありません。`tip {command}` のことですか?";
     NoCommand { word: String, commands: Each }
-        "`{word}` is not a command of tipc; the commands are {commands}",
-        "`{word}` はtipcのコマンドではありません。コマンドは{commands}です";
+        "`{word}` is not a command of tip; the commands are {commands}",
+        "`{word}` はtipのコマンドではありません。コマンドは{commands}です";
     NoFile { command: String }
-        "which program? `tipc {command}` needs a file, as `tipc {command} walk.prg`",
-        "どのプログラムですか? `tipc {command} walk.prg` のようにファイルを指定してください";
+        "which program? `tip {command}` needs a file, as `tip {command} walk.prg`",
+        "どのプログラムですか? `tip {command} walk.prg` のようにファイルを指定してください";
     NoCode { code: String, codes: Each }
         "no finding has the code {code}; the codes are {codes}",
         "{code}というコードはありません。コードは{codes}です";
@@ -80,11 +80,11 @@ tipc::message_table! {
         "`{command}` is not a command line: write a program and its arguments, and close every quote, as in `exec:python3 simulate.py`",
         "`{command}` はコマンドラインではありません。`exec:python3 simulate.py` のようにプログラムと引数を書き、引用符は閉じてください";
     ProcessRunsOnce { command: &'static str }
-        "`tipc {command}` runs programs again or backwards, and a process can neither be copied nor taken back: take --plant dynamic here, and the process with `tipc run`",
-        "`tipc {command}` はプログラムを繰り返し、または逆向きに実行しますが、プロセスはコピーも巻き戻しもできません。ここでは --plant dynamic を使い、プロセスは `tipc run` で使ってください";
+        "`tip {command}` runs programs again or backwards, and a process can neither be copied nor taken back: take --plant dynamic here, and the process with `tip run`",
+        "`tip {command}` はプログラムを繰り返し、または逆向きに実行しますが、プロセスはコピーも巻き戻しもできません。ここでは --plant dynamic を使い、プロセスは `tip run` で使ってください";
     ProcessIsRun { command: &'static str }
-        "`tipc {command}` records our plants only; `tipc run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tipc view FILE --program PROGRAM` shows what it did",
-        "`tipc {command}` が記録できるのは内蔵のプラントだけです。プロセスは `tipc run --plant exec:COMMAND --trace FILE --trace-motion` で実行し、`tipc view FILE --program PROGRAM` で表示してください";
+        "`tip {command}` records our plants only; `tip run --plant exec:COMMAND --trace FILE --trace-motion` runs the process, and `tip view FILE --program PROGRAM` shows what it did",
+        "`tip {command}` が記録できるのは内蔵のプラントだけです。プロセスは `tip run --plant exec:COMMAND --trace FILE --trace-motion` で実行し、`tip view FILE --program PROGRAM` で表示してください";
     SceneIsElsewhere
         "--scene surrounds our plants, and a process has its own surroundings: give the scene to the process",
         "--scene は内蔵のプラントの周囲を決めるもので、プロセスの周囲はプロセス自身が決めます。シーンはプロセスに渡してください";
@@ -135,8 +135,8 @@ tipc::message_table! {
         "Ctrl-C ends",
         "Ctrl-Cで終了します";
     SeeHelp { command: String }
-        "`tipc help {command}` shows examples",
-        "`tipc help {command}` で使用例を見られます";
+        "`tip help {command}` shows examples",
+        "`tip help {command}` で使用例を見られます";
 }
 
 tipc::message_table! {
@@ -438,11 +438,11 @@ tipc::message_table! {
         "a robot that stands on its feet needs four legs to lift one",
         "1本を上げて立つには脚が4本必要です";
     OutOfReach
-        "feet do not reach where a gait has them, or slip: set another `initial`, as by `tipc robot import --stand`, or wider limits",
-        "足先が歩容の位置に届かないか、滑ります。`tipc robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
+        "feet do not reach where a gait has them, or slip: set another `initial`, as by `tip robot import --stand`, or wider limits",
+        "足先が歩容の位置に届かないか、滑ります。`tip robot import --stand` などで `initial` を変えるか、`limits` を広げてください";
     Falls
-        "the simulated robot falls on every gait that was tried: set another `initial`, as by `tipc robot import --stand`",
-        "試したどの歩容でも、シミュレーションのロボットが倒れます。`tipc robot import --stand` などで `initial` を変えてください";
+        "the simulated robot falls on every gait that was tried: set another `initial`, as by `tip robot import --stand`",
+        "試したどの歩容でも、シミュレーションのロボットが倒れます。`tip robot import --stand` などで `initial` を変えてください";
     FolderTaken { folder: Text }
         "`{folder}` is there already: choose another name, or move it away",
         "`{folder}` はすでにあります。別の名前を指定するか、移動してください";
@@ -450,8 +450,8 @@ tipc::message_table! {
         "there is no folder `{folder}`: `mkdir -p {folder}` makes it",
         "フォルダー `{folder}` がありません。`mkdir -p {folder}` で作成できます";
     NotMade { folder: Text, error: Text, name: String }
-        "`{folder}` cannot be made: {error}; name a folder that you may write to, as `tipc new ~/{name}` does",
-        "`{folder}` を作成できません: {error}。`tipc new ~/{name}` のように、書き込めるフォルダーを指定してください";
+        "`{folder}` cannot be made: {error}; name a folder that you may write to, as `tip new ~/{name}` does",
+        "`{folder}` を作成できません: {error}。`tip new ~/{name}` のように、書き込めるフォルダーを指定してください";
     NotForManifest { folder: Text }
         "`{folder}` is not UTF-8, or has a control character, so that a Cargo.toml cannot name it: rename the folder of the checkout",
         "`{folder}` はUTF-8でないか制御文字を含むため、Cargo.tomlに書けません。チェックアウトのフォルダー名を変えてください";

@@ -1,4 +1,4 @@
-//! `tipc migrate`: a program of an older version as one of version 3.1.
+//! `tip migrate`: a program of an older version as one of version 3.1.
 
 use super::choices::{EncodingName, Format};
 use super::error::Error;
@@ -8,7 +8,7 @@ use clap::Args;
 use std::path::PathBuf;
 use tip_lint::migrate::{self, Migration};
 
-/// `tipc migrate`
+/// `tip migrate`
 #[derive(Debug, Args)]
 #[command(
     after_help = "Programs of versions 1.0 to 3.0, and those that say 4.0, become programs of version 3.1: declarations,
@@ -16,9 +16,9 @@ renamed commands, changed forms. Comments, layout, encoding and the order of the
 Every change is reported with its line. If the text leaves a choice open, the report asks a question and nothing is written.
 
 Examples:
-  tipc migrate old.prg -o new.prg
-  tipc migrate old.prg > new.prg                        the new program on standard output
-  tipc migrate --message-format short old.prg -o new.prg   FILE:LINE:COLUMN: change: ...
+  tip migrate old.prg -o new.prg
+  tip migrate old.prg > new.prg                        the new program on standard output
+  tip migrate --message-format short old.prg -o new.prg   FILE:LINE:COLUMN: change: ...
 
 Exit status: 0 if the new program is written, 1 if there is a question or a file cannot be read or written."
 )]

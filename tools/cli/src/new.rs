@@ -1,4 +1,4 @@
-//! `tipc new`: a crate that moves a robot at once, with a test and an editor's configuration.
+//! `tip new`: a crate that moves a robot at once, with a test and an editor's configuration.
 
 mod bend;
 mod files;
@@ -22,15 +22,15 @@ use std::path::PathBuf;
 use tip_runtime::printable::Printable;
 use tipc::message::Lang;
 
-/// `tipc new`
+/// `tip new`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc new demo && cd demo && cargo run
-  tipc new grasper --robot hand
-  tipc new six --robot hexapod                 a description of six legs, to be changed
-  tipc new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
-  tipc new drives --hardware                   with src/hardware.rs, for drives of your own
-  tipc new demo --workspace ../tip             depend on this checkout of the project
+  tip new demo && cd demo && cargo run
+  tip new grasper --robot hand
+  tip new six --robot hexapod                 a description of six legs, to be changed
+  tip new ours --robot robots/ours.toml       a robot of your own (docs/robots.md)
+  tip new drives --hardware                   with src/hardware.rs, for drives of your own
+  tip new demo --workspace ../tip             depend on this checkout of the project
 
 Exit status: 0 if the crate is made, 1 if not: then nothing is written; 2 if NAME cannot be the name of a crate.")]
 pub(super) struct New {
@@ -38,7 +38,7 @@ pub(super) struct New {
     #[arg(value_name = "NAME")]
     place: Place,
 
-    /// The robot: hexapod, a name that 'tipc robot list' shows, or a description
+    /// The robot: hexapod, a name that 'tip robot list' shows, or a description
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "titan8")]
     robot: Choice,
 
@@ -46,7 +46,7 @@ pub(super) struct New {
     #[arg(long)]
     hardware: bool,
 
-    /// The checkout of this project to depend on; else the one that tipc was built from, else the published crates
+    /// The checkout of this project to depend on; else the one that tip was built from, else the published crates
     #[arg(long, value_name = "FOLDER")]
     workspace: Option<PathBuf>,
 

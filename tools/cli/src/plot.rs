@@ -1,4 +1,4 @@
-//! `tipc plot`: a run as diagrams.
+//! `tip plot`: a run as diagrams.
 
 use super::error::Error;
 use super::plant::Ours;
@@ -8,16 +8,16 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use tip_view::{Diagram, Pace};
 
-/// `tipc plot`
+/// `tip plot`
 #[derive(Debug, Args)]
 #[command(
     after_help = "The diagrams have units on their axes and are readable on light and dark grounds; --lang ja titles them in Japanese.
 
 Examples:
-  tipc plot walk.prg -o walk.svg
-  tipc plot walk.prg -o gait.svg --of gait --of forces
+  tip plot walk.prg -o walk.svg
+  tip plot walk.prg -o gait.svg --of gait --of forces
 
-Exit status: as for 'tipc run'."
+Exit status: as for 'tip run'."
 )]
 pub(super) struct Plot {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `tipc run`: a program on the simulated robot, by the reference interpreter.
+//! `tip run`: a program on the simulated robot, by the reference interpreter.
 
 mod emergency;
 mod files;
@@ -36,20 +36,20 @@ use trace::{Extras, Trace};
 /// A robot that rests so long probably waits for something that does not come: ms.
 pub(super) const LONG_WAIT: f64 = 60_000.0;
 
-/// `tipc run`
+/// `tip run`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc run walk.prg                             until END; messages on standard output
-  tipc run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
-  tipc run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
-  tipc run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
-  tipc run march.prg --robot hexapod.toml
-  tipc run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
-  tipc run --robot hand grasp.prg --scene scene.toml
-  tipc run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
-  tipc run walk.prg --realtime                  as fast as the robot, with a status line and your keys
-  tipc run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
-  tipc run walk.prg --quiet --deny falls        for scripts: nothing but messages, and exit status 4 after a fall
+  tip run walk.prg                             until END; messages on standard output
+  tip run walk.prg --cycles 500 --trace -      500 control cycles, the trace on standard output
+  tip run walk.prg --halt 300                  HALT_REQUEST is true from cycle 300 on
+  tip run ask.prg --keys '10:y,25:0x2C'        Y before cycle 10, a comma before cycle 25
+  tip run march.prg --robot hexapod.toml
+  tip run sense.prg --sensor VR1=8@300 --sensor PAW1=2.5@0
+  tip run --robot hand grasp.prg --scene scene.toml
+  tip run walk.prg --out-dir logs              TITAN.LOG, EMG.log and the others go to logs/
+  tip run walk.prg --realtime                  as fast as the robot, with a status line and your keys
+  tip run walk.prg --plant 'exec:python3 mine.py'  on a simulator of yours
+  tip run walk.prg --quiet --deny falls        for scripts: nothing but messages, and exit status 4 after a fall
 
 One cycle is one step of the program: 20 ms of the robot's time, 2 ms of the hand's, unless the
 program sets another. On a terminal, keys reach the program as they are pressed; RETURN is the

@@ -72,8 +72,8 @@ impl Document {
             "version": "2.1.0",
             "runs": [{
                 "tool": { "driver": {
-                    "name": "tipc",
-                    "fullName": "tipc, checker of T.I.P. robot programs",
+                    "name": "tip",
+                    "fullName": "tip, checker of T.I.P. robot programs",
                     "semanticVersion": env!("CARGO_PKG_VERSION"),
                     "rules": rules,
                 } },

@@ -1,4 +1,4 @@
-//! `tipc serve`: a page with a run that goes on, for as many viewers as look at it.
+//! `tip serve`: a page with a run that goes on, for as many viewers as look at it.
 
 mod file;
 mod guard;
@@ -26,13 +26,13 @@ use std::path::Path;
 use std::thread;
 use tip_view::live::{Session, Setup};
 
-/// `tipc serve`
+/// `tip serve`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc serve walk.prg                          prints the address of the page
-  tipc serve --robot hand grasp.prg --scene scene.toml
-  tipc serve walk.prg --paused --events '10:key F'
-  tipc serve walk.prg --listen 0.0.0.0:8000    for other machines too
+  tip serve walk.prg                          prints the address of the page
+  tip serve --robot hand grasp.prg --scene scene.toml
+  tip serve walk.prg --paused --events '10:key F'
+  tip serve walk.prg --listen 0.0.0.0:8000    for other machines too
 
 The page runs the program on the simulated robot in real time, or slower or faster. Keys, knobs,
 halt and emergency stop reach the program. The run rests, steps forward and back, and goes on from

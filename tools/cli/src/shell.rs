@@ -1,4 +1,4 @@
-//! `tipc completions` and `tipc man`: what shells and man show of the command itself.
+//! `tip completions` and `tip man`: what shells and man show of the command itself.
 
 use super::error::Error;
 use super::{Arguments, Status, output};
@@ -7,21 +7,21 @@ use clap_complete::Shell;
 use std::fs;
 use std::path::PathBuf;
 
-/// `tipc completions`
+/// `tip completions`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc completions bash > ~/.local/share/bash-completion/completions/tipc
-  tipc completions zsh > ~/.zfunc/_tipc
-  tipc completions fish > ~/.config/fish/completions/tipc.fish")]
+  tip completions bash > ~/.local/share/bash-completion/completions/tip
+  tip completions zsh > ~/.zfunc/_tip
+  tip completions fish > ~/.config/fish/completions/tip.fish")]
 pub(super) struct Completions {
     /// The shell
     shell: Shell,
 }
 
-/// `tipc man`
+/// `tip man`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc man -o ~/.local/share/man/man1")]
+  tip man -o ~/.local/share/man/man1")]
 pub(super) struct Man {
     /// The folder for the pages, one for each command; it is made if need be
     #[arg(short, long, value_name = "DIR")]

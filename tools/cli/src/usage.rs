@@ -179,16 +179,16 @@ fn no_command(word: String, near: Option<&String>) -> Using {
 /// The option of the command whose last words these are: `--format`.
 fn longer(option: &str) -> Option<String> {
     let end = option.strip_prefix('-').filter(|end| end.len() > 2)?;
-    let tipc = Arguments::command();
-    let mut options = tipc.find_subcommand(command()?)?.get_arguments();
+    let tip = Arguments::command();
+    let mut options = tip.find_subcommand(command()?)?.get_arguments();
     let near = options.find_map(|it| it.get_long().filter(|long| long.ends_with(end)))?;
     Some(format!("--{near}"))
 }
 
-/// The commands of tipc.
+/// The commands of tip.
 fn commands() -> Vec<String> {
-    let tipc = Arguments::command();
-    let commands = tipc.get_subcommands();
+    let tip = Arguments::command();
+    let commands = tip.get_subcommands();
     commands
         .map(|command| command.get_name().to_owned())
         .collect()

@@ -1,4 +1,4 @@
-//! `tipc verify`: compiled code against the reference interpreter, on searched or given inputs.
+//! `tip verify`: compiled code against the reference interpreter, on searched or given inputs.
 
 mod certificate;
 mod finding;
@@ -20,19 +20,19 @@ use tip_sim::search::{self, Failed};
 use tip_sim::verify::{Project, Subject};
 use watched::{Watched, building, interrupted_building};
 
-/// `tipc verify`
+/// `tip verify`
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The program is compiled by tipc and cargo, in release mode, with the tip-runtime of your project. Compiled code and
+    after_help = "The program is compiled by tip and cargo, in release mode, with the tip-runtime of your project. Compiled code and
 interpreter run side by side on two simulated robots; every record must be the same, floats by bits. Without inputs
-tipc makes many runs: it searches for keys, sensor readings and halt requests that lead to new steps and branches,
+tip makes many runs: it searches for keys, sensor readings and halt requests that lead to new steps and branches,
 and always tries the same ones. What no run reached is listed. If the engines differ, the shortest inputs are shown.
 
 Examples:
-  tipc verify walk.prg
-  tipc verify walk.prg --keys 300:F,400:Q    these inputs only
-  tipc verify march.prg --robot hexapod.toml --cycles 2000 --runs 1000
-  tipc verify walk.prg --manifest-path controller/Cargo.toml
+  tip verify walk.prg
+  tip verify walk.prg --keys 300:F,400:Q    these inputs only
+  tip verify march.prg --robot hexapod.toml --cycles 2000 --runs 1000
+  tip verify walk.prg --manifest-path controller/Cargo.toml
 
 Exit status: 0 both agree, 1 they differ, or the program does not load or build, 2 wrong usage,
 130 interrupted."

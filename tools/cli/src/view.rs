@@ -1,4 +1,4 @@
-//! `tipc view`: a page that replays a run.
+//! `tip view`: a page that replays a run.
 
 use super::error::Error;
 use super::loader::Subject;
@@ -13,15 +13,15 @@ use tip_sim::Robot;
 use tip_view::{BadTrace, Outcome, Pace, Recording};
 use tipc::Loaded;
 
-/// `tipc view`
+/// `tip view`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc view walk.prg                            runs it, and writes walk.html
-  tipc view walk.prg -o monday.html --halt 300  all inputs of 'tipc run'
-  tipc view --robot hand grasp.prg --scene scene.toml
-  tipc view march.prg --robot hexapod.toml --cycles 2000
-  tipc run walk.prg --trace walk.jsonl --trace-motion
-  tipc view walk.jsonl --program walk.prg       the run of that trace
+  tip view walk.prg                            runs it, and writes walk.html
+  tip view walk.prg -o monday.html --halt 300  all inputs of 'tip run'
+  tip view --robot hand grasp.prg --scene scene.toml
+  tip view march.prg --robot hexapod.toml --cycles 2000
+  tip run walk.prg --trace walk.jsonl --trace-motion
+  tip view walk.jsonl --program walk.prg       the run of that trace
 
 The page is one file that asks for nothing: it opens by double click, and can be sent or put into
 another page. It shows the robot in three dimensions beside the line that runs, with messages,
@@ -37,7 +37,7 @@ pub(super) struct View {
     #[command(flatten)]
     pub(super) recorded: RecordedArguments,
 
-    /// The program of FILE, which is a trace that 'tipc run --trace-motion' wrote
+    /// The program of FILE, which is a trace that 'tip run --trace-motion' wrote
     #[arg(long, value_name = "FILE.prg", conflicts_with_all = ["cycles", "keys", "halt", "sensors", "events"])]
     pub(super) program: Option<PathBuf>,
 

@@ -40,7 +40,7 @@ tipc::message_table! {
     /// The robots that a migrated program loads for.
     Loads;
 
-    ForNone "loads for no robot yet; `tipc check` on the new program says why", "まだどのロボットでも読み込めません。新しいプログラムを`tipc check`にかけると理由が分かります";
+    ForNone "loads for no robot yet; `tip check` on the new program says why", "まだどのロボットでも読み込めません。新しいプログラムを`tip check`にかけると理由が分かります";
     For { robots: List } "loads for {robots}", "{robots}で読み込めます";
 }
 

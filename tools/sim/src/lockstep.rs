@@ -1,6 +1,6 @@
 //! Compiled code against the reference interpreter, cycle by cycle, each on a simulated robot of its own.
 //!
-//! `tipc verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
+//! `tip verify` does this for programs on the robots that it knows. With commands or a robot of your own it takes a
 //! few lines, in a test of your own; the front page of this crate has an example.
 //!
 //! Here the compiled code is of another text, and differs in the cycle of the step that does:

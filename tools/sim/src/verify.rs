@@ -1,5 +1,5 @@
 //! A program's compiled code beside the interpreter, where there is only its text: cargo builds both into a process of
-//! their own, with the runtime of a project. `tipc verify` is this and [`search::verify`].
+//! their own, with the runtime of a project. `tip verify` is this and [`search::verify`].
 //!
 //! ```no_run
 //! use tip_sim::verify::{Project, Subject};

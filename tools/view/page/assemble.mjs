@@ -20,7 +20,7 @@ const pages = {
     styles: ['./src/style.css', './src/live.css'],
     kinds: ['live', 'served'],
     allowed: ["connect-src 'self'"],
-    parts: { 'TIP-TITLE': 'tipc serve' },
+    parts: { 'TIP-TITLE': 'tip serve' },
   }),
 };
 for (const [name, text] of Object.entries(pages)) writeFileSync(join(folder, name), text);

@@ -114,7 +114,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         let options = WriteOptions::new()
             .compression(None)
             .profile("")
-            .library("tipc");
+            .library("tip");
         Ok(Log {
             recording,
             writer: options.create(out)?,

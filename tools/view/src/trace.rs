@@ -1,4 +1,4 @@
-//! Recordings of traces, as `tipc run --trace-motion` writes them.
+//! Recordings of traces, as `tip run --trace-motion` writes them.
 
 use crate::recorder::Recorder;
 use crate::recording::{Frame, Outcome, Recording, Script, Stop};

@@ -1,4 +1,4 @@
-//! What `tipc verify` does, with the commands of the robot's owner: both engines side by side until all of the dance was reached.
+//! What `tip verify` does, with the commands of the robot's owner: both engines side by side until all of the dance was reached.
 
 use special::native::Native;
 use special::{Dance, SOURCE};

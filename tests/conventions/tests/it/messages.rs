@@ -152,12 +152,12 @@ fn every_row_is_said_somewhere() {
 #[test]
 fn the_compiler_holds_no_sentence_of_a_tool() {
     let crates = crates();
-    let inside = ["tipc", "tip-lint", "tip-macros"];
-    for row in &crates["tipc"].1 {
+    let inside = ["tip-compiler", "tip-lint", "tip-macros"];
+    for row in &crates["tip-compiler"].1 {
         let path = format!("{} ::", row.table);
         let says = |name: &&str| crates[*name].0.iter().any(|code| code.contains(&path));
         let is_argument = || {
-            let mut rows = crates["tipc"].1.iter();
+            let mut rows = crates["tip-compiler"].1.iter();
             rows.any(|other| other.types.contains(&row.table))
         };
         assert!(inside.iter().any(says) || is_argument(), "{}", row.table);

@@ -32,25 +32,31 @@ fn no_modules_import_each_other_in_a_loop() {
 /// What each product crate and tool may depend on among its own kind, even for its tests.
 const ARROWS: &[(&str, &[&str])] = &[
     ("tip-runtime", &[]),
-    ("tipc", &["tip-runtime"]),
-    ("tip-macros", &["tipc"]),
-    ("tip-lint", &["tip-runtime", "tipc"]),
+    ("tip-compiler", &["tip-runtime"]),
+    ("tip-macros", &["tip-compiler"]),
+    ("tip-lint", &["tip-runtime", "tip-compiler"]),
     // Its front page compares compiled code.
     (
         "tip-sim",
-        &["tip-runtime", "tipc", "tip-lint", "tip-macros"],
+        &["tip-runtime", "tip-compiler", "tip-lint", "tip-macros"],
     ),
-    ("tip-ide", &["tip-runtime", "tipc", "tip-lint"]),
+    ("tip-ide", &["tip-runtime", "tip-compiler", "tip-lint"]),
     // The editor of a live page asks what every editor asks.
     (
         "tip-view",
-        &["tip-runtime", "tipc", "tip-lint", "tip-sim", "tip-ide"],
-    ),
-    (
-        "tipc-cli",
         &[
             "tip-runtime",
-            "tipc",
+            "tip-compiler",
+            "tip-lint",
+            "tip-sim",
+            "tip-ide",
+        ],
+    ),
+    (
+        "tip-cli",
+        &[
+            "tip-runtime",
+            "tip-compiler",
             "tip-lint",
             "tip-sim",
             "tip-ide",

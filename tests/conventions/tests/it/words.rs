@@ -37,7 +37,7 @@ fn the_search_reaches_the_rooms_of_all_crates() {
         "tip-lint::listing::object",
         "tip-macros::arguments",
         "tip-sim::run",
-        "tipc-cli::run",
+        "tip-cli::run",
     ] {
         assert!(sources.contains_key(module), "{module}");
     }

@@ -1,4 +1,4 @@
-//! Messages to the debug adapter of the command `tipc`, a line each.
+//! Messages to the debug adapter of the command `tip`, a line each.
 
 #[path = "../../../../tools/cli/src/dap/breakpoints.rs"]
 mod breakpoints;

@@ -63,7 +63,7 @@ impl Settings {
         format!("{case} on {}", self.load.robot.name())
     }
 
-    /// Lets one more thing happen: an option of `tipc run`.
+    /// Lets one more thing happen: an option of `tip run`.
     pub fn add_input(&mut self, option: &str, value: impl Display) {
         if !self.inputs.is_empty() {
             self.inputs.push(' ');

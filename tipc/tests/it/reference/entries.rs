@@ -142,7 +142,7 @@ fn generated(names: &[String], example: &str) -> String {
     };
     let program = program(example);
     format!(
-        "{facts}- Try it: `tipc run {EXAMPLES}/{example}{options}{shown}`\n\n```tip{robot}\n{program}```\n"
+        "{facts}- Try it: `tip run {EXAMPLES}/{example}{options}{shown}`\n\n```tip{robot}\n{program}```\n"
     )
 }
 

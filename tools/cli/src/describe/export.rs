@@ -1,4 +1,4 @@
-//! `tipc robot export`: a robot in a form that other tools read.
+//! `tip robot export`: a robot in a form that other tools read.
 
 use super::import::{self, is_urdf};
 use super::{Status, output, report};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tip_sim::{Robot, mjcf, urdf};
 
-/// `tipc robot export`
+/// `tip robot export`
 #[derive(Debug, Args)]
 #[command(
     after_help = "The joints are J11, J12, …, each link is link11, link12, …, the feet are F1, F2, …; base_link is the robot frame, with x
@@ -20,9 +20,9 @@ forward, y left and z up. A robot that is bolted down hangs on the link world. A
 A model of MuJoCo has the same names, x to the right and y forward; its motors take the angles that joints are commanded (rad).
 
 Examples:
-  tipc robot export --urdf -o titan8.urdf
-  tipc robot export --urdf --robot hexapod.toml -o hexapod.urdf
-  tipc robot export --mjcf --scene steps.toml -o titan8.xml
+  tip robot export --urdf -o titan8.urdf
+  tip robot export --urdf --robot hexapod.toml -o hexapod.urdf
+  tip robot export --mjcf --scene steps.toml -o titan8.xml
 
 Exit status: 0 if the file is written, 1 otherwise."
 )]
@@ -39,7 +39,7 @@ pub(crate) struct Export {
     #[arg(long, value_name = "NAME|FILE.toml", conflicts_with = "urdf")]
     scene: Option<SceneChoice>,
 
-    /// The robot: a name that 'tipc robot list' shows, a description, or a URDF file that is to be made regular
+    /// The robot: a name that 'tip robot list' shows, a description, or a URDF file that is to be made regular
     #[arg(
         long,
         value_name = "NAME|FILE.toml|FILE.urdf",

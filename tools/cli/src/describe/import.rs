@@ -1,4 +1,4 @@
-//! `tipc robot import`: a description of a URDF file.
+//! `tip robot import`: a description of a URDF file.
 
 use super::foot::{Feet, feet};
 use super::{Status, input, output, report};
@@ -14,7 +14,7 @@ use tip_sim::urdf;
 use tipc::embed::LIMIT;
 use tipc::message::Lang;
 
-/// `tipc robot import`
+/// `tip robot import`
 #[derive(Debug, Args)]
 #[command(
     after_help = "Each chain of revolute or continuous joints from the base to a last link becomes a leg; fixed joints are merged. The
@@ -22,9 +22,9 @@ foot is the link at the end, on a fixed joint, or what --foot says. A report on 
 A CHAIN is named by one of its joints or links, or by what only its first joint's name has: FL for FL_hip_joint.
 
 Examples:
-  tipc robot import quadruped.urdf -o quadruped.toml
-  tipc robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
-  tipc robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
+  tip robot import quadruped.urdf -o quadruped.toml
+  tip robot import dog.urdf --order FL,FR,RL,RR --skip head_pan_joint --stand 280 -o dog.toml
+  tip robot import arm.urdf --foot hand=0.05,0,0.12 -o arm.toml
 
 Exit status: 0 if the description is written, 1 otherwise."
 )]

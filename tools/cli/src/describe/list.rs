@@ -1,4 +1,4 @@
-//! `tipc robot list` and `tipc robot show`: the robots that have a name.
+//! `tip robot list` and `tip robot show`: the robots that have a name.
 
 use super::summary;
 use crate::Status;
@@ -11,25 +11,25 @@ use clap::{Args, ValueEnum};
 use std::fmt::Write as _;
 use tipc::published;
 
-/// `tipc robot list`
+/// `tip robot list`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc robot list
-  tipc run march.prg --robot phantomx    wherever a robot is chosen, any of these names is
+  tip robot list
+  tip run march.prg --robot phantomx    wherever a robot is chosen, any of these names is
 
 docs/robots.md says where the figures come from.")]
 pub(crate) struct List {}
 
-/// `tipc robot show`
+/// `tip robot show`
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  tipc robot show titan8
-  tipc robot show a1                 with its figures and where they come from
-  tipc robot show a1 > mine.toml     a description to be changed
+  tip robot show titan8
+  tip robot show a1                 with its figures and where they come from
+  tip robot show a1 > mine.toml     a description to be changed
 
 Exit status: 0 if there is such a robot and its description can be used, 1 otherwise.")]
 pub(crate) struct Show {
-    /// The robot: a name that 'tipc robot list' shows, or a description
+    /// The robot: a name that 'tip robot list' shows, or a description
     #[arg(value_name = "NAME|FILE.toml")]
     robot: RobotChoice,
 

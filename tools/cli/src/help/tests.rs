@@ -3,10 +3,10 @@ use std::collections::BTreeSet;
 
 /// A command line with all that every command has, and its commands with their paths.
 fn all(lang: Lang) -> Vec<(String, Command)> {
-    let mut tipc = command(lang);
-    tipc.build();
+    let mut tip = command(lang);
+    tip.build();
     let mut found = Vec::new();
-    collect("tipc", &tipc, &mut found);
+    collect("tip", &tip, &mut found);
     found
 }
 
@@ -15,7 +15,7 @@ fn collect(path: &str, command: &Command, found: &mut Vec<(String, Command)>) {
     for below in command.get_subcommands() {
         let name = below.get_name();
         let path = match path {
-            "tipc" => name.to_owned(),
+            "tip" => name.to_owned(),
             path => format!("{path}_{name}"),
         };
         if name != "help" {
@@ -57,7 +57,7 @@ fn every_sentence_has_a_row_and_every_row_a_sentence() {
 
 /// The command lines of a text's examples, without what is said of them.
 fn examples(text: &str) -> Vec<&str> {
-    let lines = text.lines().filter(|line| line.starts_with("  tipc "));
+    let lines = text.lines().filter(|line| line.starts_with("  tip "));
     lines
         .map(|line| line.trim_start().split("   ").next().unwrap_or_default())
         .map(|line| line.split("  ").next().unwrap_or_default())
@@ -91,7 +91,7 @@ fn the_japanese_help_says_nothing_in_english() {
     for (path, mut command) in all(Lang::Japanese) {
         for text in [command.render_help(), command.render_long_help()] {
             let text = text.to_string();
-            assert!(text.contains("使い方: tipc"), "{path}: {text}");
+            assert!(text.contains("使い方: tip"), "{path}: {text}");
             for word in [
                 "Usage",
                 "Options:",

@@ -127,7 +127,7 @@ fn written(code: &str, lang: Lang) -> Option<String> {
     let text = explain::page(code, lang)?;
     let language = if lang == Lang::Japanese { "ja" } else { "en" };
     let version = env!("CARGO_PKG_VERSION");
-    let folder = cache()?.join("tipc").join(version).join(language);
+    let folder = cache()?.join("tip").join(version).join(language);
     let path = folder.join(format!("{code}.md"));
     if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
         fs::create_dir_all(&folder).ok()?;

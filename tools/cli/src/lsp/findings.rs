@@ -13,7 +13,7 @@ use tipc::code::{Code, Level};
 use tipc::diagnostic;
 
 /// Who found it.
-const SOURCE: &str = "tipc";
+const SOURCE: &str = "tip";
 
 /// The findings about a text, and how many others are omitted.
 pub(crate) fn findings(

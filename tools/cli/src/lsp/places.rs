@@ -1,4 +1,4 @@
-//! Bytes of a text to positions of the protocol and back, by the one place of `tipc` that counts columns.
+//! Bytes of a text to positions of the protocol and back, by the one place of `tip` that counts columns.
 
 use gen_lsp_types::{Position, Range, TextEdit};
 use tip_ide::Edit;

@@ -137,7 +137,7 @@ impl<S: Surroundings> Server<S> {
         let encoding = client.encoding();
         self.client = Some(client);
         json!({
-            "serverInfo": { "name": "tipc", "version": env!("CARGO_PKG_VERSION") },
+            "serverInfo": { "name": "tip", "version": env!("CARGO_PKG_VERSION") },
             "capabilities": capabilities(encoding),
         })
     }

@@ -158,7 +158,7 @@ impl Plan {
         }
     }
 
-    /// The text of the program, laid out as `tipc fmt` does.
+    /// The text of the program, laid out as `tip fmt` does.
     fn program(&self, robot: &Robot) -> String {
         let legs = || {
             (1..)

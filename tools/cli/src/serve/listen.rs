@@ -157,7 +157,7 @@ fn refuse(stream: &mut TcpStream, stranger: Stranger) -> io::Result<()> {
         ),
         Stranger::Token => (
             "403 Forbidden",
-            "the address that tipc serve printed has a token; this one has another one, or none",
+            "the address that tip serve printed has a token; this one has another one, or none",
         ),
         Stranger::Origin => ("403 Forbidden", "a page from elsewhere is not served"),
     };

@@ -56,7 +56,7 @@ pub(super) fn certificate(
     let mut text = format!(
         "{name}: compiled code and interpreter agree\n\
          source       {hash:016x}\n\
-         tools        tipc {VERSION}, {rustc}, {cargo}\n\
+         tools        tip {VERSION}, {rustc}, {cargo}\n\
          robot        {robot}, {legs} x {joints} joints, {scene}\n\
          runs         {runs}: {finished} to END or EXIT, {limited} to the last cycle allowed, {stopped} to an emergency stop\n\
          compared     {cycles} cycles, each record with the state of every joint, floats by bits\n\

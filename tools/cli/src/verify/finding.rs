@@ -27,7 +27,7 @@ pub(super) fn finding(checked: &Checked, diverging: &Diverging) -> String {
     format!(
         "{name}: compiled code and interpreter DIFFER in cycle {cycle}, step {step}\n\
          {place}interpreter  {interpreted}\ncompiled     {compiled}\n\
-         again        tipc {command} {inputs}\n"
+         again        tip {command} {inputs}\n"
     )
 }
 

@@ -1,4 +1,4 @@
-//! `tipc check`
+//! `tip check`
 
 use crate::support::Folder;
 use serde_json::Value;
@@ -25,7 +25,7 @@ END";
 fn ten_errors_are_reported_each_at_its_place() {
     let folder = Folder::new("ten").program("ten.prg", TEN);
     let outcome = folder
-        .tipc(&["check", "--message-format", "short", "ten.prg"])
+        .tip(&["check", "--message-format", "short", "ten.prg"])
         .expect(1);
     let expected = [
         ("5:3", "Unknown command \"FOO\""),
@@ -60,7 +60,7 @@ fn ten_errors_are_reported_each_at_its_place() {
 fn json_has_one_object_a_line_with_the_keys_in_order() {
     let folder = Folder::new("json").file("old.prg", "3.0\ntitle\nEND\n");
     let outcome = folder
-        .tipc(&["check", "--message-format", "json", "old.prg"])
+        .tip(&["check", "--message-format", "json", "old.prg"])
         .expect(1);
     let [line] = outcome.lines()[..] else {
         panic!("{outcome:#?}")
@@ -77,7 +77,7 @@ fn json_has_one_object_a_line_with_the_keys_in_order() {
 fn json_warnings_have_no_kind_of_error() {
     let folder = Folder::new("json-warning").program("w.prg", "DEF_VAR N\nEND");
     let outcome = folder
-        .tipc(&["check", "--message-format", "json", "w.prg"])
+        .tip(&["check", "--message-format", "json", "w.prg"])
         .expect(0);
     let object: Value = serde_json::from_str(outcome.lines()[0]).expect("valid JSON");
     assert_eq!(object["level"], "warning");
@@ -90,11 +90,11 @@ fn a_good_program_passes_in_silence_for_tools() {
     let folder = Folder::new("good").program("good.prg", "ALL_STOP\nEND");
     for format in ["short", "json"] {
         let outcome = folder
-            .tipc(&["check", "--message-format", format, "good.prg"])
+            .tip(&["check", "--message-format", format, "good.prg"])
             .expect(0);
         assert_eq!((outcome.out.as_str(), outcome.err.as_str()), ("", ""));
     }
-    let outcome = folder.tipc(&["check", "good.prg"]).expect(0);
+    let outcome = folder.tip(&["check", "good.prg"]).expect(0);
     assert_eq!(outcome.out, "");
     assert_eq!(outcome.err, "good.prg: 2 steps for titan8, 0 warnings\n");
 }
@@ -104,14 +104,14 @@ fn a_good_program_passes_in_silence_for_tools() {
 fn a_file_that_is_not_there_is_an_error_of_its_own() {
     let folder = Folder::new("missing").program("good.prg", "END");
     let arguments = ["check", "--message-format", "short", "nope.prg", "good.prg"];
-    let outcome = folder.tipc(&arguments).expect(1);
+    let outcome = folder.tip(&arguments).expect(1);
     assert_eq!(
         outcome.lines(),
         [
             "nope.prg:1:1: error[E103]: there is no such file: look at its name and its folder (TIP_ERR:File not found(nope.prg))"
         ]
     );
-    let outcome = folder.tipc(&["check", "nope.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "nope.prg"]).expect(1);
     assert!(
         outcome.err.starts_with(
             "error[E103]: nope.prg: there is no such file: look at its name and its folder\n  = note: TIP_ERR:File not found(nope.prg) (PreprocessError)\n"
@@ -125,15 +125,15 @@ fn one_bad_file_of_several_fails_the_command() {
     let folder = Folder::new("several")
         .program("good.prg", "END")
         .program("bad.prg", "ALL_STOP");
-    folder.tipc(&["check", "good.prg", "bad.prg"]).expect(1);
-    folder.tipc(&["check", "bad.prg", "good.prg"]).expect(1);
-    folder.tipc(&["check", "good.prg", "good.prg"]).expect(0);
+    folder.tip(&["check", "good.prg", "bad.prg"]).expect(1);
+    folder.tip(&["check", "bad.prg", "good.prg"]).expect(1);
+    folder.tip(&["check", "good.prg", "good.prg"]).expect(0);
 }
 
 #[test]
 fn people_see_the_line_without_colour_in_a_pipe() {
     let folder = Folder::new("human").program("bad.prg", "ALL_STOPP\nEND");
-    let outcome = folder.tipc(&["check", "bad.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "bad.prg"]).expect(1);
     assert_eq!(outcome.out, "");
     for part in [
         "bad.prg:3:1",
@@ -155,12 +155,12 @@ fn people_see_the_line_without_colour_in_a_pipe() {
 #[test]
 fn the_robot_decides_which_commands_exist() {
     let folder = Folder::new("robot").program("torque.prg", "TORQUE J11 1\nEND");
-    folder.tipc(&["check", "torque.prg"]).expect(1);
+    folder.tip(&["check", "torque.prg"]).expect(1);
     folder
-        .tipc(&["check", "--robot", "hand", "torque.prg"])
+        .tip(&["check", "--robot", "hand", "torque.prg"])
         .expect(0);
     folder
-        .tipc(&["check", "--robot", "generic", "torque.prg"])
+        .tip(&["check", "--robot", "generic", "torque.prg"])
         .expect(0);
 }
 
@@ -171,17 +171,17 @@ fn shift_jis_is_found_out_or_forced() {
     let text = b"3.1\ntitle\n\x81\x40MESSAGE \x91\x4F ; FOO\nEND\n";
     let folder = Folder::new("shift-jis").file("sj.prg", text);
     let short = ["check", "--message-format", "short", "sj.prg"];
-    let outcome = folder.tipc(&short).expect(1);
+    let outcome = folder.tip(&short).expect(1);
     assert_eq!(
         outcome.lines(),
         ["sj.prg:3:14: error[E204-01]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")"]
     );
     let forced = folder
-        .tipc(&[&short[..], &["--encoding", "shift_jis"]].concat())
+        .tip(&[&short[..], &["--encoding", "shift_jis"]].concat())
         .expect(1);
     assert_eq!(forced.out, outcome.out);
     let wrong = folder
-        .tipc(&[&short[..], &["--encoding", "utf-8"]].concat())
+        .tip(&[&short[..], &["--encoding", "utf-8"]].concat())
         .expect(1);
     assert!(wrong.out.contains("(TIP_ERR:Format error)"), "{wrong:#?}");
 }
@@ -190,9 +190,9 @@ fn shift_jis_is_found_out_or_forced() {
 #[test]
 fn another_version_of_the_language_can_be_asked_for() {
     let folder = Folder::new("version").file("v.prg", "2.5\ntitle\nEND\n");
-    folder.tipc(&["check", "v.prg"]).expect(1);
+    folder.tip(&["check", "v.prg"]).expect(1);
     folder
-        .tipc(&["check", "--tip-version", "2.5", "v.prg"])
+        .tip(&["check", "--tip-version", "2.5", "v.prg"])
         .expect(0);
 }
 
@@ -209,20 +209,20 @@ fn wrong_usage_exits_with_two() {
         &["check", "--message-format", "xml", "good.prg"],
     ];
     for arguments in wrong {
-        folder.tipc(arguments).expect(2);
+        folder.tip(arguments).expect(2);
     }
 }
 
 #[test]
 fn help_teaches_by_example() {
     let folder = Folder::new("help");
-    let outcome = folder.tipc(&["--help"]).expect(0);
+    let outcome = folder.tip(&["--help"]).expect(0);
     assert!(
-        outcome.out.contains("tipc check walk.prg"),
+        outcome.out.contains("tip check walk.prg"),
         "{}",
         outcome.out
     );
-    let outcome = folder.tipc(&["run", "--help"]).expect(0);
+    let outcome = folder.tip(&["run", "--help"]).expect(0);
     for option in [
         "--robot",
         "--cycles",
@@ -238,7 +238,7 @@ fn help_teaches_by_example() {
     ] {
         assert!(outcome.out.contains(option), "{option} in {}", outcome.out);
     }
-    folder.tipc(&["--version"]).expect(0);
+    folder.tip(&["--version"]).expect(0);
 }
 
 #[test]
@@ -250,13 +250,13 @@ fn people_choose_their_language() {
     let japanese = "p.prg:3:10: error[E205-17]: ここにはTHEN、GOTO、GOSUBのどれかを書きます (TIP_ERR:Wrong argument)";
     for (language, line) in [("en", english), ("ja", japanese)] {
         let chosen = [&short[..], &["--lang", language]].concat();
-        assert_eq!(folder.tipc(&chosen).expect(1).lines(), [line]);
+        assert_eq!(folder.tip(&chosen).expect(1).lines(), [line]);
     }
     let of_locale = folder
         .command(&short)
         .env("LC_ALL", "ja_JP.UTF-8")
         .output()
-        .expect("tipc runs");
+        .expect("tip runs");
     assert_eq!(
         String::from_utf8_lossy(&of_locale.stdout).trim_end(),
         japanese
@@ -266,7 +266,7 @@ fn people_choose_their_language() {
 #[test]
 fn a_code_is_explained_in_both_languages() {
     let folder = Folder::new("explain");
-    let page = |arguments: &[&str]| folder.tipc(arguments).expect(0).out;
+    let page = |arguments: &[&str]| folder.tip(arguments).expect(0).out;
     let english = page(&["explain", "e206"]);
     assert!(english.starts_with("# E206: unknown variable"), "{english}");
     assert!(english.contains("DEF_VAR N"), "{english}");
@@ -275,12 +275,12 @@ fn a_code_is_explained_in_both_languages() {
     let finer = page(&["explain", "e205-03"]);
     assert!(finer.starts_with("# E205-03: a missing target"), "{finer}");
     assert!(
-        finer.ends_with("`tipc explain E205` lists the other codes of E205.\n"),
+        finer.ends_with("`tip explain E205` lists the other codes of E205.\n"),
         "{finer}"
     );
     let japanese = page(&["explain", "E206", "--lang", "ja"]);
     assert!(japanese.contains("宣言されていない"), "{japanese}");
-    let unknown = folder.tipc(&["explain", "E999"]).expect(2);
+    let unknown = folder.tip(&["explain", "E999"]).expect(2);
     assert!(unknown.err.contains("E205, E206"), "{unknown:#?}");
 }
 
@@ -290,7 +290,7 @@ fn many_findings_are_cut_and_counted_over_all_files() {
     let folder = Folder::new("many")
         .program("many.prg", &wrong)
         .program("one.prg", "BAR\nEND");
-    let outcome = folder.tipc(&["check", "many.prg", "one.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "many.prg", "one.prg"]).expect(1);
     assert_eq!(
         outcome.err.matches("is not a command\n").count(),
         51,
@@ -308,7 +308,7 @@ fn many_findings_are_cut_and_counted_over_all_files() {
         );
     }
     let short = ["check", "--message-format", "short", "many.prg"];
-    assert_eq!(folder.tipc(&short).expect(1).lines().len(), 60);
+    assert_eq!(folder.tip(&short).expect(1).lines().len(), 60);
 }
 
 #[test]
@@ -318,25 +318,25 @@ fn findings_beyond_a_thousand_are_omitted_and_counted() {
     let folder = Folder::new("omitted")
         .program("wrong.prg", &("FOO\n".repeat(1_500) + "END"))
         .program("naps.prg", &naps);
-    let tipc = |arguments: &[&str]| folder.tipc(arguments);
-    let human = tipc(&["check", "wrong.prg"]).expect(1);
+    let tip = |arguments: &[&str]| folder.tip(arguments);
+    let human = tip(&["check", "wrong.prg"]).expect(1);
     for line in [
         "... and 1450 more findings",
         "wrong.prg: 1500 errors, 0 warnings",
     ] {
         assert!(human.err.lines().any(|one| one == line), "{line}");
     }
-    let short = tipc(&["check", "--message-format", "short", "wrong.prg"]).expect(1);
+    let short = tip(&["check", "--message-format", "short", "wrong.prg"]).expect(1);
     assert_eq!(short.lines().len(), 1_001);
     let note = "wrong.prg: note: ... and 500 more findings";
     assert_eq!(short.lines().last(), Some(&note));
-    let json = tipc(&["check", "--message-format", "json", "wrong.prg"]).expect(1);
+    let json = tip(&["check", "--message-format", "json", "wrong.prg"]).expect(1);
     assert_eq!(json.lines().len(), 1_001);
     let note = r#"{"level":"note","message":"... and 500 more findings","file":"wrong.prg","omitted":500}"#;
     assert_eq!(json.lines().last(), Some(&note));
     // What is omitted is denied like the rest.
     let checked =
-        |more: &[&str]| tipc(&[&["check", "--message-format", "short", "naps.prg"], more].concat());
+        |more: &[&str]| tip(&[&["check", "--message-format", "short", "naps.prg"], more].concat());
     checked(&[]).expect(0);
     for (code, line) in [
         ("W118", "error: naps.prg: 1 denied warning: W118\n"),
@@ -354,7 +354,7 @@ fn colours_come_when_asked_for() {
         let output = command
             .env("CLICOLOR_FORCE", insists)
             .output()
-            .expect("tipc runs");
+            .expect("tip runs");
         output.stderr.contains(&0x1B)
     };
     assert!(!shown(&[], "0"));
@@ -368,7 +368,7 @@ fn a_program_may_come_from_standard_input() {
     let folder = Folder::new("stdin").program("p.prg", "FOO\nEND");
     let program = std::fs::File::open(folder.path("p.prg")).expect("a program");
     let mut command = folder.command(&["check", "--message-format", "short", "-"]);
-    let output = command.stdin(program).output().expect("tipc runs");
+    let output = command.stdin(program).output().expect("tip runs");
     let line = "standard input:3:1: error[E204-01]: `FOO` is not a command (TIP_ERR:Unknown command \"FOO\")";
     assert_eq!(String::from_utf8_lossy(&output.stdout).trim_end(), line);
 }
@@ -376,11 +376,11 @@ fn a_program_may_come_from_standard_input() {
 #[test]
 fn a_folder_is_not_a_program() {
     let folder = Folder::new("folder").program("motions/p.prg", "END");
-    let outcome = folder.tipc(&["check", "motions"]).expect(1);
+    let outcome = folder.tip(&["check", "motions"]).expect(1);
     let start = "error[E103]: motions: this is a folder: name the files in it";
     assert!(outcome.err.starts_with(start), "{outcome:#?}");
     folder
-        .tipc(&["check", "--robot", "TITAN8", "motions/p.prg"])
+        .tip(&["check", "--robot", "TITAN8", "motions/p.prg"])
         .expect(0);
 }
 
@@ -389,22 +389,22 @@ fn denied_warnings_fail() {
     let folder = Folder::new("deny")
         .program("naps.prg", "SLEEP 1\nMESSAGE done\nEND")
         .program("allowed.prg", "SLEEP 1 // tip: allow(W118)\nEND");
-    let tipc = |arguments: &[&str]| folder.tipc(arguments);
-    tipc(&["check", "naps.prg"]).expect(0);
-    let denied = tipc(&["check", "--deny", "W118", "naps.prg"]).expect(1);
+    let tip = |arguments: &[&str]| folder.tip(arguments);
+    tip(&["check", "naps.prg"]).expect(0);
+    let denied = tip(&["check", "--deny", "W118", "naps.prg"]).expect(1);
     let line = "error: naps.prg: 1 denied warning: W118\n";
     assert!(denied.err.ends_with(line), "{denied:#?}");
-    tipc(&["check", "--deny", "falls,warnings", "naps.prg"]).expect(1);
-    tipc(&["check", "--deny", "W101", "--deny", "falls", "naps.prg"]).expect(0);
-    tipc(&["check", "--deny", "warnings", "allowed.prg"]).expect(0);
+    tip(&["check", "--deny", "falls,warnings", "naps.prg"]).expect(1);
+    tip(&["check", "--deny", "W101", "--deny", "falls", "naps.prg"]).expect(0);
+    tip(&["check", "--deny", "warnings", "allowed.prg"]).expect(0);
     // The same words for a run, which then does not begin.
-    let run = tipc(&["run", "--deny", "falls,w118", "naps.prg"]).expect(1);
+    let run = tip(&["run", "--deny", "falls,w118", "naps.prg"]).expect(1);
     assert_eq!(run.out, "");
-    tipc(&["run", "--deny", "W101", "naps.prg"]).expect(0);
+    tip(&["run", "--deny", "W101", "naps.prg"]).expect(0);
     // What is not in the list is refused with the list.
     for word in ["E205", "W999", "rain", ""] {
         for command in ["check", "run"] {
-            let refused = tipc(&[command, "--deny", word, "naps.prg"]).expect(2);
+            let refused = tip(&[command, "--deny", word, "naps.prg"]).expect(2);
             assert!(
                 refused.err.contains("falls, warnings, W101, "),
                 "{refused:#?}"

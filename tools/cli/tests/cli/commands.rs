@@ -40,7 +40,7 @@ fn tried(folder: &Folder, line: &str, file: &str, program: &str) -> Outcome {
     let path = folder.path(file);
     path.parent().map(fs::create_dir_all);
     fs::write(&path, program).expect("the folder is writable");
-    let beside = Path::new(env!("CARGO_BIN_EXE_tipc"))
+    let beside = Path::new(env!("CARGO_BIN_EXE_tip"))
         .parent()
         .expect("a folder");
     let paths = env::var_os("PATH").unwrap_or_default();
@@ -102,7 +102,7 @@ fn entries() -> Vec<Entry> {
             let file = line
                 .split_whitespace()
                 .nth(2)
-                .expect("tipc run FILE")
+                .expect("tip run FILE")
                 .to_owned();
             entries.push(Entry {
                 names: std::mem::take(&mut names),

@@ -1,4 +1,4 @@
-//! `tipc cycles`
+//! `tip cycles`
 
 use crate::support::Folder;
 use std::fs;
@@ -25,7 +25,7 @@ fn step(test: &str) -> Folder {
 // clauses: 2.12 2.13 2.15 2.17
 #[test]
 fn the_table_tells_least_and_most() {
-    let outcome = step("cycles-table").tipc(&["cycles", "step.prg"]).expect(0);
+    let outcome = step("cycles-table").tip(&["cycles", "step.prg"]).expect(0);
     // LIFT: SUBROUTINE, IF, perhaps MESSAGE, ENDIF, SUBEND. A turn of FOR: CALL, LIFT, NEXT; FOR and REM around three.
     let lines = outcome.lines();
     assert_eq!(lines[0], "step.prg for titan8, 20 ms a cycle");
@@ -43,7 +43,7 @@ fn the_table_tells_least_and_most() {
         ]
     );
     assert_eq!(outcome.err, "");
-    assert_eq!(outcome.out, shown("text", "$ tipc cycles step.prg\n"));
+    assert_eq!(outcome.out, shown("text", "$ tip cycles step.prg\n"));
 }
 
 fn words(line: &str) -> String {
@@ -52,7 +52,7 @@ fn words(line: &str) -> String {
 
 #[test]
 fn tools_get_one_object_a_line() {
-    let outcome = step("cycles-json").tipc(&["cycles", "--message-format", "json", "step.prg"]);
+    let outcome = step("cycles-json").tip(&["cycles", "--message-format", "json", "step.prg"]);
     let outcome = outcome.expect(0);
     let objects: Vec<serde_json::Value> = outcome
         .lines()
@@ -80,7 +80,7 @@ fn the_robot_gives_the_sampling_time() {
         "short",
         "rest.prg",
     ];
-    let outcome = folder.tipc(&arguments).expect(0);
+    let outcome = folder.tip(&arguments).expect(0);
     assert_eq!(
         outcome.lines(),
         ["rest.prg:3: start to END: 2 cycles, 4 ms"]
@@ -90,9 +90,9 @@ fn the_robot_gives_the_sampling_time() {
 #[test]
 fn a_program_that_does_not_load_is_not_counted() {
     let folder = Folder::new("cycles-broken").program("broken.prg", "NONSENSE\nEND");
-    let outcome = folder.tipc(&["cycles", "broken.prg"]).expect(1);
+    let outcome = folder.tip(&["cycles", "broken.prg"]).expect(1);
     assert!(outcome.err.contains("Unknown command"), "{outcome:?}");
     assert_eq!(outcome.out, "");
-    let outcome = folder.tipc(&["cycles", "missing.prg"]).expect(1);
+    let outcome = folder.tip(&["cycles", "missing.prg"]).expect(1);
     assert!(outcome.err.contains("File not found"), "{outcome:?}");
 }

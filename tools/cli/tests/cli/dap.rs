@@ -1,4 +1,4 @@
-//! `tipc dap`: sessions as an editor has them, and messages that no editor sends.
+//! `tip dap`: sessions as an editor has them, and messages that no editor sends.
 
 mod client;
 

@@ -1,4 +1,4 @@
-//! `tipc run --plant exec:COMMAND`: a robot that a process simulates.
+//! `tip run --plant exec:COMMAND`: a robot that a process simulates.
 
 use crate::dap::Client;
 use crate::support::Folder;
@@ -47,7 +47,7 @@ fn a_process_simulates_the_robot() {
         "nod.jsonl",
     ];
     let outcome = folder
-        .tipc(&[&run[..], &["--trace-motion"]].concat())
+        .tip(&[&run[..], &["--trace-motion"]].concat())
         .expect(0);
     assert_eq!(outcome.out, "there\n");
     // Its standard error is passed on; falls are not ours to count.
@@ -72,7 +72,7 @@ fn a_process_simulates_the_robot() {
     );
     // What it did can be looked at.
     folder
-        .tipc(&[
+        .tip(&[
             "view",
             "nod.jsonl",
             "--program",
@@ -97,7 +97,7 @@ fn a_fault_of_the_process_is_an_emergency_stop() {
         "logs",
         "--quiet",
     ];
-    let outcome = folder.tipc(&run).expect(3);
+    let outcome = folder.tip(&run).expect(3);
     let said = "the external plant's answer to 'cycle n=3': 'angles' of J21 is not finite";
     assert!(outcome.err.contains(said), "{outcome:#?}");
     assert!(
@@ -112,7 +112,7 @@ TIP_ERR:Hardware fault plant: answer is not finite (RobotError)
 "
     ));
     let outcome = folder
-        .tipc(&[&run[..], &["--lang", "ja"]].concat())
+        .tip(&[&run[..], &["--lang", "ja"]].concat())
         .expect(3);
     assert!(
         outcome.err.contains(
@@ -126,7 +126,7 @@ TIP_ERR:Hardware fault plant: answer is not finite (RobotError)
 fn a_process_that_is_not_there() {
     let folder = folder("external-none");
     let outcome = folder
-        .tipc(&[
+        .tip(&[
             "run",
             "nod.prg",
             "--plant",
@@ -153,7 +153,7 @@ fn a_signal_ends_run_and_process() {
     let mut command = folder.command(&["run", "nod.prg", "--plant", plant]);
     let begin = Instant::now();
     let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
-    let mut child = child.expect("tipc starts");
+    let mut child = child.expect("tip starts");
     let mut said = BufReader::new(child.stderr.take().expect("a pipe")).lines();
     let waits = said.next().expect("it says something").expect("text");
     assert_eq!(waits, "waits");
@@ -175,7 +175,7 @@ fn a_second_signal_ends_what_the_process_started() {
         "exec:sh sim.sh 3 'sleep 300 & echo $! >&2; trap : TERM INT; while :; do wait; done'";
     let mut command = folder.command(&["run", "nod.prg", "--plant", plant]);
     let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
-    let mut child = child.expect("tipc starts");
+    let mut child = child.expect("tip starts");
     let mut said = BufReader::new(child.stderr.take().expect("a pipe")).lines();
     let sleeper = said.next().expect("it says something").expect("text");
     let pid = child.id().to_string();
@@ -205,17 +205,17 @@ fn what_a_process_cannot_do_is_refused_with_a_way_out() {
     let folder = folder("external-refused").file("level.toml", "[floor]\nfriction = 0.9\n");
     let plant = ["--plant", "exec:sh sim.sh"];
     let cases: [(&[&str], &str); 8] = [
-        (&["verify", "nod.prg"], "`tipc run`"),
-        (&["debug", "nod.prg"], "`tipc run`"),
-        (&["serve", "nod.prg"], "`tipc run`"),
-        (&["view", "nod.prg"], "`tipc view FILE --program PROGRAM`"),
+        (&["verify", "nod.prg"], "`tip run`"),
+        (&["debug", "nod.prg"], "`tip run`"),
+        (&["serve", "nod.prg"], "`tip run`"),
+        (&["view", "nod.prg"], "`tip view FILE --program PROGRAM`"),
         (
             &["log", "nod.prg", "-o", "nod.csv"],
-            "`tipc view FILE --program PROGRAM`",
+            "`tip view FILE --program PROGRAM`",
         ),
         (
             &["plot", "nod.prg", "-o", "nod.svg"],
-            "`tipc view FILE --program PROGRAM`",
+            "`tip view FILE --program PROGRAM`",
         ),
         (
             &["run", "nod.prg", "--scene", "level.toml"],
@@ -227,7 +227,7 @@ fn what_a_process_cannot_do_is_refused_with_a_way_out() {
         ),
     ];
     for (command, way_out) in cases {
-        let outcome = folder.tipc(&[command, &plant[..]].concat()).expect(2);
+        let outcome = folder.tip(&[command, &plant[..]].concat()).expect(2);
         assert!(outcome.err.contains(way_out), "{command:?} {outcome:#?}");
         assert!(!outcome.err.contains("good-bye"), "{command:?} started it");
     }
@@ -243,7 +243,7 @@ fn a_plant_that_is_none_is_refused() {
     let folder = folder("external-word");
     let refused = |plant: &str| {
         folder
-            .tipc(&["run", "nod.prg", "--plant", plant])
+            .tip(&["run", "nod.prg", "--plant", plant])
             .expect(2)
             .err
     };
@@ -253,7 +253,7 @@ fn a_plant_that_is_none_is_refused() {
     assert!(refused("exec:").contains("is not a command line"));
     assert!(refused("exec:sh 'a").contains("`sh 'a` is not a command line"));
     folder
-        .tipc(&["run", "nod.prg", "--plant", "dynamic"])
+        .tip(&["run", "nod.prg", "--plant", "dynamic"])
         .expect(0);
 }
 
@@ -265,6 +265,6 @@ fn a_process_is_no_plant_of_a_debugger() {
     client.ask("initialize", json!({ "adapterID": "tip" }));
     let mut refused =
         |plant: &str| client.refusal("launch", json!({ "program": program, "plant": plant }));
-    assert!(refused("exec:sh sim.sh").contains("`tipc run`"));
+    assert!(refused("exec:sh sim.sh").contains("`tip run`"));
     assert!(refused("dynamics").contains("no plant is called `dynamics`"));
 }

@@ -20,7 +20,7 @@ struct Row {
 const HEADING: &str = "\n## Files and Ctrl-C\n";
 
 const HEAD: &str = "
-What `tipc run PROGRAM --out-dir FOLDER --trace FILE` does if its files cannot be written, or if it is interrupted. An earlier run of the
+What `tip run PROGRAM --out-dir FOLDER --trace FILE` does if its files cannot be written, or if it is interrupted. An earlier run of the
 same program had written all five files. In every case each file is either the complete earlier one or the complete new one; no partial file is
 left.
 
@@ -38,7 +38,7 @@ A compiled program writes its logs with the same `LogFiles`. Where it reads the 
 RETURN. The signal ends it like any process, unless its host catches it; then the earlier files stay, and partial files are left next to them
 as `.tip-RANDOM.part`. `cargo test -p walk --test it interrupt` tests both.
 
-`cargo test -p tipc-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
+`cargo test -p tip-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
 rewrites it.
 
 ## Long programs and large numbers
@@ -47,10 +47,10 @@ What would take time or memory without end, and what bounds it. Work is counted 
 
 | where | what | bound | test |
 |---|---|---|---|
-| `tipc cycles`, hovers | loops in loops, labels, calls in calls, jumps across the program | in proportion to the steps: 1,000,000 and 32 for each node of the flow may be passed for each kind of parts, then counting ends, and says so | `tools/lint/tests/it/bounded.rs` |
-| `tipc check` | blocks in blocks with constant conditions, many variables in messages | in proportion to the steps | `tools/lint/tests/it/bounded.rs` |
+| `tip cycles`, hovers | loops in loops, labels, calls in calls, jumps across the program | in proportion to the steps: 1,000,000 and 32 for each node of the flow may be passed for each kind of parts, then counting ends, and says so | `tools/lint/tests/it/bounded.rs` |
+| `tip check` | blocks in blocks with constant conditions, many variables in messages | in proportion to the steps | `tools/lint/tests/it/bounded.rs` |
 | reads of variables | thousands of variables that are assigned elsewhere than they are read | 1008 of them, and more while blocks times 63 variables are below 1,000,000; other reads are tested when they run | `tools/lint/tests/it/bounded.rs` |
-| `tipc migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tools/lint/tests/it/bounded.rs` |
+| `tip migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tools/lint/tests/it/bounded.rs` |
 | generated code | the memory that it takes to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
 | messages | words that a program, a description or a URDF file holds | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
 | messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |

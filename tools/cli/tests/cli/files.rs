@@ -90,7 +90,7 @@ fn a_file_beyond_the_limit_is_refused_with_the_limit() {
         ["fmt", "large.prg"],
         ["run", "large.prg"],
     ] {
-        let outcome = folder.tipc(&arguments).expect(1);
+        let outcome = folder.tip(&arguments).expect(1);
         let said = outcome.out + &outcome.err;
         assert!(said.contains("larger than 16 MiB"), "{said}");
     }
@@ -204,7 +204,7 @@ fn a_file_that_is_rewritten_stays_the_same_file_to_others() {
     fs::set_permissions(folder.path("mode.prg"), mode).expect("ours");
     let before = owner("mode.prg");
     folder
-        .tipc(&["fmt", "link.prg", "one.prg", "mode.prg"])
+        .tip(&["fmt", "link.prg", "one.prg", "mode.prg"])
         .expect(0);
     let link = fs::symlink_metadata(folder.path("link.prg")).expect("it is there");
     assert!(link.is_symlink());

@@ -1,4 +1,4 @@
-//! `tipc check --fix`
+//! `tip check --fix`
 
 use crate::support::{Folder, Outcome};
 use serde_json::Value;
@@ -12,7 +12,7 @@ const LIKELY: &str = "3.1\ntest\nIF KB_HIT THEN\nSLEEP 100\nENDIF\nEND\n";
 #[test]
 fn what_is_certain_is_written_and_the_rest_reported() {
     let folder = Folder::new("fix").program("walk.prg", WRONG);
-    let outcome = folder.tipc(&["check", "--fix", "walk.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "--fix", "walk.prg"]).expect(1);
     assert_eq!(folder.read("walk.prg"), CERTAIN);
     assert_eq!(outcome.out, "");
     assert!(
@@ -23,17 +23,17 @@ fn what_is_certain_is_written_and_the_rest_reported() {
         outcome.err.contains("walk.prg: 1 error, 0 warnings\n"),
         "{outcome:#?}"
     );
-    let left = "`tipc check --fix --unsafe-fixes` fixes 1 finding: look at what it writes\n";
+    let left = "`tip check --fix --unsafe-fixes` fixes 1 finding: look at what it writes\n";
     assert!(outcome.err.ends_with(left), "{outcome:#?}");
     let outcome = folder
-        .tipc(&["check", "--fix", "--unsafe-fixes", "walk.prg"])
+        .tip(&["check", "--fix", "--unsafe-fixes", "walk.prg"])
         .expect(0);
     assert_eq!(folder.read("walk.prg"), LIKELY);
     assert_eq!(
         outcome.err,
         "walk.prg: fixed 1 finding\nwalk.prg: 4 steps for titan8, 0 warnings\n"
     );
-    let outcome = folder.tipc(&["check", "--fix", "walk.prg"]).expect(0);
+    let outcome = folder.tip(&["check", "--fix", "walk.prg"]).expect(0);
     assert_eq!(outcome.err, "walk.prg: 4 steps for titan8, 0 warnings\n");
     assert_eq!(folder.names(), ["walk.prg"]);
 }
@@ -44,20 +44,20 @@ fn check_says_what_can_be_fixed_and_writes_nothing() {
     let wrong = folder.read("walk.prg");
     let said = |lang: &str| {
         folder
-            .tipc(&["check", "--lang", lang, "walk.prg"])
+            .tip(&["check", "--lang", lang, "walk.prg"])
             .expect(1)
             .err
     };
     let english = said("en");
     let line =
-        "`tipc check --fix` fixes 2 findings, with `--unsafe-fixes` 3: look at what it writes\n";
+        "`tip check --fix` fixes 2 findings, with `--unsafe-fixes` 3: look at what it writes\n";
     assert!(english.ends_with(line), "{english}");
     let japanese = said("ja");
-    let line = "`tipc check --fix` で2件、`--unsafe-fixes` も付けると3件を直せます。結果を確かめてください\n";
+    let line = "`tip check --fix` で2件、`--unsafe-fixes` も付けると3件を直せます。結果を確かめてください\n";
     assert!(japanese.ends_with(line), "{japanese}");
     assert_eq!(folder.read("walk.prg"), wrong);
     folder
-        .tipc(&["check", "--unsafe-fixes", "walk.prg"])
+        .tip(&["check", "--unsafe-fixes", "walk.prg"])
         .expect(2);
 }
 
@@ -66,7 +66,7 @@ fn tools_read_each_fix_in_a_line() {
     let program = |name: &str| Folder::new(name).program("walk.prg", WRONG);
     let folder = program("fix-short");
     let outcome = folder
-        .tipc(&["check", "--fix", "--message-format", "short", "walk.prg"])
+        .tip(&["check", "--fix", "--message-format", "short", "walk.prg"])
         .expect(1);
     let lines = outcome.lines();
     let fixed = |line: &str| line.contains(": fixed[E");
@@ -86,7 +86,7 @@ fn tools_read_each_fix_in_a_line() {
     );
     let folder = program("fix-json");
     let outcome = folder
-        .tipc(&["check", "--fix", "--message-format", "json", "walk.prg"])
+        .tip(&["check", "--fix", "--message-format", "json", "walk.prg"])
         .expect(1);
     let objects = outcome.lines().into_iter().map(serde_json::from_str);
     let objects: Vec<Value> = objects.collect::<Result<_, _>>().expect("valid JSON");
@@ -108,7 +108,7 @@ fn what_does_not_help_is_not_offered() {
     let statements = "IF KB_HIT THEN\nELIF KB_HIT = THEN\nENDIF\nEND";
     let folder = Folder::new("fix-offered").program("walk.prg", statements);
     let outcome = folder
-        .tipc(&["check", "--message-format", "json", "walk.prg"])
+        .tip(&["check", "--message-format", "json", "walk.prg"])
         .expect(1);
     let object: Value = serde_json::from_str(outcome.lines()[0]).expect("valid JSON");
     assert_eq!(object["fixes"], Value::Array(Vec::new()));
@@ -122,13 +122,13 @@ fn standard_input_goes_to_standard_output() {
         let mut command = folder.command(&arguments);
         command.stdin(Stdio::piped());
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = command.spawn().expect("tipc starts");
+        let mut child = command.spawn().expect("tip starts");
         let mut input = child.stdin.take().expect("a pipe");
         input
             .write_all(format!("3.1\ntest\n{WRONG}\n").as_bytes())
             .expect("it reads");
         drop(input);
-        let outcome = Outcome::of(child.wait_with_output().expect("tipc ends"));
+        let outcome = Outcome::of(child.wait_with_output().expect("tip ends"));
         assert_eq!(
             (outcome.status, outcome.out.as_str()),
             (1, CERTAIN),
@@ -143,10 +143,10 @@ fn standard_input_goes_to_standard_output() {
 fn a_file_that_cannot_be_decoded_or_written_stays() {
     let bytes = b"3.1\nt\nIF KB_HIT\n\x83\nENDIF\nEND\n";
     let folder = Folder::new("fix-undecodable").file("walk.prg", bytes);
-    folder.tipc(&["check", "--fix", "walk.prg"]).expect(1);
+    folder.tip(&["check", "--fix", "walk.prg"]).expect(1);
     let now = std::fs::read(folder.path("walk.prg")).expect("it is there");
     assert_eq!(now, bytes);
-    folder.tipc(&["check", "--fix", "nowhere.prg"]).expect(1);
+    folder.tip(&["check", "--fix", "nowhere.prg"]).expect(1);
     assert_eq!(folder.names(), ["walk.prg"]);
 }
 
@@ -158,11 +158,11 @@ fn a_file_keeps_its_mode_and_one_that_is_read_only_stays() {
     let folder = Folder::new("fix-mode").program("walk.prg", WRONG);
     let path = folder.path("walk.prg");
     fs::set_permissions(&path, Permissions::from_mode(0o444)).expect("it is ours");
-    let outcome = folder.tipc(&["check", "--fix", "walk.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "--fix", "walk.prg"]).expect(1);
     assert!(outcome.err.contains("File can not write"), "{outcome:#?}");
     assert_eq!(folder.read("walk.prg"), format!("3.1\ntest\n{WRONG}\n"));
     fs::set_permissions(&path, Permissions::from_mode(0o640)).expect("it is ours");
-    folder.tipc(&["check", "--fix", "walk.prg"]).expect(1);
+    folder.tip(&["check", "--fix", "walk.prg"]).expect(1);
     assert_eq!(folder.read("walk.prg"), CERTAIN);
     let mode = fs::metadata(&path)
         .expect("it is there")

@@ -1,4 +1,4 @@
-//! `tipc fmt`
+//! `tip fmt`
 
 use crate::support::{Folder, Outcome};
 use std::fs::File;
@@ -12,9 +12,7 @@ fn files_are_rewritten_in_silence() {
         .file("a.prg", UNTIDY)
         .file("b.prg", TIDY)
         .file("hand.prg", "3.1\nt\ntorque j11 1\nend\n");
-    let outcome = folder
-        .tipc(&["fmt", "a.prg", "b.prg", "hand.prg"])
-        .expect(0);
+    let outcome = folder.tip(&["fmt", "a.prg", "b.prg", "hand.prg"]).expect(0);
     assert_eq!((outcome.out.as_str(), outcome.err.as_str()), ("", ""));
     assert_eq!(folder.read("a.prg"), TIDY);
     assert_eq!(folder.read("b.prg"), TIDY);
@@ -30,7 +28,7 @@ fn a_file_in_the_style_is_not_touched() {
     let folder = Folder::new("fmt-same").file("b.prg", TIDY);
     let number = || folder.path("b.prg").metadata().expect("a file").ino();
     let before = number();
-    folder.tipc(&["fmt", "b.prg"]).expect(0);
+    folder.tip(&["fmt", "b.prg"]).expect(0);
     assert_eq!(number(), before);
 }
 
@@ -39,16 +37,14 @@ fn a_check_names_the_files_and_writes_nothing() {
     let folder = Folder::new("fmt-check")
         .file("a.prg", UNTIDY)
         .file("b.prg", TIDY);
-    let outcome = folder.tipc(&["fmt", "--check", "a.prg", "b.prg"]).expect(1);
+    let outcome = folder.tip(&["fmt", "--check", "a.prg", "b.prg"]).expect(1);
     assert_eq!(
         (outcome.out.as_str(), outcome.err.as_str()),
         ("a.prg\n", "")
     );
     assert_eq!(folder.read("a.prg"), UNTIDY);
-    folder.tipc(&["fmt", "--check", "b.prg"]).expect(0);
-    folder
-        .tipc(&["fmt", "--check", "--diff", "b.prg"])
-        .expect(2);
+    folder.tip(&["fmt", "--check", "b.prg"]).expect(0);
+    folder.tip(&["fmt", "--check", "--diff", "b.prg"]).expect(2);
 }
 
 #[test]
@@ -56,7 +52,7 @@ fn a_diff_shows_what_would_change() {
     let folder = Folder::new("fmt-diff")
         .file("a.prg", "3.1\nt\nREM\nsleep 1\nEND\n")
         .file("b.prg", TIDY);
-    let outcome = folder.tipc(&["fmt", "--diff", "a.prg", "b.prg"]).expect(1);
+    let outcome = folder.tip(&["fmt", "--diff", "a.prg", "b.prg"]).expect(1);
     let expected = "--- a.prg\n+++ a.prg (formatted)\n@@ -1,5 +1,5 @@\n 3.1\n t\n REM\n-sleep 1\n+SLEEP 1\n END\n";
     assert_eq!((outcome.out.as_str(), outcome.err.as_str()), (expected, ""));
     assert!(folder.read("a.prg").contains("sleep"));
@@ -66,7 +62,7 @@ fn a_diff_shows_what_would_change() {
 fn of_standard_input(folder: &Folder, name: &str, arguments: &[&str]) -> Outcome {
     let program = File::open(folder.path(name)).expect("a program");
     let mut command = folder.command(arguments);
-    Outcome::of(command.stdin(program).output().expect("tipc runs"))
+    Outcome::of(command.stdin(program).output().expect("tip runs"))
 }
 
 #[test]
@@ -106,7 +102,7 @@ fn what_cannot_be_formatted_is_left_with_a_word() {
         "none.prg",
         "good.prg",
     ];
-    let outcome = folder.tipc(&arguments).expect(1);
+    let outcome = folder.tip(&arguments).expect(1);
     assert_eq!(outcome.out, "");
     for text in [
         "bad.prg:3:1",
@@ -120,7 +116,7 @@ fn what_cannot_be_formatted_is_left_with_a_word() {
     assert_eq!(folder.read("bad.prg"), "3.1\ntest\nfoo\nend\n");
     // The others are formatted all the same.
     assert_eq!(folder.read("good.prg"), TIDY);
-    let japanese = folder.tipc(&["fmt", "--lang", "ja", "long.prg"]).expect(1);
+    let japanese = folder.tip(&["fmt", "--lang", "ja", "long.prg"]).expect(1);
     assert!(
         japanese.err.starts_with("long.prg: そのままにしました。"),
         "{japanese:#?}"
@@ -130,7 +126,7 @@ fn what_cannot_be_formatted_is_left_with_a_word() {
 #[test]
 fn shift_jis_stays_as_it_is() {
     let folder = Folder::new("fmt-sjis").file("a.prg", b"3.1\n\x95\xE0\nrem//\xEE\xF9\nend\n");
-    folder.tipc(&["fmt", "a.prg"]).expect(0);
+    folder.tip(&["fmt", "a.prg"]).expect(0);
     let bytes = std::fs::read(folder.path("a.prg")).expect("readable");
     assert_eq!(bytes, b"3.1\n\x95\xE0\nREM  //\xEE\xF9\nEND\n");
 }

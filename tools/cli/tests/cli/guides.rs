@@ -114,8 +114,8 @@ impl Terminal {
             self.here.push(folder);
             return String::new();
         }
-        let tipc = Path::new(env!("CARGO_BIN_EXE_tipc"));
-        let beside = tipc.parent().expect("a folder").to_owned();
+        let tip = Path::new(env!("CARGO_BIN_EXE_tip"));
+        let beside = tip.parent().expect("a folder").to_owned();
         let path = env::var_os("PATH").unwrap_or_default();
         let path = [beside].into_iter().chain(env::split_paths(&path));
         let output = Command::new("sh")
@@ -165,7 +165,7 @@ fn what_the_guides_show_is_what_happens() {
     }
 }
 
-/// A crate that `tipc new` makes moves its robot, and passes its test, without a warning.
+/// A crate that `tip new` makes moves its robot, and passes its test, without a warning.
 fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
     terminal.here = terminal.start.clone();
     let name = if robot.ends_with(".toml") {
@@ -173,7 +173,7 @@ fn made_for(terminal: &mut Terminal, robot: &str, ends: &str) {
     } else {
         robot
     };
-    let made = terminal.run(&format!("tipc new {name} --robot {robot} --workspace tip"));
+    let made = terminal.run(&format!("tip new {name} --robot {robot} --workspace tip"));
     assert!(made.ends_with("  cargo run\n"), "{made}");
     terminal.run(&format!("cd {name}"));
     let run = terminal.run("cargo run --quiet");

@@ -1,4 +1,4 @@
-//! `tipc robot import`.
+//! `tip robot import`.
 
 use crate::support::Folder;
 
@@ -14,7 +14,7 @@ pub(crate) const URDF: &str = r#"<robot name="pendulum">
 fn a_urdf_file_becomes_a_description_that_can_be_checked() {
     let folder = Folder::new("imported").file("pendulum.urdf", URDF);
     let imported = folder
-        .tipc(&["robot", "import", "pendulum.urdf", "-o", "pendulum.toml"])
+        .tip(&["robot", "import", "pendulum.urdf", "-o", "pendulum.toml"])
         .expect(0);
     assert!(
         imported.err.contains("F1: joint hinge to link tip"),
@@ -22,7 +22,7 @@ fn a_urdf_file_becomes_a_description_that_can_be_checked() {
         imported.err
     );
     assert!(folder.read("pendulum.toml").contains("link = [0, 0, -500]"));
-    let checked = folder.tipc(&["robot", "check", "pendulum.toml"]).expect(0);
+    let checked = folder.tip(&["robot", "check", "pendulum.toml"]).expect(0);
     assert!(
         checked
             .out
@@ -42,7 +42,7 @@ fn chains_of_a_urdf_file_are_chosen() {
     let folder = Folder::new("import-chosen").file("pendulum.urdf", URDF);
     let import = |more: &[&str], status| {
         let all = [&["robot", "import", "pendulum.urdf"], more].concat();
-        folder.tipc(&all).expect(status)
+        folder.tip(&all).expect(status)
     };
     let chosen = import(&["--order", "hinge", "--foot", "tip"], 0);
     assert!(
@@ -84,7 +84,7 @@ fn a_urdf_file_that_cannot_be_imported_leaves_nothing() {
         ("gone.urdf", "there is no such file"),
     ] {
         let outcome = folder
-            .tipc(&["robot", "import", file, "-o", "out.toml"])
+            .tip(&["robot", "import", file, "-o", "out.toml"])
             .expect(1);
         assert!(outcome.err.contains(reason), "{}", outcome.err);
         assert!(outcome.err.contains(file), "{}", outcome.err);
@@ -99,7 +99,7 @@ fn imports_speak_japanese() {
         .file("sdf.urdf", "<sdf/>");
     let import = |file: &str, status| {
         let words = ["robot", "import", file, "--lang", "ja"];
-        folder.tipc(&words).expect(status)
+        folder.tip(&words).expect(status)
     };
     let report = import("pendulum.urdf", 0);
     assert!(
@@ -112,7 +112,7 @@ fn imports_speak_japanese() {
         refused.starts_with("エラー: sdf.urdf: ルート要素が `sdf` ですが"),
         "{refused}"
     );
-    let exported = folder.tipc(&[
+    let exported = folder.tip(&[
         "robot", "export", "--urdf", "--robot", "sdf.urdf", "--lang", "ja",
     ]);
     assert!(exported.expect(1).err.starts_with("エラー: sdf.urdf"));
@@ -164,7 +164,7 @@ fn quadruped() -> String {
 fn a_quadruped_with_y_up_is_imported_and_walks_in_its_new_crate() {
     let folder = Folder::new("import-walks").file("dog.urdf", quadruped());
     let refused = folder
-        .tipc(&["robot", "import", "dog.urdf", "-o", "dog.toml"])
+        .tip(&["robot", "import", "dog.urdf", "-o", "dog.toml"])
         .expect(1);
     assert!(
         refused.err.contains("import it with `--up y`"),
@@ -173,21 +173,21 @@ fn a_quadruped_with_y_up_is_imported_and_walks_in_its_new_crate() {
     );
     assert!(!folder.has("dog.toml"));
     let import = ["robot", "import", "dog.urdf", "--up", "y", "-o", "dog.toml"];
-    let imported = folder.tipc(&import).expect(0);
+    let imported = folder.tip(&import).expect(0);
     let order = "front to rear and left before right: FL_hip_joint, FR_hip_joint, RL_hip_joint, RR_hip_joint";
     assert!(imported.err.contains(order), "{}", imported.err);
     let made = folder
-        .tipc(&["new", "walker", "--robot", "dog.toml"])
+        .tip(&["new", "walker", "--robot", "dog.toml"])
         .expect(0);
     let said = "forward and does not fall, with mass and without";
     assert!(made.out.contains(said), "{}", made.out);
     let program = "walker/motions/walk.prg";
     folder
-        .tipc(&["check", "--deny", "warnings", program])
+        .tip(&["check", "--deny", "warnings", program])
         .expect(0);
-    folder.tipc(&["fmt", "--check", program]).expect(0);
+    folder.tip(&["fmt", "--check", program]).expect(0);
     for plant in ["quasi-static", "dynamic"] {
-        let run = folder.tipc(&["run", "--plant", plant, program]).expect(0);
+        let run = folder.tip(&["run", "--plant", plant, program]).expect(0);
         assert!(run.err.contains("falls   none"), "{}", run.err);
         assert!(run.err.contains("mm forward"), "{}", run.err);
     }
@@ -209,7 +209,7 @@ fn a_robot_that_cannot_walk_gets_another_motion_and_is_told_why() {
     );
     let folder = Folder::new("new-tripod").file("tripod.toml", tripod);
     let made = folder
-        .tipc(&["new", "three", "--robot", "tripod.toml"])
+        .tip(&["new", "three", "--robot", "tripod.toml"])
         .expect(0);
     assert!(
         made.out
@@ -238,13 +238,13 @@ fn a_file_in_utf_16_is_read_and_one_in_an_unknown_encoding_named() {
     let folder = Folder::new("import-encodings")
         .file("wide.urdf", wide)
         .file("unknown.urdf", declared);
-    let imported = folder.tipc(&["robot", "import", "wide.urdf"]).expect(0);
+    let imported = folder.tip(&["robot", "import", "wide.urdf"]).expect(0);
     assert!(
         imported.err.contains("F1: joint \u{8db3} to link tip"),
         "{}",
         imported.err
     );
-    let refused = folder.tipc(&["robot", "import", "unknown.urdf"]).expect(1);
+    let refused = folder.tip(&["robot", "import", "unknown.urdf"]).expect(1);
     assert!(
         refused.err.contains("its encoding is `EBCDIC`"),
         "{}",

@@ -36,12 +36,12 @@ fn warnings(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_command_finds_what_tipc_check_finds() {
+fn every_command_finds_what_tip_check_finds() {
     let statements = "DEF_VAR UNUSED\nPTP F1 -2000 200 -200\nSPECIAL 30\nEND";
     let folder = folder("loader-warnings", statements);
     let short = |arguments: &[&str]| {
         let arguments = [arguments, &["--message-format", "short"]].concat();
-        folder.tipc(&arguments)
+        folder.tip(&arguments)
     };
     let checked = warnings(&short(&["check", "walk.prg"]).expect(0).out);
     // Of the robot: a target out of reach and an unanswered SPECIAL; of the crate: another robot.
@@ -80,7 +80,7 @@ fn every_command_refuses_an_event_that_cannot_happen() {
     ] {
         for arguments in RUNS {
             let arguments = [arguments, &["--events", events]].concat();
-            let outcome = folder.tipc(&arguments).expect(2);
+            let outcome = folder.tip(&arguments).expect(2);
             let error = format!("error: {reason}\n");
             assert_eq!(outcome.err, error, "{arguments:?}");
         }

@@ -1,4 +1,4 @@
-//! `tipc log` and `tipc plot`.
+//! `tip log` and `tip plot`.
 
 use crate::support::Folder;
 
@@ -8,9 +8,7 @@ const TEXT: &str =
 #[test]
 fn the_ending_says_what_a_log_is() {
     let folder = Folder::new("logged").program("turn.prg", TEXT);
-    let table = folder
-        .tipc(&["log", "turn.prg", "-o", "turn.csv"])
-        .expect(0);
+    let table = folder.tip(&["log", "turn.prg", "-o", "turn.csv"]).expect(0);
     assert!(table.err.contains("turn.csv: "), "{}", table.err);
     let csv = folder.read("turn.csv");
     let mut lines = csv.lines();
@@ -21,19 +19,17 @@ fn the_ending_says_what_a_log_is() {
     );
     let cycles = lines.count();
     folder
-        .tipc(&["log", "turn.prg", "-o", "few.csv", "--every", "4"])
+        .tip(&["log", "turn.prg", "-o", "few.csv", "--every", "4"])
         .expect(0);
     // Every fourth one from 0, and the last.
     let expected = (cycles - 1).div_ceil(4) + 1;
     assert_eq!(folder.read("few.csv").lines().count() - 1, expected);
     folder
-        .tipc(&["log", "turn.prg", "-o", "turn.mcap"])
+        .tip(&["log", "turn.prg", "-o", "turn.mcap"])
         .expect(0);
     let mcap = std::fs::read(folder.path("turn.mcap")).expect("it is written");
     assert!(mcap.starts_with(b"\x89MCAP0\r\n") && mcap.ends_with(b"\x89MCAP0\r\n"));
-    let other = folder
-        .tipc(&["log", "turn.prg", "-o", "turn.txt"])
-        .expect(2);
+    let other = folder.tip(&["log", "turn.prg", "-o", "turn.txt"]).expect(2);
     assert!(other.err.contains(".mcap or .csv"), "{}", other.err);
     assert!(!folder.has("turn.txt"));
 }
@@ -42,13 +38,13 @@ fn the_ending_says_what_a_log_is() {
 fn a_plot_speaks_the_language_that_is_asked_for() {
     let folder = Folder::new("plotted").program("turn.prg", TEXT);
     folder
-        .tipc(&["plot", "turn.prg", "-o", "turn.svg", "--lang", "ja"])
+        .tip(&["plot", "turn.prg", "-o", "turn.svg", "--lang", "ja"])
         .expect(0);
     assert!(folder.read("turn.svg").contains("各脚の第1関節の角度"));
     let gait = [
         "plot", "turn.prg", "-o", "gait.svg", "--of", "gait", "--lang", "en",
     ];
-    folder.tipc(&gait).expect(0);
+    folder.tip(&gait).expect(0);
     let svg = folder.read("gait.svg");
     assert!(
         svg.contains("Gait diagram") && !svg.contains("Angle of joint"),
@@ -63,24 +59,24 @@ fn how_the_run_ends_is_the_exit_status() {
         .program("endless.prg", "AGAIN:\nGOTO AGAIN:\nEND")
         .program("wrong.prg", "NOTHING\nEND");
     let stops = folder
-        .tipc(&["log", "stops.prg", "-o", "stops.csv"])
+        .tip(&["log", "stops.prg", "-o", "stops.csv"])
         .expect(3);
     assert!(stops.err.contains("emergency stop"), "{}", stops.err);
     assert!(folder.has("stops.csv"));
     let endless = ["plot", "endless.prg", "-o", "endless.svg", "--of", "angles"];
-    let still = folder.tipc(&endless).expect(0).err;
+    let still = folder.tip(&endless).expect(0).err;
     let reason = "stopped after 60 s without a motion: lines 3 to 4 repeat";
     assert!(still.contains(reason), "{still}");
     let few = folder
-        .tipc(&[&endless[..], &["--cycles", "9"]].concat())
+        .tip(&[&endless[..], &["--cycles", "9"]].concat())
         .expect(0);
     assert!(!few.err.contains("stopped after"), "{}", few.err);
     folder
-        .tipc(&["log", "wrong.prg", "-o", "wrong.csv"])
+        .tip(&["log", "wrong.prg", "-o", "wrong.csv"])
         .expect(1);
     assert!(!folder.has("wrong.csv"));
     let itself = folder
-        .tipc(&["plot", "stops.prg", "-o", "stops.prg"])
+        .tip(&["plot", "stops.prg", "-o", "stops.prg"])
         .expect(1);
     assert!(itself.err.contains("which is being read"), "{}", itself.err);
 }

@@ -1,4 +1,4 @@
-//! `tipc run --out-dir`: the log files of the language.
+//! `tip run --out-dir`: the log files of the language.
 
 use crate::support::Folder;
 
@@ -7,9 +7,7 @@ use crate::support::Folder;
 fn sampled_rows_make_titan_log() {
     let program = "LOG_START\nREM\nLOG_STOP\nREM\nLOG_ONE_SHOT\nEND";
     let folder = Folder::new("titan-log").program("p.prg", program);
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(0);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
     let log = folder.read("logs/TITAN.LOG");
     let lines: Vec<_> = log.lines().collect();
     assert_eq!(lines[0], "# TITAN.LOG of ../p.prg");
@@ -34,9 +32,7 @@ fn sampled_rows_make_titan_log() {
 fn variables_are_dumped_each_time_they_are_asked_for() {
     let program = "DEF_VAR A\nDEF_POS P\nOUTPUT_VARIABLES\nA = 0.5\nP.Y = A\nP.X = P.Y\nP.Z = P.X\nOUTPUT_VARIABLES\nEND";
     let folder = Folder::new("variables-log").program("p.prg", program);
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(0);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
     assert_eq!(
         folder.read("logs/VARIABLES.LOG"),
         "# VARIABLES.LOG of ../p.prg\n\
@@ -49,9 +45,7 @@ fn variables_are_dumped_each_time_they_are_asked_for() {
 #[test]
 fn an_emergency_leaves_a_report() {
     let folder = Folder::new("emg-log").program("p.prg", "RETURN\nEND");
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(3);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(3);
     let log = folder.read("logs/EMG.log");
     let lines: Vec<_> = log.lines().collect();
     assert_eq!(lines[0], "# EMG.log of ../p.prg");
@@ -66,9 +60,7 @@ fn an_emergency_leaves_a_report() {
 #[test]
 fn warnings_are_kept() {
     let folder = Folder::new("warning-log").program("p.prg", "DEF_VAR N\nEND");
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(0);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
     assert_eq!(
         folder.read("logs/WARNING.LOG"),
         "# WARNING.LOG of ../p.prg\np.prg:3:9: warning: variable \"N\" is declared but never used\n"
@@ -81,20 +73,16 @@ fn warnings_are_kept() {
 fn nothing_is_written_where_nobody_asked() {
     let program = "DEF_VAR A\nLOG_ONE_SHOT\nOUTPUT_VARIABLES\nRETURN\nEND";
     let folder = Folder::new("no-logs").program("p.prg", program);
-    folder.tipc(&["run", "p.prg"]).expect(3);
+    folder.tip(&["run", "p.prg"]).expect(3);
     assert_eq!(folder.names(), ["p.prg"]);
 }
 
 #[test]
 fn a_later_run_of_the_same_program_replaces_its_files() {
     let folder = Folder::new("logs-again").program("p.prg", "RETURN\nEND");
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(3);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(3);
     let folder = folder.program("p.prg", "LOG_ONE_SHOT\nEND");
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(0);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(0);
     assert!(!folder.has("logs/EMG.log"), "the report of the run before");
     assert!(folder.has("logs/TITAN.LOG"));
 }
@@ -105,13 +93,9 @@ fn files_of_another_program_are_never_replaced() {
     let folder = Folder::new("logs-foreign")
         .program("a.prg", "LOG_ONE_SHOT\nEND")
         .program("b.prg", "LOG_ONE_SHOT\nMESSAGE ran\nEND");
-    folder
-        .tipc(&["run", "a.prg", "--out-dir", "logs"])
-        .expect(0);
+    folder.tip(&["run", "a.prg", "--out-dir", "logs"]).expect(0);
     let before = folder.read("logs/TITAN.LOG");
-    let outcome = folder
-        .tipc(&["run", "b.prg", "--out-dir", "logs"])
-        .expect(1);
+    let outcome = folder.tip(&["run", "b.prg", "--out-dir", "logs"]).expect(1);
     assert!(
         outcome.err.contains("TIP_ERR:File can not write("),
         "{outcome:#?}"
@@ -127,25 +111,23 @@ fn programs_of_the_same_name_in_other_folders_are_others() {
         .program("a/p.prg", "LOG_ONE_SHOT\nEND")
         .program("b/p.prg", "LOG_ONE_SHOT\nEND");
     folder
-        .tipc(&["run", "a/p.prg", "--out-dir", "logs"])
+        .tip(&["run", "a/p.prg", "--out-dir", "logs"])
         .expect(0);
     let before = folder.read("logs/TITAN.LOG");
     folder
-        .tipc(&["run", "b/p.prg", "--out-dir", "logs"])
+        .tip(&["run", "b/p.prg", "--out-dir", "logs"])
         .expect(1);
     assert_eq!(folder.read("logs/TITAN.LOG"), before);
     // The same program by another path is no other.
     folder
-        .tipc(&["run", "a/../a/p.prg", "--out-dir", "logs/../logs"])
+        .tip(&["run", "a/../a/p.prg", "--out-dir", "logs/../logs"])
         .expect(0);
 }
 
 #[test]
 fn a_program_that_is_not_there_takes_no_folder() {
     let folder = Folder::new("logs-ghost");
-    folder
-        .tipc(&["run", "p.prg", "--out-dir", "logs"])
-        .expect(1);
+    folder.tip(&["run", "p.prg", "--out-dir", "logs"]).expect(1);
     assert!(!folder.has("logs"));
 }
 
@@ -154,7 +136,7 @@ fn a_file_that_is_no_log_is_never_replaced() {
     let folder = Folder::new("logs-precious")
         .program("p.prg", "LOG_ONE_SHOT\nEND")
         .file("TITAN.LOG", "notes of a lifetime\n");
-    folder.tipc(&["run", "p.prg", "--out-dir", "."]).expect(1);
+    folder.tip(&["run", "p.prg", "--out-dir", "."]).expect(1);
     assert_eq!(folder.read("TITAN.LOG"), "notes of a lifetime\n");
     assert!(!folder.has("WARNING.LOG"));
 }

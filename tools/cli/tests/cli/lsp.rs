@@ -1,4 +1,4 @@
-//! `tipc lsp`, as an editor talks to it: columns of three encodings, sessions from beginning to end, and bad messages.
+//! `tip lsp`, as an editor talks to it: columns of three encodings, sessions from beginning to end, and bad messages.
 
 mod editor;
 
@@ -274,7 +274,7 @@ fn of_very_many_labels_those_that_fit_what_is_typed_are_offered() {
 }
 
 #[test]
-fn what_only_the_robot_and_the_crate_know_is_warned_of_as_tipc_check_does() {
+fn what_only_the_robot_and_the_crate_know_is_warned_of_as_tip_check_does() {
     let folder = Folder::new("lsp-crate")
         .file("Cargo.toml", "[package]\nname = \"around\"\n")
         .file("tip.toml", "robot = \"titan8\"\n")

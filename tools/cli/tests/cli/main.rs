@@ -1,4 +1,4 @@
-//! The command `tipc`, run as users run it.
+//! The command `tip`, run as users run it.
 
 mod check;
 #[cfg(unix)]

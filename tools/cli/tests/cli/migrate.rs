@@ -1,4 +1,4 @@
-//! `tipc migrate`
+//! `tip migrate`
 
 use crate::support::Folder;
 
@@ -10,7 +10,7 @@ const NEW: &str = "3.1\nwalk\nDEF_VAR VAR01\nVAR01 = -5\nSTAND_UP VAR01\nEND\n";
 fn the_new_program_is_written_and_the_changes_are_reported() {
     let folder = Folder::new("migrate").file("old.prg", OLD);
     let outcome = folder
-        .tipc(&["migrate", "old.prg", "-o", "new.prg"])
+        .tip(&["migrate", "old.prg", "-o", "new.prg"])
         .expect(0);
     assert_eq!(outcome.out, "");
     assert_eq!(folder.read("new.prg"), NEW);
@@ -22,18 +22,18 @@ fn the_new_program_is_written_and_the_changes_are_reported() {
     ] {
         assert!(outcome.err.contains(text), "{outcome:#?}");
     }
-    folder.tipc(&["check", "new.prg"]).expect(0);
+    folder.tip(&["check", "new.prg"]).expect(0);
 }
 
 // clauses: 10.1
 #[test]
 fn without_a_file_it_goes_to_standard_output() {
     let folder = Folder::new("migrate-out").file("old.prg", OLD);
-    assert_eq!(folder.tipc(&["migrate", "old.prg"]).expect(0).out, NEW);
+    assert_eq!(folder.tip(&["migrate", "old.prg"]).expect(0).out, NEW);
     // Shift_JIS comes out as it went in.
     let folder = Folder::new("migrate-sjis").file("old.prg", b"2.0\n\x95\x5C\nEND\n");
     let output = folder.command(&["migrate", "old.prg"]).output();
-    assert_eq!(output.expect("tipc runs").stdout, b"3.1\n\x95\x5C\nEND\n");
+    assert_eq!(output.expect("tip runs").stdout, b"3.1\n\x95\x5C\nEND\n");
 }
 
 // clauses: 10.1
@@ -44,7 +44,7 @@ fn a_question_keeps_it_from_writing() {
         &["migrate", "old.prg", "-o", "new.prg"][..],
         &["migrate", "old.prg"][..],
     ] {
-        let outcome = folder.tipc(arguments).expect(1);
+        let outcome = folder.tip(arguments).expect(1);
         assert_eq!(outcome.out, "");
         assert!(
             outcome.err.contains("old.prg:3:10: question: "),
@@ -65,7 +65,7 @@ fn a_question_keeps_it_from_writing() {
 fn a_program_of_3_1_is_copied_and_said_to_be_one() {
     let folder = Folder::new("migrate-same").file("old.prg", NEW);
     let outcome = folder
-        .tipc(&["migrate", "old.prg", "-o", "new.prg"])
+        .tip(&["migrate", "old.prg", "-o", "new.prg"])
         .expect(0);
     assert_eq!(folder.read("new.prg"), NEW);
     assert_eq!(
@@ -86,7 +86,7 @@ fn the_report_has_forms_for_tools() {
             "--message-format",
             format,
         ];
-        folder.tipc(&arguments).expect(0).err
+        folder.tip(&arguments).expect(0).err
     };
     assert_eq!(report("short").lines().count(), 3);
     let json: Vec<serde_json::Value> = report("json")
@@ -105,13 +105,13 @@ fn the_report_has_forms_for_tools() {
 #[test]
 fn files_that_cannot_be_read_or_written() {
     let folder = Folder::new("migrate-files").file("old.prg", OLD);
-    let outcome = folder.tipc(&["migrate", "none.prg"]).expect(1);
+    let outcome = folder.tip(&["migrate", "none.prg"]).expect(1);
     assert!(
         outcome.err.contains("File not found(none.prg)"),
         "{outcome:#?}"
     );
     let outcome = folder
-        .tipc(&["migrate", "old.prg", "-o", "./old.prg"])
+        .tip(&["migrate", "old.prg", "-o", "./old.prg"])
         .expect(1);
     assert!(
         outcome.err.contains("File can not write(./old.prg)"),

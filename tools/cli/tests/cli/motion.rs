@@ -1,4 +1,4 @@
-//! `tipc run --trace-motion`: what the simulated robot did, cycle by cycle.
+//! `tip run --trace-motion`: what the simulated robot did, cycle by cycle.
 
 use crate::support::Folder;
 use serde_json::Value;
@@ -31,9 +31,9 @@ fn keys(line: &str) -> Vec<&str> {
 fn motion_ends_each_record_and_changes_nothing_before_it() {
     let folder = Folder::new("motion-keys").program("p.prg", TOPPLES);
     let run = ["run", "p.prg", "--trace", "-", "--trace-state"];
-    let without = folder.tipc(&run).expect(3);
+    let without = folder.tip(&run).expect(3);
     let with = folder
-        .tipc(&[&run[..], &["--trace-motion"]].concat())
+        .tip(&[&run[..], &["--trace-motion"]].concat())
         .expect(3);
     assert_eq!(with.lines().len(), without.lines().len());
     let (ends, records) = (without.lines().len() - 1, without.lines());
@@ -51,7 +51,7 @@ fn motion_ends_each_record_and_changes_nothing_before_it() {
 fn the_figures_are_those_of_the_robot() {
     let folder = Folder::new("motion-figures").program("p.prg", TOPPLES);
     let run = ["run", "p.prg", "--trace", "-", "--trace-motion"];
-    let outcome = folder.tipc(&run).expect(3);
+    let outcome = folder.tip(&run).expect(3);
     let lines = outcome.lines();
     let records: Vec<Value> = (lines[..lines.len() - 1].iter())
         .map(|line| serde_json::from_str(line).expect("JSON"))
@@ -99,7 +99,7 @@ fn a_robot_without_a_body_has_no_pose() {
             "-",
             "--trace-motion",
         ];
-        let outcome = folder.tipc(&run).expect(0);
+        let outcome = folder.tip(&run).expect(0);
         assert_eq!(keys(outcome.lines()[0]), known, "{robot}");
         let record: Value = serde_json::from_str(outcome.lines()[0]).expect("JSON");
         assert_eq!(record["angles"].as_array().map(Vec::len), Some(angles));

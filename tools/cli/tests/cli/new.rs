@@ -1,4 +1,4 @@
-//! `tipc new`: crates that are whole or not there. That they build, walk and pass their tests is tried in `guides`.
+//! `tip new`: crates that are whole or not there. That they build, walk and pass their tests is tried in `guides`.
 
 use crate::support::Folder;
 use std::fs;
@@ -45,7 +45,7 @@ const PLAIN: [&str; 13] = [
 #[test]
 fn a_crate_has_all_that_it_says() {
     let folder = Folder::new("new-tree");
-    let outcome = folder.tipc(&["new", "first-walk"]).expect(0);
+    let outcome = folder.tip(&["new", "first-walk"]).expect(0);
     assert_eq!(tree(&folder, "first-walk"), PLAIN);
     let listed: String = PLAIN.map(|name| format!("  {name}\n")).concat();
     let said = format!(
@@ -65,7 +65,7 @@ fn a_crate_has_all_that_it_says() {
 #[test]
 fn drives_of_our_own_are_a_file_to_fill_in() {
     let folder = Folder::new("new-hardware");
-    folder.tipc(&["new", "demo", "--hardware"]).expect(0);
+    folder.tip(&["new", "demo", "--hardware"]).expect(0);
     let mut expected = PLAIN.to_vec();
     expected.extend(["src/bin/drive.rs", "src/hardware.rs", "tests/hardware.rs"]);
     expected.sort_unstable();
@@ -86,18 +86,18 @@ fn the_programs_of_every_robot_are_sound() {
         ("ours.toml", "bend", "F2"),
     ] {
         let name = format!("a-{}", robot.trim_end_matches(".toml"));
-        folder.tipc(&["new", &name, "--robot", robot]).expect(0);
+        folder.tip(&["new", &name, "--robot", robot]).expect(0);
         let program = format!("{name}/motions/{motion}.prg");
         let check = ["check", "--deny", "warnings", &program];
-        folder.tipc(&check).expect(0);
-        let outcome = folder.tipc(&["run", &program]).expect(0);
+        folder.tip(&check).expect(0);
+        let outcome = folder.tip(&["run", &program]).expect(0);
         let all = format!("{}{}", outcome.out, outcome.err);
         assert!(all.contains(said), "{robot}: {all}");
         for fell in ["falls   1", "would fall"] {
             assert!(!all.contains(fell), "{robot}: {all}");
         }
         let fmt = ["fmt", "--check", &program];
-        folder.tipc(&fmt).expect(0);
+        folder.tip(&fmt).expect(0);
     }
 }
 
@@ -115,7 +115,7 @@ initial = [0, 0, 90]
 #[test]
 fn the_hexapod_is_that_of_the_example() {
     let folder = Folder::new("new-hexapod");
-    folder.tipc(&["new", "six", "--robot", "hexapod"]).expect(0);
+    folder.tip(&["new", "six", "--robot", "hexapod"]).expect(0);
     let example = |name: &str| {
         let path = Path::new(TIP).join("examples/six-legs").join(name);
         fs::read_to_string(path).expect("the example")
@@ -140,11 +140,11 @@ fn names_that_cargo_or_rust_refuse_are_refused_with_a_better_one() {
         ("test", "`my-test` can"),
         ("tip-runtime", "`my-tip-runtime` can"),
     ] {
-        let outcome = folder.tipc(&["new", name]).expect(2);
+        let outcome = folder.tip(&["new", name]).expect(2);
         assert!(outcome.err.contains(said), "{name}: {outcome:#?}");
-        assert!(outcome.err.contains("`tipc help new`"), "{outcome:#?}");
+        assert!(outcome.err.contains("`tip help new`"), "{outcome:#?}");
     }
-    let outcome = folder.tipc(&["new", "2fast", "--lang", "ja"]).expect(2);
+    let outcome = folder.tip(&["new", "2fast", "--lang", "ja"]).expect(2);
     assert!(
         outcome.err.contains("`2fast` はクレート名にできません"),
         "{outcome:#?}"
@@ -158,44 +158,44 @@ fn what_is_there_is_left_alone() {
         .file("full/mine.txt", "mine")
         .file("plain", "a file");
     for name in ["full", "plain"] {
-        let outcome = folder.tipc(&["new", name]).expect(1);
+        let outcome = folder.tip(&["new", name]).expect(1);
         let said = format!("error: `{name}` is there already: choose another name");
         assert!(outcome.err.starts_with(&said), "{outcome:#?}");
     }
     assert_eq!(tree(&folder, "full"), ["mine.txt"]);
     assert_eq!(folder.read("plain"), "a file");
     assert_eq!(folder.names(), ["full", "plain"]);
-    let outcome = folder.tipc(&["new", "full", "--lang", "ja"]).expect(1);
+    let outcome = folder.tip(&["new", "full", "--lang", "ja"]).expect(1);
     assert!(
         outcome.err.contains("`full` はすでにあります"),
         "{outcome:#?}"
     );
     // An empty folder is as good as none.
     fs::create_dir(folder.path("empty")).expect("a folder");
-    folder.tipc(&["new", "empty"]).expect(0);
+    folder.tip(&["new", "empty"]).expect(0);
     assert_eq!(tree(&folder, "empty"), PLAIN);
 }
 
 #[test]
 fn a_crate_that_cannot_be_made_leaves_nothing() {
     let folder = Folder::new("new-nowhere").file("broken.toml", "name = \"broken\"\nlegs = 4\n");
-    let outcome = folder.tipc(&["new", "far/away/demo"]).expect(1);
+    let outcome = folder.tip(&["new", "far/away/demo"]).expect(1);
     let said = "error: there is no folder `far/away`: `mkdir -p far/away` makes it";
     assert!(outcome.err.starts_with(said), "{outcome:#?}");
     let outcome = folder
-        .tipc(&["new", "demo", "--robot", "gone.toml"])
+        .tip(&["new", "demo", "--robot", "gone.toml"])
         .expect(1);
     assert!(outcome.err.contains("gone.toml"), "{outcome:#?}");
     let outcome = folder
-        .tipc(&["new", "demo", "--robot", "broken.toml"])
+        .tip(&["new", "demo", "--robot", "broken.toml"])
         .expect(1);
     assert!(outcome.err.contains("`legs`"), "{outcome:#?}");
-    let outcome = folder.tipc(&["new", "demo", "--robot", "titan9"]).expect(2);
+    let outcome = folder.tip(&["new", "demo", "--robot", "titan9"]).expect(2);
     assert!(
         outcome.err.contains("did you mean `titan8`?"),
         "{outcome:#?}"
     );
-    let outcome = folder.tipc(&["new", "demo", "--workspace", "."]).expect(1);
+    let outcome = folder.tip(&["new", "demo", "--workspace", "."]).expect(1);
     assert!(
         outcome
             .err
@@ -210,7 +210,7 @@ fn a_crate_that_cannot_be_made_leaves_nothing() {
 #[cfg(target_os = "linux")]
 fn a_folder_that_nobody_may_write_is_named_with_a_way_out() {
     let folder = Folder::new("new-read-only");
-    let outcome = folder.tipc(&["new", "/proc/demo"]).expect(1);
+    let outcome = folder.tip(&["new", "/proc/demo"]).expect(1);
     assert!(
         outcome
             .err
@@ -218,7 +218,7 @@ fn a_folder_that_nobody_may_write_is_named_with_a_way_out() {
         "{outcome:#?}"
     );
     assert!(
-        outcome.err.contains("as `tipc new ~/demo` does"),
+        outcome.err.contains("as `tip new ~/demo` does"),
         "{outcome:#?}"
     );
 }
@@ -237,9 +237,7 @@ fn a_checkout_that_is_named_stays_where_it_is_beside_the_crate() {
         .file("tip/tip-runtime/Cargo.toml", "")
         .file("tip/tools/sim/Cargo.toml", "")
         .file("tip/Cargo.lock", "# versions\n");
-    folder
-        .tipc(&["new", "demo", "--workspace", "tip"])
-        .expect(0);
+    folder.tip(&["new", "demo", "--workspace", "tip"]).expect(0);
     let manifest = folder.read("demo/Cargo.toml");
     for line in [
         "tip-macros = { path = \"../tip/tip-macros\" }",
@@ -253,7 +251,7 @@ fn a_checkout_that_is_named_stays_where_it_is_beside_the_crate() {
     }
     assert_eq!(folder.read("demo/Cargo.lock"), "# versions\n");
     let old = folder.file("tip/Cargo.toml", "version = \"0.0.1\"\n");
-    let outcome = old.tipc(&["new", "other", "--workspace", "tip"]).expect(1);
+    let outcome = old.tip(&["new", "other", "--workspace", "tip"]).expect(1);
     assert!(
         outcome
             .err
@@ -265,7 +263,7 @@ fn a_checkout_that_is_named_stays_where_it_is_beside_the_crate() {
 #[test]
 fn a_crate_inside_a_workspace_is_one_of_its_own() {
     let folder = Folder::new("new-inside").file("around/Cargo.toml", "[workspace]\nmembers = []\n");
-    folder.tipc(&["new", "around/demo"]).expect(0);
+    folder.tip(&["new", "around/demo"]).expect(0);
     let manifest = folder.read("around/demo/Cargo.toml");
     assert!(manifest.ends_with("\n[workspace]\n"), "{manifest}");
 }
@@ -316,7 +314,7 @@ fn a_crate_behind_a_link_names_the_whole_path_of_the_checkout() {
         );
     std::os::unix::fs::symlink("real/deep", folder.path("link")).expect("writable");
     folder
-        .tipc(&["new", "link/demo", "--workspace", "tip"])
+        .tip(&["new", "link/demo", "--workspace", "tip"])
         .expect(0);
     let manifest = folder.read("link/demo/Cargo.toml");
     let expected = format!("path = \"{}\"", folder.path("tip/tip-macros").display());

@@ -27,7 +27,7 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
     let text = format!("3.1\nt\u{1b}]0;x\u{7}\n{program}");
     let folder = Folder::new("printable-run").file(NAME, text);
     let run = ["run", NAME, "--out-dir", "logs", "--trace", "t.jsonl"];
-    let outcome = folder.tipc(&run).expect(3);
+    let outcome = folder.tip(&run).expect(3);
     assert_eq!(outcome.out, "a\u{7}\t\\u{1b}[31m\\u{202e}b\\u{9b}c\n");
     require_printable(&outcome.err, "");
     let place = format!(" --> {SHOWN}:4:1\n");
@@ -54,7 +54,7 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
     let say = "\"say\":\"a\\u0007\\t\\u001b[31m\u{202e}b\u{9b}c\"";
     assert!(folder.read("t.jsonl").contains(say));
     // The next run knows its logs again.
-    folder.tipc(&run).expect(3);
+    folder.tip(&run).expect(3);
 }
 
 // clauses: 8.1
@@ -62,14 +62,14 @@ fn a_run_shows_the_controls_of_a_program_as_escapes() {
 fn a_finding_is_one_record_whatever_the_file_is_called() {
     let folder = Folder::new("printable-check").file(NAME, "3.1\nt\nFOO\u{1b}[2J\u{7f} 1\nEND\n");
     let short = folder
-        .tipc(&["check", "--message-format", "short", NAME])
+        .tip(&["check", "--message-format", "short", NAME])
         .expect(1);
     let start = format!("{SHOWN}:3:4: error[");
     assert!(
         short.lines().iter().all(|line| line.starts_with(&start)),
         "{short:#?}"
     );
-    let human = folder.tipc(&["check", NAME]).expect(1);
+    let human = folder.tip(&["check", NAME]).expect(1);
     require_printable(&human.err, "");
     assert!(
         human.err.contains(r"3 | FOO\u{1b}[2J\u{7f} 1"),
@@ -83,7 +83,7 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
     let folder = Folder::new("printable-others")
         .file(NAME, "2.0\nt\nFOO\u{1b}[2J 1\nEND\n")
         .file("c\u{200f}\n.prg", "3.1\nt\nEND\n");
-    let question = folder.tipc(&["migrate", NAME]).expect(1);
+    let question = folder.tip(&["migrate", NAME]).expect(1);
     require_printable(&question.err, "");
     assert!(
         question.err.contains(r"    FOO\u{1b}[2J 1"),
@@ -92,7 +92,7 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
     for line in question.err.lines().filter(|line| !line.starts_with(' ')) {
         assert!(line.starts_with(SHOWN), "{line}");
     }
-    let counts = folder.tipc(&["cycles", "c\u{200f}\n.prg"]).expect(0);
+    let counts = folder.tip(&["cycles", "c\u{200f}\n.prg"]).expect(0);
     assert!(
         counts.out.starts_with(r"c\u{200f}\u{a}.prg for "),
         "{counts:#?}"
@@ -103,7 +103,7 @@ fn questions_counts_and_errors_show_names_and_lines_as_escapes() {
         (&["emit", "rust", "c\u{200f}\n.prg", "-o", "no/\n\u{1b}"], 1),
         (&["check", "--robot", "\u{1b}[31m", NAME], 2),
     ] {
-        let outcome = folder.tipc(arguments).expect(status);
+        let outcome = folder.tip(arguments).expect(status);
         require_printable(&outcome.err, "");
     }
 }
@@ -137,7 +137,7 @@ fn data_has_escapes_on_a_terminal_alone() {
             .stdout(terminal.input())
             .stderr(Stdio::null())
             .status();
-        status.expect("tipc starts");
+        status.expect("tip starts");
         shown(terminal).replace("\r\n", "\n")
     };
     for arguments in [
@@ -146,7 +146,7 @@ fn data_has_escapes_on_a_terminal_alone() {
         &["fmt", "--diff", "p.prg"],
         &["run", "p.prg", "--trace", "-"],
     ] {
-        let piped = folder.tipc(arguments).out;
+        let piped = folder.tip(arguments).out;
         assert!(piped.contains("\u{202e}b\u{9b}c"), "{arguments:?}: {piped}");
         let shown = on_terminal(arguments);
         require_printable(&shown, "");
@@ -160,6 +160,6 @@ fn data_has_escapes_on_a_terminal_alone() {
     };
     assert_eq!(
         records(&on_terminal(&trace)),
-        records(&folder.tipc(&trace).out)
+        records(&folder.tip(&trace).out)
     );
 }

@@ -103,10 +103,10 @@ fn provide(folder: &Folder, line: &str) {
 
 /// Runs a line in a folder as a shell does; its exit status and all that it printed.
 fn run(folder: &Folder, line: &str) -> (i32, String) {
-    let tipc = Path::new(env!("CARGO_BIN_EXE_tipc"));
+    let tip = Path::new(env!("CARGO_BIN_EXE_tip"));
     let first = [
         folder.path("bin"),
-        tipc.parent().expect("a folder").to_owned(),
+        tip.parent().expect("a folder").to_owned(),
     ];
     let path = env::var_os("PATH").unwrap_or_default();
     let path = env::join_paths(first.into_iter().chain(env::split_paths(&path)));
@@ -152,7 +152,7 @@ fn end(child: &mut Child, line: &str) -> i32 {
 
 /// Whether a line has no end but Ctrl-C.
 fn goes_on(line: &str) -> bool {
-    line.contains("tipc serve") || line.contains("--watch")
+    line.contains("tip serve") || line.contains("--watch")
 }
 
 /// The exit statuses that a line may have.
@@ -162,20 +162,20 @@ fn statuses(line: &str) -> &'static [i32] {
         // Some of the files are not in order.
         _ if line.contains("*.prg") || line.contains("--diff") => &[0, 1],
         // Its client has gone.
-        _ if line == "tipc lsp" => &[0, 1],
+        _ if line == "tip lsp" => &[0, 1],
         // It needs a terminal.
-        _ if line.contains("tipc debug") => &[1, 2],
+        _ if line.contains("tip debug") => &[1, 2],
         _ => &[0],
     }
 }
 
 /// Whether only the arguments of a line are looked at: it would compile a crate, or names a file of the reader's own.
 fn is_ours_to_parse(line: &str) -> bool {
-    line.contains("tipc verify")
-        || (line.contains("tipc robot import") && !line.contains("examples/"))
+    line.contains("tip verify")
+        || (line.contains("tip robot import") && !line.contains("examples/"))
 }
 
-/// A line as it is run here: not for ever, at no port of anyone else's, without what is not tipc.
+/// A line as it is run here: not for ever, at no port of anyone else's, without what is not tip.
 fn prepared(line: &str) -> String {
     let line = line.split(" && cd ").next().unwrap_or_default();
     let line = line.replace("0.0.0.0:8000", "127.0.0.1:0");
@@ -214,7 +214,7 @@ fn check(folder: &Folder, source: &str, line: &str) {
 fn commands() -> Vec<Vec<String>> {
     let folder = Folder::new("printed-commands");
     let listed = |words: &[&str]| -> Vec<String> {
-        let outcome = folder.tipc(&[words, &["--help"]].concat()).expect(0);
+        let outcome = folder.tip(&[words, &["--help"]].concat()).expect(0);
         let rows = outcome
             .out
             .lines()
@@ -244,14 +244,14 @@ fn every_line_of_every_help_ends() {
     for command in commands() {
         let words: Vec<&str> = command.iter().map(String::as_str).collect();
         let folder = Folder::new("printed/help");
-        let help = folder.tipc(&[&words[..], &["--help"]].concat()).expect(0);
+        let help = folder.tip(&[&words[..], &["--help"]].concat()).expect(0);
         let lines = help
             .out
             .lines()
-            .filter_map(|line| line.strip_prefix("  tipc "));
+            .filter_map(|line| line.strip_prefix("  tip "));
         for line in lines {
             // Two blanks begin a remark.
-            let line = format!("tipc {}", line.split("  ").next().unwrap_or_default());
+            let line = format!("tip {}", line.split("  ").next().unwrap_or_default());
             if seen.insert(line.clone()) {
                 check(&folder, &command.join(" "), &line);
                 count += 1;
@@ -309,12 +309,12 @@ fn lines(text: &str) -> Vec<String> {
         } else if is_code {
             let line = line.strip_prefix("$ ").unwrap_or(line);
             let line = line.split(" #").next().unwrap_or_default().trim();
-            if line.starts_with("tipc ") {
+            if line.starts_with("tip ") {
                 all.push(line.to_owned());
             }
         } else {
             let spans = line.split('`').skip(1).step_by(2);
-            let spans = spans.filter(|span| span.starts_with("tipc ") && names_a_file(span));
+            let spans = spans.filter(|span| span.starts_with("tip ") && names_a_file(span));
             all.extend(spans.map(str::to_owned));
         }
     }

@@ -15,17 +15,17 @@ fn the_nearest_file_counts_and_options_win() {
         .file("walker/tip.toml", "robot = \"titan8\"\n")
         .program("walker/grasp.prg", HAND);
     folder
-        .tipc(&["check", "grasp.prg", "far/away/grasp.prg"])
+        .tip(&["check", "grasp.prg", "far/away/grasp.prg"])
         .expect(0);
-    folder.tipc(&["check", "walker/grasp.prg"]).expect(1);
+    folder.tip(&["check", "walker/grasp.prg"]).expect(1);
     folder
-        .tipc(&["check", "--robot", "titan8", "grasp.prg"])
+        .tip(&["check", "--robot", "titan8", "grasp.prg"])
         .expect(1);
     folder
-        .tipc(&["check", "--robot", "hand", "walker/grasp.prg"])
+        .tip(&["check", "--robot", "hand", "walker/grasp.prg"])
         .expect(0);
     // Each program of one call has its own.
-    let outcome = folder.tipc(&[
+    let outcome = folder.tip(&[
         "check",
         "--message-format",
         "short",
@@ -39,11 +39,11 @@ fn the_nearest_file_counts_and_options_win() {
             .starts_with("walker/grasp.prg:4:1: error[E204-02]: titan8 has no TEACH_TORQUE"),
         "{outcome:#?}"
     );
-    folder.tipc(&["cycles", "grasp.prg"]).expect(0);
-    folder.tipc(&["emit", "rust", "grasp.prg"]).expect(0);
-    folder.tipc(&["fmt", "--check", "grasp.prg"]).expect(0);
+    folder.tip(&["cycles", "grasp.prg"]).expect(0);
+    folder.tip(&["emit", "rust", "grasp.prg"]).expect(0);
+    folder.tip(&["fmt", "--check", "grasp.prg"]).expect(0);
     folder
-        .tipc(&["fmt", "--check", "walker/grasp.prg"])
+        .tip(&["fmt", "--check", "walker/grasp.prg"])
         .expect(1);
 }
 
@@ -57,7 +57,7 @@ fn a_run_names_it() {
         .program("grasp1.prg", HAND)
         .program("grasp2.prg", "END")
         .program("rise.prg", "END");
-    let outcome = folder.tipc(&["run", "grasp1.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "grasp1.prg"]).expect(0);
     assert_eq!(
         outcome.err.lines().next(),
         Some("tip.toml: robot hand, scene cylinder"),
@@ -65,16 +65,16 @@ fn a_run_names_it() {
     );
     // What an option says is not taken from it, and a scene is there for its robot.
     let hand = ["run", "--robot", "hand", "grasp1.prg"];
-    let outcome = folder.tipc(&hand).expect(0);
+    let outcome = folder.tip(&hand).expect(0);
     let first = outcome.err.lines().next();
     assert_eq!(first, Some("tip.toml: scene cylinder"), "{outcome:#?}");
     let walker = ["run", "--robot", "titan8", "grasp2.prg"];
-    let outcome = folder.tipc(&walker).expect(0);
+    let outcome = folder.tip(&walker).expect(0);
     assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
-    let outcome = folder.tipc(&["run", "--quiet", "grasp1.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "--quiet", "grasp1.prg"]).expect(0);
     assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
     // Nothing is said where nothing is given.
-    let outcome = folder.tipc(&["run", "rise.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "rise.prg"]).expect(0);
     assert!(!outcome.err.contains("tip.toml"), "{outcome:#?}");
 }
 
@@ -85,7 +85,7 @@ fn files_are_found_from_its_folder_on() {
         .file("tip.toml", "robot = \"robots/hexapod.toml\"\n")
         .file("robots/hexapod.toml", robot)
         .program("motions/march.prg", "WAIT_INPOS F6\nEND");
-    folder.tipc(&["check", "motions/march.prg"]).expect(0);
+    folder.tip(&["check", "motions/march.prg"]).expect(0);
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn the_encoding_of_old_files_is_given_by_a_pattern() {
         .file("old/a.prg", text)
         .file("new/a.prg", text);
     let title = |file: &str| {
-        let outcome = folder.tipc(&["emit", "rust", file]).expect(0);
+        let outcome = folder.tip(&["emit", "rust", file]).expect(0);
         outcome.out.contains("\u{FF83}\u{FF69}")
     };
     assert!(title("old/a.prg"));
@@ -115,12 +115,12 @@ fn a_broken_one_is_an_error_at_its_place() {
     let place = "tip.toml:1:9: error[E408]: `robot` cannot be this";
     for command in ["check", "run", "cycles", "fmt"] {
         let outcome = folder
-            .tipc(&[command, "--message-format", "short", "grasp.prg"])
+            .tip(&[command, "--message-format", "short", "grasp.prg"])
             .expect(1);
         let said = format!("{}{}", outcome.out, outcome.err);
         assert!(said.contains(place), "{command}: {outcome:#?}");
     }
-    let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
+    let outcome = folder.tip(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
     for said in [
         "`robot` にこの値は使えません",
         "`hand` の間違いではありませんか?",
@@ -131,11 +131,11 @@ fn a_broken_one_is_an_error_at_its_place() {
     let folder = Folder::new("project-no-robot")
         .file("tip.toml", "robot = \"rover\"\n")
         .program("grasp.prg", "END");
-    let outcome = folder.tipc(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
+    let outcome = folder.tip(&["run", "--lang", "ja", "grasp.prg"]).expect(1);
     let help = "`robot` にはロボットの名前";
     assert!(outcome.err.contains(help), "{outcome:#?}");
     let help = "`robot` is a robot's name, or a description's";
-    let outcome = folder.tipc(&["run", "grasp.prg"]).expect(1);
+    let outcome = folder.tip(&["run", "grasp.prg"]).expect(1);
     assert!(outcome.err.contains(help), "{outcome:#?}");
 }
 
@@ -150,7 +150,7 @@ fn a_file_that_it_names_must_be_there() {
         .program("motions/walk.prg", "END");
     for command in ["check", "run"] {
         let outcome = folder
-            .tipc(&[command, "--message-format", "short", "motions/walk.prg"])
+            .tip(&[command, "--message-format", "short", "motions/walk.prg"])
             .expect(1);
         let said = format!("{}{}", outcome.out, outcome.err);
         let place = "motions/tip.toml:2:9: error[E408]: there is no file `six.toml`";
@@ -173,7 +173,7 @@ fn around(name: &str, sources: &[(&str, &str)]) -> String {
         folder = folder.file(file, text);
     }
     let check = ["check", "--message-format", "json", "motions/grasp.prg"];
-    let asked = folder.tipc(&[
+    let asked = folder.tip(&[
         "check",
         "--deny",
         "W125",
@@ -182,7 +182,7 @@ fn around(name: &str, sources: &[(&str, &str)]) -> String {
         "motions/grasp.prg",
     ]);
     asked.expect(0);
-    folder.tipc(&check).expect(0).out
+    folder.tip(&check).expect(0).out
 }
 
 #[test]
@@ -331,7 +331,7 @@ fn the_folder_is_that_of_the_file_and_not_of_the_path() {
     ];
     for path in walkers {
         for command in commands {
-            let outcome = folder.tipc(&[command, &[path]].concat()).expect(1);
+            let outcome = folder.tip(&[command, &[path]].concat()).expect(1);
             let said = outcome.out + &outcome.err;
             assert!(
                 said.contains("titan8 has no TEACH_TORQUE"),
@@ -344,10 +344,10 @@ fn the_folder_is_that_of_the_file_and_not_of_the_path() {
         "linked/grasp.prg",
         "walker/../hand/grasp.prg",
     ] {
-        folder.tipc(&["check", path]).expect(0);
-        folder.tipc(&["cycles", path]).expect(0);
+        folder.tip(&["check", path]).expect(0);
+        folder.tip(&["cycles", path]).expect(0);
     }
-    let outcome = folder.tipc(&["check", "hand/../walker/none.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "hand/../walker/none.prg"]).expect(1);
     assert!(
         outcome.err.contains("there is no such file"),
         "{outcome:#?}"
@@ -370,13 +370,13 @@ fn patterns_and_streams_have_their_folder() {
         .file("tip.toml", said)
         .program("old/grasp.prg", HAND);
     symlink("old/grasp.prg", folder.path("grasp.prg")).expect("writable");
-    folder.tipc(&["check", "grasp.prg"]).expect(0);
-    folder.tipc(&["check", "old/../old/grasp.prg"]).expect(0);
+    folder.tip(&["check", "grasp.prg"]).expect(0);
+    folder.tip(&["check", "old/../old/grasp.prg"]).expect(0);
     let folder = folder.file("tip.toml", "robot = \"hand\"\n");
     for stream in ["-", "/dev/stdin", "/dev/fd/0"] {
         let mut command = folder.command(&["check", stream]);
         let text = std::fs::File::open(folder.path("old/grasp.prg")).expect("it is there");
-        let output = command.stdin(text).output().expect("tipc starts");
+        let output = command.stdin(text).output().expect("tip starts");
         assert!(output.status.success(), "{stream}: {output:?}");
     }
 }
@@ -388,6 +388,6 @@ fn one_that_is_a_folder_is_an_error() {
         .file("tip.toml", "robot = \"hand\"\n")
         .file("near/tip.toml/empty", "")
         .program("near/grasp.prg", HAND);
-    let outcome = folder.tipc(&["check", "near/grasp.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "near/grasp.prg"]).expect(1);
     assert!(outcome.err.contains("this is a folder"), "{outcome:#?}");
 }

@@ -25,11 +25,11 @@ fn the_program_of_the_readme_compiles_to_the_states_beside_it() {
         panic!("{blocks:#?}")
     };
     let folder = Folder::new("readme").file("swing.prg", program);
-    let outcome = folder.tipc(&["emit", "rust", "swing.prg"]).expect(0);
+    let outcome = folder.tip(&["emit", "rust", "swing.prg"]).expect(0);
     let code = without_indent(&outcome.out);
     assert!(code.contains(&without_indent(states)), "{code}");
     let run = ["run", "swing.prg", "--trace", "-"];
-    let outcome = folder.tipc(&run).expect(0);
+    let outcome = folder.tip(&run).expect(0);
     assert!(outcome.out.contains(r#"{"end":"END","#), "{outcome:#?}");
 }
 

@@ -1,4 +1,4 @@
-//! `--robot FILE.toml`, and `tipc robot`.
+//! `--robot FILE.toml`, and `tip robot`.
 
 use crate::dap::Client;
 use crate::imported::URDF;
@@ -20,7 +20,7 @@ fn folder(name: &str) -> Folder {
 fn every_command_takes_a_description() {
     let folder = folder("described");
     let checked = folder
-        .tipc(&["check", "lift.prg", "--robot", "hexapod.toml"])
+        .tip(&["check", "lift.prg", "--robot", "hexapod.toml"])
         .expect(0);
     assert!(
         checked.err.contains("4 steps for hexapod"),
@@ -28,7 +28,7 @@ fn every_command_takes_a_description() {
         checked.err
     );
     let emitted = folder
-        .tipc(&["emit", "rust", "lift.prg", "--robot", "hexapod.toml"])
+        .tip(&["emit", "rust", "lift.prg", "--robot", "hexapod.toml"])
         .expect(0);
     assert!(
         emitted.out.contains("robot: \"hexapod\""),
@@ -36,7 +36,7 @@ fn every_command_takes_a_description() {
         emitted.out
     );
     let run = folder
-        .tipc(&["run", "lift.prg", "--robot", "hexapod.toml", "--trace", "-"])
+        .tip(&["run", "lift.prg", "--robot", "hexapod.toml", "--trace", "-"])
         .expect(0);
     assert!(
         run.out.contains("[\"REL_PTP_ANGLE\",\"J63\",5.0]"),
@@ -60,7 +60,7 @@ fn faults_of_a_description_are_shown_like_those_of_a_program() {
                 "short",
             ],
         ];
-        let outcome = folder.tipc(&arguments.concat()).expect(1);
+        let outcome = folder.tip(&arguments.concat()).expect(1);
         let said = format!("{}{}", outcome.out, outcome.err);
         for place in [
             "bad.toml:1:1:",
@@ -73,7 +73,7 @@ fn faults_of_a_description_are_shown_like_those_of_a_program() {
         assert!(said.contains("TIP_ERR:Wrong robot description"), "{said}");
     }
     let human = folder
-        .tipc(&["check", "lift.prg", "--robot", "bad.toml"])
+        .tip(&["check", "lift.prg", "--robot", "bad.toml"])
         .expect(1);
     assert!(human.err.contains("did you mean `leg`?"), "{}", human.err);
 }
@@ -81,7 +81,7 @@ fn faults_of_a_description_are_shown_like_those_of_a_program() {
 #[test]
 fn a_description_that_is_not_there_is_a_file_not_found() {
     let outcome = folder("undescribed")
-        .tipc(&["check", "lift.prg", "--robot", "gone.toml"])
+        .tip(&["check", "lift.prg", "--robot", "gone.toml"])
         .expect(1);
     assert!(
         outcome.err.contains("File not found(gone.toml)"),
@@ -93,7 +93,7 @@ fn a_description_that_is_not_there_is_a_file_not_found() {
 #[test]
 fn a_robot_that_nobody_knows_is_wrong_usage() {
     let outcome = folder("unknown")
-        .tipc(&["check", "lift.prg", "--robot", "hexapod"])
+        .tip(&["check", "lift.prg", "--robot", "hexapod"])
         .expect(2);
     assert!(
         outcome.err.contains("titan8, hand, generic, a1"),
@@ -137,7 +137,7 @@ fn a_robot_of_any_size_runs() {
             .file("many.toml", robot)
             .program("turn.prg", &program);
         let outcome = folder
-            .tipc(&["run", "turn.prg", "--robot", "many.toml", "--cycles", "500"])
+            .tip(&["run", "turn.prg", "--robot", "many.toml", "--cycles", "500"])
             .expect(0);
         let angle: f64 = outcome.out.trim().parse().expect("a number");
         assert!((9.0..=10.0).contains(&angle), "{legs} × {joints}: {angle}");
@@ -147,7 +147,7 @@ fn a_robot_of_any_size_runs() {
 #[test]
 fn a_robot_is_written_as_urdf() {
     let folder = Folder::new("exported").file("pendulum.urdf", URDF);
-    let titan = folder.tipc(&["robot", "export", "--urdf"]).expect(0);
+    let titan = folder.tip(&["robot", "export", "--urdf"]).expect(0);
     assert!(
         titan.out.contains("<robot name=\"titan8\">"),
         "{}",
@@ -163,13 +163,13 @@ fn a_robot_is_written_as_urdf() {
         "-o",
         "hand.urdf",
     ];
-    assert_eq!(folder.tipc(&to_file).expect(0).out, "");
+    assert_eq!(folder.tip(&to_file).expect(0).out, "");
     let hand = folder.read("hand.urdf");
     assert_eq!(hand.matches("type=\"prismatic\"").count(), 1, "{hand}");
 
     // A URDF file becomes regular: its joint is J11, its foot F1.
     let regular = folder
-        .tipc(&["robot", "export", "--urdf", "--robot", "pendulum.urdf"])
+        .tip(&["robot", "export", "--urdf", "--robot", "pendulum.urdf"])
         .expect(0);
     assert!(
         regular.out.contains("<joint name=\"J11\""),
@@ -185,7 +185,7 @@ fn a_robot_is_written_for_mujoco_with_what_surrounds_it() {
     let folder = Folder::new("exported-mjcf").file("step.toml", "[floor]\nfriction = 0.9\n");
     let export = |more: &[&str], status| {
         let all = [&["robot", "export"], more].concat();
-        folder.tipc(&all).expect(status)
+        folder.tip(&all).expect(status)
     };
     let titan = export(&["--mjcf", "--scene", "step.toml"], 0).out;
     assert!(titan.contains("<mujoco model=\"titan8\">"), "{titan}");
@@ -221,7 +221,7 @@ fn a_robot_that_cannot_be_written_leaves_nothing() {
         .file("bad.toml", "name = \"bad\"\nlegs = 6\n");
     let export = |arguments: &[&str], status| {
         let all = [&["robot", "export"], arguments].concat();
-        folder.tipc(&all).expect(status).err
+        folder.tip(&all).expect(status).err
     };
     assert!(export(&[], 2).contains("--urdf"));
     assert!(export(&["--urdf", "--robot", "titan9"], 2).contains("titan8, hand, generic, a1"));
@@ -242,7 +242,7 @@ fn a_robot_that_cannot_be_written_leaves_nothing() {
 fn robot_check_shows_every_fault() {
     let folder = Folder::new("robot-check").file("bad.toml", "name = \"bad\"\nlegs = 6\n");
     let outcome = folder
-        .tipc(&["robot", "check", "bad.toml", "--message-format", "short"])
+        .tip(&["robot", "check", "bad.toml", "--message-format", "short"])
         .expect(1);
     let lines = outcome.lines();
     assert!(
@@ -258,7 +258,7 @@ fn robot_check_shows_every_fault() {
 #[test]
 fn every_robot_that_has_a_name_is_listed_and_shown() {
     let folder = Folder::new("robot-list");
-    let list = folder.tipc(&["robot", "list"]).expect(0).out;
+    let list = folder.tip(&["robot", "list"]).expect(0).out;
     let names: Vec<&str> = list
         .lines()
         .filter_map(|line| line.split_whitespace().next())
@@ -279,18 +279,18 @@ fn every_robot_that_has_a_name_is_listed_and_shown() {
         "{list}"
     );
     for name in names {
-        let shown = folder.tipc(&["robot", "show", name]).expect(0).out;
+        let shown = folder.tip(&["robot", "show", name]).expect(0).out;
         assert!(shown.contains(&format!("{name}: ")), "{shown}");
         assert!(shown.contains("inverse kinematics: "), "{shown}");
     }
-    let wrong = folder.tipc(&["robot", "show", "asimo"]).expect(2);
+    let wrong = folder.tip(&["robot", "show", "asimo"]).expect(2);
     assert!(wrong.err.contains("phantomx"), "{wrong:#?}");
 }
 
 #[test]
 fn what_is_shown_of_a_published_robot_is_its_description() {
     let folder = Folder::new("robot-show");
-    let shown = folder.tipc(&["robot", "show", "A1"]).expect(0).out;
+    let shown = folder.tip(&["robot", "show", "A1"]).expect(0).out;
     for line in [
         "# Licence: BSD-3-Clause. What is marked A is assumed.",
         "# a1: 4 legs of 3 joints, body of 6 kg",
@@ -303,12 +303,12 @@ fn what_is_shown_of_a_published_robot_is_its_description() {
     let folder = folder
         .file("mine.toml", &shown)
         .file("tip.toml", "robot = \"spotmicro\"\n");
-    folder.tipc(&["robot", "check", "mine.toml"]).expect(0);
+    folder.tip(&["robot", "check", "mine.toml"]).expect(0);
     let folder = folder.program("lift.prg", "REL_PTP F4 0 0 20\nWAIT_INPOS F4\nEND");
-    let by_project = folder.tipc(&["check", "lift.prg"]).expect(0);
+    let by_project = folder.tip(&["check", "lift.prg"]).expect(0);
     assert!(by_project.err.contains("for spotmicro"), "{by_project:#?}");
     let by_option = folder
-        .tipc(&["check", "lift.prg", "--robot", "solo12"])
+        .tip(&["check", "lift.prg", "--robot", "solo12"])
         .expect(0);
     assert!(by_option.err.contains("for solo12"), "{by_option:#?}");
 }

@@ -1,4 +1,4 @@
-//! `tipc run`: traces, messages and how runs end.
+//! `tip run`: traces, messages and how runs end.
 
 use crate::support::{Folder, Outcome};
 use std::process::Stdio;
@@ -9,12 +9,12 @@ fn end_and_exit_succeed() {
     let folder = Folder::new("run-end")
         .program("end.prg", "END")
         .program("exit.prg", "EXIT\nEND");
-    let outcome = folder.tipc(&["run", "end.prg", "--trace", "-"]).expect(0);
+    let outcome = folder.tip(&["run", "end.prg", "--trace", "-"]).expect(0);
     assert_eq!(
         outcome.lines(),
         [r#"{"cycle":0,"step":0}"#, r#"{"end":"END","cycles":1}"#]
     );
-    let outcome = folder.tipc(&["run", "exit.prg", "--trace", "-"]).expect(0);
+    let outcome = folder.tip(&["run", "exit.prg", "--trace", "-"]).expect(0);
     assert_eq!(outcome.lines()[1], r#"{"end":"EXIT","cycles":1}"#);
 }
 
@@ -22,7 +22,7 @@ fn end_and_exit_succeed() {
 fn the_limit_counts_cycles() {
     let folder = Folder::new("run-limit").program("loop.prg", "L1:\nGOTO L1:\nEND");
     let outcome = folder
-        .tipc(&["run", "loop.prg", "--cycles", "3", "--trace", "-"])
+        .tip(&["run", "loop.prg", "--cycles", "3", "--trace", "-"])
         .expect(0);
     assert_eq!(
         outcome.lines(),
@@ -34,7 +34,7 @@ fn the_limit_counts_cycles() {
         ]
     );
     let outcome = folder
-        .tipc(&["run", "loop.prg", "--cycles", "0", "--trace", "-"])
+        .tip(&["run", "loop.prg", "--cycles", "0", "--trace", "-"])
         .expect(0);
     assert_eq!(outcome.lines(), [r#"{"end":"LIMIT","cycles":0}"#]);
 }
@@ -45,7 +45,7 @@ fn an_emergency_names_its_place() {
     let folder =
         Folder::new("run-emergency").program("bad.prg", "DEF_VAR A\nA = 0\n  A = 1 / A\nEND");
     let outcome = folder
-        .tipc(&["run", "bad.prg", "--trace", "t.jsonl"])
+        .tip(&["run", "bad.prg", "--trace", "t.jsonl"])
         .expect(3);
     assert_eq!(
         folder.read("t.jsonl").lines().last(),
@@ -68,7 +68,7 @@ fn an_emergency_names_its_place() {
 fn an_unassigned_variable_is_named() {
     let program = "DEF_VAR A, B\nIF KB_HIT THEN\nA = 1\nENDIF\nB = A\nMESSAGE %B%\nEND";
     let folder = Folder::new("run-unassigned").program("u.prg", program);
-    let outcome = folder.tipc(&["run", "u.prg"]).expect(3);
+    let outcome = folder.tip(&["run", "u.prg"]).expect(3);
     let expected = "TIP_ERR:Possible use of Variable before definition (RuntimeError)";
     assert!(outcome.err.contains(expected), "{outcome:#?}");
     assert!(outcome.err.contains("`A` has no value yet"), "{outcome:#?}");
@@ -78,15 +78,15 @@ fn an_unassigned_variable_is_named() {
 fn messages_go_to_standard_output_unless_the_trace_does() {
     let folder = Folder::new("run-messages")
         .program("m.prg", "MESSAGE one\nMESSAGE_CLEAR\nMESSAGE Two\nEND");
-    let outcome = folder.tipc(&["run", "m.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "m.prg"]).expect(0);
     assert_eq!(outcome.out, "one\nTwo\n");
-    let outcome = folder.tipc(&["run", "m.prg", "--trace", "-"]).expect(0);
+    let outcome = folder.tip(&["run", "m.prg", "--trace", "-"]).expect(0);
     assert!(
         outcome.lines().iter().all(|line| line.starts_with('{')),
         "{outcome:#?}"
     );
     let outcome = folder
-        .tipc(&["run", "m.prg", "--trace", "t.jsonl"])
+        .tip(&["run", "m.prg", "--trace", "t.jsonl"])
         .expect(0);
     assert_eq!(outcome.out, "one\nTwo\n");
     assert!(folder.read("t.jsonl").contains(r#""say":"Two""#));
@@ -96,9 +96,9 @@ fn messages_go_to_standard_output_unless_the_trace_does() {
 fn states_are_hashed_on_request_only() {
     let folder = Folder::new("run-state").program("p.prg", "PTP_ANGLE J11 5\nSLEEP 200\nEND");
     let with = folder
-        .tipc(&["run", "p.prg", "--trace", "-", "--trace-state"])
+        .tip(&["run", "p.prg", "--trace", "-", "--trace-state"])
         .expect(0);
-    let without = folder.tipc(&["run", "p.prg", "--trace", "-"]).expect(0);
+    let without = folder.tip(&["run", "p.prg", "--trace", "-"]).expect(0);
     let cycles = without.lines().len() - 1;
     for (with, without) in with.lines().iter().zip(&without.lines()[..cycles]) {
         let (record, state) = with.split_once(r#","state":""#).expect("a state");
@@ -106,7 +106,7 @@ fn states_are_hashed_on_request_only() {
         assert_eq!(state.len(), 18, "{state}");
     }
     let again = folder
-        .tipc(&["run", "p.prg", "--trace", "-", "--trace-state"])
+        .tip(&["run", "p.prg", "--trace", "-", "--trace-state"])
         .expect(0);
     assert_eq!(with.out, again.out);
 }
@@ -115,7 +115,7 @@ fn states_are_hashed_on_request_only() {
 fn states_and_motion_without_a_trace_are_refused() {
     let folder = Folder::new("run-state-alone").program("p.prg", "END");
     for extra in ["--trace-state", "--trace-motion"] {
-        let refused = folder.tipc(&["run", "p.prg", extra]).expect(2);
+        let refused = folder.tip(&["run", "p.prg", extra]).expect(2);
         assert!(refused.err.contains("--trace <"), "{refused:#?}");
     }
 }
@@ -134,7 +134,7 @@ fn a_sole_that_the_robot_lacks_is_refused() {
         ("bolted.toml", 2),
     ] {
         let arguments = ["run", "p.prg", "--robot", robot, "--sensor", "PAW1=1@0"];
-        let outcome = folder.tipc(&arguments).expect(status);
+        let outcome = folder.tip(&arguments).expect(status);
         let refused = outcome.err.contains("has no input PAW1");
         assert_eq!(refused, status == 2, "{robot}: {outcome:#?}");
     }
@@ -144,7 +144,7 @@ fn a_sole_that_the_robot_lacks_is_refused() {
 fn the_generic_robot_and_the_hand_run() {
     let folder = Folder::new("run-robots").program("p.prg", "END");
     for robot in ["generic", "hand"] {
-        folder.tipc(&["run", "--robot", robot, "p.prg"]).expect(0);
+        folder.tip(&["run", "--robot", robot, "p.prg"]).expect(0);
     }
 }
 
@@ -154,13 +154,13 @@ fn a_scene_has_objects_for_a_hand_only() {
     let folder = Folder::new("run-scene").program("p.prg", weigh);
     let hand = ["run", "--robot", "hand", "p.prg", "--scene"];
     // Without an object the finger closes until it is at its limit.
-    folder.tipc(&hand[..4]).expect(3);
-    let held = folder.tipc(&[&hand[..], &["cylinder"]].concat()).expect(0);
+    folder.tip(&hand[..4]).expect(3);
+    let held = folder.tip(&[&hand[..], &["cylinder"]].concat()).expect(0);
     assert!(held.out.contains("60"), "{held:#?}");
-    let refused = folder.tipc(&[&hand[..], &["moon"]].concat()).expect(2);
+    let refused = folder.tip(&[&hand[..], &["moon"]].concat()).expect(2);
     assert!(refused.err.contains("cylinder"), "{refused:#?}");
     let refused = folder
-        .tipc(&["run", "p.prg", "--robot", "generic", "--scene", "cylinder"])
+        .tip(&["run", "p.prg", "--robot", "generic", "--scene", "cylinder"])
         .expect(2);
     assert!(refused.err.contains("--robot hand"), "{refused:#?}");
     // The same cylinder from a file, then one with a fault, then none.
@@ -168,25 +168,25 @@ fn a_scene_has_objects_for_a_hand_only() {
     let folder = folder
         .file("own.toml", own)
         .file("bad.toml", own.replace("0.6", "0"));
-    let same = folder.tipc(&[&hand[..], &["own.toml"]].concat()).expect(0);
+    let same = folder.tip(&[&hand[..], &["own.toml"]].concat()).expect(0);
     assert_eq!(same.out, held.out);
-    let bad = folder.tipc(&[&hand[..], &["bad.toml"]].concat()).expect(1);
+    let bad = folder.tip(&[&hand[..], &["bad.toml"]].concat()).expect(1);
     assert!(bad.err.contains("bad.toml:3:8"), "{bad:#?}");
-    folder.tipc(&[&hand[..], &["none.toml"]].concat()).expect(1);
+    folder.tip(&[&hand[..], &["none.toml"]].concat()).expect(1);
 }
 
 #[test]
 fn a_program_that_does_not_load_does_not_run() {
     let folder = Folder::new("run-bad").program("bad.prg", "FOO\nEND");
     let outcome = folder
-        .tipc(&["run", "bad.prg", "--trace", "t.jsonl"])
+        .tip(&["run", "bad.prg", "--trace", "t.jsonl"])
         .expect(1);
     assert!(
         outcome.err.contains("Unknown command \"FOO\""),
         "{outcome:#?}"
     );
     assert!(!folder.has("t.jsonl"));
-    let outcome = folder.tipc(&["run", "nope.prg"]).expect(1);
+    let outcome = folder.tip(&["run", "nope.prg"]).expect(1);
     assert!(
         outcome
             .err
@@ -202,7 +202,7 @@ fn the_variable_without_value_is_named_among_very_many() {
     let text = format!("{positions}DEF_VAR LAST, A\nA = LAST\nLAST = A\nEND");
     let folder = Folder::new("run-many").program("many.prg", &text);
     let outcome = folder
-        .tipc(&["run", "many.prg", "--message-format", "short"])
+        .tip(&["run", "many.prg", "--message-format", "short"])
         .expect(3);
     assert!(outcome.err.contains("`LAST` has no value yet"));
 }
@@ -210,7 +210,7 @@ fn the_variable_without_value_is_named_among_very_many() {
 #[test]
 fn the_program_itself_is_never_the_trace() {
     let folder = Folder::new("run-source").program("p.prg", "END");
-    folder.tipc(&["run", "p.prg", "--trace", "p.prg"]).expect(1);
+    folder.tip(&["run", "p.prg", "--trace", "p.prg"]).expect(1);
     assert!(folder.read("p.prg").starts_with("3.1"));
 }
 
@@ -223,9 +223,9 @@ fn a_reader_of_messages_that_goes_away_ends_the_run() {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .expect("tipc starts");
+        .expect("tip starts");
     drop(child.stdout.take());
-    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    let outcome = Outcome::of(child.wait_with_output().expect("tip ends")).expect(130);
     assert!(
         outcome.err.starts_with("talk.prg: interrupted at line "),
         "{outcome:#?}"
@@ -251,7 +251,7 @@ fn messages_that_cannot_be_written_end_the_run_with_a_reason() {
         .command(&["run", "talk.prg"])
         .stdout(full)
         .output()
-        .expect("tipc starts");
+        .expect("tip starts");
     let outcome = Outcome::of(output).expect(1);
     let reason = "TIP_ERR:File can not write(standard output) (PreprocessError)";
     assert!(outcome.err.contains(reason), "{outcome:#?}");
@@ -265,9 +265,9 @@ fn a_reader_of_the_trace_that_goes_away_ends_the_run() {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .expect("tipc starts");
+        .expect("tip starts");
     drop(child.stdout.take());
-    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    let outcome = Outcome::of(child.wait_with_output().expect("tip ends")).expect(130);
     assert!(
         outcome.err.starts_with("loop.prg: interrupted at line "),
         "{outcome:#?}"
@@ -286,7 +286,7 @@ fn ctrl_c_ends_the_run_and_completes_the_trace() {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .expect("tipc starts");
+        .expect("tip starts");
     // The first message proves that the run is under way, handlers and all.
     let mut first = [0; 3];
     let mut out = child.stdout.take().expect("piped");
@@ -297,7 +297,7 @@ fn ctrl_c_ends_the_run_and_completes_the_trace() {
         .status()
         .expect("kill starts");
     assert!(killed.success());
-    Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    Outcome::of(child.wait_with_output().expect("tip ends")).expect(130);
     let trace = folder.read("t.jsonl");
     let records = trace.lines().count() - 1;
     assert_eq!(

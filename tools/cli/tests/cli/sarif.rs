@@ -1,4 +1,4 @@
-//! `tipc check --message-format sarif`: what the standard asks of a document, and where its places are.
+//! `tip check --message-format sarif`: what the standard asks of a document, and where its places are.
 
 use crate::support::Folder;
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 /// The document about files.
 fn document(folder: &Folder, arguments: &[&str]) -> Value {
     let all = [&["check", "--message-format", "sarif"], arguments].concat();
-    let outcome = folder.tipc(&all);
+    let outcome = folder.tip(&all);
     assert_eq!(outcome.err, "", "{outcome:#?}");
     serde_json::from_str(&outcome.out).expect("one document")
 }
@@ -43,7 +43,7 @@ fn all_files_are_one_run_of_one_document() {
     let driver = &run["tool"]["driver"];
     assert_eq!(
         (&driver["name"], &driver["semanticVersion"]),
-        (&json!("tipc"), &json!(env!("CARGO_PKG_VERSION")))
+        (&json!("tip"), &json!(env!("CARGO_PKG_VERSION")))
     );
     let uris = run["artifacts"].as_array().expect("artifacts").iter();
     let uris: Vec<&Value> = uris.map(|it| &it["location"]["uri"]).collect();
@@ -108,7 +108,7 @@ fn columns_are_characters_and_bytes_are_those_of_the_file() {
 fn no_brace_begins_a_placeholder_and_nothing_acts_on_a_terminal() {
     let folder = Folder::new("sarif-odd").program("p.prg", "{0} 1\nFOO\u{9b}\nEND");
     let all = ["check", "--message-format", "sarif", "p.prg"];
-    let out = folder.tipc(&all).expect(1).out;
+    let out = folder.tip(&all).expect(1).out;
     assert!(!out.contains('\u{9b}'), "{out}");
     let found: Value = serde_json::from_str(&out).expect("one document");
     let text = found["runs"][0]["results"][0]["message"]["text"]
@@ -148,10 +148,10 @@ fn only_check_writes_sarif() {
     let folder = Folder::new("sarif-run").program("p.prg", "END");
     for verb in ["run", "cycles", "migrate"] {
         let outcome = folder
-            .tipc(&[verb, "--message-format", "sarif", "p.prg"])
+            .tip(&[verb, "--message-format", "sarif", "p.prg"])
             .expect(2);
         assert!(
-            outcome.err.contains("tipc check writes SARIF"),
+            outcome.err.contains("tip check writes SARIF"),
             "{outcome:#?}"
         );
     }

@@ -1,11 +1,11 @@
-//! `tipc run`: keys, halt requests and sensors by the command line.
+//! `tip run`: keys, halt requests and sensors by the command line.
 
 use crate::support::Folder;
 
 /// The records of a run that begin to show something with these words.
 fn records(folder: &Folder, arguments: &[&str], words: &str) -> Vec<String> {
     let all = [&["run", "p.prg", "--trace", "-"], arguments].concat();
-    let outcome = folder.tipc(&all).expect(0);
+    let outcome = folder.tip(&all).expect(0);
     let lines = outcome
         .lines()
         .into_iter()
@@ -60,7 +60,7 @@ fn a_halt_is_requested_from_its_cycle_on() {
 fn return_is_the_emergency_stop() {
     let folder = Folder::new("return").program("p.prg", "L1:\nGOTO L1:\nEND");
     let outcome = folder
-        .tipc(&["run", "p.prg", "--keys", "2:0x0D", "--trace", "-"])
+        .tip(&["run", "p.prg", "--keys", "2:0x0D", "--trace", "-"])
         .expect(3);
     assert_eq!(
         outcome.lines().last(),
@@ -102,7 +102,7 @@ fn what_makes_no_sense_is_wrong_usage() {
         ["--sensor", "J91=1@1"],
         ["--cycles", "many"],
     ] {
-        let outcome = folder.tipc(&["run", "p.prg", wrong[0], wrong[1]]).expect(2);
+        let outcome = folder.tip(&["run", "p.prg", wrong[0], wrong[1]]).expect(2);
         let value = wrong[1].split('=').next().unwrap_or_default();
         let names_it = outcome.err.contains(value) && !outcome.err.contains("unexpected");
         assert!(names_it, "{}", outcome.err);

@@ -1,4 +1,4 @@
-//! `tipc serve`: what viewers at WebSockets see and do.
+//! `tip serve`: what viewers at WebSockets see and do.
 
 mod client;
 mod editing;
@@ -27,7 +27,7 @@ fn the_page_and_the_run_are_there_until_ctrl_c() {
     for part in [
         "Content-Security-Policy",
         "Referrer-Policy: no-referrer",
-        "<title>tipc serve</title>",
+        "<title>tip serve</title>",
     ] {
         assert!(reply.contains(part), "{part}");
     }
@@ -136,21 +136,21 @@ fn a_viewer_that_takes_nothing_holds_up_nobody() {
 #[test]
 fn what_cannot_be_served_is_said() {
     let folder = counts("serve-not").program("bad.prg", "PTTP F1\nEND");
-    let outcome = folder.tipc(&["serve", "bad.prg"]).expect(1);
+    let outcome = folder.tip(&["serve", "bad.prg"]).expect(1);
     assert!(
         outcome.err.contains("bad.prg:3") && outcome.out.is_empty(),
         "{outcome:?}"
     );
-    folder.tipc(&["serve", "-"]).expect(2);
+    folder.tip(&["serve", "-"]).expect(2);
     folder
-        .tipc(&["serve", "counts.prg", "--listen", "nowhere"])
+        .tip(&["serve", "counts.prg", "--listen", "nowhere"])
         .expect(2);
     let outcome = folder
-        .tipc(&["serve", "counts.prg", "--listen", "203.0.113.1:0"])
+        .tip(&["serve", "counts.prg", "--listen", "203.0.113.1:0"])
         .expect(1);
     assert!(outcome.err.contains("203.0.113.1:0"), "{outcome:?}");
     folder
-        .tipc(&[
+        .tip(&[
             "serve",
             "counts.prg",
             "--robot",

@@ -6,7 +6,7 @@ use crate::support::Folder;
 fn each_shell_knows_the_commands() {
     let folder = Folder::new("shell-completions");
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let outcome = folder.tipc(&["completions", shell]).expect(0);
+        let outcome = folder.tip(&["completions", shell]).expect(0);
         for word in ["check", "migrate", "--robot"] {
             let word = if shell == "fish" {
                 word.trim_start_matches('-')
@@ -16,15 +16,15 @@ fn each_shell_knows_the_commands() {
             assert!(outcome.out.contains(word), "{shell}: {word}");
         }
     }
-    folder.tipc(&["completions", "csh"]).expect(2);
+    folder.tip(&["completions", "csh"]).expect(2);
 }
 
 #[test]
 fn each_command_has_its_page() {
     let folder = Folder::new("shell-man");
-    folder.tipc(&["man", "-o", "man1"]).expect(0);
-    assert!(folder.read("man1/tipc.1").contains("tipc\\-check(1)"));
-    let page = folder.read("man1/tipc-run.1");
+    folder.tip(&["man", "-o", "man1"]).expect(0);
+    assert!(folder.read("man1/tip.1").contains("tip\\-check(1)"));
+    let page = folder.read("man1/tip-run.1");
     assert!(
         page.contains("\\-\\-robot") && page.contains("Exit status"),
         "{page}"

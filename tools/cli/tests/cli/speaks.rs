@@ -1,4 +1,4 @@
-//! `tipc run`: what it says on standard error while it runs and at its end.
+//! `tip run`: what it says on standard error while it runs and at its end.
 
 use crate::support::{Folder, Outcome};
 
@@ -49,7 +49,7 @@ fn a_run_says_how_and_where_it_ended() {
         ),
     ] {
         let outcome = folder
-            .tipc(&[&["run", program], more].concat())
+            .tip(&[&["run", program], more].concat())
             .expect(status);
         let expected = format!("{program}: {expected} of robot time\n");
         assert!(outcome.err.contains(&expected), "{outcome:#?}");
@@ -80,7 +80,7 @@ fn a_run_that_is_cut_off_names_the_statement_that_is_next() {
             "line 4: KEY_IN, which waits until a key is pressed",
         ),
     ] {
-        let outcome = folder.tipc(&["run", program, "--cycles", cycles]).expect(0);
+        let outcome = folder.tip(&["run", program, "--cycles", cycles]).expect(0);
         let line = format!("  next    {expected}");
         assert_eq!(
             outcome.err.lines().nth(1),
@@ -88,7 +88,7 @@ fn a_run_that_is_cut_off_names_the_statement_that_is_next() {
             "{outcome:#?}"
         );
     }
-    let done = folder.tipc(&["run", "key.prg", "--keys", "9:a"]).expect(0);
+    let done = folder.tip(&["run", "key.prg", "--keys", "9:a"]).expect(0);
     assert!(!done.err.contains("next"), "{done:#?}");
 }
 
@@ -96,7 +96,7 @@ fn a_run_that_is_cut_off_names_the_statement_that_is_next() {
 fn the_summary_speaks_japanese() {
     let folder = Folder::new("speaks-japanese").program("p.prg", "WAIT_INPOS ALL\nKEY_IN\nEND");
     let outcome = folder
-        .tipc(&["run", "p.prg", "--cycles", "3", "--lang", "ja"])
+        .tip(&["run", "p.prg", "--cycles", "3", "--lang", "ja"])
         .expect(0);
     let lines: Vec<&str> = outcome.err.lines().collect();
     let margin = lines.last().expect("a margin");
@@ -114,7 +114,7 @@ fn the_summary_speaks_japanese() {
     );
     assert!(margin.starts_with("  余裕    最小"), "{margin}");
     let checked = folder
-        .tipc(&["check", "p.prg", "p.prg", "--lang", "ja"])
+        .tip(&["check", "p.prg", "p.prg", "--lang", "ja"])
         .expect(0);
     let lines: Vec<&str> = checked.err.lines().collect();
     let one = "p.prg: titan8用、3ステップ、警告0件";
@@ -125,7 +125,7 @@ fn the_summary_speaks_japanese() {
 #[test]
 fn the_summary_of_a_robot_that_lies_still_is_this() {
     let folder = Folder::new("speaks-still").program("p.prg", "END");
-    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "p.prg"]).expect(0);
     let margin = number(&outcome.err, "margin", " mm at least");
     assert_eq!(
         outcome.err,
@@ -150,7 +150,7 @@ fn the_summary_says_where_mass_would_have_mattered() {
         .file("steep.toml", slope(0.51))
         .file("gentle.toml", slope(0.49));
     let gentle = folder
-        .tipc(&["run", "p.prg", "--scene", "gentle.toml"])
+        .tip(&["run", "p.prg", "--scene", "gentle.toml"])
         .expect(0);
     assert!(
         gentle
@@ -172,12 +172,12 @@ fn the_summary_says_where_mass_would_have_mattered() {
     ];
     for (lang, end) in ends {
         let outcome = folder
-            .tipc(&[&steep[..], &["--lang", lang]].concat())
+            .tip(&[&steep[..], &["--lang", lang]].concat())
             .expect(0);
         assert!(outcome.err.ends_with(end), "{outcome:#?}");
     }
     let traced = folder
-        .tipc(&[&steep[..], &["--trace", "-", "--trace-motion"]].concat())
+        .tip(&[&steep[..], &["--trace", "-", "--trace-motion"]].concat())
         .expect(0);
     let record = traced.lines()[0].to_owned();
     let (_, last) = record
@@ -190,7 +190,7 @@ fn the_summary_says_where_mass_would_have_mattered() {
 fn the_body_rises_by_as_much_as_the_feet_go_down() {
     let folder =
         Folder::new("speaks-rise").program("p.prg", "STAND_UP 60\nWAIT_INPOS ALL\nSLEEP 500\nEND");
-    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "p.prg"]).expect(0);
     let up = number(&outcome.err, "travel", " mm up");
     assert!((up - 60.0).abs() < 2.0, "{outcome:#?}");
     // In the middle of feet that are 201 mm before and after it.
@@ -201,7 +201,7 @@ fn the_body_rises_by_as_much_as_the_feet_go_down() {
 #[test]
 fn a_fall_is_reported_with_its_time_and_source_line() {
     let folder = Folder::new("speaks-fall").program("p.prg", &format!("{TOPPLES}\nEND"));
-    let outcome = folder.tipc(&["run", "p.prg"]).expect(0);
+    let outcome = folder.tip(&["run", "p.prg"]).expect(0);
     assert_eq!(outcome.out, "still here\n");
     let (warning, rest) = outcome.err.split_once('\n').expect("lines");
     let (before, cycle) = warning
@@ -237,8 +237,8 @@ fn a_body_that_stays_upright_would_fall_and_one_that_comes_down_falls() {
         let all = [
             "run", program, "--plant", plant, "--quiet", "--deny", "falls",
         ];
-        let status = folder.tipc(&all).status;
-        let shown = folder.tipc(&all[..4]).expect(0).err;
+        let status = folder.tip(&all).status;
+        let shown = folder.tip(&all[..4]).expect(0).err;
         let line = shown.lines().find(|line| line.starts_with("  falls "));
         (status, line.expect("a line of falls").to_owned())
     };
@@ -266,7 +266,7 @@ fn a_body_that_stays_upright_would_fall_and_one_that_comes_down_falls() {
 fn a_simulation_that_diverges_ends_and_leaves_a_trace_of_json() {
     let folder = Folder::new("speaks-diverges").program("p.prg", "STAND_UP 60\nSLEEP 3000\nEND");
     let outcome = folder
-        .tipc(&[
+        .tip(&[
             "run",
             "p.prg",
             "--plant",
@@ -303,7 +303,7 @@ fn a_denied_fall_is_status_4_unless_something_worse_happened() {
         .program("falls.prg", &format!("{TOPPLES}\nEND"))
         .program("emergency.prg", &format!("{TOPPLES}\nRETURN\nEND"))
         .program("stands.prg", "STAND_UP 60\nWAIT_INPOS ALL\nEND");
-    let run = |program, more: &[&str]| folder.tipc(&[&["run", program], more].concat());
+    let run = |program, more: &[&str]| folder.tip(&[&["run", program], more].concat());
     let deny = ["--deny", "falls"];
     let fell = run("falls.prg", &deny).expect(4);
     // It runs to its end.
@@ -332,7 +332,7 @@ fn an_interrupted_run_is_130_whatever_fell() {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .expect("tipc starts");
+        .expect("tip starts");
     let mut first = [0; 5];
     let mut out = child.stdout.take().expect("piped");
     std::io::Read::read_exact(&mut out, &mut first).expect("the message");
@@ -340,7 +340,7 @@ fn an_interrupted_run_is_130_whatever_fell() {
         .args(["-INT", &child.id().to_string()])
         .status();
     assert!(killed.expect("kill starts").success());
-    let outcome = Outcome::of(child.wait_with_output().expect("tipc ends")).expect(130);
+    let outcome = Outcome::of(child.wait_with_output().expect("tip ends")).expect(130);
     assert!(
         outcome.err.contains("p.prg: interrupted at line "),
         "{outcome:#?}"
@@ -354,13 +354,13 @@ fn a_quiet_run_says_what_its_program_says() {
         .program("bad.prg", "RETURN\nEND")
         .program("worse.prg", "FOO\nEND");
     for quiet in ["--quiet", "-q"] {
-        let outcome = folder.tipc(&["run", "p.prg", quiet]).expect(0);
+        let outcome = folder.tip(&["run", "p.prg", quiet]).expect(0);
         assert_eq!((&*outcome.out, &*outcome.err), ("still here\n", ""));
     }
     let denied = ["run", "p.prg", "--quiet", "--deny", "falls"];
-    assert_eq!(folder.tipc(&denied).expect(4).err, "");
+    assert_eq!(folder.tip(&denied).expect(4).err, "");
     // What ends a run has a reason.
-    let outcome = folder.tipc(&["run", "bad.prg", "--quiet"]).expect(3);
+    let outcome = folder.tip(&["run", "bad.prg", "--quiet"]).expect(3);
     assert!(
         outcome
             .err
@@ -368,7 +368,7 @@ fn a_quiet_run_says_what_its_program_says() {
         "{outcome:#?}"
     );
     assert!(!outcome.err.contains("robot time"), "{outcome:#?}");
-    let outcome = folder.tipc(&["run", "worse.prg", "--quiet"]).expect(1);
+    let outcome = folder.tip(&["run", "worse.prg", "--quiet"]).expect(1);
     assert!(outcome.err.contains("FOO"), "{outcome:#?}");
 }
 
@@ -387,7 +387,7 @@ fn a_hand_says_how_far_it_lifts_and_how_hard_it_pushes() {
         "--scene",
         "scene.toml",
     ];
-    let outcome = folder.tipc(&hand).expect(0);
+    let outcome = folder.tip(&hand).expect(0);
     // It is lifted by about 42 mm, and put back.
     let lifted = number(&outcome.err, "lift", " mm at most");
     assert!(lifted > 25.0 && lifted < 60.0, "{outcome:#?}");
@@ -412,7 +412,7 @@ fn a_robot_that_is_bolted_down_says_how_it_ended_and_no_more() {
         .program("p.prg", "PTP_ANGLE J11 5\nEND")
         .file("bolted.toml", bolted);
     let outcome = folder
-        .tipc(&["run", "p.prg", "--robot", "bolted.toml"])
+        .tip(&["run", "p.prg", "--robot", "bolted.toml"])
         .expect(0);
     assert_eq!(outcome.err.lines().count(), 1, "{outcome:#?}");
 }
@@ -424,7 +424,7 @@ const NAPS: &str = "SLEEP 1200\nMESSAGE awake\nEND";
 fn real_time_is_that_of_the_robot_with_a_legend_and_a_status() {
     let folder = Folder::new("speaks-realtime").program("p.prg", NAPS);
     let begin = std::time::Instant::now();
-    let outcome = folder.tipc(&["run", "p.prg", "--realtime"]).expect(0);
+    let outcome = folder.tip(&["run", "p.prg", "--realtime"]).expect(0);
     let elapsed = begin.elapsed().as_secs_f64();
     assert!((1.2..30.0).contains(&elapsed), "{elapsed} s");
     assert_eq!(outcome.out, "awake\n");
@@ -455,7 +455,7 @@ fn a_quiet_run_in_real_time_is_silent() {
     let folder = Folder::new("speaks-realtime-quiet").program("p.prg", "SLEEP 300\nEND");
     let begin = std::time::Instant::now();
     let outcome = folder
-        .tipc(&["run", "p.prg", "--realtime", "--quiet"])
+        .tip(&["run", "p.prg", "--realtime", "--quiet"])
         .expect(0);
     assert!(begin.elapsed().as_secs_f64() >= 0.3);
     assert_eq!((&*outcome.out, &*outcome.err), ("", ""));
@@ -485,7 +485,7 @@ fn a_run_that_waits_says_where_for_what_and_how_long() {
         );
     let run = |program: &str, more: &[&str]| {
         let run = ["run", program, "--cycles", "4000"];
-        folder.tipc(&[&run[..], more].concat()).expect(0).err
+        folder.tip(&[&run[..], more].concat()).expect(0).err
     };
     let hand = run("grasp.prg", &["--robot", "hand", "--scene", "cylinder"]);
     assert!(
@@ -538,7 +538,7 @@ fn view_and_log_end_after_a_long_wait_and_say_so() {
         ["log", "key.prg", "-o", "key.csv"],
         ["view", "key.prg", "-o", "key.html"],
     ] {
-        let outcome = folder.tipc(&command).expect(0);
+        let outcome = folder.tip(&command).expect(0);
         assert_eq!(
             outcome.err.lines().filter(|line| *line == expected).count(),
             1,
@@ -551,7 +551,7 @@ fn view_and_log_end_after_a_long_wait_and_say_so() {
     let asked = [
         "log", "key.prg", "-o", "key.csv", "--cycles", "5000", "--lang", "ja",
     ];
-    let outcome = folder.tipc(&asked).expect(0);
+    let outcome = folder.tip(&asked).expect(0);
     assert!(
         outcome
             .err
@@ -560,7 +560,7 @@ fn view_and_log_end_after_a_long_wait_and_say_so() {
     );
     assert_eq!(folder.read("key.csv").lines().count(), 5001);
     let outcome = folder
-        .tipc(&["log", "sleep.prg", "-o", "sleep.csv"])
+        .tip(&["log", "sleep.prg", "-o", "sleep.csv"])
         .expect(0);
     assert!(!outcome.err.contains("stopped"), "{outcome:#?}");
 }

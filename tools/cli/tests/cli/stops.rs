@@ -1,4 +1,4 @@
-//! `tipc run`: how it reports an emergency stop, in each form and language.
+//! `tip run`: how it reports an emergency stop, in each form and language.
 
 use crate::support::Folder;
 use serde_json::{Value, json};
@@ -50,7 +50,7 @@ fn in_short_a_stop_is_one_line_with_its_place_and_reason() {
     }
     for (name, _, expected) in STOPS {
         let run = ["run", name, "--quiet", "--message-format", "short"];
-        assert_eq!(folder.tipc(&run).expect(3).err.trim_end(), *expected);
+        assert_eq!(folder.tip(&run).expect(3).err.trim_end(), *expected);
     }
 }
 
@@ -59,7 +59,7 @@ fn as_json_a_stop_is_an_object_with_values_and_limits() {
     let (name, statements, _) = STOPS[0];
     let folder = Folder::new("stops-json").program(name, statements);
     let run = ["run", name, "--quiet", "--message-format", "json"];
-    let outcome = folder.tipc(&run).expect(3);
+    let outcome = folder.tip(&run).expect(3);
     let object: Value = serde_json::from_str(&outcome.err).expect("an object");
     for (key, expected) in [
         ("level", json!("error")),
@@ -72,7 +72,7 @@ fn as_json_a_stop_is_an_object_with_values_and_limits() {
         ("help", json!("divide by another number")),
         ("reason", json!("nothing can be divided by 0")),
         ("robot", json!("titan8")),
-        ("page", json!("tipc explain E302")),
+        ("page", json!("tip explain E302")),
         ("step", json!(1)),
         ("cycle", json!(1)),
         ("text", json!("N = 100 / -N")),
@@ -95,7 +95,7 @@ fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
     let statements = "MESSAGE 日本語\nOMEGA_CONTROL J11 30; SLEEP 60000\nEND";
     let folder = Folder::new("stops-limit").program("p.prg", statements);
     let outcome = folder
-        .tipc(&["run", "p.prg", "--quiet", "--message-format", "json"])
+        .tip(&["run", "p.prg", "--quiet", "--message-format", "json"])
         .expect(3);
     let object: Value = serde_json::from_str(&outcome.err).expect("an object");
     let joint = &object["joints"][0];
@@ -109,7 +109,7 @@ fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
         (&json!(4), &json!(23))
     );
     let japanese = folder
-        .tipc(&["run", "p.prg", "-q", "--lang", "ja"])
+        .tip(&["run", "p.prg", "-q", "--lang", "ja"])
         .expect(3);
     let reason =
         format!("J11は現在{angle} degで、これ以上動けません。動作範囲は{min}から{max} degです");
@@ -131,7 +131,7 @@ fn a_joint_at_its_limit_is_shown_with_its_angle_and_its_limits() {
 fn people_see_the_values_at_their_places() {
     let statements = "DEF_VAR N\nDEF_POS P\nN = 900\nP.X = -391\nP.Y = 201\nP.Z = N\nPTP F1 P\nWAIT_INPOS ALL\nEND";
     let folder = Folder::new("stops-people").program("p.prg", statements);
-    let outcome = folder.tipc(&["run", "p.prg", "-q"]).expect(3);
+    let outcome = folder.tip(&["run", "p.prg", "-q"]).expect(3);
     let lines: Vec<&str> = outcome.err.lines().map(str::trim_end).collect();
     assert_eq!(
         lines[..8],
@@ -170,7 +170,7 @@ fn the_logs_of_a_stop_stay_classical_english() {
         "--out-dir",
         "logs",
     ];
-    folder.tipc(&run).expect(3);
+    folder.tip(&run).expect(3);
     let log = folder.read("logs/EMG.log");
     assert_eq!(
         log.lines().nth(1),

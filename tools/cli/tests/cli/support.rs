@@ -65,7 +65,7 @@ impl Folder {
 
     /// The command, in this folder, with these arguments.
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = tipc();
+        let mut command = tip();
         command
             .current_dir(&self.0)
             .args(arguments)
@@ -78,25 +78,25 @@ impl Folder {
     }
 
     /// Runs the command to its end.
-    pub(crate) fn tipc(&self, arguments: &[&str]) -> Outcome {
-        let output = self.command(arguments).output().expect("tipc starts");
+    pub(crate) fn tip(&self, arguments: &[&str]) -> Outcome {
+        let output = self.command(arguments).output().expect("tip starts");
         Outcome::of(output)
     }
 }
 
 /// The command, with the signals of a shell in the foreground: what runs the tests may ignore Ctrl-C, as background jobs do.
-fn tipc() -> Command {
+fn tip() -> Command {
     static IS_IGNORED: OnceLock<bool> = OnceLock::new();
     let is_ignored = || {
         let survivor = Command::new("sh").args(["-c", "kill -INT $$"]).status();
         cfg!(unix) && survivor.is_ok_and(|status| status.success())
     };
-    let tipc = env!("CARGO_BIN_EXE_tipc");
+    let tip = env!("CARGO_BIN_EXE_tip");
     if !IS_IGNORED.get_or_init(is_ignored) {
-        return Command::new(tipc);
+        return Command::new(tip);
     }
     let mut command = Command::new("env");
-    command.args(["--default-signal=INT,HUP,TERM", tipc]);
+    command.args(["--default-signal=INT,HUP,TERM", tip]);
     command
 }
 
@@ -112,7 +112,7 @@ impl Outcome {
     pub(crate) fn of(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).expect("output is UTF-8");
         Outcome {
-            status: output.status.code().expect("tipc ends by itself"),
+            status: output.status.code().expect("tip ends by itself"),
             out: text(output.stdout),
             err: text(output.stderr),
         }

@@ -5,7 +5,7 @@ use crate::support::Folder;
 /// The first line that a wrong command line gets; the exit status is 2.
 #[track_caller]
 fn check(folder: &Folder, arguments: &[&str], expected: &str) {
-    let outcome = folder.tipc(arguments).expect(2);
+    let outcome = folder.tip(arguments).expect(2);
     assert_eq!(outcome.out, "");
     assert_eq!(outcome.err.lines().next(), Some(expected), "{outcome:#?}");
 }
@@ -14,14 +14,14 @@ fn check(folder: &Folder, arguments: &[&str], expected: &str) {
 fn a_program_in_the_place_of_a_command_is_to_be_run() {
     let folder = Folder::new("usage-program").program("steps", "END");
     let asked =
-        |file| format!("error: `{file}` is not a command of tipc: did you mean `tipc run {file}`?");
+        |file| format!("error: `{file}` is not a command of tip: did you mean `tip run {file}`?");
     for file in ["walk.prg", "motions/WALK.PRG", "steps"] {
         check(&folder, &[file], &asked(file));
     }
     check(
         &folder,
         &["walk.prg", "--lang", "ja"],
-        "エラー: `walk.prg` はtipcのコマンドではありません。`tipc run walk.prg` のことですか?",
+        "エラー: `walk.prg` はtipのコマンドではありません。`tip run walk.prg` のことですか?",
     );
 }
 
@@ -34,11 +34,11 @@ fn other_words_lead_to_commands() {
         ("compile", "emit rust"),
     ] {
         let expected =
-            format!("error: `{word}` is not a command of tipc: did you mean `tipc {command}`?");
+            format!("error: `{word}` is not a command of tip: did you mean `tip {command}`?");
         check(&folder, &[word, "walk.prg"], &expected);
     }
-    let outcome = folder.tipc(&["dance"]).expect(2);
-    let start = "error: `dance` is not a command of tipc; the commands are new, check, run, ";
+    let outcome = folder.tip(&["dance"]).expect(2);
+    let start = "error: `dance` is not a command of tip; the commands are new, check, run, ";
     assert!(outcome.err.starts_with(start), "{outcome:#?}");
 }
 
@@ -52,14 +52,14 @@ fn a_missing_file_is_asked_for() {
         ("emit", "emit rust"),
     ] {
         let expected = format!(
-            "error: which program? `tipc {example}` needs a file, as `tipc {example} walk.prg`"
+            "error: which program? `tip {example}` needs a file, as `tip {example} walk.prg`"
         );
         check(&folder, &[command], &expected);
     }
-    let outcome = folder.tipc(&["run"]).expect(2);
+    let outcome = folder.tip(&["run"]).expect(2);
     assert_eq!(
         outcome.err.lines().nth(1),
-        Some("`tipc help run` shows examples")
+        Some("`tip help run` shows examples")
     );
 }
 
@@ -86,7 +86,7 @@ fn a_robot_that_is_not_there_is_named_with_those_that_are() {
         ),
     );
     folder
-        .tipc(&["check", "--robot", "Titan8", "p.prg"])
+        .tip(&["check", "--robot", "Titan8", "p.prg"])
         .expect(0);
 }
 
@@ -98,7 +98,7 @@ fn the_end_of_an_option_leads_to_it() {
         &["check", "--format", "short", "p.prg"],
         "error: there is no option `--format`: did you mean `--message-format`?",
     );
-    let refused = folder.tipc(&["check", "--mat", "p.prg"]).expect(2);
+    let refused = folder.tip(&["check", "--mat", "p.prg"]).expect(2);
     assert!(!refused.err.contains("message-format"), "{}", refused.err);
 }
 
@@ -129,20 +129,20 @@ fn the_locale_chooses_the_language_of_wrong_usage() {
         .command(&["walk.prg"])
         .env("LANG", "ja_JP.UTF-8")
         .output();
-    let err = String::from_utf8(output.expect("tipc runs").stderr).expect("UTF-8");
+    let err = String::from_utf8(output.expect("tip runs").stderr).expect("UTF-8");
     assert!(err.contains("のことですか?"), "{err}");
 }
 
 #[test]
 fn help_is_in_the_language_that_is_asked_for() {
     let folder = Folder::new("usage-help");
-    let help = folder.tipc(&["check", "--help", "--lang", "ja"]).expect(0);
+    let help = folder.tip(&["check", "--help", "--lang", "ja"]).expect(0);
     for line in [
-        "使い方: tipc check [OPTIONS] <FILE>...",
+        "使い方: tip check [OPTIONS] <FILE>...",
         "          プログラム。'-' は標準入力",
         "          [既定値: 3.1]",
         "          - short: 1 件 1 行",
-        "  tipc check --watch walk.prg                 変わるたびに検査し直す (Ctrl-C まで)",
+        "  tip check --watch walk.prg                 変わるたびに検査し直す (Ctrl-C まで)",
     ] {
         assert!(help.out.lines().any(|it| it == line), "{line}: {help:#?}");
     }
@@ -150,8 +150,8 @@ fn help_is_in_the_language_that_is_asked_for() {
         .command(&["help", "run"])
         .env("LANG", "ja_JP.UTF-8")
         .output();
-    let help = String::from_utf8(output.expect("tipc runs").stdout).expect("UTF-8");
+    let help = String::from_utf8(output.expect("tip runs").stdout).expect("UTF-8");
     assert!(help.starts_with("シミュレーションのロボット"), "{help}");
-    let help = folder.tipc(&["run", "-h", "--lang", "en"]).expect(0);
-    assert!(help.out.contains("Usage: tipc run"), "{help:#?}");
+    let help = folder.tip(&["run", "-h", "--lang", "en"]).expect(0);
+    assert!(help.out.contains("Usage: tip run"), "{help:#?}");
 }

@@ -1,4 +1,4 @@
-//! `tipc verify`: one program, built with a fault in its emitted code and without.
+//! `tip verify`: one program, built with a fault in its emitted code and without.
 
 use crate::support::{Folder, Outcome};
 #[cfg(unix)]
@@ -57,7 +57,7 @@ fn command(folder: &Folder, program: &str, arguments: &[&str]) -> Command {
 
 /// The result.
 fn outcome(mut command: Command) -> Outcome {
-    Outcome::of(command.output().expect("tipc starts"))
+    Outcome::of(command.output().expect("tip starts"))
 }
 
 /// The planted fault takes `>` for `>=`: it shows when SPEED is 5, which two keys make it.
@@ -188,34 +188,32 @@ fn what_keeps_a_program_from_being_built_is_named() {
         .program("bad.prg", "FOO\nEND")
         .file("Cargo.toml", project)
         .file("src/lib.rs", "");
-    let outcome = folder.tipc(&["verify", "p.prg"]).expect(1);
+    let outcome = folder.tip(&["verify", "p.prg"]).expect(1);
     assert!(
         outcome.err.contains("does not depend on tip-runtime"),
         "{outcome:#?}"
     );
     let outcome = folder
-        .tipc(&["verify", "p.prg", "--manifest-path", "none/Cargo.toml"])
+        .tip(&["verify", "p.prg", "--manifest-path", "none/Cargo.toml"])
         .expect(1);
     assert!(outcome.err.contains("--manifest-path"), "{outcome:#?}");
     let mut command = folder.command(&["verify", "p.prg"]);
     let outcome = command
         .env("CARGO", "no-such-cargo")
         .output()
-        .expect("tipc starts");
+        .expect("tip starts");
     let outcome = Outcome::of(outcome).expect(1);
     assert!(outcome.err.contains("cargo is not there"), "{outcome:#?}");
-    let outcome = folder.tipc(&["verify", "bad.prg"]).expect(1);
+    let outcome = folder.tip(&["verify", "bad.prg"]).expect(1);
     assert!(outcome.err.contains("bad.prg:3:1"), "{outcome:#?}");
-    folder
-        .tipc(&["verify", "p.prg", "--runs", "many"])
-        .expect(2);
+    folder.tip(&["verify", "p.prg", "--runs", "many"]).expect(2);
 }
 
 #[test]
 fn a_comparison_of_nothing_is_refused() {
     let folder = Folder::new("verify-nothing").program("p.prg", "END");
     for option in ["--runs", "--cycles"] {
-        let outcome = folder.tipc(&["verify", "p.prg", option, "0"]).expect(2);
+        let outcome = folder.tip(&["verify", "p.prg", option, "0"]).expect(2);
         assert!(outcome.err.contains("compares nothing"), "{outcome:#?}");
     }
 }

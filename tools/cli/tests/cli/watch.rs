@@ -1,4 +1,4 @@
-//! `tipc check --watch`
+//! `tip check --watch`
 
 use crate::support::Folder;
 use rustix::process::{Pid, Signal, kill_process};
@@ -16,7 +16,7 @@ impl Watching {
     fn begin(folder: &Folder, arguments: &[&str]) -> Self {
         let mut command = folder.command(&[&["check", "--watch"], arguments].concat());
         command.stdout(Stdio::null()).stderr(Stdio::piped());
-        let mut child = command.spawn().expect("tipc starts");
+        let mut child = command.spawn().expect("tip starts");
         let lines = BufReader::new(child.stderr.take().expect("piped"));
         Watching { child, lines }
     }
@@ -107,12 +107,12 @@ fn a_file_may_come_and_go() {
 #[test]
 fn what_cannot_change_is_not_watched() {
     let folder = Folder::new("watch-input");
-    let outcome = folder.tipc(&["check", "--watch", "-"]).expect(2);
+    let outcome = folder.tip(&["check", "--watch", "-"]).expect(2);
     assert_eq!(
         outcome.err,
         "error: --watch needs files: standard input does not change\n"
     );
-    let outcome = folder.tipc(&["check", "--watch", "none/p.prg"]).expect(1);
+    let outcome = folder.tip(&["check", "--watch", "none/p.prg"]).expect(1);
     assert!(
         outcome.err.starts_with("error: none/p.prg: "),
         "{outcome:#?}"

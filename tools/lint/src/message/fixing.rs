@@ -64,12 +64,12 @@ tipc::message_table! {
         "fixed {findings}",
         "{findings}を直しました";
     CanFix { findings: Findings }
-        "`tipc check --fix` fixes {findings}",
-        "`tipc check --fix` で{findings}を直せます";
+        "`tip check --fix` fixes {findings}",
+        "`tip check --fix` で{findings}を直せます";
     CanFixMore { findings: Findings, all: usize }
-        "`tipc check --fix` fixes {findings}, with `--unsafe-fixes` {all}: look at what it writes",
-        "`tipc check --fix` で{findings}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
+        "`tip check --fix` fixes {findings}, with `--unsafe-fixes` {all}: look at what it writes",
+        "`tip check --fix` で{findings}、`--unsafe-fixes` も付けると{all}件を直せます。結果を確かめてください";
     CanFixLikely { findings: Findings }
-        "`tipc check --fix --unsafe-fixes` fixes {findings}: look at what it writes",
-        "`tipc check --fix --unsafe-fixes` で{findings}を直せます。結果を確かめてください";
+        "`tip check --fix --unsafe-fixes` fixes {findings}: look at what it writes",
+        "`tip check --fix --unsafe-fixes` で{findings}を直せます。結果を確かめてください";
 }

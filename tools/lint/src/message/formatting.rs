@@ -14,6 +14,6 @@ tipc::message_table! {
         "left as it is: without its full-width blanks the file would be read as {encoding}; name its encoding",
         "そのままにしました。全角の空白がなくなると{encoding}として読まれます。文字コードを指定してください";
     OtherProgram
-        "left as it is: formatted, it would be another program; this is a defect of tipc, please report it",
-        "そのままにしました。整形すると別のプログラムになってしまいます。tipcの不具合ですので報告してください";
+        "left as it is: formatted, it would be another program; this is a defect of tip, please report it",
+        "そのままにしました。整形すると別のプログラムになってしまいます。tipの不具合ですので報告してください";
 }

@@ -2,7 +2,7 @@
 
 use crate::urdf::xml;
 
-const HEAD: &str = r#"<!-- Made by `tipc robot export`. m, rad, kg, N·m; z up, x to the robot's right, y ahead.
+const HEAD: &str = r#"<!-- Made by `tip robot export`. m, rad, kg, N·m; z up, x to the robot's right, y ahead.
      J11 to Jnm are the joints of the language, with its signs and zeros, and the position motors that turn them: what is commanded
      goes to their controls. link11 to linknm is what they carry; the sites F1 to Fn are the feet or fingertips, the sensors
      of that name what these carry (N). The keyframe `initial` is the initial posture. -->

@@ -18,7 +18,7 @@ const SLIDER_EFFORT: f64 = 100.0;
 const PLATE: f64 = 5.0;
 
 const HEAD: &str = r#"<?xml version="1.0" encoding="utf-8"?>
-<!-- Made by `tipc robot export`. m, rad, kg, N·m; x forward, y left, z up (REP 103).
+<!-- Made by `tip robot export`. m, rad, kg, N·m; x forward, y left, z up (REP 103).
      J11 to Jnm are the joints of the language, with its signs and zeros; link11 to linknm what they carry; F1 to Fn the feet
      or fingertips. While all joints are at 0 all frames are parallel to base_link, the robot frame.
      Thickness of links and looks are assumed where no shapes are given; a mass of which no more is said is spread evenly along

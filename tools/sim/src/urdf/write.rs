@@ -71,7 +71,7 @@ pub(super) fn description(source_name: &str, found: &Found<'_>) -> (String, Vec<
     .iter()
     .map(Vec::as_slice);
     let mut text = format!(
-        "# From {} by `tipc robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
+        "# From {} by `tip robot import`.\n# mm, deg, kg, N·m; x to the right, y forward, z up.\n\nname = \"{}\"\n",
         printed(source_name),
         robot_name(found.name)
     );

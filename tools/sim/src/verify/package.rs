@@ -76,7 +76,7 @@ fn crate_name(source: &str) -> String {
 fn manifest(name: &str, project: &Project) -> String {
     let Project { runtime, sim, .. } = project;
     format!(
-        r#"# Written by `tipc verify`.
+        r#"# Written by `tip verify`.
 [package]
 name = "{name}"
 version = "0.0.0"
@@ -117,14 +117,14 @@ fn main(subject: &Subject<'_>) -> Result<String, NotBuilt> {
     let (module, robot) = match subject.description {
         None => (
             "",
-            format!("Robot::named({name:?}).expect(\"tipc knows it\")"),
+            format!("Robot::named({name:?}).expect(\"tip knows it\")"),
         ),
         Some(_) => ("mod robot;\n", "Robot::of(&robot::ROBOT)".to_owned()),
     };
     let (version, encoding) = (options.tip_version, options.encoding);
     // A scene's debug form is Rust.
     Ok(format!(
-        r#"//! Compiled code and interpreter, run by run as standard input asks for them. Written by `tipc verify`.
+        r#"//! Compiled code and interpreter, run by run as standard input asks for them. Written by `tip verify`.
 #![allow(unused_imports)]
 
 mod program;
@@ -141,14 +141,14 @@ use tip_sim::tipc::{{Options, load}};
 fn main() -> io::Result<()> {{
     let scene = {scene:?};
     let robot = {robot};
-    let robot = robot.with_scene(&scene).expect("tipc put it there already");
+    let robot = robot.with_scene(&scene).expect("tip put it there already");
     let options = Options {{
         tip_version: {version:?},
         encoding: Encoding::{encoding:?},
         ..robot.options()
     }};
     let loaded = load({source:?}, include_bytes!("source.prg"), &options);
-    let program = loaded.program.expect("tipc loaded it already");
+    let program = loaded.program.expect("tip loaded it already");
     let compiled = program::Verified::new();
     let lockstep = Lockstep::new(program, compiled, &robot).expect("both are for this robot");
     serve(lockstep, io::stdin().lock(), io::stdout().lock())

@@ -62,7 +62,7 @@ impl Project {
         };
         let path = |key: &str| PathBuf::from(metadata[key].as_str().unwrap_or_default());
         Ok(Project {
-            target: path("target_directory").join("tipc-verify"),
+            target: path("target_directory").join("tip-verify"),
             lock: path("workspace_root").join("Cargo.lock"),
             runtime: runtime_source,
             sim,
@@ -101,7 +101,7 @@ impl Project {
             Some(executable) if output.status.success() => Ok(executable),
             _ => Err(NotBuilt::Failed(format!(
                 "cargo could not build {} ({}): it says above why. Without a network, `cargo fetch` in the project first; \
-                 an error in src/program.rs is a defect of tipc",
+                 an error in src/program.rs is a defect of tip",
                 manifest.display(),
                 output.status
             ))),
@@ -160,7 +160,7 @@ fn same_version(package: &Value) -> Result<(), NotBuilt> {
         return Ok(());
     }
     Err(NotBuilt::Failed(format!(
-        "the project has {name} {version}, this is tipc {VERSION}: `cargo install tipc-cli --version {version}` \
+        "the project has {name} {version}, this is tip {VERSION}: `cargo install tip-cli --version {version}` \
          installs the one that belongs to it"
     )))
 }

@@ -1,4 +1,4 @@
-// The page of `tipc serve`: its session is at the other end of a WebSocket of the same server.
+// The page of `tip serve`: its session is at the other end of a WebSocket of the same server.
 
 import { openLive, prepareLive } from './live.js';
 import { socketSession } from './socket.js';

@@ -56,7 +56,7 @@ fn the_examples_are_formatted() {
         let bytes = fs::read(&path).expect("a readable file");
         // A program for a described robot loads for none of those that have a name.
         if let Some(formatted) = for_some_robot(&bytes, Encoding::Auto) {
-            assert!(formatted == bytes, "tipc fmt {}", path.display());
+            assert!(formatted == bytes, "tip fmt {}", path.display());
         }
     }
 }

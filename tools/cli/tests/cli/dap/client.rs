@@ -1,4 +1,4 @@
-//! A client of `tipc dap`, as far as tests need one.
+//! A client of `tip dap`, as far as tests need one.
 
 use serde_json::{Value, json};
 use std::collections::VecDeque;
@@ -16,12 +16,12 @@ pub(crate) struct Client {
 
 impl Client {
     pub(crate) fn new() -> Self {
-        let mut adapter = Command::new(env!("CARGO_BIN_EXE_tipc"))
+        let mut adapter = Command::new(env!("CARGO_BIN_EXE_tip"))
             .arg("dap")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .expect("tipc runs");
+            .expect("tip runs");
         let output = BufReader::new(adapter.stdout.take().expect("it is a pipe"));
         Client {
             input: adapter.stdin.take(),

@@ -95,7 +95,7 @@ fn written() -> (Texts, Texts) {
     let texts = [EARLIER, LATER].map(|program| {
         let folder = Folder::new("faults-none").program("p.prg", &short(program));
         let folder = folder.file("traces/t.jsonl", "");
-        folder.tipc(&RUN).expect(3);
+        folder.tip(&RUN).expect(3);
         texts(&folder)
     });
     let [earlier, later] = texts;

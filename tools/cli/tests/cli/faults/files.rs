@@ -130,7 +130,7 @@ fn inputs() -> Row {
                 arguments[5] = "link";
             }
             let before = bench.folder.read(input);
-            let outcome = bench.folder.tipc(&arguments);
+            let outcome = bench.folder.tip(&arguments);
             require_refused(&bench, outcome, &bench.earlier);
             assert_eq!(bench.folder.read(input), before);
             runs += 1;
@@ -156,7 +156,7 @@ fn own_logs() -> Row {
             }
             let mut arguments = RUN;
             arguments[5] = log;
-            let outcome = bench.folder.tipc(&arguments);
+            let outcome = bench.folder.tip(&arguments);
             require_refused(&bench, outcome, &bench.earlier);
             runs += 1;
         }
@@ -173,7 +173,7 @@ fn one_file(file: usize, fault: &Fault) {
     let bench = Bench::new("file");
     (fault.arrange)(&bench.folder.path(FILES[file]));
     let before = bench.texts();
-    let outcome = bench.folder.tipc(&RUN);
+    let outcome = bench.folder.tip(&RUN);
     match fault.expected {
         Expected::Refused => require_refused(&bench, outcome, &before),
         Expected::Whole => {
@@ -225,7 +225,7 @@ fn folder((place, fault, [option, path]): (&'static str, &'static str, [&str; 2]
     let mut arguments = RUN;
     let at = RUN.iter().position(|word| *word == option);
     arguments[at.expect("it is one of the options") + 1] = path;
-    let outcome = bench.folder.tipc(&arguments);
+    let outcome = bench.folder.tip(&arguments);
     require_refused(&bench, outcome, &bench.earlier);
     bench.require_no_parts();
     Row {
@@ -274,7 +274,7 @@ fn limited(bench: &Bench, blocks: usize) -> Outcome {
             "-c",
             &format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\""),
         ])
-        .arg(env!("CARGO_BIN_EXE_tipc"))
+        .arg(env!("CARGO_BIN_EXE_tip"))
         .args(RUN)
         .current_dir(bench.folder.path(""))
         .stdin(Stdio::null());
@@ -346,7 +346,7 @@ fn device_full() -> Row {
     let bench = Bench::new("device");
     let mut arguments = RUN;
     arguments[5] = "/dev/full";
-    let outcome = bench.folder.tipc(&arguments).expect(1);
+    let outcome = bench.folder.tip(&arguments).expect(1);
     require_told(&outcome);
     assert_eq!(bench.texts()[..4], bench.later[..4]);
     assert_eq!(bench.texts()[4], bench.earlier[4]);

@@ -16,7 +16,7 @@ pub(super) fn rows() -> Vec<Row> {
     vec![planted(), equal_ids(), modes(), long_name(), longer_name()]
 }
 
-/// A link to somebody's file at the name that the process id gives, made by the process itself before it becomes `tipc`.
+/// A link to somebody's file at the name that the process id gives, made by the process itself before it becomes `tip`.
 fn planted() -> Row {
     let bench = Bench::new("planted");
     bench_file(&bench, "victim");
@@ -27,7 +27,7 @@ fn planted() -> Row {
     let script = format!("{}; exec \"$0\" \"$@\"", plant.join("; "));
     let mut command = Command::new("sh");
     command
-        .args(["-c", &script, env!("CARGO_BIN_EXE_tipc")])
+        .args(["-c", &script, env!("CARGO_BIN_EXE_tip")])
         .args(RUN);
     let status = command
         .current_dir(bench.folder.path("."))
@@ -85,7 +85,7 @@ fn modes() -> Row {
             let path = bench.folder.path(file);
             fs::set_permissions(path, Permissions::from_mode(mode)).expect("it is ours");
         }
-        bench.folder.tipc(&RUN).expect(3);
+        bench.folder.tip(&RUN).expect(3);
         assert_eq!(bench.texts(), bench.later);
         for file in FILES {
             let found = fs::metadata(bench.folder.path(file)).expect("it is there");
@@ -109,7 +109,7 @@ fn long_name() -> Row {
     let mut arguments = RUN;
     arguments[5] = &name;
     for _ in 0..2 {
-        bench.folder.tipc(&arguments).expect(3);
+        bench.folder.tip(&arguments).expect(3);
         assert_eq!(Some(bench.folder.read(&name)), bench.later[4]);
     }
     assert_eq!(bench.texts()[..4], bench.later[..4]);
@@ -125,7 +125,7 @@ fn longer_name() -> Row {
     let (bench, name) = named(256);
     let mut arguments = RUN;
     arguments[5] = &name;
-    let outcome = bench.folder.tipc(&arguments);
+    let outcome = bench.folder.tip(&arguments);
     require_refused(&bench, outcome, &bench.earlier);
     bench.require_no_parts();
     Row {

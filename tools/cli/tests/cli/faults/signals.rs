@@ -89,7 +89,7 @@ fn times(runs: usize, run: impl Fn(u64)) -> usize {
 fn spawn(bench: &Bench, input: Stdio) -> Child {
     let mut command = bench.folder.command(&RUN);
     command.stdin(input).stdout(Stdio::piped());
-    command.stderr(Stdio::null()).spawn().expect("tipc starts")
+    command.stderr(Stdio::null()).spawn().expect("tip starts")
 }
 
 /// Waits for the message that proves that the run is under way.
@@ -145,7 +145,7 @@ fn ignored(n: usize) {
     let bench = Bench::endless("signal-ignored", WAITS);
     let mut command = Command::new("sh");
     command.args(["-c", "trap '' INT HUP; exec \"$@\"", "sh"]);
-    command.arg(env!("CARGO_BIN_EXE_tipc")).args(RUN);
+    command.arg(env!("CARGO_BIN_EXE_tip")).args(RUN);
     command.current_dir(bench.folder.path("."));
     command.stdin(Stdio::null()).stdout(Stdio::piped());
     let mut child = command.stderr(Stdio::null()).spawn().expect("it starts");
@@ -248,7 +248,7 @@ fn wait_for_a_reader(folder: &Folder, arguments: &[&str]) {
     let made = Command::new("mkfifo").arg(folder.path("pipe")).status();
     assert!(made.expect("mkfifo starts").success());
     let mut command = folder.command(arguments);
-    let mut child = command.stdout(Stdio::null()).spawn().expect("tipc starts");
+    let mut child = command.stdout(Stdio::null()).spawn().expect("tip starts");
     // It catches the signal before it looks for a reader.
     sleep(Duration::from_millis(500));
     assert!(child.try_wait().expect("ours").is_none(), "it waits");

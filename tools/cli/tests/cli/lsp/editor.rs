@@ -1,4 +1,4 @@
-//! An editor with one text, as `tipc lsp` sees it.
+//! An editor with one text, as `tip lsp` sees it.
 
 use crate::support::Folder;
 use serde_json::{Value, json};
@@ -48,13 +48,13 @@ impl Editor {
 
     /// One that can more in its workspace, and says more of itself.
     pub(super) fn with(folder: &Folder, encoding: Encoding, workspace: Value, more: Value) -> Self {
-        let mut process = Command::new(env!("CARGO_BIN_EXE_tipc"))
+        let mut process = Command::new(env!("CARGO_BIN_EXE_tip"))
             .args(["lsp", "--stdio"])
             .env("XDG_CACHE_HOME", folder.path("cache"))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .expect("tipc starts");
+            .expect("tip starts");
         let mut editor = Editor {
             input: process.stdin.take().expect("a pipe"),
             output: BufReader::new(process.stdout.take().expect("a pipe")),

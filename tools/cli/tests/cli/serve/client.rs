@@ -15,7 +15,7 @@ use tungstenite::{Error, Message, WebSocket};
 /// Nothing takes so long, on however busy a machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// `tipc serve` while it runs.
+/// `tip serve` while it runs.
 pub(super) struct Server {
     child: Child,
     address: String,
@@ -25,7 +25,7 @@ impl Server {
     pub(super) fn begin(folder: &Folder, arguments: &[&str]) -> Self {
         let mut command = folder.command(&[&["serve", "--quiet"], arguments].concat());
         command.stdout(Stdio::piped());
-        let mut child = command.spawn().expect("tipc starts");
+        let mut child = command.spawn().expect("tip starts");
         let mut address = String::new();
         let mut lines = BufReader::new(child.stdout.take().expect("piped"));
         lines.read_line(&mut address).expect("UTF-8");

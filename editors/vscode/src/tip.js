@@ -1,9 +1,9 @@
-// What runs and debugging need: the command `tipc` of this editor's settings, and a program that is saved.
+// What runs and debugging need: the command `tip` of this editor's settings, and a program that is saved.
 import * as vscode from 'vscode';
 import { find } from './command.js';
 
 /** The path of the command; nothing if there is none, after a message to the user. */
-export async function tipc() {
+export async function tip() {
   const setting = vscode.workspace.getConfiguration('tip').get('path', '');
   const { path, reason } = await find(setting, vscode.workspace.workspaceFolders?.[0]?.uri.fsPath);
   if (path === undefined) complain(setting, reason);
@@ -18,10 +18,10 @@ export async function savedProgram(uri) {
 
 async function complain(setting, reason) {
   const { t } = vscode.l10n;
-  const name = setting || 'tipc';
+  const name = setting || 'tip';
   const why = {
     missing: t('The command {0} is not found. Findings, completion, runs and debugging need it.', name),
-    other: t('{0} is another program, not the command tipc of T.I.P.', name),
+    other: t('{0} is another program, not the command tip of T.I.P.', name),
   };
   const [install, choose] = [t('How to Install'), t('Choose the File…')];
   const text = why[reason] ?? t('{0} does not start: {1}', name, reason);
