@@ -102,12 +102,12 @@ fn the_interpreter_takes_no_sequencing_from_the_emitter() {
     assert!(found > 2, "the interpreter is found");
 }
 
-/// What the last table of ARCHITECTURE.md names stands where it says.
+/// Checks that the paths in ARCHITECTURE.md's table of invariants exist.
 #[test]
 fn the_tests_that_hold_the_invariants_exist() {
     let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("the page");
     let (_, table) = text
-        .split_once("## What holds the invariants")
+        .split_once("## Invariants and their tests")
         .expect("the table");
     let table = table.split("\n## ").next().unwrap_or_default();
     let named = table.split('`').skip(1).step_by(2);
