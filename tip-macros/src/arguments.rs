@@ -1,4 +1,4 @@
-//! What is between the parentheses of the macros.
+//! Arguments of the macros.
 
 use crate::literal::{self, Text};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};

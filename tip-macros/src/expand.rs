@@ -70,7 +70,7 @@ pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> Toke
     }
 }
 
-/// What is said where a description is named and the feature that reads it is not chosen.
+/// Error where a description is named and the feature that reads it is not enabled.
 #[cfg(not(feature = "robot-files"))]
 const NO_ROBOT_FILES: &str = "robots from description files need the feature `robot-files` of tip-macros: \
                               `tip-macros = { version = \"…\", features = [\"robot-files\"] }`";
@@ -103,7 +103,7 @@ impl Failure {
     }
 }
 
-/// What a macro makes of the description that it names: a file, or that of a published robot.
+/// Expands a description: a file, or that of a published robot.
 fn on_description(
     name: &Text,
     invoking: Option<&Path>,
@@ -115,7 +115,7 @@ fn on_description(
     }
 }
 
-/// What a macro makes of the file that it names.
+/// Expands a program file.
 fn included(
     path: &Text,
     invoking: Option<&Path>,
@@ -262,7 +262,7 @@ mod tests {
         assert!(items.contains("struct Wave"), "{items}");
     }
 
-    /// Whether the test runs in a process of its own, for which the language is set.
+    /// Environment variable of a test that runs in a process of its own, for which the language is set.
     const ASKED: &str = "TIP_LANG_IS_SET_BY_A_TEST";
 
     #[test]

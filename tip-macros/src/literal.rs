@@ -46,7 +46,7 @@ pub(crate) fn word(value: &[TokenTree]) -> Option<String> {
     }
 }
 
-/// What is between the quotes of `#"…"#`.
+/// Returns the text between the quotes of `#"…"#`.
 fn raw_content(raw: &str) -> Option<&str> {
     let hashes = raw.find('"')?;
     let (open, rest) = raw.split_at(hashes);

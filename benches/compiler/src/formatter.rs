@@ -5,9 +5,9 @@ use std::time::Instant;
 use tipc::Options;
 use tip_lint::format::format;
 
-/// How many lines the programs have.
+/// Program lengths, lines.
 const LINES: usize = 100_000;
-/// How often each is formatted; the quickest time counts, since others were disturbed.
+/// Repetitions per program; the shortest time counts, since others were disturbed.
 const TIMES: usize = 7;
 
 /// Prints the lines formatted in a second, of programs in small letters, so that every line changes, each with a comment but for
@@ -29,7 +29,7 @@ fn noted(line: &str) -> String {
     format!("{line}{note}\n")
 }
 
-/// How long a program takes to format, written as [`print`] says.
+/// Returns the time to format a program, written as [`print`] says.
 pub(crate) fn seconds(text: &str) -> f64 {
     let text: String = text.to_lowercase().lines().map(noted).collect();
     let start = Instant::now();

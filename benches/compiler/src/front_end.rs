@@ -4,9 +4,9 @@ use crate::long::KINDS;
 use std::time::Instant;
 use tipc::{Options, load};
 
-/// How many lines the programs have.
+/// Program lengths, lines.
 const LINES: usize = 100_000;
-/// How often each is loaded; the quickest time counts, since others were disturbed.
+/// Repetitions per program; the shortest time counts, since others were disturbed.
 const TIMES: usize = 7;
 
 /// Prints the lines loaded in a second.
@@ -21,7 +21,7 @@ pub(crate) fn print() {
     println!();
 }
 
-/// How long a program takes to load.
+/// Returns the time to load a program.
 pub(crate) fn seconds(text: &str) -> f64 {
     let start = Instant::now();
     let loaded = load("long.prg", text.as_bytes(), &Options::default());

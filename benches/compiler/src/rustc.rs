@@ -11,7 +11,7 @@ use tipc::{Options, emit, load};
 
 /// The numbers of steps.
 const STEPS: &[usize] = &[1_000, 5_000, 10_000, 50_000];
-/// How often a compiler is asked what it has used: its last answer is at most this old.
+/// Polling interval for a compiler's usage: the last sample is at most this old.
 const PERIOD: Duration = Duration::from_millis(10);
 /// The kernel counts processor time in hundredths of a second.
 const TICKS: f64 = 100.0;
@@ -35,7 +35,7 @@ pub(crate) fn print() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Where this crate's own files go.
+/// Returns the folder of this crate's own files.
 fn folder() -> PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
     target.join("emitted")
@@ -103,7 +103,7 @@ impl Runtime {
     }
 }
 
-/// What a process used.
+/// Resource usage of a process.
 #[derive(Default)]
 struct Used {
     seconds: f64,
@@ -128,7 +128,7 @@ fn used(mut command: Command) -> Result<Used, Box<dyn Error>> {
     }
 }
 
-/// What a process has used up to now, from Linux's `/proc`; nothing of one that has ended.
+/// Returns the usage of a process so far, from Linux's `/proc`; `None` for one that has ended.
 fn now(child: &Child) -> Option<Used> {
     let file = |name: &str| fs::read_to_string(format!("/proc/{}/{name}", child.id())).ok();
     let stat = file("stat")?;

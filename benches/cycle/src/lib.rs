@@ -1,4 +1,4 @@
-//! What a whole control cycle costs: a compiled program, its controller and a simulated robot, in the
+//! Cost of a whole control cycle: a compiled program, its controller and a simulated robot, in the
 //! runs of the examples.
 #![forbid(unsafe_code)]
 

@@ -14,7 +14,7 @@ pub struct Replay<const L: usize, const J: usize> {
 }
 
 impl<const L: usize, const J: usize> Replay<L, J> {
-    /// What `robot` measures while `run` runs a program on it.
+    /// Records the measurements of `robot` while `run` runs a program on it.
     pub fn of<H: Hardware<L, J>>(robot: H, run: impl FnOnce(Recorder<H, L, J>)) -> Self {
         let readings = Rc::new(RefCell::new(Vec::new()));
         run(Recorder {

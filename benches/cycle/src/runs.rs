@@ -48,7 +48,7 @@ pub fn finish(run: &mut (impl Run + ?Sized)) -> u64 {
     cycles
 }
 
-/// The same, not counted.
+/// Runs it without counting.
 fn record(mut run: impl Run) {
     while run.cycle() {}
 }
@@ -58,12 +58,12 @@ pub fn walk() -> impl Run + Clone {
     walking(SimulatedPlant::new(&titan8::MODEL))
 }
 
-/// The same with mass.
+/// Runs it with mass.
 pub fn heavy_walk() -> impl Run + Clone {
     walking(DynamicPlant::new(&titan8::MODEL))
 }
 
-/// The same without the simulated robot: the controller reads what that measured.
+/// Runs it without the simulated robot: the controller reads recorded measurements.
 pub fn walk_replayed() -> impl Run + Clone {
     let plant = SimulatedPlant::new(&titan8::MODEL);
     walking(Replay::of(plant, |recorder| record(walking(recorder))))
@@ -78,12 +78,12 @@ pub fn six_legs() -> impl Run + Clone {
     tripod(SimulatedPlant::new(&HEXAPOD))
 }
 
-/// The same with mass.
+/// Runs it with mass.
 pub fn heavy_six_legs() -> impl Run + Clone {
     tripod(DynamicPlant::new(&HEXAPOD))
 }
 
-/// The same without the simulated robot.
+/// Runs it without the simulated robot.
 pub fn six_legs_replayed() -> impl Run + Clone {
     let plant = SimulatedPlant::new(&HEXAPOD);
     tripod(Replay::of(plant, |recorder| record(tripod(recorder))))
@@ -98,7 +98,7 @@ pub fn grasp() -> impl Run + Clone {
     grasping(SimulatedHand::new(&hand::MODEL).with_scene(&SCENE))
 }
 
-/// The same without the simulated robot.
+/// Runs it without the simulated robot.
 pub fn grasp_replayed() -> impl Run + Clone {
     let plant = SimulatedHand::new(&hand::MODEL).with_scene(&SCENE);
     grasping(Replay::of(plant, |recorder| record(grasping(recorder))))

@@ -1,9 +1,9 @@
-//! How long each cycle of a run takes.
+//! Time of each cycle of a run.
 
 use crate::runs::Run;
 use std::time::{Duration, Instant};
 
-/// What the cycles of a run took. A cycle's time is the least of several runs: what it takes when nothing
+/// Times of the cycles of a run. A cycle's time is the least of several runs: its time when nothing
 /// disturbs it.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {

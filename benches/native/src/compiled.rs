@@ -1,4 +1,4 @@
-//! What tipc makes of the motions.
+//! The motions, compiled by tipc.
 
 include!(concat!(env!("OUT_DIR"), "/walk_loop.rs"));
 include!(concat!(env!("OUT_DIR"), "/steps100.rs"));

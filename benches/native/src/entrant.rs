@@ -1,4 +1,4 @@
-//! Who takes part.
+//! The implementations that are compared.
 
 use crate::machines::Cycle;
 use crate::motion::Motion;
@@ -16,7 +16,7 @@ pub trait Entrant {
     /// The fault that the step found.
     fn cycle(&mut self, robot: &mut dyn Context) -> Result<Flow, Fault>;
 
-    /// How much memory its run takes, in bytes; 0 where no one counted.
+    /// Memory of its run, bytes; 0 where it is not counted.
     fn state_bytes(&self) -> usize {
         0
     }
@@ -47,7 +47,7 @@ impl Name {
         Name::Interpreter,
     ];
 
-    /// As tables and benchmarks call it.
+    /// Returns its name in tables and benchmarks.
     pub fn name(self) -> &'static str {
         match self {
             Name::Compiled => "compiled",

@@ -3,7 +3,7 @@
 use tip_runtime::fault::Fault;
 use tip_runtime::program::Context;
 
-/// What a control cycle hands to a machine, and gets back.
+/// Inputs and outputs of a machine in one control cycle.
 pub(crate) struct Cycle<'a> {
     pub(crate) robot: &'a mut dyn Context,
     pub(crate) fault: Option<Fault>,

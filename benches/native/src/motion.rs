@@ -24,7 +24,7 @@ impl Motion {
         Motion::Steps10000,
     ];
 
-    /// As tables and benchmarks call it.
+    /// Returns its name in tables and benchmarks.
     pub fn name(self) -> &'static str {
         match self {
             Motion::WalkLoop => "walk_loop",

@@ -9,7 +9,7 @@ use tip_runtime::vibration::Vibration;
 /// A robot that does `A` with each command and says that it is done. It has nothing else.
 pub struct Answering<A>(pub A);
 
-/// What is done with a command.
+/// Receiver of commands.
 pub trait Answer {
     /// Takes notice of it.
     fn notice(&mut self, command: &Command<'_>);

@@ -19,7 +19,7 @@ const START_CYCLES: u8 = 17;
 /// A walking robot's program.
 pub(crate) struct Walk {
     state: State,
-    /// Where the swing or the sway returns to.
+    /// Return address of the swing or the sway.
     back: State,
     /// Cycles that are left of the start.
     start: u8,

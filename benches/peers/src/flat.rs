@@ -17,7 +17,7 @@ pub(crate) struct Ask {
     pub(crate) values: Vec<String>,
 }
 
-/// Where a step leads.
+/// Successor of a step.
 pub(crate) enum Then {
     To(StepId),
     If(String, StepId, StepId),

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-/// How many steps a subroutine holds, its CALL among them.
+/// Steps of a subroutine, its CALL included.
 const SUBROUTINE: usize = 45;
 
 /// The text of a program of `steps` steps, at least 100.

@@ -1,4 +1,4 @@
-//! What all peers write nearly alike: numbers, variables, operations, relations.
+//! Syntax that all peers share: numbers, variables, operations, relations.
 
 use tipc::program::{
     Action, Argument, Arithmetic, Condition, Mark, Operand, Program, Relation, Scalar, ScalarExpression,
@@ -10,14 +10,14 @@ pub(crate) fn variables(program: &Program) -> impl Iterator<Item = &Variable> {
     program.variables().iter().skip(1)
 }
 
-/// How one language names variables, lower case.
+/// Spelling of a variable in one language, lower case.
 pub(crate) struct Infix<'a> {
     pub(crate) program: &'a Program,
     /// A number, from its name.
     pub(crate) scalar: fn(&str) -> String,
     /// A member of a position, from the position's name and the member's place.
     pub(crate) member: fn(&str, usize) -> String,
-    /// How "is not" is written.
+    /// Spelling of "is not".
     pub(crate) not_equal: &'static str,
 }
 

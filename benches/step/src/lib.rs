@@ -1,4 +1,4 @@
-//! Who is measured, how a run is driven, and how its trace is taken.
+//! The implementations that are measured, the run loop, and the trace.
 #![forbid(unsafe_code)]
 
 mod asked;

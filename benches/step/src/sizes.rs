@@ -45,13 +45,13 @@ fn symbols() -> Option<String> {
     Some(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// Whether a symbol has the part in its path, and not a longer name that begins like it.
+/// Returns true if a symbol has the part in its path, and not a longer name that begins like it.
 fn mentions(symbol: &str, part: &str) -> bool {
     let mut rests = symbol.split(part).skip(1);
     rests.any(|rest| !rest.starts_with(|next: char| next.is_ascii_digit()))
 }
 
-/// Whether a symbol is of what a cycle does not run, and only compiled programs have: names of steps and
+/// Returns true if a symbol is of what a cycle does not run, and only compiled programs have: names of steps and
 /// variables, lines, how they print.
 fn is_apart(symbol: &str) -> bool {
     [" as tip_runtime::", " as core::"]

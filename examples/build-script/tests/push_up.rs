@@ -5,7 +5,7 @@ use tip_runtime::console::{Scripted, Transcript};
 use tip_runtime::machine::Status;
 use tip_runtime::program::End;
 
-/// How high the body's centre is while the belly rests on the floor: mm.
+/// Height of the body's centre while the belly rests on the floor, mm.
 const RESTING: f64 = 200.0;
 
 #[test]

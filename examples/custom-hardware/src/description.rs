@@ -12,11 +12,11 @@ pub const JOINTS: usize = 3;
 /// A robot as its description file defines it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
-    /// What its owner calls it.
+    /// Name given by the owner.
     pub name: String,
     /// Link lengths: mm.
     pub lengths: Lengths,
-    /// What the servos have in common.
+    /// Settings that the servos share.
     pub servos: Servos,
     /// Each joint by leg and joint, from 0.
     pub joints: [[JointDescription; JOINTS]; LEGS],
@@ -34,7 +34,7 @@ pub struct Lengths {
     pub shank: f64,
 }
 
-/// What the servos have in common.
+/// Settings that the servos share.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Servos {
@@ -62,7 +62,7 @@ pub struct JointDescription {
     pub outer: [f64; 2],
 }
 
-/// Why a description cannot be used.
+/// Reason why a description is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DescriptionError {
     /// The file is not TOML of the expected shape; the text says where.

@@ -4,7 +4,7 @@ use crate::protocol::{BROADCAST, Frame, Instruction, LENGTH};
 use crate::servo::Servo;
 use std::collections::VecDeque;
 
-/// Where the bus's bytes go. A serial port fits after it.
+/// Byte stream of the bus. A serial port implements it.
 pub trait Link {
     /// Sends one frame's bytes; false if the wire is dead.
     fn send(&mut self, bytes: [u8; LENGTH]) -> bool;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// What `--help` prints.
+/// Output of `--help`.
 pub const HELP: &str = "\
 Runs a T.I.P. program on a servo bus and records targets against measurements.
 
@@ -20,7 +20,7 @@ Options:
 pub struct Options {
     /// The description file, if not the built-in one.
     pub robot: Option<PathBuf>,
-    /// Where the table goes.
+    /// Output file of the table.
     pub csv: PathBuf,
     /// No pacing.
     pub fast: bool,
@@ -32,7 +32,7 @@ impl Options {
     /// Understands the words after the program's name.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// Error in the options.
     pub fn parse(words: impl IntoIterator<Item = String>) -> Result<Self, String> {
         let mut options = Options {
             robot: None,

@@ -2,7 +2,7 @@
 //!
 //! Every frame has the same seven bytes. The checksum makes the last five add up to 0 (mod 256).
 
-/// How many bytes a frame has.
+/// Length of a frame, bytes.
 pub const LENGTH: usize = 7;
 
 /// The address that every servo listens to.
@@ -10,7 +10,7 @@ pub const BROADCAST: u8 = 0xFE;
 
 const HEADER: [u8; 2] = [0xFF, 0xFE];
 
-/// What a frame asks for, or answers.
+/// Request or answer of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instruction {
     /// Remember this target: counts.
@@ -44,7 +44,7 @@ impl Instruction {
 pub struct Frame {
     /// Whom it is for, or from.
     pub servo: u8,
-    /// What it asks for, or answers.
+    /// Request or answer.
     pub instruction: Instruction,
     /// Counts, where the instruction carries them.
     pub value: i16,

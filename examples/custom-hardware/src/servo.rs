@@ -2,7 +2,7 @@
 
 use crate::protocol::{Frame, Instruction};
 
-/// How fast the remaining distance decays: ms.
+/// Time constant of the remaining distance, ms.
 const TIME_CONSTANT: f64 = 25.0;
 
 /// The most that a servo turns: counts per ms (about 264 deg/s at 4096 counts a turn).
@@ -31,7 +31,7 @@ impl Servo {
         self.id
     }
 
-    /// Where it is: counts.
+    /// Position, counts.
     pub fn position(&self) -> f64 {
         self.position
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 use tip_runtime::record::Ending;
 
-/// How high the object must come: mm.
+/// Height that the object must reach, mm.
 pub const LIFT: f64 = 30.0;
 
 /// For how long it must stay that high: s.
@@ -12,9 +12,9 @@ pub const HOLD: f64 = 2.0;
 /// The result for a run. Shown, it is a report of a few lines.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// How it ended.
+    /// End of the run.
     pub ending: Ending,
-    /// How long it took on the robot: s.
+    /// Duration on the robot, s.
     pub seconds: f64,
     /// The highest that the object was above the floor: mm.
     pub lift: f64,

@@ -45,7 +45,7 @@ struct Watch<F> {
     show: F,
     /// The highest so far: mm.
     lift: f64,
-    /// How long it has been high enough: s.
+    /// Time for which it has been high enough, s.
     held: f64,
     /// The longest of these times: s.
     longest: f64,
@@ -69,7 +69,7 @@ impl<F: FnMut(f64, &SimulatedHand<3, 3>)> Observer for Watch<F> {
     }
 }
 
-/// How high the first object is above the floor: mm.
+/// Returns the height of the first object above the floor, mm.
 pub fn height(hand: &SimulatedHand<3, 3>) -> f64 {
     let [object, ..] = hand.objects();
     object.map_or(0.0, |object| object.clearance)

@@ -7,10 +7,10 @@ use tip_runtime::model::titan8::MODEL;
 use tip_runtime::ops;
 use tip_runtime::program::Robot;
 
-/// How fast the body goes along the circle: mm/s. A foot has to keep up with it under V_MAX.
+/// Speed of the body along the circle, mm/s. A foot has to keep up with it under V_MAX.
 const SPEED: f64 = 100.0;
 
-/// How fast it goes around at most, on a small circle: deg/s.
+/// Maximum angular speed, on a small circle, deg/s.
 const FASTEST: f64 = 180.0;
 
 /// Along how much of the spiral out and in the radius grows and shrinks: deg.
@@ -19,15 +19,15 @@ const SPIRAL: f64 = 180.0;
 /// A sway in progress: half a turn spirals out, whole turns follow, half a turn spirals in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Circle {
-    /// Where the feet were at the start, in the robot frame: mm.
+    /// Feet at the start, in the robot frame, mm.
     feet: [[f64; 3]; 4],
     /// mm.
     radius: f64,
     /// deg/s.
     rate: f64,
-    /// How far around the body is: deg.
+    /// Angle travelled, deg.
     angle: f64,
-    /// Where that ends: deg.
+    /// Angle at the end, deg.
     end: f64,
 }
 
@@ -76,7 +76,7 @@ impl Circle {
         Ok(Poll::Pending)
     }
 
-    /// How far the body is to be to the right and forward of its start: mm.
+    /// Returns the body's setpoint to the right and forward of its start, mm.
     fn body(&self) -> Result<[f64; 2], Fault> {
         let share = (self.angle.min(self.end - self.angle) / SPIRAL).min(1.0);
         // Grows without a jerk: its slope is 0 at either end.

@@ -31,7 +31,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     })
 }
 
-/// Where the body went, how the run ended, and whether both engines agree.
+/// Prints the body's path, the run's end, and whether both engines agree.
 fn report(out: &mut dyn Write, run: &Run, identical: bool) -> io::Result<()> {
     writeln!(
         out,

@@ -15,31 +15,31 @@ pub type Plant = SimulatedPlant<4, 3>;
 /// The result for a run.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// How it ended.
+    /// End of the run.
     pub ending: Ending,
     /// Its trace, with a hash of the robot's state in each record.
     pub trace: String,
-    /// Where the body was after each cycle.
+    /// Position of the body after each cycle.
     pub path: Vec<Point>,
-    /// What the program said, line by line.
+    /// Messages of the program, line by line.
     pub said: Vec<String>,
     /// The robot at its end.
     pub plant: Plant,
 }
 
 impl Run {
-    /// How far the body ever was from its start: mm.
+    /// Returns the greatest distance of the body from its start, mm.
     pub fn excursion(&self) -> f64 {
         self.path.iter().copied().map(away).fold(0.0, f64::max)
     }
 
-    /// How far it was from there in the end: mm.
+    /// Returns the distance of the body from its start at the end, mm.
     pub fn rest(&self) -> f64 {
         self.path.last().copied().map_or(0.0, away)
     }
 }
 
-/// How far a point of the path is from its start, along the floor: mm.
+/// Returns the distance of a point of the path from its start along the floor, mm.
 fn away([x, y, _]: Point) -> f64 {
     x.hypot(y)
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// What `--help` prints.
+/// Output of `--help`.
 pub const HELP: &str = "\
 Walks the simulated TITAN VIII and compares the compiled program with the reference interpreter.
 
@@ -24,7 +24,7 @@ Exit status: 0 if the body came 1 m forward without a fall and both engines agre
 pub struct Options {
     /// The most cycles to run.
     pub cycles: Option<u64>,
-    /// Where the trace goes.
+    /// Output file of the trace.
     pub trace: Option<PathBuf>,
     /// Records end with a hash of the robot's state.
     pub trace_state: bool,
@@ -38,7 +38,7 @@ impl Options {
     /// Understands the words after the program's name.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// Error in the options.
     pub fn parse(words: impl IntoIterator<Item = String>) -> Result<Self, String> {
         let mut options = Options::default();
         let mut words = words.into_iter();

@@ -1,4 +1,4 @@
-//! How an example ends.
+//! Exit status of the examples.
 
 use std::error::Error;
 use std::process::ExitCode;

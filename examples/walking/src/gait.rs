@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// How many characters a line of the diagram has for its feet.
+/// Width of the diagram's feet, characters.
 const COLUMNS: usize = 72;
 
 /// Which feet touched the floor in each control cycle. Shown, it is a picture in text.

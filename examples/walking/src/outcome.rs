@@ -4,26 +4,26 @@ use crate::gait::Gait;
 use std::fmt;
 use tip_runtime::record::Ending;
 
-/// How far the body must come: mm.
+/// Distance that the body must travel, mm.
 pub const GOAL: f64 = 1000.0;
 
-/// How far a foot that carries may slip: mm.
+/// Maximum slip of a foot that carries, mm.
 pub const SLIP: f64 = 1.0;
 
 /// The result for a run. Shown, it is a report of a few lines.
 #[derive(Clone, Debug)]
 pub struct Outcome<const L: usize> {
-    /// How it ended.
+    /// End of the run.
     pub ending: Ending,
-    /// How many cycles ran.
+    /// Number of cycles.
     pub cycles: u64,
-    /// How long they took on the robot: s.
+    /// Duration on the robot, s.
     pub seconds: f64,
-    /// How far the body came forward: mm.
+    /// Travel of the body forward, mm.
     pub travel: f64,
-    /// How far the body came to the right: mm.
+    /// Travel of the body to the right, mm.
     pub drift: f64,
-    /// How often the robot fell.
+    /// Number of falls.
     pub falls: u32,
     /// The farthest that a foot slipped while it carried: mm.
     pub slip: f64,

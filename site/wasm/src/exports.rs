@@ -4,7 +4,7 @@
 
 use crate::{Playground, trace};
 
-/// How long the run goes on at most before the page has its turn: ms.
+/// Maximum time of a run before the page has its turn, ms.
 const TURN: f64 = 8.0;
 
 #[link(wasm_import_module = "page")]

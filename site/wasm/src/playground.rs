@@ -5,7 +5,7 @@ use serde_json::json;
 use tip_sim::{Interpreter, Limit, Run};
 use tip_view::live::{NoFile, Session, Setup, Viewer};
 
-/// What runs while the text that is wanted is not a program.
+/// Program that runs while the requested text has errors.
 const NOTHING: &str = "3.1\n\nEND\n";
 
 /// A session and the one page that looks at it; nothing at first.
@@ -59,7 +59,7 @@ impl Playground {
         Some(session.request(request, &mut NoFile))
     }
 
-    /// What the page does not know yet, one update after the other; none if it knows all.
+    /// Returns the updates that the page has not received, or none.
     pub fn update(&mut self) -> Option<String> {
         self.session.as_ref()?.update(&mut self.viewer)
     }

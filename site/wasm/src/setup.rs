@@ -8,7 +8,7 @@ use tipc::Loaded;
 use tipc::description::{parse, parse_scene};
 use tipc::message::Lang;
 
-/// What a page wants to run.
+/// Request of a page to run a program.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Wanted {
     /// The program.
@@ -19,7 +19,7 @@ pub struct Wanted {
     /// A scene by name or as a description; without one, a level floor.
     #[serde(default)]
     pub scene: Option<Text>,
-    /// What happens from outside, as `--events` has it.
+    /// Events, in the form of `--events`.
     #[serde(default)]
     pub events: String,
     /// After how many cycles a traced run ends that does not end before.
@@ -30,9 +30,9 @@ pub struct Wanted {
 /// A file, or the name of something that needs none.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub struct Text {
-    /// What the file is called; findings say it.
+    /// File name for diagnostics.
     pub name: String,
-    /// What is in it; nothing if the name is enough.
+    /// Contents of the file; `None` if the name is enough.
     #[serde(default)]
     pub text: Option<String>,
 }
@@ -44,7 +44,7 @@ pub struct Bench {
     pub loaded: Loaded,
     /// The robot in its scene.
     pub robot: Robot,
-    /// What happens from outside.
+    /// Events of the run.
     pub events: Events,
 }
 
@@ -95,7 +95,7 @@ fn scene(scene: &Text) -> Result<Scene, String> {
     }
 }
 
-/// What was found in a description, one line each.
+/// Returns the diagnostics of a description, one line each.
 fn found(loaded: Box<Loaded>) -> String {
     let lines = loaded.diagnostics.iter().map(|diagnostic| {
         let (line, column) = loaded.source.line_column(diagnostic.span.start);

@@ -3,10 +3,10 @@
 use std::error::Error;
 use tipc::emit;
 
-/// What a file name may hold: line ends, code after them, characters that turn text around, controls.
+/// Characters of file names: line ends, code after them, bidirectional controls, control characters.
 const NAME: &str =
     "hostile\ncompile_error!(\"live\");\r\u{202E}\u{2066}\u{2028}\u{1b}\u{85}*` \"#.prg";
-/// What a text may hold.
+/// Characters of texts.
 const TEXT: &str = "compile_error!(\"live\") \u{202E}\u{2066}\u{2028}\u{1b}\u{85}*/ \"#";
 
 fn main() -> Result<(), Box<dyn Error>> {

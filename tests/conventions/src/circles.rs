@@ -11,7 +11,7 @@ type Graph = BTreeMap<Path, BTreeSet<Import>>;
 /// Some modules, each of which needs all others of them.
 #[derive(Clone, Debug)]
 pub struct Circle {
-    /// Who names what of whom.
+    /// Imports between modules.
     pub edges: Vec<(Path, Import)>,
 }
 

@@ -1,4 +1,4 @@
-//! What a module names of other modules of its crate.
+//! Imports of a module from other modules of its crate.
 
 use crate::modules::Module;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -13,7 +13,7 @@ pub struct Import {
     pub name: String,
 }
 
-/// What `module` names of the crate's other modules. Its own parents do not count: a parent holds what its children share.
+/// Returns the modules of the crate that `module` imports, without its own parents: a parent holds what its children share.
 pub fn imports(module: &Module, all: &BTreeMap<Vec<String>, Module>) -> BTreeSet<Import> {
     let mut paths = Vec::new();
     collect(module.tokens.clone(), &mut paths);
@@ -80,7 +80,7 @@ fn collect(stream: TokenStream, paths: &mut Vec<Vec<String>>) {
     }
 }
 
-/// Whether what comes before makes the next word a field, a method, or a part of a foreign path.
+/// Returns true if what comes before makes the next word a field, a method, or a part of a foreign path.
 fn follows_a_path(before: &[TokenTree]) -> bool {
     matches!(before.last(), Some(TokenTree::Punct(sign)) if sign.as_char() == '.')
         || (before.len() >= 2 && before[before.len() - 2..].iter().all(is_colon))

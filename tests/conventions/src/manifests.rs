@@ -1,4 +1,4 @@
-//! What the packages of the workspace depend on.
+//! Dependencies of the packages of the workspace.
 
 use crate::tree::root;
 use std::collections::BTreeSet;

@@ -45,7 +45,7 @@ fn child(path: &[String], name: String) -> Vec<String> {
     path
 }
 
-/// Where a file is among the modules.
+/// Returns the module path of a file.
 fn module_path(src: &Path, file: &Path) -> Vec<String> {
     let inside = file
         .strip_prefix(src)

@@ -1,11 +1,11 @@
-//! Whether generated code does what the interpreter does.
+//! Comparison of generated code with the interpreter.
 
 use crate::generated;
 
 /// Runs a case on both engines: each gives the expected trace.
 ///
 /// # Panics
-/// As [`tip_harness::traced`].
+/// Traces a case as [`tip_harness::traced`] does.
 pub fn traced(case: &str) {
     tip_harness::traced(case, Some(generated::case));
 }
@@ -13,7 +13,7 @@ pub fn traced(case: &str) {
 /// Runs a case on both engines, once for each line that is expected to stop it.
 ///
 /// # Panics
-/// As [`tip_harness::stopped`].
+/// Runs a case as [`tip_harness::stopped`] does.
 pub fn stopped(case: &str) {
     tip_harness::stopped(case, Some(generated::case));
 }

@@ -1,4 +1,4 @@
-//! What the build script compiled.
+//! Programs that the build script compiled.
 
 pub use cases::case;
 

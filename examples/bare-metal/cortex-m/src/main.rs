@@ -27,7 +27,7 @@ fn main() -> ! {
     }
 }
 
-/// Whether both programs ended themselves, and the walk with mass went on; `None` if that is not known.
+/// Returns true if both programs ended themselves, and the walk with mass went on; `None` if that is not known.
 fn run() -> Option<bool> {
     let mut trace = hio::hstdout().ok()?;
     let mut report = hio::hstderr().ok()?;
@@ -70,7 +70,7 @@ fn measure<P: Program, H: Hardware<L, J>, S: Special, const L: usize, const J: u
     Some(ended)
 }
 
-/// Where a stack that is too small ends, among others.
+/// Handler of a stack overflow, among others.
 #[exception]
 unsafe fn HardFault(_: &ExceptionFrame) -> ! {
     debug::exit(EXIT_FAILURE);

@@ -1,4 +1,4 @@
-//! How deep the stack is: free memory is painted, and what lost its paint was used.
+//! Stack depth: free memory is filled with a pattern, and overwritten words were used.
 
 use core::ptr;
 

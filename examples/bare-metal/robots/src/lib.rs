@@ -21,7 +21,7 @@ tip_macros::include_tip!(pub "../../grasp/motions/grasp.prg", robot = hand);
 /// TITAN VIII, its controller and its program.
 pub type Walker = Machine<'static, Walk, SimulatedPlant<4, 3>, (), (), 4, 3>;
 
-/// The same with mass.
+/// The walk with mass.
 pub type HeavyWalker = Machine<'static, Walk, DynamicPlant<4, 3>, (), (), 4, 3>;
 
 /// The Hiroshima Hand, its controller and its program.
@@ -67,7 +67,7 @@ pub fn hand() -> Result<Hand, Mismatch> {
     Machine::new(Grasp::new(), &hand::MODEL, plant, (), HandSpecials::new())
 }
 
-/// How many cycles of the walk with mass slow machines run: it stands up and swings its first legs.
+/// Cycles of the walk with mass on slow machines: it stands up and swings its first legs.
 const SLICE: u64 = 250;
 
 /// Runs the first cycles of a program, with a line in the trace for each. Whether it goes on then, and all

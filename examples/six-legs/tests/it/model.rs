@@ -3,7 +3,7 @@
 use six_legs::HEXAPOD;
 use tip_runtime::kinematics::Chain;
 
-/// Where foot `leg` (F1 is 1) is at these joint angles (deg): mm.
+/// Returns the position of foot `leg` (F1 is 1) at these joint angles (deg), mm.
 fn foot(leg: usize, angles: [f64; 3]) -> [f64; 3] {
     Chain::new(&HEXAPOD.legs[leg - 1], &angles).foot()
 }

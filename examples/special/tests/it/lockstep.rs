@@ -1,4 +1,4 @@
-//! What `tip verify` does, with the commands of the robot's owner: both engines side by side until all of the dance was reached.
+//! `tip verify` with native commands: both engines in lockstep until every step of the dance was reached.
 
 use special::native::Native;
 use special::{Dance, SOURCE};

@@ -41,7 +41,7 @@ fn fault(run: &Run) -> Option<Fault> {
     }
 }
 
-/// How many times around the start a path goes, counter-clockwise.
+/// Returns the number of turns of a path around the start, counter-clockwise.
 fn turns(path: &[Point], beyond: f64) -> f64 {
     let far = path.iter().filter(|[x, y, _]| x.hypot(*y) > beyond);
     let angles: Vec<f64> = far.map(|[x, y, _]| y.atan2(*x)).collect();

@@ -48,17 +48,17 @@ struct Lesson {
     title: Texts<String>,
     text: Texts<Vec<String>>,
     r#try: Texts<String>,
-    /// What the program does as it is.
+    /// Expected result of the unchanged program.
     shows: Shows,
-    /// What a reader is asked to change: text by text, everywhere.
+    /// Replacements that the lesson asks for, made everywhere in the text.
     #[serde(default)]
     change: Vec<(String, String)>,
     changed_events: Option<String>,
-    /// What it does then.
+    /// Expected result after the replacements.
     changed: Shows,
 }
 
-/// What a run does. Lengths in mm, from the least to the most.
+/// Expected results of a run. Lengths in mm, from the least to the greatest.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Shows {

@@ -6,7 +6,7 @@
 #![deny(warnings, missing_docs, unused_qualifications, unreachable_pub)]
 #![deny(missing_debug_implementations, clippy::all, clippy::pedantic)]
 
-/// What a build script generated.
+/// Code that a build script generated.
 pub mod generated {
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/ok.rs"));
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/option.rs"));
@@ -14,7 +14,7 @@ pub mod generated {
     ::core::include!(::core::concat!(::core::env!("OUT_DIR"), "/hostile.rs"));
 }
 
-/// What the macros make.
+/// Code that the macros generated.
 pub mod included {
     ::motion_macros::include_tip!(pub "../motions/option.prg" as Some, runtime = ::robot);
     ::motion_macros::include_robot!(pub "../motions/some.toml" as NOTHING, runtime = ::robot);

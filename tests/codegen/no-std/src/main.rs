@@ -11,7 +11,7 @@ mod start;
 
 use start::Output;
 
-/// What the process ends with.
+/// Exit status.
 pub(crate) fn run() -> u8 {
     let walked = robots::walker().is_ok_and(|mut robot| robots::run(&mut robot, &mut Output));
     let grasped = robots::hand().is_ok_and(|mut robot| robots::run(&mut robot, &mut Output));

@@ -1,4 +1,4 @@
-//! What compiled code expects of any environment: `memcpy` and its like.
+//! Functions that compiled code expects of any environment, such as `memcpy`.
 //!
 //! Volatile accesses keep the compiler from turning these loops into calls of themselves.
 

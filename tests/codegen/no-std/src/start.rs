@@ -1,4 +1,4 @@
-//! Where the process begins and ends, and what it asks of the kernel.
+//! Start and end of the process, and its system calls.
 
 use core::arch::{asm, naked_asm};
 use core::fmt;
@@ -52,7 +52,7 @@ impl fmt::Write for Output {
     }
 }
 
-/// How many bytes were written, or a negative error.
+/// Returns the number of bytes written, or a negative error.
 #[cfg(target_arch = "x86_64")]
 fn write(text: &str) -> isize {
     let mut result = 1;

@@ -1,4 +1,4 @@
-//! What a person sees who invokes the macros wrongly, or a program with errors.
+//! Compile errors of wrong macro calls and of programs with errors.
 #![allow(clippy::disallowed_macros, reason = "a skipped test says why")]
 
 /// The compiler whose messages the expectations hold.

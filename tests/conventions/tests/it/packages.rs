@@ -1,4 +1,4 @@
-//! What is published of each crate.
+//! Contents of the published packages.
 
 use conventions::{Package, packages, root, rust_files};
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! What ARCHITECTURE.md says of the runtime's sources.
+//! Rules of ARCHITECTURE.md for the runtime's sources.
 
 use conventions::{Module, modules, root};
 use proc_macro2::{TokenStream, TokenTree};
@@ -10,7 +10,7 @@ fn runtime() -> BTreeMap<Vec<String>, Module> {
     all
 }
 
-/// Whether the code holds a word that `is_meant` accepts; it sees the token before as well.
+/// Returns true if the code holds a word that `is_meant` accepts; it sees the token before as well.
 fn holds(code: TokenStream, is_meant: &dyn Fn(Option<&TokenTree>, &str) -> bool) -> bool {
     let mut before = None;
     code.into_iter().any(|token| {
@@ -44,7 +44,7 @@ fn there_is_no_global_state() {
     }
 }
 
-/// Where angles are in radians: geometry, physics, and the functions DEG2RAD and RAD2DEG.
+/// Modules that use radians: geometry, physics, and the functions DEG2RAD and RAD2DEG.
 const IN_RADIANS: [&str; 3] = ["kinematics", "plant", "ops"];
 
 #[test]
@@ -55,10 +55,10 @@ fn radians_stay_where_geometry_and_physics_are() {
     };
     let mut found = 0;
     for module in runtime().into_values() {
-        let room = module.path.first().map_or("", String::as_str);
+        let name = module.path.first().map_or("", String::as_str);
         let has_them = holds(module.tokens, &is_radian);
         assert!(
-            !has_them || IN_RADIANS.contains(&room),
+            !has_them || IN_RADIANS.contains(&name),
             "{}",
             module.path.join("::")
         );
@@ -67,7 +67,7 @@ fn radians_stay_where_geometry_and_physics_are() {
     assert!(found > 3, "the words are found");
 }
 
-/// Where time passes: what paces a robot.
+/// Modules that read the clock: those that pace a robot.
 const WITH_A_CLOCK: &str = "realtime";
 
 #[test]
@@ -75,10 +75,10 @@ fn no_wall_clock_is_read_but_to_pace() {
     let is_clock = |_: Option<&TokenTree>, word: &str| word == "Instant" || word == "SystemTime";
     let mut found = 0;
     for module in runtime().into_values() {
-        let room = module.path.first().map_or("", String::as_str);
+        let name = module.path.first().map_or("", String::as_str);
         let has_one = holds(module.tokens, &is_clock);
         assert!(
-            !has_one || room == WITH_A_CLOCK,
+            !has_one || name == WITH_A_CLOCK,
             "{}",
             module.path.join("::")
         );
@@ -92,7 +92,7 @@ fn the_interpreter_takes_no_sequencing_from_the_emitter() {
     let sim = modules(&root().join("tools/sim/src"));
     let interpreter = sim
         .into_values()
-        .filter(|module| module.path.first().is_some_and(|room| room == "interp"));
+        .filter(|module| module.path.first().is_some_and(|name| name == "interp"));
     let mut found = 0;
     for module in interpreter {
         let names = |_: Option<&TokenTree>, word: &str| word == "emit" || word == "generated";

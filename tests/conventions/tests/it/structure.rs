@@ -3,7 +3,7 @@
 use conventions::{circles, modules, packages, root};
 use std::fs;
 
-/// Where crates are.
+/// Folders of crates.
 const FOLDERS: [&str; 11] = [
     "tip-runtime",
     "tipc",
@@ -29,7 +29,7 @@ fn no_modules_import_each_other_in_a_loop() {
     }
 }
 
-/// What each product crate and tool may depend on among its own kind, even for its tests.
+/// Allowed dependencies of each product crate and tool on others of the workspace, tests included.
 const ARROWS: &[(&str, &[&str])] = &[
     ("tip-runtime", &[]),
     ("tip-compiler", &["tip-runtime"]),
@@ -82,7 +82,7 @@ fn dependencies_point_one_way() {
     }
 }
 
-/// What the root holds, and nothing else.
+/// Allowed entries of the root folder.
 const ROOT: [&str; 17] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",

@@ -10,7 +10,7 @@ use tipc::language::inputs::{self, INPUTS};
 use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::RESERVED;
 
-/// Where words are spelled: the tables, the vocabulary, and what knows the words of older editions.
+/// Modules that spell words: the tables, the vocabulary, and the words of older editions.
 const HOMES: [&str; 3] = [
     "tipc::language",
     "tip-runtime::command",
@@ -138,7 +138,7 @@ fn text_of(literal: Literal) -> Option<String> {
     }
 }
 
-/// Whether a format string puts something after what the words of a family begin with, and is not a sentence.
+/// Returns true if a format string puts something after what the words of a family begin with, and is not a sentence.
 fn makes_a_word(literal: &str) -> bool {
     let families = [
         "F",

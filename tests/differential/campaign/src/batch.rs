@@ -1,4 +1,4 @@
-//! What a compiled batch does: runs each of its programs several times, each time among other events.
+//! A compiled batch: runs each of its programs several times, with other events each time.
 
 use crate::found::{self, Failure};
 use lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
@@ -7,14 +7,14 @@ use std::process::ExitCode;
 use tip_sim::Plant;
 use tipc::Robot;
 
-/// How often and how long each program runs.
+/// Number and length of the runs of each program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Runs on joints that echo their commands.
     pub runs: u64,
     /// The most cycles of each.
     pub cycles: u64,
-    /// Of how many programs one runs on the simulated robot too.
+    /// One program in this many runs on the simulated robot too.
     pub simulated_one_in: u64,
     /// The most cycles of that.
     pub simulated_cycles: u64,
@@ -23,7 +23,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// As arguments of a batch.
+    /// Returns the arguments of a batch.
     pub fn arguments(&self) -> Vec<String> {
         let Effort {
             runs,
@@ -67,7 +67,7 @@ impl Effort {
         })
     }
 
-    /// Whether programs of a robot run at all.
+    /// Returns true if programs of a robot run at all.
     pub fn concerns(&self, robot: Robot) -> bool {
         robot != Robot::Hand || self.runs > 0 || self.simulated_cycles > 0
     }

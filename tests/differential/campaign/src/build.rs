@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
 
-/// How a batch is built.
+/// Build settings of a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flavour {
     /// The engines optimised, the programs not: the quickest in all.
@@ -28,7 +28,7 @@ impl Flavour {
     }
 }
 
-/// Where batches are built: this package, and a folder for what is generated.
+/// Folders of builds: this package, and a folder for generated files.
 #[derive(Clone, Debug)]
 pub struct Workshop {
     /// The folder of this package.
@@ -52,7 +52,7 @@ impl Workshop {
         }
     }
 
-    /// Where generated code and figures are kept.
+    /// Folder of generated code and figures.
     pub fn papers(&self) -> PathBuf {
         self.target.join("campaign")
     }

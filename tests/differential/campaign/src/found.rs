@@ -10,7 +10,7 @@ pub struct Failure<'a> {
     pub subject: &'a Subject,
     /// The events.
     pub script: Script,
-    /// Where they part.
+    /// First difference.
     pub difference: Divergence,
 }
 

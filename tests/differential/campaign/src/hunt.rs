@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::io;
 use tipc::Options;
 
-/// What a batch said of its programs: for each that differs its place in the batch, and the text.
+/// Returns the differing programs of a batch's output: index in the batch, and text.
 pub fn differing(specimens: &[Specimen], printed: &str) -> Vec<(usize, String)> {
     let mut place = 0;
     let mut found: Vec<(usize, String)> = Vec::new();
@@ -59,7 +59,7 @@ pub fn shrink(
     }
 }
 
-/// What is left of a program without some of its lines, as far as it loads.
+/// Returns a program without some of its lines, if it loads.
 fn candidates(specimen: &Specimen) -> Vec<Specimen> {
     let lines: Vec<&str> = specimen.source.lines().collect();
     let without = |gone: &dyn Fn(usize) -> bool| {

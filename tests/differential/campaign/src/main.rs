@@ -14,14 +14,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use std::{env, fs, io};
 
-/// Where the figures of the campaign are kept, and of that with mass.
+/// Files of the figures of both campaigns.
 const FIGURES: &str = "figures";
 const HEAVY_FIGURES: &str = "figures-mass";
 
-/// How many programs are compiled at once.
+/// Programs per build.
 const BATCH: u64 = 1000;
 
-/// What every program goes through.
+/// Runs of every program.
 const EFFORT: Effort = Effort {
     runs: 2,
     cycles: 8_000,
@@ -30,7 +30,7 @@ const EFFORT: Effort = Effort {
     heavy_cycles: 100,
 };
 
-/// What every program of a walking robot goes through in the campaign with mass.
+/// Runs of every program of a walking robot in the campaign with mass.
 const HEAVY: Effort = Effort {
     runs: 0,
     cycles: 0,

@@ -1,4 +1,4 @@
-//! What is done already: a file of figures for each batch, so that a stopped campaign goes on where it was.
+//! Finished batches: a file of figures for each, so that a stopped campaign can continue.
 
 use lockstep::Figures;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use std::{fs, io};
 pub struct Progress(pub PathBuf);
 
 impl Progress {
-    /// Whether a batch is done.
+    /// Returns true if a batch is done.
     pub fn has(&self, batch: u64) -> bool {
         self.file(batch).exists()
     }
@@ -49,7 +49,7 @@ impl Progress {
     }
 }
 
-/// How long `left` batches will take if `done` took so long.
+/// Returns the estimated time of `left` batches if `done` took this long.
 pub fn time_left(elapsed: Duration, done: u32, left: u32) -> String {
     let minutes = (elapsed / done.max(1))
         .saturating_mul(left)

@@ -13,7 +13,7 @@ const EFFORT: Effort = Effort {
     heavy_cycles: 10,
 };
 
-/// What is wrong with the code, a word that the shrunk program must keep, and the most lines that it may have.
+/// A planted fault, a word that the shrunk program must keep, and its maximum number of lines.
 const FAULTS: &[(Tamper, &str, usize)] = &[
     (|code| code.replace("ops :: sub (", "ops :: add ("), "-", 8),
     (

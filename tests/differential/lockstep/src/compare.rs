@@ -15,13 +15,13 @@ use tip_sim::{Inputs, Plant, Robot};
 /// A run that both engines agree about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// How many cycles were compared.
+    /// Number of cycles that were compared.
     pub cycles: u64,
     /// The command or the error that ended it, or `LIMIT`.
     pub end: String,
     /// Everything that it did.
     pub hash: u64,
-    /// How often each step came to its end.
+    /// Number of times that each step ended.
     pub visits: Vec<u64>,
 }
 
@@ -103,7 +103,7 @@ fn verdict(compared: Compared, visits: Visits) -> Verdict {
     })
 }
 
-/// How often each step came to its end.
+/// Number of times that each step ended.
 struct Visits(Vec<u64>);
 
 impl Scout for Visits {

@@ -1,4 +1,4 @@
-//! What was compared, counted.
+//! Counts of what was compared.
 
 use crate::compare::Run;
 use std::collections::BTreeMap;
@@ -83,7 +83,7 @@ fn kind_of_end(end: &str) -> &str {
         .unwrap_or(end)
 }
 
-/// What of the language a step shows: its command, and the function, operator or flag in it.
+/// Returns the words that a step covers: its command, and the functions, operators and flags in it.
 fn features(formal: &str) -> Vec<String> {
     let fields: Vec<&str> = formal.split('\t').collect();
     let first = fields.first().copied().unwrap_or_default();

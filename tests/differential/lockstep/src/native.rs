@@ -6,7 +6,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::program::Robot;
 use tip_runtime::special::{Call, Special};
 
-/// How many more cycles the present command takes.
+/// Remaining cycles of the present command.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Native {
     left: f64,

@@ -1,4 +1,4 @@
-//! What happens around a program while it runs.
+//! Inputs of a program while it runs.
 
 use random_programs::{Random, pick};
 use tip_runtime::command::Port;
@@ -9,9 +9,9 @@ use tipc::Robot;
 /// A run's surroundings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Script {
-    /// How the robot is simulated.
+    /// Plant that simulates the robot.
     pub plant: Plant,
-    /// What happens, and the most cycles.
+    /// Events, and the maximum number of cycles.
     pub inputs: Inputs,
 }
 

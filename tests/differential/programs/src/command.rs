@@ -89,7 +89,7 @@ impl Writer {
         }
     }
 
-    /// So many constants or VARs.
+    /// Writes this many constants or VARs.
     fn plain(&mut self, command: &Command, form: Arguments, count: usize) -> String {
         let values: Vec<String> = (0..count)
             .map(|_| match self.takes_variable() {
@@ -159,7 +159,7 @@ impl Writer {
         }
     }
 
-    /// Whether variables stand in for numbers; what they hold may be out of range.
+    /// Returns true if variables stand in for numbers; what they hold may be out of range.
     fn takes_variable(&mut self) -> bool {
         self.random.once_in(if self.is_calm() { 24 } else { 5 })
     }

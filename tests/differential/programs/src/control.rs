@@ -151,7 +151,7 @@ impl Writer {
         }
     }
 
-    /// What ends a program before its time, and is therefore rare.
+    /// Writes a statement that ends a program early, and is therefore rare.
     fn rarity(&mut self) {
         let condition = self.condition();
         let wild = ["RETURN", "EXIT", "D = SQRT -1", "B = ASIN 2", "C = 1 / 0"];

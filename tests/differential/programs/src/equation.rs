@@ -2,7 +2,7 @@
 
 use crate::writer::{JOINTS, POSITIONS, Writer};
 
-/// Where a calm program's values flow: each from those after it.
+/// Order in which values flow in a calm program: each variable from those after it.
 const FLOW: &[&str] = &[
     "D", "P.X", "S.J1", "B", "P.Y", "S.J2", "C", "P.Z", "S.J3", "Q.X", "T.J1", "Q.Y", "T.J2",
     "Q.Z", "T.J3",

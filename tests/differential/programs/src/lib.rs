@@ -1,6 +1,6 @@
 //! Random motion programs: whole, valid by construction, each of a fixed seed.
 //!
-//! What a command's arguments are is read from the compiler's own table, so that a new row is used at once;
+//! The arguments of commands are read from the compiler's own table, so that a new row is used immediately;
 //! [`rust()`] compiles a batch of programs to one table of Rust for a test to run.
 
 mod command;
@@ -30,7 +30,7 @@ pub const NATIVE: [u8; 4] = [30, 31, 32, 33];
 /// A random program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Specimen {
-    /// What it follows from.
+    /// Seed and settings that determine it.
     pub seed: u64,
     /// The robot it is for.
     pub robot: Robot,
@@ -38,7 +38,7 @@ pub struct Specimen {
     pub source: String,
 }
 
-/// How careful a program is.
+/// Carefulness of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Temper {
     /// Its equations never feed on themselves and its numbers are in range: it runs for long.

@@ -4,7 +4,7 @@ use crate::writer::Writer;
 use tip_runtime::model::{Family, Range, generic, hand, titan8};
 use tipc::language::commands::{Command, Limit};
 
-/// Where feet and fingers begin: mm.
+/// Initial positions of feet and fingers, mm.
 const FEET: [[f64; 3]; 4] = [
     [-391.0, 201.0, -200.0],
     [391.0, 201.0, -200.0],
@@ -57,7 +57,7 @@ impl Writer {
         self.robot.signature().family == Family::Hand
     }
 
-    /// What is neither much nor little of a unit on this robot.
+    /// Returns a moderate amount of a unit on this robot.
     fn size(&self, unit: &str) -> f64 {
         match unit {
             "mm" => 8.0,
@@ -71,7 +71,7 @@ impl Writer {
         }
     }
 
-    /// Where a target begins, in the unit of the command: a foot's position, or a leg's or joint's angles.
+    /// Returns the start of a target in the unit of the command: a foot's position, or a leg's or joint's angles.
     pub(crate) fn home(&self, unit: &str, target: &str) -> Option<Vec<f64>> {
         let mut digits = target
             .bytes()

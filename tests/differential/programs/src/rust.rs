@@ -91,7 +91,7 @@ fn without_extras(tokens: TokenStream) -> TokenStream {
     kept.into_iter().collect()
 }
 
-/// Whether it is an attribute of this name, without its `#`.
+/// Returns true if it is an attribute of this name, without its `#`.
 fn is_attribute(group: &Group, name: &str) -> bool {
     let first = group.stream().into_iter().next();
     group.delimiter() == Delimiter::Bracket && first.is_some_and(|tree| tree.to_string() == name)

@@ -12,7 +12,7 @@ pub(crate) const COUNTERS: &[&str] = &["I", "K"];
 pub(crate) const POSITIONS: &[&str] = &["P", "Q"];
 pub(crate) const JOINTS: &[&str] = &["S", "T"];
 
-/// How deep blocks nest.
+/// Maximum depth of blocks.
 pub(crate) const DEPTH: usize = COUNTERS.len();
 
 pub(crate) struct Writer {
@@ -21,7 +21,7 @@ pub(crate) struct Writer {
     pub(crate) temper: Temper,
     text: String,
     labels: u32,
-    /// How many blocks are open.
+    /// Number of open blocks.
     pub(crate) depth: usize,
     pub(crate) subroutines: u64,
     /// GOTO may not leave a SUBROUTINE, RETURN belongs in one.

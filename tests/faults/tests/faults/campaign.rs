@@ -19,7 +19,7 @@ const STRIDE: usize = 5;
 /// Place and fault, as the table names them.
 pub(crate) type Name = (&'static str, &'static str);
 
-/// What became of the trials of one fault at one place.
+/// Outcomes of the trials of one fault at one place.
 #[derive(Default)]
 pub(crate) struct Cell {
     pub(crate) trials: usize,
@@ -27,7 +27,7 @@ pub(crate) struct Cell {
     pub(crate) outcomes: BTreeSet<String>,
 }
 
-/// What was seen of one robot.
+/// Observations of one robot.
 pub(crate) type Seen = BTreeMap<Name, Cell>;
 
 /// A robot and a healthy run of its program.

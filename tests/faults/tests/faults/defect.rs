@@ -1,8 +1,8 @@
-//! What can go wrong.
+//! Kinds of defects.
 
 use crate::place::Place;
 
-/// What a broken sensor reads from then on.
+/// Reading of a broken sensor from then on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Reading {
     NotANumber,
@@ -11,7 +11,7 @@ pub(crate) enum Reading {
     Absurd(f64),
     /// One degree beyond what the potentiometer can read, above (1) or below (-1). Angles only.
     JustBeyond(f64),
-    /// What it read last.
+    /// Last reading.
     Stuck,
 }
 

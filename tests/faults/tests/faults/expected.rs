@@ -1,4 +1,4 @@
-//! What has to happen on a fault, by the language reference (2.22, 2.23, 2.24, 7.40, 8.1).
+//! Required reaction to a fault, by the language reference (2.22, 2.23, 2.24, 7.40, 8.1).
 
 use crate::defect::{Defect, Reading};
 use crate::place::Place;
@@ -102,7 +102,7 @@ impl Expected {
         }
     }
 
-    /// What the table says of an outcome that is allowed. An END before the fault could show says nothing.
+    /// Returns the table's text for an allowed outcome. An END before the fault could show is left out.
     pub(crate) fn tell(self, outcome: Outcome) -> Option<String> {
         let fault = match outcome {
             Outcome::Stops { fault, .. } => format!("`{}`", any_number(&fault.to_string())),

@@ -61,7 +61,7 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Faulty<H, L, J> {
         };
     }
 
-    /// What holds of every command that is sent, whatever went wrong.
+    /// Checks that hold for every command that is sent, whatever the fault.
     fn require_within_limits(&self, outputs: &Outputs<L, J>) {
         let joints = self.model.legs.iter().flat_map(|leg| &leg.joints);
         for (joint, command) in joints.zip(outputs.joints.iter().flatten()) {

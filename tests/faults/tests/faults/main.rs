@@ -24,10 +24,10 @@ tip_macros::include_tip!("motions/hand.prg", robot = hand);
 /// prime as well.
 const PACE: usize = 11;
 
-/// The same for robots with mass.
+/// The campaign for robots with mass.
 const HEAVY_PACE: usize = 3;
 
-/// What the campaign of files writes.
+/// Output of the campaign of files.
 const OTHER_HALF: &str = "\n## Files and Ctrl-C\n";
 
 /// A robot with its program, and the campaign on it.
@@ -44,7 +44,7 @@ fn compiled_titan() -> Seen {
     Campaign::new(&titan8::MODEL, Titan::new(), plant, (), PACE).run()
 }
 
-/// With mass, which takes longer to compute.
+/// Robots with mass, which take longer to compute.
 fn heavy_titan() -> Seen {
     let plant = DynamicPlant::new(&titan8::MODEL);
     let script = Script::new(&titan8::MODEL, script::TITAN);

@@ -1,4 +1,4 @@
-//! Where a sensor can go wrong.
+//! Places of sensor faults.
 
 use tip_runtime::command::Port;
 use tip_runtime::hardware::Sensors;
@@ -37,7 +37,7 @@ impl Place {
         }
     }
 
-    /// What the table calls it.
+    /// Returns its name in the table.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Place::Angle(..) => "joint angle",

@@ -98,7 +98,7 @@ fn relative<const N: usize>(
     order(cx, op, target, values.map(Value::Relative))
 }
 
-/// What the step says that reads the inputs; a compiled program says it before.
+/// Message of the step that reads the inputs; a compiled program says it earlier.
 pub(crate) const INPUTS_READ: &str = "inputs read";
 
 /// Reads every input of a robot with `L` legs, of which `SOLES` have a sole.

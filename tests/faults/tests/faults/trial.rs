@@ -16,7 +16,7 @@ pub(crate) type Bench<P, H, S, const L: usize, const J: usize> =
 /// program is over comes to rest.
 pub(crate) const PATIENCE: usize = 150;
 
-/// What became of a run. Cycles count from that in which the fault broke in.
+/// Outcome of a run. Cycles count from that in which the fault occurred.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
     /// Emergency stop.
@@ -83,7 +83,7 @@ fn break_in<P, H, S, const L: usize, const J: usize>(
     }
 }
 
-/// What holds for every emergency stop: the robot is stopped in each cycle and receives no other command; it is
+/// Checks of every emergency stop: the robot is stopped in each cycle and receives no other command; it is
 /// reported once; joints stay where they can.
 fn stopped<P, H, S, const L: usize, const J: usize>(
     mut machine: Bench<P, H, S, L, J>,

@@ -41,7 +41,7 @@ RETURN
 END
 ";
 
-/// What a client sends before it sends anything else.
+/// First messages of a client.
 const BEGIN: [&str; 3] = [
     r#"{"seq":1,"type":"request","command":"initialize","arguments":{"adapterID":"tip","supportsProgressReporting":true,"supportsInvalidatedEvent":true}}"#,
     r#"{"seq":2,"type":"request","command":"launch","arguments":{"program":"debugged.prg","stopOnEntry":true}}"#,
@@ -78,7 +78,7 @@ impl Host for OneProgram {
 /// No message stops the adapter, and all that it sends are messages.
 ///
 /// # Panics
-/// What it sends is no message.
+/// Error for output that is no message.
 pub fn examine(bytes: &[u8]) {
     let mut session = Session::new(OneProgram);
     let begin = BEGIN.iter().map(|message| message.as_bytes());

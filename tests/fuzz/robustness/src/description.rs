@@ -33,7 +33,7 @@ pub fn examine(bytes: &[u8]) {
     }
 }
 
-/// Whether the runtime takes the robot for one.
+/// Check that the runtime accepts the robot.
 struct Check;
 
 impl WithModel for Check {

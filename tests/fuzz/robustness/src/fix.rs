@@ -39,7 +39,7 @@ pub fn examine(bytes: &[u8]) {
     confirm(before, &options);
 }
 
-/// How many errors there are, but for those that `before` could not have had: without whole blocks, the use of variables
+/// Returns the number of errors, without those that `before` could not have had: without whole blocks, the use of variables
 /// is not judged.
 fn errors(loaded: &Loaded, before: &Loaded) -> usize {
     let is_broken = before
@@ -54,7 +54,7 @@ fn errors(loaded: &Loaded, before: &Loaded) -> usize {
     errors.filter(|it| could_be(it.code)).count()
 }
 
-/// How many of the errors that were fixed had been found before; the others hid behind those of their lines, and
+/// Returns how many of the fixed errors had been found before; the others hid behind those of their lines, and
 /// have their like elsewhere: on another line or, where a fix has moved lines, in another column.
 fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
     let lines_stay = before.source.line_count() == after.source.line_count();
@@ -77,7 +77,7 @@ fn seen_before(applied: &[Applied], before: &Loaded, after: &Loaded) -> usize {
     seen.count()
 }
 
-/// Whether what was fixed hid the rest of the program.
+/// Returns true if what was fixed hid the rest of the program.
 fn shows_more(applied: &Applied) -> bool {
     matches!(
         applied.finding.reason,

@@ -18,7 +18,7 @@ pub fn examine(bytes: &[u8]) {
 /// The formatted bytes of a program, for the first robot that it is for.
 ///
 /// # Panics
-/// As [`examine`].
+/// Examines as [`examine`] does.
 pub fn for_some_robot(bytes: &[u8], encoding: Encoding) -> Option<Vec<u8>> {
     Robot::ALL.iter().find_map(|robot| {
         let options = Options {
@@ -33,7 +33,7 @@ pub fn for_some_robot(bytes: &[u8], encoding: Encoding) -> Option<Vec<u8>> {
 /// The formatted bytes of a program that can be formatted.
 ///
 /// # Panics
-/// As [`examine`].
+/// Examines as [`examine`] does.
 pub fn formatted(bytes: &[u8], options: &Options) -> Option<Vec<u8>> {
     let seen = String::from_utf8_lossy(bytes);
     match format("random.prg", bytes, options) {

@@ -1,4 +1,4 @@
-//! What must hold of any bytes, one file for each reader of the outside's files. The fuzzer of `tests/fuzz` finds the
+//! Properties that hold for any bytes, one file for each reader of outside files. The fuzzer of `tests/fuzz` finds the
 //! bytes; the test `fuzz` tries those that it found before.
 #![forbid(unsafe_code)]
 

@@ -10,7 +10,7 @@ use tipc::{Options, Robot, load};
 /// Loads the bytes for each robot.
 ///
 /// # Panics
-/// What the compiler says of them cannot be true.
+/// Contradiction in the compiler's answer.
 pub fn examine(bytes: &[u8]) {
     for robot in Robot::ALL {
         let options = Options {

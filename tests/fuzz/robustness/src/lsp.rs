@@ -30,7 +30,7 @@ use tipc::diagnostic::Diagnostic;
 use tipc::message::Lang;
 use tipc::{Options, Robot};
 
-/// What is around a program where there are no files.
+/// Surroundings of a program where there are no files.
 struct Nowhere;
 
 impl Surroundings for Nowhere {

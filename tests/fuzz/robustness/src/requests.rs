@@ -39,7 +39,7 @@ pub fn examine(bytes: &[u8]) {
     assert_eq!(once.cycles, session.cycles());
 }
 
-/// What bytes spell, with LF between lines.
+/// Returns the text of the bytes, with LF between lines.
 fn spelled(bytes: &[u8], encoding: Encoding) -> String {
     let (source, _) = Source::decode("a.prg", bytes, encoding);
     source.text().replace("\r\n", "\n").replace('\r', "\n")
@@ -59,7 +59,7 @@ impl Host for Memory {
     }
 }
 
-/// What a viewer knows.
+/// State of a viewer.
 #[derive(Default)]
 struct Seen {
     viewer: Viewer,

@@ -10,7 +10,7 @@ use tip_runtime::special::hand::HandSpecials;
 use tip_sim::{Interpreter, Limit, Robot, Run};
 use tipc::load;
 
-/// How many cycles a program gets, and what happens in them.
+/// Number of cycles of a program, and its events.
 const LIMIT: Limit = Limit::cycles(200);
 const EVENTS: &str = "3:key A, 10:key 1, 40:key 0x20, 90:key 0x0D, 150:halt";
 /// The same for robots with mass, which take a hundred times as long.

@@ -1,4 +1,4 @@
-//! What reaches a terminal: nothing in it acts, and what does not act stays as it is.
+//! Output to a terminal: control characters are escaped, and other text is unchanged.
 
 use std::fmt::{self, Display, Formatter, Write};
 use tip_runtime::printable::{Printable, acts};

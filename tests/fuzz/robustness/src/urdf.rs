@@ -8,7 +8,7 @@ use tip_sim::urdf::{export, import};
 /// Imports the bytes, bad ones replaced as the command line does.
 ///
 /// # Panics
-/// What comes of them is no description, or what is exported of that is none, or there is no reason.
+/// An import without description or reason, or an export that is no URDF.
 pub fn examine(bytes: &[u8]) {
     match import("random.urdf", &String::from_utf8_lossy(bytes)) {
         Ok(found) => {

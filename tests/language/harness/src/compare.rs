@@ -3,7 +3,7 @@
 /// The line of an expectation that stands for any number of records.
 const ANY: &str = "...";
 
-/// Whether `actual` has the records of `expected`, where `...` stands for any number of them, and `*`
+/// Compares `actual` with the records of `expected`, where `...` stands for any number of them, and `*`
 /// in the place of a cycle, or of their number, for any.
 ///
 /// # Errors
@@ -51,7 +51,7 @@ fn after_anywhere<'a, 'b>(
         .ok_or_else(|| difference("nowhere found", part, actual))
 }
 
-/// What follows the records of `part` at the start of `actual`.
+/// Returns the records after `part` at the start of `actual`.
 fn after_prefix<'a, 'b>(part: &[&'b str], actual: &'a [&'b str]) -> Option<&'a [&'b str]> {
     let (start, rest) = actual.split_at_checked(part.len())?;
     let same = part.iter().zip(start).all(|(a, b)| is_record(a, b));
@@ -67,7 +67,7 @@ fn is_record(expected: &str, actual: &str) -> bool {
     any_cycle.unwrap_or(expected == actual)
 }
 
-/// What was expected and what is there, from the first line that differs.
+/// Returns the expected and the actual records from the first line that differs.
 fn difference(place: &str, expected: &[&str], actual: &[&str]) -> String {
     let same = expected
         .iter()

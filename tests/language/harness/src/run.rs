@@ -29,7 +29,7 @@ pub fn run(program: impl Program + Clone + 'static, settings: &Settings) -> Resu
 /// The trace of the interpreter, while generated code does the same in lock-step.
 ///
 /// # Errors
-/// As [`run`]; or they differ.
+/// Runs as [`run`] does, in both engines, which must agree.
 pub fn both(
     program: tipc::program::Program,
     compiled: Engine,
@@ -75,7 +75,7 @@ fn differ(divergence: &Divergence) -> String {
     )
 }
 
-/// What happens to a run, and the most cycles that its case allows.
+/// Events of a run, and the maximum number of cycles of its case.
 fn inputs(settings: &Settings) -> Result<(Inputs, u64), String> {
     let inputs: Inputs = settings.inputs.parse().map_err(text)?;
     let limit = inputs.cycles.unwrap_or(u64::MAX);

@@ -1,4 +1,4 @@
-//! Where the cases are.
+//! Search for cases.
 
 use std::fs;
 use std::path::{Path, PathBuf};

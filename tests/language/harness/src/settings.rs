@@ -1,4 +1,4 @@
-//! What happens around a program while it runs: the options of the command line, as a case's header has them.
+//! Settings of a case: the options of the command line, in a case's header.
 #![expect(
     clippy::disallowed_methods,
     reason = "a case may stand beside the description of its robot"
@@ -13,18 +13,18 @@ use tipc::render;
 use tipc::source::Encoding;
 use tipc::{Options, Robot};
 
-/// How a program is loaded and run.
+/// Settings for loading and running a program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Settings {
-    /// How the program is loaded.
+    /// Options of the loader.
     pub load: Options,
     /// The robot, if a file beside the case describes it.
     pub description: Option<Description>,
-    /// What happens around it while it runs, as `tip_sim::Inputs` reads it.
+    /// Inputs during the run, as `tip_sim::Inputs` reads them.
     pub inputs: String,
-    /// What surrounds the robot, by its name.
+    /// Name of the scene.
     pub scene: Option<String>,
-    /// Whether the robot is simulated with mass.
+    /// True if the robot is simulated with mass.
     pub has_mass: bool,
 }
 
@@ -58,7 +58,7 @@ impl Settings {
         Ok(robots.into_iter().map(on).collect())
     }
 
-    /// What the generated code of a case for this robot is found by.
+    /// Key of the generated code of a case for this robot.
     pub fn key(&self, case: &str) -> String {
         format!("{case} on {}", self.load.robot.name())
     }

@@ -1,4 +1,4 @@
-//! What stops a program, many times over: each line that asks for its own number is a fault of its own.
+//! Runtime faults, many per file: each line that asks for its own number is a fault of its own.
 //!
 //! A fault ends a run, so a program that shows many of them is run once for each. The knob VR1 reads the number of
 //! the line that is wanted, from the first cycle on; the program reads it and jumps over every other line:

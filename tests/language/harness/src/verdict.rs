@@ -1,4 +1,4 @@
-//! Whether a case holds.
+//! Judgement of a case.
 #![expect(clippy::disallowed_methods, reason = "tests read their cases")]
 
 use crate::clauses;
@@ -128,7 +128,7 @@ fn without_state(record: &str) -> String {
     }
 }
 
-/// What a case expects.
+/// Expected result of a case.
 struct Expectation {
     text: String,
     /// One for each robot.

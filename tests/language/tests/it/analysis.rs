@@ -1,4 +1,4 @@
-//! What the compiler says about programs without running them, against what their runs do.
+//! Results of the analysis against runs.
 
 mod assignment;
 mod cycles;

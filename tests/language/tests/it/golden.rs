@@ -1,4 +1,4 @@
-//! What generated files look like. The files in `golden` are compiled here as they stand, with every warning denied;
+//! Golden output. The files in `golden` are compiled here as they stand, with every warning denied;
 //! a test of `tip-harness` holds the compiler to them.
 #![deny(warnings, missing_docs)]
 #![allow(unreachable_pub, reason = "nothing of a test can be reached")]

@@ -1,4 +1,4 @@
-//! What a host does with a program: it puts it on a simulated robot by its type alone, and reads and sets its
+//! A host's use of a program: it puts it on a simulated robot by its type alone, and reads and sets its
 //! variables between control cycles. Both engines answer alike.
 
 use tip_runtime::machine::{Machine, Simulated, Status};

@@ -37,7 +37,7 @@ impl Outside {
         succeeded(&self.run(arguments), arguments)
     }
 
-    /// What it says to a build that must fail.
+    /// Expected error of a build that must fail.
     fn refused(&self, arguments: &str) -> String {
         let output = self.run(arguments);
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -59,7 +59,7 @@ impl Outside {
     }
 }
 
-/// What it printed.
+/// Output of the build.
 fn succeeded(output: &Output, what: &str) -> String {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(
@@ -78,7 +78,7 @@ fn succeeded(output: &Output, what: &str) -> String {
 mod without_std {
     use super::*;
 
-    /// What no symbol may be named of a program without panics and without a heap.
+    /// Symbols that a program without panics and heap must not have.
     const FORBIDDEN: [&str; 5] = [
         "core9panicking",
         "rust_begin_unwind",

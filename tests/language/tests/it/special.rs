@@ -158,7 +158,7 @@ END
     robot = hand
 );
 
-/// What a console was asked to draw: graph, and number of bars.
+/// Bar graphs that a console was asked to draw: graph, and number of bars.
 #[derive(Debug, Default)]
 struct Canvas(Vec<(u8, usize)>);
 

@@ -11,7 +11,7 @@ use tip_lint::listing;
 use tipc::source::Encoding;
 use tipc::{Options, load};
 
-/// How many random programs are formatted if nothing else is asked for.
+/// Default number of random programs.
 const PROGRAMS: u64 = 300;
 
 /// The programs in a folder and below it.
@@ -43,7 +43,7 @@ fn every_program_of_the_project_stays_the_same() {
     assert!(formatted > 800, "{formatted} programs load");
 }
 
-/// What people copy is in the style.
+/// Checks that programs which people copy are in the style.
 #[test]
 fn the_examples_are_formatted() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
@@ -61,7 +61,7 @@ fn the_examples_are_formatted() {
     }
 }
 
-/// Those of the random programs.
+/// Random programs.
 fn seeds() -> Range<u64> {
     let asked = env::var("TIP_PROGRAMS").ok();
     0..asked.map_or(PROGRAMS, |count| count.parse().expect("a number"))

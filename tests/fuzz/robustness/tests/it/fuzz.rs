@@ -1,4 +1,4 @@
-//! What the fuzzer of the folder `tests/fuzz` found, tried again: each file of its corpora and of its former crashers.
+//! Inputs that the fuzzer of `tests/fuzz` found: each file of its corpora and of its former crashers.
 
 mod damaged;
 mod dictionaries;

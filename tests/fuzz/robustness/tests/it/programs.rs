@@ -261,7 +261,7 @@ fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     changed
 }
 
-/// How many lines a long program has. How time grows with the length, `benches/compiler` measures.
+/// Lines of a long program. `benches/compiler` measures growth with the length.
 const LONG: usize = 20_000;
 
 fn lines(count: usize, line: impl Fn(usize) -> String) -> String {

@@ -6,7 +6,7 @@ use tip_sim::search;
 pub(crate) struct Random(search::Random);
 
 impl Random {
-    /// The same seed gives the same numbers.
+    /// Generator whose numbers depend on the seed only.
     pub(crate) const fn new(seed: u64) -> Self {
         Random(search::Random::new(seed))
     }

@@ -1,4 +1,4 @@
-//! What generated files look like, to the byte. The test `golden` of `tip-tests` compiles the files in `golden`; after
+//! Golden output, to the byte. The test `golden` of `tip-tests` compiles the files in `golden`; after
 //! a wanted change `TIP_BLESS=1` writes them anew, for a person to read.
 #![expect(clippy::disallowed_methods, reason = "goldens are files")]
 

@@ -1,4 +1,4 @@
-//! What is said about reads, against all runs.
+//! Verdicts on reads, against all runs.
 
 use crate::analysis::programs::{RUNS, Runnable, all};
 use tipc::analysis::assignment::{Assigned, Assignment, Read};

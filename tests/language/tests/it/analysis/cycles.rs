@@ -38,7 +38,7 @@ struct Frame {
     waits_at: Option<StepId>,
 }
 
-/// What runs of one program took.
+/// Durations of the runs of one program.
 struct Measured<'a> {
     program: &'a Program,
     name: &'a str,

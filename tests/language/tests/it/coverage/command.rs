@@ -13,16 +13,16 @@ use tipc::syntax::Operand;
 pub struct Statement<'a> {
     /// The robot.
     pub robot: Robot,
-    /// What the program declares.
+    /// Declarations of the program.
     pub names: &'a Names,
     /// The arguments up to the first malformed one.
     pub arguments: &'a [Operand],
-    /// Whether there is a malformed one.
+    /// True if there is a malformed one.
     pub malformed: bool,
 }
 
 impl Statement<'_> {
-    /// Whether the statement is written in this form.
+    /// Returns true if the statement is written in this form.
     pub fn shows(&self, form: &Form) -> bool {
         let written = self.written(form);
         written.is_flagged_as(form)
@@ -30,7 +30,7 @@ impl Statement<'_> {
             && written.misfits(form, self.robot).is_empty()
     }
 
-    /// What a diagnostic says about this form, if the statement is the form except for one mistake.
+    /// Returns the meaning of a diagnostic for this form, if the statement is the form except for one mistake.
     pub fn refusal(&self, form: &Form, code: Code) -> Option<Outcome> {
         match code {
             Code::Argument => self.mistake(form),

@@ -18,7 +18,7 @@ pub struct Form {
     pub head: Option<Head>,
     /// `R` or `A` before a value.
     pub flag: Option<&'static str>,
-    /// What follows the head.
+    /// Arguments after the name.
     pub values: Vec<Slot>,
 }
 
@@ -165,19 +165,19 @@ impl Form {
         words.collect::<Vec<_>>().join(" ")
     }
 
-    /// How many arguments it has, flags not counted.
+    /// Returns the number of arguments, without flags.
     pub fn length(&self) -> usize {
         usize::from(self.head.is_some()) + self.values.len()
     }
 
-    /// Whether any value is read.
+    /// Returns true if any value is read.
     pub fn reads(&self) -> bool {
         use Slot::{Joint, Plain, Pos, Scalar};
         let reads = |slot: &Slot| matches!(slot, Scalar | Plain | Pos | Joint);
         self.values.iter().any(reads)
     }
 
-    /// Whether a constant can stand among the values that are read.
+    /// Returns true if a constant can stand among the values that are read.
     pub fn takes_constants(&self) -> bool {
         let takes = |slot: &Slot| matches!(slot, Slot::Scalar | Slot::Plain);
         self.values.iter().any(takes)
@@ -191,18 +191,18 @@ impl Form {
         }
     }
 
-    /// Whether R, A and HS are flags here.
+    /// Returns true if R, A and HS are flags here.
     pub fn is_motion(&self) -> bool {
         self.arguments().is_some_and(|arguments| arguments.motion)
     }
 
-    /// Whether the command refuses some values at runtime.
+    /// Returns true if the command refuses some values at runtime.
     pub fn has_limit(&self) -> bool {
         let limited = |arguments: Arguments| arguments.limit != Limit::Any;
         self.arguments().is_some_and(limited)
     }
 
-    /// What the robot carries out.
+    /// Returns the words that the robot carries out.
     pub fn op(&self) -> Option<Op> {
         match self.command.meaning {
             Meaning::Robot(op) => Some(op),
@@ -250,7 +250,7 @@ fn value_lists(values: Values, head: Option<Head>) -> Vec<Vec<Slot>> {
 }
 
 impl Head {
-    /// As the table writes it.
+    /// Returns its spelling in the table.
     pub const fn text(self) -> &'static str {
         match self {
             Head::Foot => "F",
@@ -265,7 +265,7 @@ impl Head {
         }
     }
 
-    /// Whether a word is of this sort, on whatever robot.
+    /// Returns true if a word is of this sort, on whatever robot.
     pub fn names(self, word: &str) -> bool {
         let numbered = |prefix| {
             let digits = word.strip_prefix(prefix).map(str::as_bytes);
@@ -280,7 +280,7 @@ impl Head {
         }
     }
 
-    /// Whether a robot has what a word of this sort names.
+    /// Returns true if a robot has what a word of this sort names.
     pub fn names_on(self, word: &str, robot: Robot) -> bool {
         let signature = robot.signature();
         let digit = word.as_bytes().last().map_or(0, |digit| digit - b'0');
@@ -296,7 +296,7 @@ impl Head {
         self.names(word) && self.is_on(robot) && stands
     }
 
-    /// Whether a robot has anything of this sort ([7.2], [7.21], [7.32]).
+    /// Returns true if a robot has anything of this sort ([7.2], [7.21], [7.32]).
     pub fn is_on(self, robot: Robot) -> bool {
         let family = robot.signature().family;
         match self {
@@ -307,7 +307,7 @@ impl Head {
         }
     }
 
-    /// Whether it has a number, which may be one that a robot lacks.
+    /// Returns true if it has a number, which may be one that a robot lacks.
     pub const fn is_numbered(self) -> bool {
         !matches!(self, Head::All | Head::Floor | Head::Antenna)
     }

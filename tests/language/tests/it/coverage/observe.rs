@@ -1,4 +1,4 @@
-//! What the cases show: each is loaded, those that run are run, and each statement is found in the table.
+//! Observations of the cases: each is loaded, those that run are run, and each statement is found in the table.
 
 use super::command::Statement;
 use super::outcome::Outcome;
@@ -102,7 +102,7 @@ impl Case {
         }
     }
 
-    /// What a diagnostic is about.
+    /// Returns the subject of a diagnostic.
     fn refused(&self, rows: &[Row], diagnostic: &Diagnostic) -> Vec<(usize, Outcome)> {
         let code = diagnostic.code;
         let general = Outcome::of_code(code).or(match code {
@@ -161,7 +161,7 @@ impl Case {
         self.module.statements.iter().rev().find(holds)
     }
 
-    /// What happened to the steps of a run.
+    /// Outcomes of the steps of a run.
     fn ran(&self, rows: &[Row], settings: &Settings) -> Vec<(usize, Outcome)> {
         let Some(program) = self.loaded.program.clone() else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! What can happen to a statement: it runs, it is refused, or it stops the program.
+//! Outcomes of a statement: it runs, it is refused, or it stops the program.
 
 use tipc::code::Code;
 
@@ -54,7 +54,7 @@ outcomes! {
 }
 
 impl Outcome {
-    /// What a diagnostic of the compiler means, whatever the statement; `None` if that depends on it.
+    /// Returns the meaning of a compiler diagnostic, whatever the statement; `None` if that depends on it.
     pub const fn of_code(code: Code) -> Option<Outcome> {
         Some(match code {
             Code::Format => Outcome::Format,
@@ -72,7 +72,7 @@ impl Outcome {
         })
     }
 
-    /// Whether it may befall any statement, and says something about those alone that the rules name: a foreign
+    /// Returns true if it may befall any statement, and says something about those alone that the rules name: a foreign
     /// character, or a fault of the robot.
     pub const fn is_anywhere(self) -> bool {
         matches!(
@@ -81,7 +81,7 @@ impl Outcome {
         )
     }
 
-    /// What an emergency's message means; `None` for those that no statement makes.
+    /// Returns the meaning of an emergency's message; `None` for those that no statement makes.
     pub fn of_emergency(message: &str) -> Option<Outcome> {
         Some(match message {
             "Domain error" => Outcome::Domain,

@@ -42,7 +42,7 @@ impl Row {
         rows
     }
 
-    /// Whether it is only a part of statements, of which other parts may fail.
+    /// Returns true if it is only a part of statements, of which other parts may fail.
     pub fn is_part(&self) -> bool {
         [sentence::CONDITION, sentence::NATIVE].contains(&self.name())
     }
@@ -55,7 +55,7 @@ impl Row {
         }
     }
 
-    /// What follows the name.
+    /// Returns the part after the name.
     pub fn text(&self) -> String {
         match self {
             Row::Command(form) => form.text(),
@@ -63,7 +63,7 @@ impl Row {
         }
     }
 
-    /// Whether a statement of this form can come to an outcome on a robot; if not, why.
+    /// Returns the possibility of an outcome for a statement of this form on a robot.
     pub fn possible(&self, robot: Robot, outcome: Outcome) -> Possible {
         match self {
             Row::Command(form) => rule::of_command(form, robot, outcome),

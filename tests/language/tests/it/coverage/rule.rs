@@ -1,4 +1,4 @@
-//! What can happen to a statement: rules over the table of commands, never over what a case shows.
+//! Possible outcomes of a statement: rules over the table of commands, never over what a case shows.
 
 use super::form::{Form, Head};
 use super::outcome::Outcome;
@@ -9,14 +9,14 @@ use tip_runtime::model::Family;
 use tipc::Robot;
 use tipc::language::commands::{self, Command, Robots};
 
-/// That something can happen, or why it cannot, in a word.
+/// Possibility of an outcome, or the reason against it, in a word.
 pub type Possible = Result<(), &'static str>;
 
 fn rule(holds: bool, why: &'static str) -> Possible {
     if holds { Ok(()) } else { Err(why) }
 }
 
-/// Whether a statement of this form can come to an outcome on a robot; if not, why.
+/// Returns the possibility of an outcome for a statement of this form on a robot.
 pub fn of_command(form: &Form, robot: Robot, outcome: Outcome) -> Possible {
     let has_command = form.command.robots.contains(robot);
     if outcome == Outcome::UnknownCommand {
@@ -63,7 +63,7 @@ pub fn of_command(form: &Form, robot: Robot, outcome: Outcome) -> Possible {
     }
 }
 
-/// Whether the command can do with and without the last of so many arguments.
+/// Returns true if the command can do with and without the last of so many arguments.
 pub fn is_optional(form: &Form, count: usize) -> bool {
     match form.command.form {
         commands::Form::KeyIn => count == 1,
@@ -72,7 +72,7 @@ pub fn is_optional(form: &Form, count: usize) -> bool {
     }
 }
 
-/// Whether a command can fail so, as the table of commands says.
+/// Returns true if a command can fail so, as the table of commands says.
 fn fails(command: &Command, is_so: fn(&Fault) -> bool) -> bool {
     command.failures().iter().any(|(fault, _)| is_so(fault))
 }
@@ -92,7 +92,7 @@ fn limit(form: &Form, robot: Robot) -> Possible {
     rule(!several, "others turn")
 }
 
-/// Whether what a command sets off may come to a limit, but need not: torques, springs and searches end where something
+/// Returns true if what a command sets off may come to a limit, but need not: torques, springs and searches end where something
 /// stops them. A velocity goes on until it does.
 fn ends_anywhere(command: &Command) -> bool {
     let on_its_way = fails(command, |fault| matches!(fault, Fault::JointLimit(..)));
@@ -119,7 +119,7 @@ fn mode(form: &Form) -> Possible {
     rule(wants, "any mode")
 }
 
-/// Whether a statement of this form can come to an outcome on a robot; if not, why.
+/// Returns the possibility of an outcome for a statement of this form on a robot.
 pub fn of_sentence(form: &Sentence, robot: Robot, outcome: Outcome) -> Possible {
     let has = |word: &str| form.text.split(' ').any(|part| part == word);
     let name = form.name;
@@ -211,7 +211,7 @@ fn of_equation(form: &Sentence, outcome: Outcome) -> Possible {
     }
 }
 
-/// Whether a constant alone can leave the equation without a result ([4.9]).
+/// Returns true if a constant alone can leave the equation without a result ([4.9]).
 fn has_a_domain(equation: &str) -> bool {
     let Some(("S", right)) = equation.split_once(' ') else {
         return false;
@@ -222,7 +222,7 @@ fn has_a_domain(equation: &str) -> bool {
         || right.split(' ').any(|word| narrow.contains(&word))
 }
 
-/// Whether a value can be no finite number, or the function has none ([4.9]).
+/// Returns true if a value can be no finite number, or the function has none ([4.9]).
 fn can_overflow(equation: &str) -> bool {
     let mut words = equation.split(' ').skip(1);
     let update = words.next().unwrap_or_default();

@@ -10,15 +10,15 @@ use tipc::syntax::{Condition, Operand, OperandKind, Relation, StatementKind, The
 pub struct Sentence {
     /// The command, or what the statement is called.
     pub name: &'static str,
-    /// What follows the name; of the others the whole.
+    /// Part after the name; the whole for others.
     pub text: String,
 }
 
-/// What equations, conditions and labels are called.
+/// Names of equations, conditions and labels in the table.
 pub const EQUATION: &str = "equation";
 pub const CONDITION: &str = "condition";
 pub const LABEL: &str = "label";
-/// What the hand's native commands are called, which SPECIAL runs.
+/// Names of the hand's native commands, which SPECIAL runs.
 pub const NATIVE: &str = "native command";
 
 /// Their numbers ([7.48]).
@@ -171,7 +171,7 @@ fn define(kind: VariableKind) -> &'static str {
     }
 }
 
-/// Whether a place is in a statement's condition.
+/// Returns true if a place is in a statement's condition.
 pub fn condition_holds(kind: &StatementKind, place: usize) -> bool {
     use StatementKind::{ElseIf, If, Until, While};
     let (If { condition, .. }

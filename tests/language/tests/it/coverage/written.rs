@@ -9,7 +9,7 @@ use tipc::syntax::{Module, Operand, OperandKind, StatementKind, VariableKind};
 /// The declared variables of a program.
 pub type Names = HashMap<String, VariableKind>;
 
-/// What a program declares, VAR_KEY included.
+/// Declarations of a program, VAR_KEY included.
 pub fn names(module: &Module) -> Names {
     let mut names = Names::from([("VAR_KEY".to_owned(), VariableKind::Var)]);
     for statement in &module.statements {
@@ -72,7 +72,7 @@ impl Piece {
         }
     }
 
-    /// Whether it can stand where the slot is. An unknown name could be anything.
+    /// Returns true if it can stand where the slot is. An unknown name could be anything.
     pub fn fits(&self, slot: Slot) -> bool {
         let scalar = matches!(self.sort, Sort::Number | Sort::Var | Sort::Member(Some(_)));
         match slot {
@@ -117,7 +117,7 @@ pub struct Written {
     pub pieces: Vec<Piece>,
     /// `R` and `A` before values.
     pub flags: BTreeSet<String>,
-    /// Whether something after the pieces is not an argument at all.
+    /// True if something after the pieces is not an argument at all.
     pub malformed: bool,
 }
 
@@ -158,7 +158,7 @@ impl Written {
         }
     }
 
-    /// Whether HS, R and A stand as the form has them.
+    /// Returns true if HS, R and A stand as the form has them.
     pub fn is_flagged_as(&self, form: &Form) -> bool {
         let flagged = match form.flag {
             Some(flag) => self.flags.contains(flag),

@@ -9,7 +9,7 @@ use tipc::language::keywords::KEYWORDS;
 use tipc::language::reserved::motion_flags;
 use tipc::language::{flags, functions, inputs};
 
-/// What the language has beside the words of its tables.
+/// Words of the language outside its tables.
 const SIGNS: &[&str] = &[
     "3.1\n",
     "2.0\n",
@@ -57,7 +57,7 @@ const SIGNS: &[&str] = &[
     "END\n",
 ];
 
-/// What TOML has beside the keys.
+/// Words of TOML besides the keys.
 const TOML: &[&str] = &[
     "[[",
     "]]",
@@ -82,7 +82,7 @@ const TOML: &[&str] = &[
     "\n",
 ];
 
-/// What URDF has.
+/// Words of URDF.
 const URDF: &[&str] = &[
     "<robot name=\"r\">",
     "</robot>",
@@ -110,7 +110,7 @@ const URDF: &[&str] = &[
     "<?xml version=\"1.0\"?>",
 ];
 
-/// What requests to a live run have.
+/// Words of requests to a live run.
 const REQUESTS: &[&str] = &[
     "{\"do\":\"play\"}\n",
     "{\"do\":\"pause\"}\n",
