@@ -12,7 +12,7 @@ use tipc::language::reserved::RESERVED;
 
 /// Modules that spell words: the tables, the vocabulary, and the words of older editions.
 const HOMES: [&str; 3] = [
-    "tipc::language",
+    "tip-compiler::language",
     "tip-runtime::command",
     "tip-lint::migrate",
 ];
@@ -29,11 +29,11 @@ fn no_word_is_spelled_outside_its_table() {
 }
 
 #[test]
-fn the_search_reaches_the_rooms_of_all_crates() {
+fn the_search_reaches_the_modules_of_all_crates() {
     let sources = sources();
     for module in [
         "tip-runtime::record::json_lines",
-        "tipc::check::names",
+        "tip-compiler::check::names",
         "tip-lint::listing::object",
         "tip-macros::arguments",
         "tip-sim::run",
