@@ -139,14 +139,13 @@ pub struct Parsed {
 }
 
 impl Parsed {
-    /// Returns true if it is a program without errors.
-    pub fn loads(&self, options: &Options) -> bool {
-        let found = self.diagnostics.clone();
-        let checked = || check(&self.source, &self.module, options.robot, found);
-        let edition = self.module.edition;
-        self.is_program
-            && !self.diagnostics.have_error(edition)
-            && sound(&mut checked(), edition).is_some()
+    /// Returns the number of errors of the program on a robot.
+    pub fn errors(&self, options: &Options) -> usize {
+        let mut found = self.diagnostics.clone();
+        if self.is_program {
+            found = check(&self.source, &self.module, options.robot, found).found;
+        }
+        found.errors(self.module.edition)
     }
 }
 

@@ -24,7 +24,15 @@ const PLACES: usize = 8;
 struct Window {
     first: u32,
     text: String,
-    lines: Vec<Range<usize>>,
+    lines: Vec<Shown>,
+}
+
+/// A line of a window.
+struct Shown {
+    /// The bytes of the source.
+    span: Span,
+    /// The bytes of the window.
+    range: Range<usize>,
 }
 
 impl Window {
@@ -34,10 +42,14 @@ impl Window {
             text: String::new(),
             lines: Vec::new(),
         };
-        for line in first..=last {
+        let count = (last - first) as usize + 1;
+        for line in source.lines_from(first).take(count) {
             let start = window.text.len();
-            window.text += &printable(shown(source.line_text(line)));
-            window.lines.push(start..window.text.len());
+            window.text += &printable(shown(source.slice(line.span)));
+            window.lines.push(Shown {
+                span: line.span,
+                range: start..window.text.len(),
+            });
             window.text.push('\n');
         }
         window
@@ -45,11 +57,14 @@ impl Window {
 
     /// Where a span of the source, cut to its first line, is in the window; `None` if elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
-        let (line, _) = source.line_column(span.start);
-        let shown = self.lines.get(line.checked_sub(self.first)? as usize)?;
-        let base = source.line(line).span.start;
-        let text = source.line_text(line);
-        let place = |offset: usize| shown.start + width(text, offset.saturating_sub(base));
+        let after = self.lines.partition_point(|it| it.span.start <= span.start);
+        let line = &self.lines[after.checked_sub(1)?];
+        if after == self.lines.len() && source.start_of_line_at(span.start) != line.span.start {
+            return None;
+        }
+        let (text, shown) = (source.slice(line.span), &line.range);
+        let place =
+            |offset: usize| shown.start + width(text, offset.saturating_sub(line.span.start));
         let (start, end) = (place(span.start), place(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
