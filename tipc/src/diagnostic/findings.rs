@@ -37,8 +37,7 @@ impl Findings {
     }
 
     /// Adds those of another pass, the omitted ones among them.
-    #[cfg(feature = "build")]
-    pub(crate) fn append(&mut self, later: Findings) {
+    pub fn append(&mut self, later: Findings) {
         self.omitted.append(later.omitted);
         self.extend(later.kept);
     }
@@ -133,7 +132,6 @@ impl Omitted {
     }
 
     /// Counts others as well.
-    #[cfg(feature = "build")]
     pub(crate) fn append(&mut self, others: Omitted) {
         for (code, count) in others.0 {
             *self.0.entry(code).or_default() += count;

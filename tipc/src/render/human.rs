@@ -1,21 +1,16 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
-use super::Style;
 use super::wrap::wrapped;
+use super::{Style, printable, shown};
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
 use crate::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
-use std::fmt::Display;
 use std::ops::Range;
-use tip_runtime::printable::Printable;
 
 /// The most lines between two places that are still shown as one snippet.
 const NEAR: u32 = 30;
-/// The most bytes of a line that are shown.
-const SHOWN: usize = 4096;
-
 /// The most other places that are shown.
 const PLACES: usize = 8;
 
@@ -68,20 +63,6 @@ impl Window {
         let (start, end) = (place(span.start), place(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
-}
-
-/// The part of a line that is shown.
-fn shown(line: &str) -> &str {
-    let mut end = line.len().min(SHOWN);
-    while !line.is_char_boundary(end) {
-        end -= 1;
-    }
-    &line[..end]
-}
-
-/// As it can be shown: what could act on a terminal is an escape.
-fn printable(text: impl Display) -> String {
-    Printable::line(text).to_string()
 }
 
 /// How many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.

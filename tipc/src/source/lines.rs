@@ -101,7 +101,7 @@ impl Source {
     }
 
     /// Returns the lines from one on, counted from 1.
-    pub(crate) fn lines_from(&self, number: u32) -> Lines<'_> {
+    pub fn lines_from(&self, number: u32) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),
             at: self.line_start(number),

@@ -116,7 +116,7 @@ pub(super) fn warn(loaded: &mut Loaded, path: &Path, source: &SourceArguments, r
     robot.warn(loaded);
     let given = source.given.as_ref();
     let other = given.and_then(|(file, robot)| embedded::warning(path, file, robot));
-    loaded.add(other.into_iter().collect());
+    tip_lint::add(loaded, other.into_iter().collect());
 }
 
 /// Refuses events that cannot happen to a program on its robot.
