@@ -14,6 +14,7 @@ use tipc::emit;
 use tipc::message::Lang;
 use tipc::published;
 use tipc::source::Span;
+use tipc::{Loaded, render};
 
 /// `invoking` is the file that holds the invocation, if the compiler knows one.
 pub(crate) fn include_tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
@@ -54,14 +55,14 @@ pub(crate) fn tip(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
 
 #[cfg(feature = "robot-files")]
 pub(crate) fn include_robot(input: TokenStream, invoking: Option<&Path>) -> TokenStream {
-    use tipc::description::skeleton;
+    use tipc::description::{self, skeleton};
     match arguments::include_robot(input) {
         Ok(arguments::RobotArguments { text, spelling }) => {
             let compile = |bytes: &[u8]| {
-                let described = embed::describe(&text.value, bytes, lang());
+                let described = description::parse(&text.value, bytes);
                 described
                     .map(|description| description.to_rust(&spelling))
-                    .map_err(|errors| Failure::at(&text, errors))
+                    .map_err(|loaded| Failure::of(&text, &loaded))
             };
             on_description(&text, invoking, compile)
                 .unwrap_or_else(|failure| failure.beside(skeleton(&text.value, &spelling)))
@@ -88,17 +89,26 @@ struct Failure {
 }
 
 impl Failure {
-    fn at(literal: &Text, errors: Vec<String>) -> Self {
+    fn at(literal: &Text, error: impl Into<String>) -> Self {
         Failure {
             span: literal.span,
-            errors,
+            errors: vec![error.into()],
+        }
+    }
+
+    /// Returns the errors of a file that the literal names.
+    fn of(literal: &Text, loaded: &Loaded) -> Self {
+        let render = |error| render::plain(&loaded.source, error, lang());
+        Failure {
+            span: literal.span,
+            errors: loaded.errors().map(render).collect(),
         }
     }
 
     /// The errors, and what replaces the item that could not be made.
     fn beside(&self, skeleton: TokenStream) -> TokenStream {
         let errors = self.errors.iter();
-        let errors = errors.map(|rendered| error(self.span, &without_level(rendered)));
+        let errors = errors.map(|text| error(self.span, text));
         quote!(#(#errors)* #skeleton)
     }
 }
@@ -142,7 +152,7 @@ fn find(path: &Text, invoking: Option<&Path>) -> Result<Found, Failure> {
                 format!("{code}: {title}: {}", missing.reason)
             }
         };
-        Failure::at(path, vec![error])
+        Failure::at(path, error)
     })
 }
 
@@ -154,8 +164,8 @@ fn compiled(
     invoking: Option<&Path>,
 ) -> Result<TokenStream, Failure> {
     let compile = |load: &tipc::Options| {
-        embed(name, bytes, load, &arguments.spelling, lang())
-            .map_err(|errors| Failure::at(&arguments.text, errors))
+        embed(name, bytes, load, &arguments.spelling)
+            .map_err(|loaded| Failure::of(&arguments.text, &loaded))
     };
     match &arguments.robot_file {
         None => compile(&arguments.load),
@@ -170,15 +180,15 @@ fn compiled(
 
 #[cfg(feature = "robot-files")]
 fn described(path: &Text, description: &[u8]) -> Result<tipc::Robot, Failure> {
-    match embed::describe(&path.value, description, lang()) {
+    match tipc::description::parse(&path.value, description) {
         Ok(description) => Ok(description.robot()),
-        Err(errors) => Err(Failure::at(path, errors)),
+        Err(loaded) => Err(Failure::of(path, &loaded)),
     }
 }
 
 #[cfg(not(feature = "robot-files"))]
 fn described(path: &Text, _: &[u8]) -> Result<tipc::Robot, Failure> {
-    Err(Failure::at(path, vec![NO_ROBOT_FILES.to_owned()]))
+    Err(Failure::at(path, NO_ROBOT_FILES))
 }
 
 /// The language that errors of programs are in.
@@ -195,17 +205,6 @@ fn complaint(misuse: &Misuse) -> TokenStream {
 fn error(span: proc_macro2::Span, text: &str) -> TokenStream {
     let text = text.trim_end();
     quote_spanned!(span=> ::core::compile_error! { #text })
-}
-
-/// A rendered error without the word for it in its language, which the Rust compiler puts before it itself:
-/// `error[E205]: THEN belongs here` is `E205: THEN belongs here`.
-fn without_level(rendered: &str) -> String {
-    match rendered.split_once('[') {
-        Some((level, rest)) if level.chars().all(char::is_alphabetic) => {
-            rest.replacen("]: ", ": ", 1)
-        }
-        _ => rendered.to_owned(),
-    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,8 @@
 //! From a file to Rust items: the one road that macros and build scripts share, and the one place that opens input files.
 
-use crate::code::Level;
-#[cfg(feature = "robot-files")]
-use crate::description::{self, Description};
 use crate::emit::{self, emit};
 use crate::load::{self, Loaded, load};
-use crate::message::{Lang, Reading};
-use crate::render::{self, Style};
+use crate::message::Reading;
 use proc_macro2::TokenStream;
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -100,69 +96,41 @@ fn unreadable(error: io::Error) -> Reading {
 /// Compiles a source to the items that stand for it in a Rust crate.
 ///
 /// # Errors
-/// The source's errors, each with its place, its line and a caret, in the order of the source.
+/// Returns what was loaded, if there are errors in it.
 pub fn embed(
     name: &str,
     bytes: &[u8],
     options: &load::Options,
     spelling: &emit::Options,
-    lang: Lang,
-) -> Result<TokenStream, Vec<String>> {
+) -> Result<TokenStream, Box<Loaded>> {
     let loaded = load(name, bytes, options);
     match &loaded.program {
         Some(program) => Ok(emit(program, spelling)),
-        None => Err(errors(&loaded, lang)),
+        None => Err(Box::new(loaded)),
     }
-}
-
-/// Reads the description of a robot.
-///
-/// # Errors
-/// The description's errors, as those of a program.
-#[cfg(feature = "robot-files")]
-pub fn describe(name: &str, bytes: &[u8], lang: Lang) -> Result<Description, Vec<String>> {
-    description::parse(name, bytes).map_err(|loaded| errors(&loaded, lang))
-}
-
-fn errors(loaded: &Loaded, lang: Lang) -> Vec<String> {
-    let style = Style::default().lang(lang);
-    let diagnostics = loaded.diagnostics.iter();
-    diagnostics
-        .filter(|diagnostic| diagnostic.level() == Level::Error)
-        .map(|diagnostic| render::human(&loaded.source, diagnostic, style))
-        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const END_ONLY: &[u8] = b"3.1\nnothing to do\nEND\n";
+    use crate::code::Code;
 
     #[test]
     fn a_program_becomes_its_type() {
         let (options, spelling) = (load::Options::default(), emit::Options::default());
-        let lang = Lang::English;
-        let items = embed("motions/end_only.prg", END_ONLY, &options, &spelling, lang).unwrap();
+        let program = b"3.1\nnothing to do\nEND\n";
+        let items = embed("motions/end_only.prg", program, &options, &spelling).unwrap();
         assert!(items.to_string().contains("struct EndOnly"));
     }
 
     // clauses: 1.3
     #[test]
-    fn an_error_comes_with_its_place() {
+    fn errors_are_handed_over_as_they_were_found() {
         let (options, spelling) = (load::Options::default(), emit::Options::default());
-        for (lang, reason) in [
-            (Lang::English, "line 1 must name version 3.1"),
-            (Lang::Japanese, "1行目"),
-        ] {
-            let old = b"2.0\nold\nEND\n";
-            let errors = embed("motions/old.prg", old, &options, &spelling, lang).unwrap_err();
-            let [error] = errors.as_slice() else {
-                panic!("one error, not {errors:?}");
-            };
-            assert!(error.contains("Wrong version number"), "{error}");
-            assert!(error.contains("--> motions/old.prg:1:1"), "{error}");
-            assert!(error.contains(reason), "{error}");
-        }
+        let old = b"2.0\nold\nEND\n";
+        let loaded = embed("motions/old.prg", old, &options, &spelling).unwrap_err();
+        let codes: Vec<Code> = loaded.errors().map(|one| one.code).collect();
+        assert_eq!(codes, [Code::Version]);
+        assert_eq!(loaded.source.name(), "motions/old.prg");
     }
 }

@@ -33,7 +33,7 @@ mod tests;
 pub use error::BuildError;
 
 use crate::Robot;
-use crate::code::{Code, Level};
+use crate::code::Code;
 #[cfg(feature = "robot-files")]
 use crate::description::{self, Description};
 use crate::diagnostic::Diagnostic;
@@ -150,7 +150,7 @@ impl Config {
         self
     }
 
-    /// Compiles each program to a file of its own and reports to Cargo inputs, warnings and errors.
+    /// Compiles each program to a file of its own and reports to Cargo inputs and errors.
     ///
     /// # Errors
     /// The errors of every program that has some; a setting or file that cannot be used.
@@ -321,22 +321,16 @@ impl Report {
     }
 
     fn add_all(&mut self, loaded: &Loaded) {
-        for diagnostic in &loaded.diagnostics {
+        for diagnostic in loaded.errors() {
             self.add(&loaded.source, diagnostic);
         }
     }
 
     fn add(&mut self, source: &Source, diagnostic: &Diagnostic) {
-        let level = match diagnostic.level() {
-            Level::Warning => "warning",
-            Level::Error => {
-                let style = Style::default().lang(self.lang);
-                self.errors.push(render::human(source, diagnostic, style));
-                "error"
-            }
-        };
+        let style = Style::default().lang(self.lang);
+        self.errors.push(render::human(source, diagnostic, style));
         let line = emit::in_comment(&render::short(source, diagnostic, self.lang));
-        self.lines.push(format!("{level}={line}"));
+        self.lines.push(format!("error={line}"));
     }
 }
 

@@ -3,8 +3,6 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-#[cfg(feature = "build")]
-mod allow;
 pub mod analysis;
 mod check;
 pub mod code;
@@ -30,11 +28,9 @@ pub mod published;
 pub mod render;
 mod robot;
 pub mod source;
-mod suggest;
+pub mod suggest;
 pub mod symbols;
 pub mod syntax;
-#[cfg(feature = "build")]
-mod warn;
 
 #[cfg(feature = "build")]
 pub use generate::{BuildError, Config, compile};

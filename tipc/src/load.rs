@@ -1,11 +1,6 @@
 //! From the bytes of a file to a program, or to all that is wrong with it.
 //!
-//! Macros show errors alone: lints are not compiled for them.
-
-#[cfg(feature = "build")]
-mod doubts;
-#[cfg(feature = "build")]
-mod title;
+//! Lints belong in the crate `tip-lint`.
 
 use crate::check::{Checked, ResolvedModule, check};
 use crate::code::{Code, Level};
@@ -77,6 +72,21 @@ impl Loaded {
             omitted: Omitted::default(),
         }
     }
+
+    /// Returns the errors among the diagnostics.
+    pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
+        let diagnostics = self.diagnostics.iter();
+        diagnostics.filter(|one| one.level() == Level::Error)
+    }
+
+    /// Takes findings in, in the order of their places.
+    pub fn report(&mut self, found: Findings) {
+        let mut all = Findings::from(std::mem::take(&mut self.diagnostics));
+        all.append(found);
+        let (diagnostics, omitted) = in_order(all, self.module.edition);
+        self.diagnostics = diagnostics;
+        self.omitted.append(omitted);
+    }
 }
 
 /// Where findings stand among each other.
@@ -85,13 +95,9 @@ fn place(finding: &Diagnostic) -> (Span, Code) {
 }
 
 /// Reads, checks and lowers a program. `name` is how diagnostics call the file.
-///
-/// With the feature `build` it also finds what only an analysis of the program warns of.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
     let (mut loaded, found) = lowered(name, bytes, options);
-    #[cfg(feature = "build")]
-    let found = doubts::find(&loaded, found, bytes, options);
-    (loaded.diagnostics, loaded.omitted) = in_order(found, loaded.module.edition);
+    loaded.report(found);
     loaded
 }
 
@@ -139,14 +145,13 @@ pub struct Parsed {
 }
 
 impl Parsed {
-    /// Returns true if it is a program without errors.
-    pub fn loads(&self, options: &Options) -> bool {
-        let found = self.diagnostics.clone();
-        let checked = || check(&self.source, &self.module, options.robot, found);
-        let edition = self.module.edition;
-        self.is_program
-            && !self.diagnostics.have_error(edition)
-            && sound(&mut checked(), edition).is_some()
+    /// Returns the number of errors of the program on a robot.
+    pub fn errors(&self, options: &Options) -> usize {
+        let mut found = self.diagnostics.clone();
+        if self.is_program {
+            found = check(&self.source, &self.module, options.robot, found).found;
+        }
+        found.errors(self.module.edition)
     }
 }
 

@@ -8,8 +8,6 @@
 mod table;
 
 #[cfg(feature = "build")]
-mod allowing;
-#[cfg(feature = "build")]
 mod building;
 mod calculating;
 mod commanding;
@@ -27,12 +25,8 @@ mod reading;
 pub mod say;
 mod structuring;
 mod suggesting;
-#[cfg(feature = "build")]
-mod warning;
 mod word;
 
-#[cfg(feature = "build")]
-pub use allowing::Allowing;
 #[cfg(feature = "build")]
 pub use building::Building;
 pub use calculating::Calculating;
@@ -48,8 +42,6 @@ pub use reading::Reading;
 pub use say::{Decimal, Lang, Letter};
 pub use structuring::Structuring;
 pub use suggesting::Suggesting;
-#[cfg(feature = "build")]
-pub use warning::Warning;
 pub(crate) use word::Cut;
 pub use word::Text;
 
@@ -65,10 +57,6 @@ tables! {
     Suggesting,
     Habit,
     Instead,
-    #[cfg(feature = "build")]
-    Warning,
-    #[cfg(feature = "build")]
-    Allowing,
     #[cfg(feature = "robot-files")]
     Describing,
     #[cfg(feature = "build")]

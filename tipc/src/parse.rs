@@ -29,7 +29,6 @@ pub use line::{LONG_VOWEL, narrow};
 use crate::code::Code;
 use crate::diagnostic::{Diagnostic, Findings};
 use crate::language::Edition;
-#[cfg(feature = "build")]
 use crate::language::commands;
 use crate::lex::Token;
 use crate::message::Parsing;
@@ -66,8 +65,7 @@ pub fn parse_taking(
 }
 
 /// Finds the first statement after END, with the label before it. Other text may stand there: it is a note.
-#[cfg(feature = "build")]
-pub(crate) fn after_end(source: &Source, module: &Module) -> Option<Span> {
+pub fn after_end(source: &Source, module: &Module) -> Option<Span> {
     let end = module.statements.last()?;
     let mut parser = Parser::new(source, module.edition.number());
     let mut label = None;
@@ -197,7 +195,6 @@ impl Parser<'_> {
     }
 
     /// Whether a statement after END, on the line that was read last, is more than the words of a note.
-    #[cfg(feature = "build")]
     fn is_meant(&self, statement: &Statement) -> bool {
         let span = statement.span;
         let is_wrong = |it: &Diagnostic| {

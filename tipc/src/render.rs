@@ -2,24 +2,51 @@
 
 #[cfg(feature = "build")]
 mod classical;
+#[cfg(feature = "build")]
 mod human;
 #[cfg(feature = "build")]
 mod json;
+mod plain;
 #[cfg(feature = "build")]
 mod short;
+#[cfg(feature = "build")]
 mod style;
+#[cfg(feature = "build")]
 mod wrap;
 
 #[cfg(feature = "build")]
 pub use classical::classical;
+#[cfg(feature = "build")]
 pub use human::human;
 #[cfg(feature = "build")]
 pub use json::json;
 #[cfg(feature = "build")]
 pub use json::{push_member, push_number, push_string};
+pub use plain::plain;
 #[cfg(feature = "build")]
 pub use short::short;
+#[cfg(feature = "build")]
 pub use style::Style;
 
-#[cfg(test)]
+use std::fmt::Display;
+use tip_runtime::printable::Printable;
+
+/// The most bytes of a line that are shown.
+const SHOWN: usize = 4096;
+
+/// The part of a line that is shown.
+fn shown(line: &str) -> &str {
+    let mut end = line.len().min(SHOWN);
+    while !line.is_char_boundary(end) {
+        end -= 1;
+    }
+    &line[..end]
+}
+
+/// As it can be shown: what could act on a terminal is an escape.
+fn printable(text: impl Display) -> String {
+    Printable::line(text).to_string()
+}
+
+#[cfg(all(test, feature = "build"))]
 mod tests;

@@ -26,7 +26,7 @@ mod span;
 mod width;
 
 pub use decode::{Charset, Encoding, Undecodable};
-pub(crate) use guess::looks_like;
+pub use guess::looks_like;
 pub use lines::{Line, Lines};
 pub use position::{Position, Unit};
 pub use span::Span;

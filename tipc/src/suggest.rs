@@ -7,10 +7,7 @@ const CANDIDATES: usize = 500;
 const LONGEST: usize = 80;
 
 /// The candidate nearest to `word`, if it is near enough to be meant.
-pub(crate) fn nearest<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().take(CANDIDATES).collect();
     let mut alike = candidates.iter().copied().filter(|it| looks_like(word, it));
     if let Some(alike) = alike.next() {

@@ -81,7 +81,7 @@ impl DefinitionId {
     }
 
     /// The definition of a variable: they come first.
-    pub(crate) const fn of_variable(variable: VariableId) -> Self {
+    pub const fn of_variable(variable: VariableId) -> Self {
         DefinitionId(variable as u32)
     }
 

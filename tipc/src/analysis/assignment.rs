@@ -66,7 +66,7 @@ impl Assignment {
     }
 
     /// The same where its flow is known.
-    pub(crate) fn along(program: &Program, flow: &Flow) -> Self {
+    pub fn along(program: &Program, flow: &Flow) -> Self {
         let blocks = Blocks::of(flow);
         let (batches, certain) = Touches::of(program, flow).sorted(program.scalar_count(), &blocks);
         let step = |node: NodeId| flow.nodes()[node].step;

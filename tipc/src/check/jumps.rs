@@ -57,7 +57,7 @@ impl Jumps<'_> {
             return self.loop_target(index, kind, jump, place);
         }
         let Some(to) = self.statement_of(self.labels.find(name)) else {
-            let near = match self.found.is_full() {
+            let near = match self.found.are_many() {
                 true => None,
                 false => nearest(name, self.labels.names()),
             };
@@ -97,8 +97,11 @@ impl Jumps<'_> {
         if to.is_none() {
             let reason = Structuring::NoLoopAbove;
             let fault = Diagnostic::new(Code::UnknownLabel, place, reason).about(LOOP);
-            let near = || nearest(LOOP, self.labels.names());
-            let help: Message = match (&jump.label, near()) {
+            let near = match &jump.label {
+                Some(_) if !self.found.are_many() => nearest(LOOP, self.labels.names()),
+                _ => None,
+            };
+            let help: Message = match (&jump.label, near) {
                 (None, _) => Instead::GotoLoop.into(),
                 (Some(_), Some(near)) => Structuring::DidYouMean { near: near.into() }.into(),
                 (Some(_), None) => Structuring::PutLoop.into(),

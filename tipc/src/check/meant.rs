@@ -15,6 +15,9 @@ const PARTS: usize = 4;
 
 impl Resolver<'_> {
     pub(super) fn meant_by(&self, name: &Word) -> Message {
+        if self.found.are_many() {
+            return Commanding::LabelOrEquation.into();
+        }
         let word = name.node.as_str();
         if let Some(command) = self.in_one_word(name) {
             let word = command.into();

@@ -6,6 +6,7 @@ use crate::foreign;
 use crate::language::commands::{self, Form, Meaning};
 use crate::language::reserved::{self, JOINT, POSITION, VAR_KEY, is_motion_flag, is_reserved};
 use crate::language::{Edition, Keyword, flags, functions, inputs, names};
+use crate::load::MOST;
 use crate::message::{Habit, Instead, Message, Naming, Suggesting};
 use crate::program::{self, Scalar, Variable, VariableId};
 use crate::robot::Robot;
@@ -18,7 +19,7 @@ use std::collections::{HashMap, HashSet};
 use tip_runtime::command::{CONSTANT, Target};
 
 /// The most unknown names that are compared with declared ones.
-const COMPARED: usize = 10_000;
+const COMPARED: usize = MOST;
 
 /// `VAR_KEY` is the first of all variables.
 pub(super) const VAR_KEY_ID: VariableId = 0;

@@ -305,11 +305,10 @@ impl Resolver<'_> {
 
     /// What follows a place in its statement.
     pub(super) fn rest_of_statement(&self, span: Span) -> &str {
-        let (line, _) = self.known.source.line_column(span.start);
-        let (code, _) = split_comment(self.known.source.text(), self.known.source.line(line).span);
-        let rest = Span::new(span.end, code.end.max(span.end));
-        let rest = self.known.source.slice(rest);
-        rest.split(';').next().unwrap_or_default()
+        let rest = &self.known.source.text()[span.end..];
+        let end = rest.find([';', '\n', '\r']).unwrap_or(rest.len());
+        let (code, _) = split_comment(rest, Span::new(0, end));
+        &rest[..code.end]
     }
 
     /// Whether a label of that name is a SUBROUTINE, if there is one.
@@ -320,8 +319,7 @@ impl Resolver<'_> {
 
     /// What stands before a place on its line.
     pub(super) fn source_before(&self, span: Span) -> Option<&str> {
-        let (line, _) = self.known.source.line_column(span.start);
-        let start = self.known.source.line(line).span.start;
+        let start = self.known.source.start_of_line_at(span.start);
         self.known.source.text().get(start..span.start)
     }
 

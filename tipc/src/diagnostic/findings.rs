@@ -3,6 +3,7 @@
 use super::Diagnostic;
 use crate::code::{Code, Level};
 use crate::language::Edition;
+use crate::load::MOST;
 use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
 
@@ -25,16 +26,27 @@ impl Findings {
         }
     }
 
-    /// Whether no more are kept.
-    pub(crate) fn is_full(&self) -> bool {
+    /// Returns true if no more are kept.
+    fn is_full(&self) -> bool {
         self.kept.len() >= KEPT
     }
 
+    /// Returns true if more findings are kept than are shown. No suggestion is searched for further ones.
+    pub(crate) fn are_many(&self) -> bool {
+        self.kept.len() >= MOST
+    }
+
     /// Adds those of another pass, the omitted ones among them.
-    #[cfg(feature = "build")]
-    pub(crate) fn append(&mut self, later: Findings) {
+    pub fn append(&mut self, later: Findings) {
         self.omitted.append(later.omitted);
         self.extend(later.kept);
+    }
+
+    /// Returns the number of errors by the rules of an edition, kept or not.
+    pub(crate) fn errors(&self, edition: Edition) -> usize {
+        let kept = self.kept.iter();
+        let kept = kept.filter(|it| it.code.level(edition) == Level::Error);
+        kept.count() + self.omitted.of_level(Level::Error, edition)
     }
 
     /// Whether there is an error by the rules of an edition, kept or not.
@@ -120,7 +132,6 @@ impl Omitted {
     }
 
     /// Counts others as well.
-    #[cfg(feature = "build")]
     pub(crate) fn append(&mut self, others: Omitted) {
         for (code, count) in others.0 {
             *self.0.entry(code).or_default() += count;

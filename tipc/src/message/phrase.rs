@@ -1,6 +1,6 @@
 //! Parts of messages that vary: an argument that is more than a word or a number.
 
-use super::list::{List, Pieces};
+use super::list::List;
 use smol_str::SmolStr;
 
 messages! {
@@ -15,14 +15,6 @@ messages! {
 }
 
 messages! {
-    /// What a variable lacks.
-    Lack;
-
-    Value "no value here", "ここではまだ値がありません";
-    ValueOnSomePaths "a value here on some paths only", "経路によってはここで値がありません";
-}
-
-messages! {
     /// How a variable gets its value.
     Assign;
 
@@ -31,14 +23,6 @@ messages! {
     Joint { name: String } "assign it first, as `{name}.J1 = 0` or `TEACH_ANGLE F1 {name}`", "先に `{name}.J1 = 0` や `TEACH_ANGLE F1 {name}` のように代入してください";
     KeyIn "KEY_IN without an argument assigns it", "引数のないKEY_INで代入されます";
     EveryMember { member: String } "assign every member first, as `{member} = 0`", "先に `{member} = 0` のように全てのメンバに代入してください";
-}
-
-messages! {
-    /// A path through a program.
-    Stretch;
-
-    Line { line: u32 } "line {line}", "{line}行目";
-    Lines { lines: Pieces } "lines {lines}", "{lines}行目";
 }
 
 counted! {

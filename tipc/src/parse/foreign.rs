@@ -16,12 +16,8 @@ use crate::suggest::nearest;
 use crate::syntax::{Shape, Statement, StatementKind, VariableKind, Word, upper_case};
 use smol_str::SmolStr;
 
-/// The command whose name is nearest to a word of letters; names with digits are rather labels.
-fn misspelt(word: &str) -> Option<&'static str> {
-    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
-    let names = COMMANDS.iter().map(|command| command.name);
-    word.chars().all(is_letter).then(|| nearest(word, names))?
-}
+/// The most statements of a line that may show parts of one text.
+const SHOWN: usize = 16;
 
 /// What a misspelt word is to the statements around it, if it is anything to them.
 fn means(command: &str) -> Option<Means> {
@@ -70,6 +66,14 @@ fn fits(means: &Means, text: &str, tokens: &[Token]) -> bool {
 }
 
 impl Parser<'_> {
+    /// Returns the command whose name is nearest to a word of letters. Names with digits are rather labels.
+    fn misspelt(&self, word: &str) -> Option<&'static str> {
+        let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+        let is_searched = !self.diagnostics.are_many() && word.chars().all(is_letter);
+        let names = COMMANDS.iter().map(|command| command.name);
+        is_searched.then(|| nearest(word, names))?
+    }
+
     /// `# …`, `' …`, `/* … */`: the rest of the line is part of it.
     pub(super) fn foreign_comment(&mut self, span: Span) {
         let text = self.source.slice(span);
@@ -136,8 +140,8 @@ impl Parser<'_> {
 
     /// `PRINT "N="; N`: what follows the `;` was to be shown, too.
     fn goes_on_showing(&mut self, word: Span) -> Option<StatementKind> {
-        let line = self.module.statements.iter().rev();
-        let mut line = line.take_while(|it| it.line == self.line.number);
+        let before = self.module.statements.iter().rev().take(SHOWN);
+        let mut line = before.take_while(|it| it.line == self.line.number);
         let shows = |statement: Span| {
             let row = foreign::statement(foreign::name(self.source.slice(statement)));
             row.is_some_and(|row| matches!(row.habit, Habit::ShowText | Habit::KeyIn))
@@ -161,7 +165,7 @@ impl Parser<'_> {
         let is_loop = word == LOOP;
         let is_known = foreign::statement(&word).is_some_and(|_| !is_loop)
             || commands::find(&word).is_some()
-            || misspelt(&word).is_some();
+            || self.misspelt(&word).is_some();
         if is_known || first.kind != Kind::Word {
             return None;
         }
@@ -224,7 +228,7 @@ impl Parser<'_> {
         let (means, help): (_, Message) = match foreign::statement(&text) {
             Some(row) => (row.means, row.habit.clone().into()),
             None => {
-                let near = misspelt(&text)?;
+                let near = self.misspelt(&text)?;
                 (
                     means(near).filter(|means| fits(means, self.text, tokens))?,
                     Suggesting::DidYouMean { near: near.into() }.into(),

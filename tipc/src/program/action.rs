@@ -191,8 +191,7 @@ impl Action {
     }
 
     /// Whether it does more than to decide what runs next.
-    #[cfg(feature = "build")]
-    pub(crate) fn acts(&self) -> bool {
+    pub fn acts(&self) -> bool {
         match self {
             Action::SetScalar { .. }
             | Action::SetStruct { .. }

@@ -1,21 +1,16 @@
 //! A diagnostic as people read it: the lines, carets under the place, the reason, the help.
 
-use super::Style;
 use super::wrap::wrapped;
+use super::{Style, printable, shown};
 use crate::code::Level;
 use crate::diagnostic::Diagnostic;
 use crate::message::Lang;
 use crate::source::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer, Snippet};
-use std::fmt::Display;
 use std::ops::Range;
-use tip_runtime::printable::Printable;
 
 /// The most lines between two places that are still shown as one snippet.
 const NEAR: u32 = 30;
-/// The most bytes of a line that are shown.
-const SHOWN: usize = 4096;
-
 /// The most other places that are shown.
 const PLACES: usize = 8;
 
@@ -24,7 +19,15 @@ const PLACES: usize = 8;
 struct Window {
     first: u32,
     text: String,
-    lines: Vec<Range<usize>>,
+    lines: Vec<Shown>,
+}
+
+/// A line of a window.
+struct Shown {
+    /// The bytes of the source.
+    span: Span,
+    /// The bytes of the window.
+    range: Range<usize>,
 }
 
 impl Window {
@@ -34,10 +37,14 @@ impl Window {
             text: String::new(),
             lines: Vec::new(),
         };
-        for line in first..=last {
+        let count = (last - first) as usize + 1;
+        for line in source.lines_from(first).take(count) {
             let start = window.text.len();
-            window.text += &printable(shown(source.line_text(line)));
-            window.lines.push(start..window.text.len());
+            window.text += &printable(shown(source.slice(line.span)));
+            window.lines.push(Shown {
+                span: line.span,
+                range: start..window.text.len(),
+            });
             window.text.push('\n');
         }
         window
@@ -45,28 +52,17 @@ impl Window {
 
     /// Where a span of the source, cut to its first line, is in the window; `None` if elsewhere.
     fn range(&self, source: &Source, span: Span) -> Option<Range<usize>> {
-        let (line, _) = source.line_column(span.start);
-        let shown = self.lines.get(line.checked_sub(self.first)? as usize)?;
-        let base = source.line(line).span.start;
-        let text = source.line_text(line);
-        let place = |offset: usize| shown.start + width(text, offset.saturating_sub(base));
+        let after = self.lines.partition_point(|it| it.span.start <= span.start);
+        let line = &self.lines[after.checked_sub(1)?];
+        if after == self.lines.len() && source.start_of_line_at(span.start) != line.span.start {
+            return None;
+        }
+        let (text, shown) = (source.slice(line.span), &line.range);
+        let place =
+            |offset: usize| shown.start + width(text, offset.saturating_sub(line.span.start));
         let (start, end) = (place(span.start), place(span.end));
         (start <= shown.end).then(|| start..end.clamp(start, shown.end))
     }
-}
-
-/// The part of a line that is shown.
-fn shown(line: &str) -> &str {
-    let mut end = line.len().min(SHOWN);
-    while !line.is_char_boundary(end) {
-        end -= 1;
-    }
-    &line[..end]
-}
-
-/// As it can be shown: what could act on a terminal is an escape.
-fn printable(text: impl Display) -> String {
-    Printable::line(text).to_string()
 }
 
 /// How many bytes of a window the first `bytes` of a line take; as many as there are beyond its shown part.

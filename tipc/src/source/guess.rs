@@ -4,7 +4,7 @@
 const ISO_2022_JP: &[&[u8]] = &[b"\x1b$B", b"\x1b$@"];
 
 /// The encoding that bytes look like, if it is one that programs cannot have.
-pub(crate) fn looks_like(bytes: &[u8]) -> Option<&'static str> {
+pub fn looks_like(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         return Some("UTF-16");
     }

@@ -101,8 +101,7 @@ impl Source {
     }
 
     /// Returns the lines from one on, counted from 1.
-    #[cfg(feature = "build")]
-    pub(crate) fn lines_from(&self, number: u32) -> Lines<'_> {
+    pub fn lines_from(&self, number: u32) -> Lines<'_> {
         Lines {
             bytes: self.text.as_bytes(),
             at: self.line_start(number),
@@ -166,7 +165,7 @@ impl Source {
     }
 
     /// Where the line of a byte starts.
-    pub(super) fn start_of_line_at(&self, offset: usize) -> usize {
+    pub(crate) fn start_of_line_at(&self, offset: usize) -> usize {
         let last = boundary(&self.text, offset.min(self.text.len().saturating_sub(1)));
         let from = boundary(&self.text, last.saturating_sub(STRETCH));
         let feed = self.text[from..last].rfind('\n');

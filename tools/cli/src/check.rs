@@ -127,9 +127,9 @@ fn once(arguments: &Check) -> Result<Status, Error> {
         let given = source.complete(file).map_err(NotLoaded::Found);
         let found = given.and_then(|_| match arguments.least() {
             Some(least) => {
-                let options = source.options(source.robot().load()?.robot());
-                let loaded = fix::fix(file, &options, least, &total, shown)?;
-                Ok((loaded, options))
+                let robot = source.robot().load()?.simulated()?;
+                let loaded = fix::fix(file, &source, &robot, least, &total)?;
+                Ok((loaded, source.options(robot.options().robot)))
             }
             None => {
                 let subject = loader::check(file, &source)?;

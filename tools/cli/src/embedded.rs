@@ -5,13 +5,13 @@ mod sites;
 
 use super::project::shown;
 use super::robot::RobotChoice;
+use crate::message::Linting;
 use sites::{Said, Site};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
 use tipc::embed::{LIMIT, read_file};
-use tipc::message::Warning;
 use tipc::source::Span;
 
 /// As many sources of a crate are looked through.
@@ -27,13 +27,13 @@ pub(super) fn warning(program: &Path, project: &Path, robot: &RobotChoice) -> Op
     let found = differing(program, robot)?;
     let project = project.display().to_string();
     let place = Span::new(0, 0);
-    let reason = Warning::CompiledForAnother {
+    let reason = Linting::CompiledForAnother {
         project: project.clone().into(),
         given: robot.to_string(),
         source: found.source.into(),
         other: found.robot,
     };
-    let help = Warning::SayOneRobot {
+    let help = Linting::SayOneRobot {
         project: project.into(),
     };
     Some(Diagnostic::new(Code::OtherRobot, place, reason).help(help))

@@ -1,30 +1,38 @@
 //! `tip check --fix`: files with their fixes, and what can be fixed.
 
+use super::arguments::SourceArguments;
 use super::choices::Format;
 use super::error::Error;
 use super::report::Total;
 use super::shown::Shown;
-use super::{input, output, report};
+use super::{input, loader, output, report};
 use std::path::Path;
 use tip_lint::message::Fixing;
 use tip_lint::repair::{Repaired, confirm, preview, render_json, render_short, repair};
 use tip_runtime::printable::Printable;
+use tip_sim::Robot;
 use tipc::diagnostic::Applicability;
 use tipc::{Loaded, Options};
 
 /// Applies fixes to a program and writes it if there were any; what is left is reported and returned.
 pub(super) fn fix(
     path: &Path,
-    options: &Options,
+    source: &SourceArguments,
+    robot: &Robot,
     least: Applicability,
     total: &Total,
-    shown: Shown,
 ) -> Result<Loaded, Error> {
-    let loaded = input::load(path, options);
+    let shown = source.shown;
+    let options = source.options(robot.options().robot);
+    let loaded = input::load(path, &options);
     let read = loaded.source.bytes();
-    let repaired = repair(loaded, options, least);
+    let repaired = repair(loaded, &options, least);
     let said = said(&repaired, shown);
-    let Repaired { applied, loaded } = repaired;
+    let Repaired {
+        applied,
+        mut loaded,
+    } = repaired;
+    loader::warn(&mut loaded, path, source, robot);
     // Standard output is the program's.
     if input::is_stream(path) && input::was_read(&loaded) {
         output::print(loaded.source.bytes())?;
@@ -41,7 +49,7 @@ pub(super) fn fix(
         // Standard output holds one document of what is left.
         Format::Sarif => (),
     }
-    let loaded = offered(loaded, options, shown);
+    let loaded = offered(loaded, &options, shown);
     total.check(&loaded, shown)?;
     Ok(loaded)
 }

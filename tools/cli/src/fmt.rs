@@ -9,10 +9,9 @@ use super::{Status, input, output, project, report};
 use clap::Args;
 use similar::TextDiff;
 use std::path::{Path, PathBuf};
-use tip_lint::format::{Refusal, format};
+use tip_lint::format::{Refusal, format_for};
 use tip_lint::message::Formatting;
 use tip_runtime::printable::Printable;
-use tipc::code::Level;
 use tipc::source::{Encoding, Source};
 use tipc::{Loaded, Options, Robot};
 
@@ -132,26 +131,12 @@ impl Fmt {
 
     /// Formatted for the first robot that it loads for; else what is wrong with it for the one that it suits best.
     fn formatted(&self, name: &str, bytes: &[u8], meant: &Meant) -> Result<Vec<u8>, Refusal> {
-        let mut best: Option<Box<Loaded>> = None;
-        for robot in &meant.robots {
-            let options = Options {
-                robot: *robot,
-                tip_version: self.tip_version,
-                encoding: meant.encoding,
-            };
-            match format(name, bytes, &options) {
-                Err(Refusal::Findings(found)) => {
-                    if best
-                        .as_ref()
-                        .is_none_or(|best| errors(&found) < errors(best))
-                    {
-                        best = Some(found);
-                    }
-                }
-                other => return other,
-            }
-        }
-        Err(best.map_or(Refusal::Because(Formatting::DoesNotLoad), Refusal::Findings))
+        let options = Options {
+            tip_version: self.tip_version,
+            encoding: meant.encoding,
+            ..Options::default()
+        };
+        format_for(name, bytes, &options, &meant.robots)
     }
 
     /// Says why a file is left as it is.
@@ -180,12 +165,4 @@ fn difference(name: &str, before: &[u8], after: &[u8], encoding: Encoding) -> St
     let mut diff = diff.unified_diff();
     diff.header(&name, &format!("{name} (formatted)"))
         .to_string()
-}
-
-fn errors(loaded: &Loaded) -> usize {
-    let errors = loaded
-        .diagnostics
-        .iter()
-        .filter(|one| one.level() == Level::Error);
-    errors.count()
 }

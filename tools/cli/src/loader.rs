@@ -107,11 +107,16 @@ pub(super) fn load(
 /// Reads a program, and adds the warnings that only its robot and the crate around its file tell.
 fn judged(path: &Path, source: &SourceArguments, robot: &Robot) -> Loaded {
     let mut loaded = input::load(path, &source.options(robot.options().robot));
-    robot.warn(&mut loaded);
+    warn(&mut loaded, path, source, robot);
+    loaded
+}
+
+/// Adds the warnings that only the robot of a program and the crate around its file tell.
+pub(super) fn warn(loaded: &mut Loaded, path: &Path, source: &SourceArguments, robot: &Robot) {
+    robot.warn(loaded);
     let given = source.given.as_ref();
     let other = given.and_then(|(file, robot)| embedded::warning(path, file, robot));
-    loaded.add(other.into_iter().collect());
-    loaded
+    tip_lint::add(loaded, other.into_iter().collect());
 }
 
 /// Refuses events that cannot happen to a program on its robot.

@@ -459,3 +459,15 @@ tipc::message_table! {
         "`{folder}` is not a checkout of this project in version {version}: name the folder that holds tip-runtime and tip-macros",
         "`{folder}` はこのプロジェクト(バージョン{version})のチェックアウトではありません。tip-runtimeとtip-macrosのあるフォルダーを指定してください";
 }
+
+tipc::message_table! {
+    /// The text of the lint about the crate around a program.
+    Linting;
+
+    CompiledForAnother { project: Text, given: String, source: Text, other: String }
+        "{project} says {given}, {source} compiles it for {other}",
+        "{project}では{given}、{source}では{other}になっています";
+    SayOneRobot { project: Text }
+        "let both say the same: the macro or build script, and {project}",
+        "マクロまたはビルドスクリプトと{project}を一致させてください";
+}

@@ -2,12 +2,9 @@
 //! is in the finding's messages, the rest in the statement around its place.
 
 mod blocks;
-mod braces;
 mod characters;
-mod conditions;
 mod declarations;
 mod jumps;
-mod numbers;
 mod operators;
 mod site;
 mod texts;
@@ -25,10 +22,7 @@ const ROOMS: &[fn(&Site<'_>) -> Option<Fix>] = &[
     words::fix,
     jumps::fix,
     blocks::fix,
-    braces::fix,
-    conditions::fix,
     operators::fix,
-    numbers::fix,
     declarations::fix,
 ];
 

@@ -21,6 +21,7 @@ mod same;
 
 use crate::message::Formatting;
 use crate::{Loaded, Options, load};
+use tipc::Robot;
 use tipc::load::{Parsed, parsed};
 
 /// Why a file is left as it is.
@@ -38,12 +39,38 @@ pub enum Refusal {
 ///
 /// The file does not load; a line would be too long; or, which would be a defect here, the result would not be the same program.
 pub fn format(name: &str, bytes: &[u8], options: &Options) -> Result<Vec<u8>, Refusal> {
+    format_for(name, bytes, options, &[options.robot])
+}
+
+/// Returns the bytes of a program in the style, for the first of some robots that it loads for. `name` and `options` are
+/// those of [`format`].
+///
+/// # Errors
+///
+/// The program loads for none of them: the findings are those for the robot with the fewest errors. Else as in [`format`].
+pub fn format_for(
+    name: &str,
+    bytes: &[u8],
+    options: &Options,
+    robots: &[Robot],
+) -> Result<Vec<u8>, Refusal> {
     let before = parsed(name, bytes, options);
-    if !before.loads(options) {
-        let found = load(name, bytes, options);
-        return Err(Refusal::Findings(Box::new(found)));
+    let mut best = *options;
+    let mut fewest = usize::MAX;
+    for robot in robots {
+        let options = Options {
+            robot: *robot,
+            ..*options
+        };
+        let errors = before.errors(&options);
+        if errors == 0 {
+            return laid_out(&before, bytes, &options).map_err(Refusal::Because);
+        }
+        if errors < fewest {
+            (best, fewest) = (options, errors);
+        }
     }
-    laid_out(&before, bytes, options).map_err(Refusal::Because)
+    Err(Refusal::Findings(Box::new(load(name, bytes, &best))))
 }
 
 /// The bytes of a program in the style, if they are the same program.

@@ -3,10 +3,12 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
+mod allow;
 pub mod ask;
 pub mod cycles;
 mod fix;
 pub mod format;
+mod lints;
 pub mod listing;
 pub mod message;
 pub mod migrate;
@@ -15,9 +17,19 @@ pub mod spots;
 
 pub use tipc::{Loaded, Options};
 
-/// Reads, checks and lowers a program as [`tipc::load()`] does, and attaches the known fixes to its diagnostics.
+use tipc::diagnostic::Diagnostic;
+use tipc::load::lowered;
+
+/// Reads, checks and lowers a program as [`tipc::load()`] does, and adds lints and the known fixes.
 pub fn load(name: &str, bytes: &[u8], options: &Options) -> Loaded {
-    let mut loaded = tipc::load(name, bytes, options);
+    let (mut loaded, found) = lowered(name, bytes, options);
+    let found = lints::find(&loaded, found, bytes, options);
+    loaded.report(found);
     fix::attach(&loaded.source, &loaded.module, &mut loaded.diagnostics);
     loaded
+}
+
+/// Adds warnings that others found about a program, except those that a comment silences.
+pub fn add(loaded: &mut Loaded, found: Vec<Diagnostic>) {
+    lints::add(loaded, found);
 }

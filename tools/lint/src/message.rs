@@ -8,10 +8,12 @@
 
 mod fixing;
 mod formatting;
+mod linting;
 mod migrating;
 
 pub use fixing::Fixing;
 pub use formatting::Formatting;
+pub use linting::{Allowing, Lack, Linting, Stretch};
 pub use migrating::Migrating;
 
 use tipc::message::list::List;

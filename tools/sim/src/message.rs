@@ -8,10 +8,12 @@
 
 mod debugging;
 mod importing;
+mod linting;
 mod simulating;
 
 pub use debugging::Debugging;
 pub use importing::Importing;
+pub use linting::Linting;
 pub use simulating::Simulating;
 
 use tipc::message::Text;

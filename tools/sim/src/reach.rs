@@ -19,6 +19,7 @@ mod start;
 
 use crate::Robot;
 use crate::body::Miss;
+use crate::message::Linting;
 use crate::special;
 use start::Starts;
 use tip_runtime::command::{Op, Target};
@@ -26,7 +27,6 @@ use tip_runtime::model::Point;
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
-use tipc::message::Warning;
 use tipc::program::{Action, Argument, Mark, Operand, Program, Step};
 use tipc::source::Span;
 use tipc::syntax::{OperandKind, Statement, StatementKind};
@@ -47,7 +47,7 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
         let start = starts.before(step);
         found.extend(warning(statement, step, &mut misses, start));
     }
-    loaded.add(found);
+    tip_lint::add(loaded, found);
 }
 
 impl Robot {
@@ -146,24 +146,24 @@ fn warning(
             joint, by, limits, ..
         } => {
             let limit = if by < 0.0 { limits.min } else { limits.max };
-            let reason = Warning::TurnsTooFar {
+            let reason = Linting::TurnsTooFar {
                 joint,
                 by: tenths(by.abs()),
                 limit: tenths(limit),
             };
             let (min, max) = (tenths(limits.min), tenths(limits.max));
-            (reason, Warning::TurnsFromTo { joint, min, max })
+            (reason, Linting::TurnsFromTo { joint, min, max })
         }
         Miss::Ends { by } => {
             let by = tenths(by).max(0.1);
             let target = *target;
-            (Warning::ComesNoNearer { target, by }, Warning::ChooseNearer)
+            (Linting::ComesNoNearer { target, by }, Linting::ChooseNearer)
         }
         Miss::Slides { axis, travel } => {
             let (min, max) = (tenths(travel.min), tenths(travel.max));
             (
-                Warning::SlidesNotThere,
-                Warning::SlidesFromTo { axis, min, max },
+                Linting::SlidesNotThere,
+                Linting::SlidesFromTo { axis, min, max },
             )
         }
     };
@@ -189,9 +189,9 @@ fn on_the_path(
     })?;
     let [x, y, z] = bad.map(tenths);
     let place = place(statement, Miss::Ends { by: 0.0 });
-    let reason = Warning::LeavesReach { target, x, y, z };
+    let reason = Linting::LeavesReach { target, x, y, z };
     let finding = Diagnostic::new(Code::PathLeavesReach, place, reason);
-    Some(finding.help(Warning::GoAround))
+    Some(finding.help(Linting::GoAround))
 }
 
 /// Whether a target is missed by more than the inexact start of a path explains.

@@ -13,10 +13,10 @@
 //! ```
 
 use crate::Robot;
+use crate::message::Linting;
 use tipc::Loaded;
 use tipc::code::Code;
 use tipc::diagnostic::Diagnostic;
-use tipc::message::Warning;
 use tipc::message::list::List;
 use tipc::program::{Action, Argument, Op, Operand};
 use tipc::syntax::StatementKind;
@@ -44,8 +44,8 @@ pub fn warn(loaded: &mut Loaded, robot: &Robot) {
         let place = arguments.first()?.span;
         (!is_own).then(|| Diagnostic::new(Code::Unanswered, place, reason(robot, answers)))
     });
-    let found = found.map(|one| one.help(Warning::OwnNative)).collect();
-    loaded.add(found);
+    let found = found.map(|one| one.help(Linting::OwnNative)).collect();
+    tip_lint::add(loaded, found);
 }
 
 /// The number of a SPECIAL, which is a constant.
@@ -56,11 +56,11 @@ fn number(arguments: &[Argument]) -> Option<f64> {
     }
 }
 
-fn reason(robot: &Robot, answers: &[u8]) -> Warning {
+fn reason(robot: &Robot, answers: &[u8]) -> Linting {
     let robot = robot.name();
     match answers {
-        [] => Warning::AnswersNone { robot },
-        _ => Warning::AnswersOthers {
+        [] => Linting::AnswersNone { robot },
+        _ => Linting::AnswersOthers {
             robot,
             numbers: List(answers.iter().map(u8::to_string).collect()),
         },

@@ -1,11 +1,11 @@
 //! Decoder, parser and checker: every byte given back, places inside the text, a program exactly when nothing is wrong.
 
 use crate::lossless::given_back;
-use tip_lint::listing;
+use tip_lint::{listing, load};
 use tipc::code::Level;
 use tipc::message::Lang;
 use tipc::render::{self, Style};
-use tipc::{Options, Robot, load};
+use tipc::{Options, Robot};
 
 /// Loads the bytes for each robot.
 ///

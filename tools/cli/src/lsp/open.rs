@@ -77,7 +77,7 @@ impl Open {
                 if let Some(robot) = &chosen.robot {
                     robot.warn(loaded);
                 }
-                loaded.add(other().into_iter().collect());
+                tip_lint::add(loaded, other().into_iter().collect());
             });
             document
         })

@@ -5,7 +5,7 @@ use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix, Label};
 use tipc::foreign;
 use tipc::language::{Keyword, keywords};
-use tipc::lex::{BLANKS, DELIMITERS, foreign_run, word_end};
+use tipc::lex::{BLANKS, foreign_run, word_end};
 use tipc::message::{Habit, Instead, Message, Naming, Parsing};
 use tipc::parse::{LONG_VOWEL, narrow};
 use tipc::source::Span;
@@ -26,7 +26,6 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             Some(Fix::certain(title, [Edit::remove(site.span())]))
         }
         (_, Message::Habit(Habit::Comment)) => comment(site),
-        (_, Message::Habit(Habit::EachLine)) => comment_of_lines(site),
         _ => None,
     }
 }
@@ -136,37 +135,4 @@ fn without_end(site: &Site<'_>, start: usize, closes: usize) -> Edit {
         .trim_end_matches(BLANKS);
     let end = Span::new(start + before.len(), closes + CLOSES.len());
     Edit::remove(end)
-}
-
-/// `/* …` up to `… */`, lines below.
-fn comment_of_lines(site: &Site<'_>) -> Option<Fix> {
-    let start = site.statement()?.span.start;
-    let statement = site.slice(Span::new(start, site.statement()?.span.end));
-    foreign::comment_of_lines(statement).filter(|[opens, _]| *opens == OPENS)?;
-    let mark = Span::new(start, start + OPENS.len());
-    let mut edits = vec![Edit::replace(mark, COMMENT)];
-    let (first, _) = site.source.line_column(start);
-    for number in first + 1..=site.source.line_count() {
-        let line = site.source.line(number).span;
-        let text = site.slice(line);
-        let begin = line.start + text.len() - text.trim_start_matches(BLANKS).len();
-        let kept = text.trim_end_matches(BLANKS);
-        let closed = kept.find(CLOSES).map(|at| line.start + at);
-        match closed {
-            Some(at) if at + CLOSES.len() != line.start + kept.len() => return None,
-            Some(at) if at == begin => {
-                edits.push(Edit::replace(Span::new(at, at + CLOSES.len()), COMMENT));
-            }
-            Some(at) => {
-                edits.push(Edit::insert(begin, format!("{COMMENT} ")));
-                edits.push(without_end(site, begin, at));
-            }
-            None if kept.trim_start_matches(DELIMITERS).is_empty() => {}
-            None => edits.push(Edit::insert(begin, format!("{COMMENT} "))),
-        }
-        if closed.is_some() {
-            return Some(Fix::certain(Fixing::Comment, edits));
-        }
-    }
-    None
 }

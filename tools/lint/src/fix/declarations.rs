@@ -7,7 +7,6 @@ use tipc::diagnostic::{Edit, Fix};
 use tipc::lex::{Kind, Token};
 use tipc::message::{Habit, Message, Naming};
 use tipc::source::Span;
-use tipc::syntax::StatementKind;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
@@ -20,7 +19,6 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             let (name, edit) = initial(site, &site.tokens())?;
             Some(Fix::certain(Fixing::OwnLine { name: name.into() }, [edit]))
         }
-        (_, Some(Message::Habit(Habit::NoHyphen { name }))) => underscore(site, name),
         (_, Some(Message::Naming(Naming::DeclareAs { declaration }))) => declare(site, declaration),
         (Message::Naming(Naming::NothingUses), _) if site.finding.code == Code::Unused => {
             unused(site)
@@ -44,52 +42,6 @@ pub(super) fn initial<'a>(site: &Site<'a>, tokens: &[Token]) -> Option<(&'a str,
     let text = format!("{}{word} = {}", site.next_line(), site.slice(value));
     let rest = Span::new(name.span.end, value.end);
     Some((word, Edit::replace(rest, text)))
-}
-
-/// `STEP-LENGTH`: the name in one piece, wherever it stands. Where both its parts are names, it may be a calculation.
-fn underscore(site: &Site<'_>, name: &str) -> Option<Fix> {
-    let written = site.text().to_ascii_uppercase();
-    let is_part =
-        |byte: Option<&u8>| byte.is_some_and(|it| it.is_ascii_alphanumeric() || *it == b'_');
-    if !site.may_look_at(site.module.statements.len()) {
-        return None;
-    }
-    let mut edits = Vec::new();
-    for statement in &site.module.statements {
-        if let StatementKind::Define { names, .. } = &statement.kind
-            && names
-                .iter()
-                .any(|one| written.split('-').any(|part| part == one.node))
-        {
-            return None;
-        }
-        if matches!(
-            statement.kind,
-            StatementKind::Message { .. } | StatementKind::Rem
-        ) {
-            continue;
-        }
-        let text = site.slice(statement.span).to_ascii_uppercase();
-        for (at, _) in text.match_indices(&written) {
-            let bytes = text.as_bytes();
-            let before = at.checked_sub(1).and_then(|at| bytes.get(at));
-            if is_part(before) || is_part(bytes.get(at + written.len())) {
-                continue;
-            }
-            let start = statement.span.start + at;
-            let place = Span::new(start, start + written.len());
-            let new = match site.slice(place) == written {
-                true => name.to_owned(),
-                false => name.to_ascii_lowercase(),
-            };
-            edits.push(Edit::replace(place, new));
-        }
-    }
-    let title = Fixing::Replace {
-        old: site.text().into(),
-        new: name.into(),
-    };
-    Some(Fix::likely(title, edits))
 }
 
 /// A declaration before the first statement that is none.

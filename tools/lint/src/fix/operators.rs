@@ -1,41 +1,14 @@
-//! Operators, signs and parentheses.
+//! Operators, numbers and parentheses.
 
 use super::site::Site;
 use crate::message::Fixing;
 use tipc::diagnostic::{Edit, Fix};
-use tipc::foreign;
 use tipc::lex::{Kind, Token};
-use tipc::message::{Commanding, Habit, Instead, Message, Parsing};
+use tipc::message::{Habit, Instead, Message, Parsing};
 use tipc::source::Span;
-use tipc::syntax::Relation;
 
 pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     match (site.reason(), site.help()) {
-        (
-            Message::Habit(Habit::SplitOperator { .. }),
-            Some(Message::Habit(Habit::WriteRelation { relation })),
-        ) => Some(certain(site, site.span(), relation)),
-        (
-            Message::Parsing(Parsing::NoRelation),
-            Some(Message::Habit(Habit::WriteRelation { relation })),
-        ) if foreign::relation(site.text().to_ascii_uppercase().trim_end_matches('='))
-            .is_some() =>
-        {
-            Some(certain(site, site.span(), relation))
-        }
-        (
-            Message::Parsing(Parsing::NotStandsBeforeFlag),
-            Some(Message::Instead(Instead::Write { .. })),
-        ) => not_apart(site),
-        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
-            let title = Fixing::Insert { text: " ".into() };
-            let edit = Edit::insert(site.span().start + command.len(), " ");
-            Some(Fix::certain(title, [edit]))
-        }
-        (_, Some(Message::Instead(Instead::Digits { number }))) => {
-            let fix = certain(site, site.span(), number);
-            Some(Fix::likely(fix.title, fix.edits))
-        }
         (
             Message::Parsing(Parsing::AssignsComparesNothing | Parsing::NoRelation)
             | Message::Habit(Habit::NotEqual),
@@ -46,31 +19,15 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             Some(certain(site, operator, "="))
         }
         (_, Some(Message::Habit(Habit::Increment { sign, .. }))) => increment(site, sign),
-        (_, Some(Message::Habit(Habit::WriteSigned { text }))) => signed(site, text),
-        (Message::Parsing(Parsing::PlusBeforeConstants), _) => plus(site),
         (_, Some(Message::Habit(Habit::WriteNot))) => not(site),
-        (Message::Habit(Habit::SplitOperator { sign }), _) => {
-            let tokens = site.tokens();
-            let place = tokens.get(1)?.span.to(tokens.get(2)?.span);
-            Some(certain(site, place, sign))
-        }
-        // `N =+ 5`
-        (Message::Habit(Habit::NoOperator { sign }), Some(Message::Instead(_)))
-            if matches!(sign.as_str(), "=+" | "=-") =>
-        {
-            let turned: String = sign.chars().rev().collect();
-            let fix = certain(site, site.span(), &turned);
-            Some(Fix::likely(fix.title, fix.edits))
-        }
         (Message::Habit(Habit::NoOperator { .. }), Some(Message::Habit(Habit::Assign { .. }))) => {
             Some(certain(site, site.span(), "="))
         }
-        (_, Some(Message::Commanding(Commanding::Compare { .. }))) => {
-            let title = Fixing::Insert {
-                text: COMPARED.into(),
-            };
-            let edit = Edit::insert(site.span().end, format!(" {COMPARED}"));
-            Some(Fix::likely(title, [edit]))
+        (_, Some(Message::Habit(Habit::Comma { whole, point }))) => comma(site, whole, point),
+        (_, Some(Message::Instead(Instead::BlankAfter { command }))) => {
+            let title = Fixing::Insert { text: " ".into() };
+            let edit = Edit::insert(site.span().start + command.len(), " ");
+            Some(Fix::certain(title, [edit]))
         }
         (
             _,
@@ -88,23 +45,23 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
     }
 }
 
-/// `! INPOS_ALL`
-fn not_apart(site: &Site<'_>) -> Option<Fix> {
-    let tokens = site.tokens();
-    let at = tokens.iter().position(|token| token.span == site.span())?;
-    let gap = Span::new(site.span().end, tokens.get(at + 1)?.span.start);
-    Some(Fix::certain(Fixing::RemoveBlanks, [Edit::remove(gap)]))
-}
-
-/// What a number is compared with to be a condition.
-const COMPARED: &str = "<> 0";
-
-pub(super) fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
+fn certain(site: &Site<'_>, place: Span, new: &str) -> Fix {
     let title = Fixing::Replace {
         old: site.slice(place).into(),
         new: new.into(),
     };
     Fix::certain(title, [Edit::replace(place, new)])
+}
+
+/// `1,000` or `4,5`.
+fn comma(site: &Site<'_>, whole: &str, point: &str) -> Option<Fix> {
+    let after = site.text().len();
+    let start = site.span().end.checked_sub(whole.len() + 1)?;
+    let place = Span::new(start, site.span().end);
+    // Three digits after a comma are thousands.
+    let new = if after == 3 { whole } else { point };
+    let fix = certain(site, place, new);
+    Some(Fix::likely(fix.title, fix.edits))
 }
 
 /// What other languages write for a relation, and what is written here.
@@ -148,54 +105,14 @@ fn increment(site: &Site<'_>, sign: &str) -> Option<Fix> {
     ))
 }
 
-/// `A = - 5`; between arguments it may be a calculation.
-fn signed(site: &Site<'_>, text: &str) -> Option<Fix> {
-    let tokens = site.tokens();
-    let at = tokens.iter().position(|token| token.span == site.span())?;
-    let operand = tokens.get(at + 1)?;
-    let is_value = matches!(
-        tokens[at.checked_sub(1)?].kind,
-        Kind::Assign(_) | Kind::Relation(_)
-    );
-    let fix = certain(site, site.span().to(operand.span), text);
-    Some(match is_value {
-        true => fix,
-        false => Fix::likely(fix.title, fix.edits),
-    })
-}
-
-/// `A = +B`; among arguments it may be a calculation.
-fn plus(site: &Site<'_>) -> Option<Fix> {
-    let tokens = site.tokens();
-    let before = tokens.iter().take_while(|it| it.span != site.span());
-    let is_value = before.last().is_some_and(|it| it.kind != Kind::Word);
-    let title = Fixing::Remove { text: "+".into() };
-    is_value.then(|| Fix::certain(title, [Edit::remove(site.span())]))
-}
-
-/// `NOT KB_HIT`, `NOT A == 1`.
+/// `NOT KB_HIT`; a comparison is turned round by hand.
 fn not(site: &Site<'_>) -> Option<Fix> {
     let tokens = site.tokens();
     let at = tokens.iter().position(|token| token.span == site.span())?;
     let next = tokens.get(at + 1)?;
-    let gap = Span::new(site.span().start, next.span.start);
-    let Some(Kind::Relation(relation)) = tokens.get(at + 2).map(|token| token.kind) else {
-        let place = site.span().to(next.span);
-        let new = format!("!{}", site.slice(next.span));
-        return Some(certain(site, place, &new));
-    };
-    let opposite = match relation {
-        Relation::Eq => "<>",
-        Relation::Ne => "==",
-        Relation::Lt => ">=",
-        Relation::Gt => "<=",
-        Relation::Le => ">",
-        Relation::Ge => "<",
-    };
-    let operator = tokens[at + 2].span;
-    let mut fix = certain(site, operator, opposite);
-    fix.edits.insert(0, Edit::remove(gap));
-    Some(fix)
+    let is_flag = !matches!(tokens.get(at + 2), Some(it) if matches!(it.kind, Kind::Relation(_)));
+    let new = format!("!{}", site.slice(next.span));
+    is_flag.then(|| certain(site, site.span().to(next.span), &new))
 }
 
 /// The only parentheses of a statement: `SIN(30)`, `(A + B)`, `PTP(F1, 1, 2, 3)`.

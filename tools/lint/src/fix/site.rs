@@ -1,7 +1,7 @@
 //! A finding, and what stands around it.
 
 use smol_str::SmolStr;
-use std::cell::{Cell, OnceCell};
+use std::cell::OnceCell;
 use std::collections::HashSet;
 use tipc::diagnostic::{Diagnostic, Edit};
 use tipc::language::Keyword;
@@ -12,9 +12,6 @@ use tipc::parse::LINE_LIMIT;
 use tipc::source::{Line, Source, Span};
 use tipc::syntax::{Module, Shape, Statement, StatementKind, upper_case};
 
-/// The most statements that are looked at for all findings of a file, each of which may need all that follow.
-const LOOKED_AT: usize = 1_000_000;
-
 /// The most bytes of a statement whose findings are put right: what each of many findings looks at must not be long.
 const LONGEST: usize = 4 * LINE_LIMIT;
 
@@ -24,8 +21,6 @@ pub(super) struct Shared {
     /// The names that something jumps to, or was going to.
     targets: OnceCell<HashSet<SmolStr>>,
     first: OnceCell<Option<u32>>,
-    /// How many statements were looked at for other findings than theirs.
-    looked_at: Cell<usize>,
 }
 
 /// A finding in its file.
@@ -183,13 +178,6 @@ impl<'a> Site<'a> {
         jumps
             .map(|pair| upper_case(self.slice(pair[1].span)))
             .collect()
-    }
-
-    /// Whether so many statements may still be looked at: of many findings that need it, the first ones get their fixes.
-    pub(super) fn may_look_at(&self, statements: usize) -> bool {
-        let looked_at = self.shared.looked_at.get() + statements;
-        self.shared.looked_at.set(looked_at);
-        looked_at <= LOOKED_AT
     }
 
     /// The line of the first statement that declares nothing.

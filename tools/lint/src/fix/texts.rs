@@ -1,12 +1,12 @@
 //! Texts for people: PRINT of other languages, quotes, and line breaks.
 
 use super::site::Site;
-use crate::message::Fixing;
+use crate::message::{Fixing, Linting};
 use tipc::diagnostic::{Edit, Fix};
 use tipc::foreign;
 use tipc::language::Keyword;
 use tipc::lex::DELIMITERS;
-use tipc::message::{Habit, Message, Parsing, Warning};
+use tipc::message::{Habit, Message, Parsing};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
@@ -24,7 +24,10 @@ pub(super) fn fix(site: &Site<'_>) -> Option<Fix> {
             glued(site)
         }
         (Message::Parsing(Parsing::LineBreak), _) => last_break(site),
-        (_, Some(Message::Warning(Warning::ShowValue { name }))) => Some(value(site, name)),
+        (_, Some(help)) => match help.get() {
+            Some(Linting::ShowValue { name }) => Some(value(site, name)),
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -22,9 +22,6 @@ tipc::message_table! {
     RemoveBlanks
         "remove the blanks",
         "空白を取る";
-    Apart
-        "put a blank after each flag",
-        "フラグの後に空白を入れる";
     RemoveParentheses
         "leave the parentheses out",
         "括弧を取る";
@@ -49,12 +46,6 @@ tipc::message_table! {
     Block
         "make a block of it, with its statement on a line of its own",
         "文を別の行に書いて、ブロックにする";
-    Words
-        "write the words of the block in place of the braces",
-        "波括弧の代わりにブロックの語を書く";
-    TwoIfs
-        "make two IFs of it",
-        "2つのIFに分ける";
     Show
         "show the text with MESSAGE, without quotes",
         "引用符を取り、MESSAGEで表示する";

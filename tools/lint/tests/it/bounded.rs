@@ -289,6 +289,34 @@ fn a_check_takes_time_in_proportion() {
     });
 }
 
+#[test]
+fn no_suggestion_is_searched_for_a_mistake_that_is_not_shown() {
+    let undeclared = |count| lines(count, |n| format!("SLEEP VALUE{n}X"));
+    let declared = lines(500, |n| format!("DEF_VAR VALUE{n}"));
+    let labels = lines(500, |n| format!("L{n}: REM"));
+    let kinds: [(&str, &dyn Fn(usize) -> String); 3] = [
+        ("unknown words", &|count| "WIAT_INPOS ALL\n".repeat(count)),
+        ("unknown variables", &|count| {
+            declared.clone() + &undeclared(count)
+        }),
+        ("unknown labels", &|count| {
+            labels.clone() + &"GOTO ELSEWHERE:\n".repeat(count)
+        }),
+    ];
+    for (kind, text) in kinds {
+        // Each time as many again: what grows by doubling costs as much for each.
+        let each = |count: usize| (check(&text(2 * count)) - check(&text(count))) / count as u64;
+        let (shown, kept) = (each(128), each(1_024));
+        assert!(
+            kept + LISTED < shown,
+            "{kind}: {shown} bytes each, then {kept}"
+        );
+    }
+}
+
+/// The bytes that a list of names to compare takes at least.
+const LISTED: u64 = 1_000;
+
 /// Three mistakes that are put right in two words, and a third that is not.
 const WRONG: &str = "SLEPE 20 ; WIAT_INPOS ALL ; GOTOO L\n";
 

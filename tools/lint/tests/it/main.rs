@@ -1,9 +1,14 @@
 //! The tests of what is offered for programs, in one binary.
 
 mod bounded;
+mod codes;
+mod findings;
 mod fixes;
 mod format;
 mod listing;
 mod migrate;
+mod misread;
 mod object;
 mod object_joints;
+mod one_mistake;
+mod warnings;

@@ -44,16 +44,9 @@ fn words_that_close_blocks() {
 fn relations_words_and_characters_of_habit() {
     let with =
         |relation: &str| format!("DEF_VAR N\nAD_IN VR1 N\nIF N {relation} 3 THEN\nREM\nENDIF");
-    for (foreign, right) in [
-        ("EQ", "=="),
-        ("ne", "<>"),
-        ("~=", "<>"),
-        ("===", "=="),
-        ("> =", ">="),
-        ("< >", "<>"),
-    ] {
-        check_certain(&with(foreign), &with(right));
-    }
+    check_certain(&with("==="), &with("=="));
+    // What a word means is for the author to say.
+    check_kept(&with("EQ"));
     for (foreign, right) in [
         ("INITIAL POSTURE", "INITIAL_POSTURE"),
         ("SET V MAX F1 100", "SET_V_MAX F1 100"),
@@ -63,31 +56,9 @@ fn relations_words_and_characters_of_habit() {
         ("SLEEP100", "SLEEP 100"),
         ("SLEEP \u{200B}100", "SLEEP 100"),
         ("PTP F1 391 201 ー150", "PTP F1 391 201 -150"),
-        (
-            "WHILE ! INPOS_ALL\nSLEEP 10\nWEND",
-            "WHILE !INPOS_ALL\nSLEEP 10\nWEND",
-        ),
     ] {
         check_certain(foreign, right);
     }
-}
-
-// clauses: 7.20
-#[test]
-fn braces_become_the_words_of_their_block() {
-    let declared = |block: &str| format!("DEF_VAR N\nAD_IN VR1 N\n{block}");
-    check_certain(
-        &declared("IF N == 1 {\n  ALL_STOP\n}"),
-        &declared("IF N == 1 THEN\n  ALL_STOP\nENDIF"),
-    );
-    check_certain(
-        &declared("IF N == 1 THEN {\nREM\n} ELSE {\nALL_STOP\n}"),
-        &declared("IF N == 1 THEN\nREM\nELSE\nALL_STOP\nENDIF"),
-    );
-    check_certain(
-        &declared("WHILE N < 3 {\nIF N == 1 {\nREM\n}\nN += 1\n}"),
-        &declared("WHILE N < 3\nIF N == 1 THEN\nREM\nENDIF\nN += 1\nWEND"),
-    );
 }
 
 // clauses: 5.1 7.20
@@ -95,7 +66,7 @@ fn braces_become_the_words_of_their_block() {
 fn two_mistakes_of_one_line() {
     let declared = |block: &str| format!("DEF_VAR N\nAD_IN VR1 N\n{block}\nREM\nENDIF");
     let right = declared("IF N == 1 THEN");
-    for wrong in ["IF N = 1", "IF (N = 1) THEN", "IF N === 1", "IF (N EQ 1)"] {
+    for wrong in ["IF N = 1", "IF (N = 1) THEN", "IF N === 1"] {
         check_certain(&declared(wrong), &right);
     }
     check_certain(
@@ -222,10 +193,7 @@ fn relations_of_other_languages() {
         check_certain(&with(foreign), &with(right));
     }
     check_certain("IF NOT KB_HIT THEN\nENDIF", "IF !KB_HIT THEN\nENDIF");
-    check_certain(
-        "DEF_VAR A\nA = 1\nWHILE NOT A < 1\nWEND",
-        "DEF_VAR A\nA = 1\nWHILE A >= 1\nWEND",
-    );
+    check_kept("DEF_VAR A\nA = 1\nWHILE NOT A < 1\nWEND");
 }
 
 // clauses: 4.1 3.5
@@ -238,12 +206,7 @@ fn equations_of_other_languages() {
         ("A ++", "A += 1"),
         ("A == 2", "A = 2"),
         ("A := 2", "A = 2"),
-        ("A + = 2", "A += 2"),
-        ("A = 0x1F", "A = 31"),
         ("LET A = 2", "A = 2"),
-        ("A = - 5", "A = -5"),
-        ("A = + 5", "A = +5"),
-        ("A = +A", "A = A"),
         ("A = (A + 2)", "A = A + 2"),
         ("A = SIN(A)", "A = SIN A"),
         ("A = ATAN2(A, -1)", "A = ATAN2 A, -1"),
@@ -298,10 +261,6 @@ fn comments_of_other_languages() {
         ("SLEEP 100 # wait", "SLEEP 100 // wait"),
         ("SLEEP 100 ' wait", "SLEEP 100 // wait"),
         ("SLEEP 100 # 待つ", "SLEEP 100 // 待つ"),
-        (
-            "/* one;\n   two\n\n three */\nREM",
-            "// one;\n   // two\n\n // three\nREM",
-        ),
     ] {
         check_certain(foreign, right);
     }
@@ -345,22 +304,6 @@ fn full_width_characters() {
         check_certain(wide, narrow);
     }
     check_kept("SLEEP 歩く");
-}
-
-// clauses: 7.2 7.5 7.14 5.1
-#[test]
-fn arguments_of_other_languages() {
-    for (foreign, right) in [
-        ("SLEEP 100ms", "SLEEP 100"),
-        ("SLEEP 100 msec", "SLEEP 100"),
-        ("PTP F1 R50 R0 R0", "PTP F1 R 50 R 0 R 0"),
-        ("IF INPOS F1 THEN\nENDIF", "IF INPOS_F1 THEN\nENDIF"),
-        ("ALL_STOP ALL", "ALL_STOP"),
-    ] {
-        check_certain(foreign, right);
-    }
-    // Is it 2 ms?
-    check_kept("SLEEP 2s");
 }
 
 // clauses: 10.1

@@ -20,7 +20,7 @@ const TOGETHER: &[&str] = &["loop_without_colon.prg"];
 fn programs() -> Vec<PathBuf> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
-    collect(&package.join("../../tipc/tests/findings"), &mut found);
+    collect(&package.join("tests/findings"), &mut found);
     collect(&package.join("../../tests/language/cases"), &mut found);
     found.sort();
     found

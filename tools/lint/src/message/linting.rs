@@ -1,15 +1,14 @@
-//! What is said of a program that loads.
+//! The texts of lints, and of comments that silence them.
 
-use super::Text;
-use super::list::{List, Quoted};
-use super::phrase::{Assign, Lack, Stretch, Type};
-use crate::language::Keyword;
 use smol_str::SmolStr;
 use tip_runtime::command::Target;
+use tipc::language::Keyword;
+use tipc::message::list::{Pieces, Quoted};
+use tipc::message::phrase::{Assign, Type};
 
-messages! {
-    /// What the analysis warns of.
-    Warning;
+tipc::message_table! {
+    /// Reasons and helps of lints.
+    Linting;
 
     // Variables without a value.
     Has { name: String, lack: Lack }
@@ -152,17 +151,6 @@ messages! {
         "write R before each number that is relative, and A before each that is absolute",
         "相対値には一つずつR、絶対値には一つずつAを付けてください";
 
-    // SPECIAL.
-    AnswersNone { robot: &'static str }
-        "{robot} has no SPECIAL of its own",
-        "{robot}自身のSPECIALはありません";
-    AnswersOthers { robot: &'static str, numbers: List }
-        "{robot} answers {numbers}",
-        "{robot}が応えるのは{numbers}です";
-    OwnNative
-        "if native code of yours answers it, silence this with `// tip: allow(W123)`",
-        "自分のネイティブコードで応えるなら、`// tip: allow(W123)` でこの警告を消せます";
-
     // Waits.
     PassesAtOnce { target: Target }
         "nothing moves {target}: the wait ends at once",
@@ -185,38 +173,44 @@ messages! {
     CallSpecial
         "native code sets this flag: call it with SPECIAL",
         "このフラグを立てるのはネイティブコードです。SPECIALで呼んでください";
+}
 
-    // The crate around a program.
-    CompiledForAnother { project: Text, given: String, source: Text, other: String }
-        "{project} says {given}, {source} compiles it for {other}",
-        "{project}では{given}、{source}では{other}になっています";
-    SayOneRobot { project: Text }
-        "let both say the same: the macro or build script, and {project}",
-        "マクロまたはビルドスクリプトと{project}を一致させてください";
+tipc::message_table! {
+    /// What a variable lacks.
+    Lack;
 
-    // Targets.
-    TurnsTooFar { joint: Target, by: f64, limit: f64 }
-        "{joint} would turn {by} deg beyond its limit of {limit} deg",
-        "{joint}が限界の{limit}度を{by}度超えます";
-    TurnsFromTo { joint: Target, min: f64, max: f64 }
-        "{joint} turns from {min} to {max} deg",
-        "{joint}の可動範囲は{min}度から{max}度までです";
-    ComesNoNearer { target: Target, by: f64 }
-        "{target} ends about {by} mm before it",
-        "{target}は約{by} mm届きません";
-    LeavesReach { target: Target, x: f64, y: f64, z: f64 }
-        "the straight path of {target} leaves its reach near {x} {y} {z}",
-        "{target}の直線経路が{x} {y} {z}付近で可動範囲を外れます";
-    GoAround
-        "go around in two moves: put a PTP and a WAIT_INPOS before it",
-        "手前にPTPとWAIT_INPOSを入れ、2回に分けて回り込んでください";
-    ChooseNearer
-        "choose a place nearer to the base of the leg; positions are mm in the robot's frame",
-        "脚の付け根に近い位置にしてください。位置はロボット座標系で、単位はmmです";
-    SlidesNotThere
-        "the slider does not go there",
-        "スライダはそこまで動きません";
-    SlidesFromTo { axis: &'static str, min: f64, max: f64 }
-        "along {axis} it goes from {min} to {max} mm",
-        "{axis}方向の可動範囲は{min} mmから{max} mmまでです";
+    Value "no value here", "ここではまだ値がありません";
+    ValueOnSomePaths "a value here on some paths only", "経路によってはここで値がありません";
+}
+
+tipc::message_table! {
+    /// A path through a program.
+    Stretch;
+
+    Line { line: u32 } "line {line}", "{line}行目";
+    Lines { lines: Pieces } "lines {lines}", "{lines}行目";
+}
+
+tipc::message_table! {
+    /// What is said of comments that silence warnings.
+    Allowing;
+
+    NoList
+        "this comment names no warnings",
+        "このコメントには警告のコードがありません";
+    WriteList
+        "write the codes of warnings in parentheses, as `// tip: allow(W101, W102)`",
+        "`// tip: allow(W101, W102)` のように、警告のコードを括弧の中に書いてください";
+    NoCode { name: SmolStr }
+        "no warning has the code `{name}`",
+        "`{name}` というコードの警告はありません";
+    Error { code: &'static str }
+        "{code} is an error, and errors stay",
+        "{code}はエラーです。エラーは消せません";
+    SilencesNothing
+        "nothing here has this warning",
+        "ここにこの警告はありません";
+    TakeOut
+        "take the code out",
+        "このコードを削除してください";
 }

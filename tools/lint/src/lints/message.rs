@@ -1,19 +1,19 @@
 //! MESSAGE texts that show something else than was meant (T.I.P. 3.1 §7-9-4).
 
-mod wide;
-
 use super::Judged;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::message::phrase::Type;
-use crate::message::{Message, Warning};
-use crate::program::{Variable, VariableId, VariableKind};
-use crate::source::Span;
-use crate::suggest::nearest;
-use crate::symbols::{Access, DefinitionId};
-use crate::syntax::{StatementKind, upper_case};
+use crate::message::Linting;
 use smol_str::SmolStr;
 use std::collections::{HashMap, HashSet};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::message::Message;
+use tipc::message::phrase::Type;
+use tipc::parse::narrow;
+use tipc::program::{Variable, VariableId, VariableKind};
+use tipc::source::Span;
+use tipc::suggest::nearest;
+use tipc::symbols::{Access, DefinitionId};
+use tipc::syntax::{StatementKind, upper_case};
 
 /// The variables of a program by their names.
 struct Names<'a> {
@@ -61,7 +61,7 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
             found.extend(quoted(judged.source.slice(text.span), text.span));
             placeholders(judged, names, text.span, found);
             foreign_values(judged, names, text.span, found);
-            wide::warn(judged, text.span, found);
+            wide_placeholder(judged, text.span, found);
         }
     }
 }
@@ -89,12 +89,12 @@ fn foreign_values(judged: &Judged<'_>, names: &Names<'_>, place: Span, found: &m
         return;
     };
     let span = Span::new(place.start + at, place.start + at + length);
-    let finding = Diagnostic::new(Code::ForeignValue, span, Warning::NoFormat);
+    let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
     found.push(match name {
         Some(name) => finding
             .about(name.as_str())
-            .help(Warning::ShowValue { name }),
-        None => finding.help(Warning::ShowAnyValue),
+            .help(Linting::ShowValue { name }),
+        None => finding.help(Linting::ShowAnyValue),
     });
 }
 
@@ -122,8 +122,8 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
     if text.starts_with('(')
         && inside.position(|it| it == ')') == text.chars().count().checked_sub(2)
     {
-        let finding = Diagnostic::new(Code::QuotedMessage, place, Warning::ParenthesesShown);
-        return Some(finding.help(Warning::LeaveParenthesesOut));
+        let finding = Diagnostic::new(Code::QuotedMessage, place, Linting::ParenthesesShown);
+        return Some(finding.help(Linting::LeaveParenthesesOut));
     }
     let quotes = [
         ("\"\"\"", "\"\"\""),
@@ -138,12 +138,12 @@ fn quoted(text: &str, place: Span) -> Option<Diagnostic> {
         Some(after.trim_start())
     });
     let help = match after.next()? {
-        "" => Warning::LeaveQuotesOut,
+        "" => Linting::LeaveQuotesOut,
         // `"N=" + N`
-        after if after.starts_with(['+', ',']) => Warning::ShowAnyValue,
+        after if after.starts_with(['+', ',']) => Linting::ShowAnyValue,
         _ => return None,
     };
-    let reason = Warning::QuotesShown;
+    let reason = Linting::QuotesShown;
     Some(Diagnostic::new(Code::QuotedMessage, place, reason).help(help))
 }
 
@@ -198,19 +198,19 @@ fn split(inner: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// Why what looks like a placeholder stands for nothing, and what to write.
-fn fault(names: &Names<'_>, inner: &str) -> Option<(Warning, Warning)> {
+fn fault(names: &Names<'_>, inner: &str) -> Option<(Linting, Linting)> {
     let (name, rest) = split(inner)?;
     let name = || upper_case(name);
     let Some(variable) = names.find(&name()) else {
-        return Some((Warning::NoVar { name: name() }, declare(names, name())));
+        return Some((Linting::NoVar { name: name() }, declare(names, name())));
     };
     let found = match (variable.kind, rest) {
         (VariableKind::Var, None | Some("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7")) => {
             return None;
         }
         (VariableKind::Var, Some(_)) => {
-            let reason = Warning::Decimals { name: name() };
-            return Some((reason, Warning::SevenAtMost { name: name() }));
+            let reason = Linting::Decimals { name: name() };
+            return Some((reason, Linting::SevenAtMost { name: name() }));
         }
         (VariableKind::Pos, _) => Type::Pos,
         (VariableKind::Joint, _) => Type::Joint,
@@ -219,23 +219,23 @@ fn fault(names: &Names<'_>, inner: &str) -> Option<(Warning, Warning)> {
     let named = variable.scalar_names().find(is_named);
     let member = named.or_else(|| variable.scalar_names().next());
     let member = member.unwrap_or_default();
-    let reason = Warning::StructInMessage {
+    let reason = Linting::StructInMessage {
         name: name(),
         found,
     };
-    Some((reason, Warning::ShowCopy { member }))
+    Some((reason, Linting::ShowCopy { member }))
 }
 
 /// What to write for a name that is not declared.
-fn declare(names: &Names<'_>, name: SmolStr) -> Warning {
+fn declare(names: &Names<'_>, name: SmolStr) -> Linting {
     if let Some(near) = numbered(&name).filter(|near| names.is_var(near)) {
-        return Warning::MeantPlaceholder { near };
+        return Linting::MeantPlaceholder { near };
     }
     let vars = names.variables.iter();
     let vars = vars.filter(|one| one.kind == VariableKind::Var);
     match nearest(&name, vars.map(|one| one.name.as_str())) {
-        Some(near) => Warning::MeantPlaceholder { near: near.into() },
-        None => Warning::DeclareOrLeaveOut { name },
+        Some(near) => Linting::MeantPlaceholder { near: near.into() },
+        None => Linting::DeclareOrLeaveOut { name },
     }
 }
 
@@ -248,28 +248,55 @@ fn numbered(name: &str) -> Option<SmolStr> {
 
 /// Whether a value was to be shown, and nothing says of which variable.
 pub(super) fn means_any(found: &[Diagnostic]) -> bool {
-    let any = Some(Warning::ShowAnyValue.into());
+    let any = Some(Linting::ShowAnyValue.into());
     found.iter().any(|finding| finding.help == any)
 }
 
 /// The variables that placeholders were meant to show. That nothing reads them is the same mistake.
 pub(super) fn meant(found: &[Diagnostic]) -> HashSet<SmolStr> {
-    let meant = found
-        .iter()
-        .filter_map(|finding| match (&finding.reason, &finding.help) {
-            (
-                _,
-                Some(Message::Warning(
-                    Warning::MeantPlaceholder { near: name } | Warning::ShowValue { name },
-                )),
-            )
-            | (
-                Message::Warning(
-                    Warning::Decimals { name } | Warning::StructInMessage { name, .. },
-                ),
-                _,
-            ) => Some(name.clone()),
+    let meant = found.iter().filter_map(|finding| {
+        let help = finding.help.as_ref().and_then(Message::get);
+        match (finding.reason.get(), help) {
+            (_, Some(Linting::MeantPlaceholder { near: name } | Linting::ShowValue { name }))
+            | (Some(Linting::Decimals { name } | Linting::StructInMessage { name, .. }), _) => {
+                Some(name.clone())
+            }
             _ => None,
-        });
+        }
+    });
     meant.collect()
+}
+
+const SIGNS: [char; 2] = ['%', '％'];
+
+/// Warns of the first one that would show a VAR, were it half-width.
+fn wide_placeholder(judged: &Judged<'_>, place: Span, found: &mut Findings) {
+    let text = judged.source.slice(place);
+    if text.is_ascii() {
+        return;
+    }
+    let signs: Vec<(usize, &str)> = text.match_indices(SIGNS).collect();
+    let wide = signs.windows(2).find_map(|pair| {
+        let ((at, sign), (end, last)) = (pair[0], pair[1]);
+        let whole = at..end + last.len();
+        let inner = narrow(&text[at + sign.len()..end]);
+        let name = upper_case(inner.split('.').next().unwrap_or_default());
+        let mut vars = judged.program.variables().iter();
+        let is_var = vars.any(|one| one.kind == VariableKind::Var && one.name == *name);
+        (is_var && !text[whole.clone()].is_ascii()).then_some((whole, name))
+    });
+    if let Some((whole, name)) = wide {
+        let span = Span::new(place.start + whole.start, place.start + whole.end);
+        let is_told =
+            |it: &Diagnostic| it.code == Code::ForeignValue && it.span.start == span.start;
+        if found.iter().any(is_told) {
+            return;
+        }
+        let finding = Diagnostic::new(Code::ForeignValue, span, Linting::NoFormat);
+        found.push(
+            finding
+                .about(name.as_str())
+                .help(Linting::ShowValue { name }),
+        );
+    }
 }

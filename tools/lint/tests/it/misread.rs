@@ -1,7 +1,7 @@
 //! Warnings of what is read otherwise than it was meant: titles, encodings, values in messages.
 
+use tip_lint::{Options, load};
 use tipc::source::{Encoding, Unit};
-use tipc::{Options, load};
 
 /// What is said of a file, each as code, line and column.
 fn found(bytes: &[u8], options: &Options) -> Vec<String> {

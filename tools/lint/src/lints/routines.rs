@@ -1,34 +1,77 @@
-//! Calls and returns that do not match.
+//! Parts that GOSUB calls and that do not come back, and a RETURN that comes back from nowhere (T.I.P. 3.1 §7-6-5).
 
-use super::flow::{Call, Flow, NodeId};
+use super::Judged;
+use super::unreachable::Unreachable;
 use super::walk::{Into, Walk};
-use crate::program::{Action, End, Program, StepId};
+use crate::message::Linting;
 use std::collections::BTreeSet;
+use tipc::analysis::flow::{Call, Flow, NodeId};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::program::{Action, End, Program, StepId};
+use tipc::syntax::StatementKind;
+
+/// Silent about a part that ends the program by EXIT, or repeats without an end; and about a RETURN in a SUBROUTINE, since
+/// another warning speaks of running into that.
+pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
+    let mut inside = Vec::new();
+    let mut is_inside = false;
+    for statement in judged.module.steps() {
+        match statement.kind {
+            StatementKind::Subroutine { .. } => is_inside = true,
+            StatementKind::SubEnd => {
+                inside.push(true);
+                is_inside = false;
+                continue;
+            }
+            _ => {}
+        }
+        inside.push(is_inside);
+    }
+    let mismatches = mismatches(judged.program, judged.flow, |step| inside[step as usize]);
+    for OneWay { entry, call } in mismatches.one_way {
+        if unreachable.is_live(call) {
+            found.extend(never_returns(judged, entry, call));
+        }
+    }
+    if let Some(lost) = mismatches.lost.and_then(|step| judged.statement(step)) {
+        let finding = Diagnostic::new(Code::LostReturn, lost.span, Linting::ReturnsNowhere);
+        found.push(finding.help(Linting::PutJumpAboveLabel));
+    }
+}
+
+fn never_returns(judged: &Judged<'_>, entry: StepId, call: StepId) -> Option<Diagnostic> {
+    let (part, caller) = (judged.statement(entry)?, judged.statement(call)?);
+    let (name, _) = part.kind.label()?;
+    let finding = Diagnostic::new(Code::NoReturn, part.span, Linting::NeverReturns);
+    let finding = finding.about(name.node.as_str());
+    Some(
+        finding
+            .label(caller.span, Linting::CalledHere)
+            .help(Linting::EndWithReturn),
+    )
+}
 
 /// What does not match.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Mismatches {
+struct Mismatches {
     /// Routines that cannot come back, although they do not end the program by EXIT.
-    pub(crate) one_way: Vec<OneWay>,
+    one_way: Vec<OneWay>,
     /// The first RETURN that a path without a call comes to.
-    pub(crate) lost: Option<StepId>,
+    lost: Option<StepId>,
 }
 
 /// A routine that cannot come back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct OneWay {
+struct OneWay {
     /// Where it begins.
-    pub(crate) entry: StepId,
+    entry: StepId,
     /// The first step that calls it.
-    pub(crate) call: StepId,
+    call: StepId,
 }
 
 /// Looks at the calls and returns of a program. What is in a SUBROUTINE may be left out: `is_inside` says which steps are.
-pub(crate) fn mismatches(
-    program: &Program,
-    flow: &Flow,
-    is_inside: impl Fn(StepId) -> bool,
-) -> Mismatches {
+fn mismatches(program: &Program, flow: &Flow, is_inside: impl Fn(StepId) -> bool) -> Mismatches {
     let own = own_nodes(flow);
     let is_lost = |id: &NodeId| own[*id] && flow.nodes()[*id].returns;
     let lost = (0..own.len())

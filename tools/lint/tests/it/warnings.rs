@@ -1,7 +1,8 @@
 //! Warnings about programs that load: where they fire, and where they stay silent.
 
+use tip_lint::{Options, load};
+use tipc::Robot;
 use tipc::source::Unit;
-use tipc::{Options, Robot, load};
 
 /// What is said of some statements, each as code, line and column; the first statement is on line 3.
 fn found(statements: &str, robot: Robot) -> Vec<String> {

@@ -2,13 +2,16 @@
 
 use super::Judged;
 use super::unreachable::Unreachable;
-use crate::analysis::{Entry, always, enters, stuck::stuck};
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::message::Warning;
-use crate::program::{Action, Condition, Operand, Program, StepId};
-use crate::source::Span;
-use crate::syntax::{Statement, StatementKind};
+use super::walk::{Into, Walk};
+use crate::message::Linting;
+use std::collections::BTreeSet;
+use tipc::analysis::access::{assigns, reads};
+use tipc::analysis::flow::{Entry, Flow, NodeId, always, enters};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::program::{Action, Condition, Operand, Program, StepId};
+use tipc::source::Span;
+use tipc::syntax::{Statement, StatementKind};
 
 /// A step whose outcome is always the same.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +34,7 @@ enum Outcome {
 /// The steps whose outcome is always the same, in order, but for endless loops: `WHILE 1 == 1` and `UNTIL 1 == 0` are meant so.
 pub(super) fn constant(judged: &Judged<'_>) -> Vec<Constant> {
     let steps = (0..).zip(judged.program.steps());
-    let constant = |(step, content): (StepId, &crate::program::Step)| {
+    let constant = |(step, content): (StepId, &tipc::program::Step)| {
         let outcome = outcome(&content.action)?;
         Some(Constant { step, outcome })
     };
@@ -64,7 +67,7 @@ fn outcome(action: &Action) -> Option<Outcome> {
 
 /// What a condition always is: two constants compared, or a variable with itself.
 fn settled(condition: Condition) -> Option<bool> {
-    use crate::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
+    use tipc::program::Relation::{Eq, Ge, Gt, Le, Lt, Ne};
     match condition {
         Condition::Compare {
             left: left @ Operand::Scalar { .. },
@@ -152,10 +155,10 @@ fn leads_on(action: &Action) -> bool {
 
 fn always_so(statement: &Statement, is: bool) -> Diagnostic {
     let (reason, help) = match (&statement.kind, is) {
-        (StatementKind::While { .. }, _) => (Warning::AlwaysFalse, Warning::NeverTurns),
-        (StatementKind::Until { .. }, _) => (Warning::AlwaysTrue, Warning::TurnsOnce),
-        (_, true) => (Warning::AlwaysTrue, Warning::CompareVariable),
-        (_, false) => (Warning::AlwaysFalse, Warning::CompareVariable),
+        (StatementKind::While { .. }, _) => (Linting::AlwaysFalse, Linting::NeverTurns),
+        (StatementKind::Until { .. }, _) => (Linting::AlwaysTrue, Linting::TurnsOnce),
+        (_, true) => (Linting::AlwaysTrue, Linting::CompareVariable),
+        (_, false) => (Linting::AlwaysFalse, Linting::CompareVariable),
     };
     Diagnostic::new(Code::ConstantCondition, condition(statement), reason).help(help)
 }
@@ -170,7 +173,7 @@ fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnos
             ..
         } => {
             let (from, to, step) = (*from, *to, -*step);
-            (Warning::BeyondEnd { from, to }, Warning::CountBack { step })
+            (Linting::BeyondEnd { from, to }, Linting::CountBack { step })
         }
         _ => return always_so(statement, false),
     };
@@ -179,12 +182,12 @@ fn never_runs(program: &Program, statement: &Statement, step: StepId) -> Diagnos
 
 fn never_ends(statement: &Statement) -> Diagnostic {
     let place = condition(statement);
-    Diagnostic::new(Code::EndlessLoop, place, Warning::NothingChanges).help(Warning::ChangeOrLoop)
+    Diagnostic::new(Code::EndlessLoop, place, Linting::NothingChanges).help(Linting::ChangeOrLoop)
 }
 
 /// Where a condition is.
 pub(super) fn condition(statement: &Statement) -> Span {
-    use crate::syntax::Condition::{Compare, Flag};
+    use tipc::syntax::Condition::{Compare, Flag};
     match &statement.kind {
         StatementKind::If { condition, .. }
         | StatementKind::ElseIf { condition, .. }
@@ -195,4 +198,56 @@ pub(super) fn condition(statement: &Statement) -> Span {
         },
         _ => statement.span,
     }
+}
+
+/// The steps with a condition that ends a loop, in order, where nothing in the loop changes a variable of the condition.
+/// Nothing else ends such a loop either: no jump, RETURN, END or EXIT. What a flag says may change at any time. A loop that
+/// does nothing is left out: whoever runs the program may assign the variable that it waits for.
+fn stuck(program: &Program, flow: &Flow) -> Vec<StepId> {
+    let mut walk = Walk::new(flow);
+    let steps = (0..).zip(program.steps());
+    let loops =
+        steps.filter_map(|(step, content)| Some((step, turn(flow, step, &content.action)?)));
+    loops
+        .filter(|(step, turn)| is_stuck(program, flow, &mut walk, *step, *turn) == Some(true))
+        .map(|(step, _)| step)
+        .collect()
+}
+
+/// Where a loop goes on to turn, if a step decides that by comparing variables.
+fn turn(flow: &Flow, step: StepId, action: &Action) -> Option<NodeId> {
+    let (condition, turn) = match action {
+        Action::While { condition, .. } => (condition, step + 1),
+        Action::Until { condition, back } => (condition, *back),
+        Action::IfGoto { condition, to } if *to <= step => (condition, *to),
+        _ => return None,
+    };
+    matches!(condition, Condition::Compare { .. }).then(|| flow.first(turn))
+}
+
+/// Whether the loop cannot end; `None` if it is too large to say.
+fn is_stuck(
+    program: &Program,
+    flow: &Flow,
+    walk: &mut Walk<'_>,
+    step: StepId,
+    turn: NodeId,
+) -> Option<bool> {
+    let mut compared = BTreeSet::new();
+    let action = |id: NodeId| &program.steps()[flow.nodes()[id].step as usize].action;
+    let end = flow.first(step);
+    reads(program, action(end), |scalar| {
+        compared.insert(scalar);
+    });
+    let own = walk.from(&[turn], Some(end), Into::Itself)?;
+    let all = walk.from(&[turn], Some(end), Into::Calls)?;
+    let returns = own.iter().any(|id| flow.nodes()[*id].returns);
+    let ends = all
+        .iter()
+        .any(|id| matches!(action(*id), Action::Finish(_)));
+    let changes = all
+        .iter()
+        .any(|id| assigns(program, action(*id)).any(|scalar| compared.contains(&scalar)));
+    let acts = all.iter().any(|id| action(*id).acts());
+    Some(!compared.is_empty() && acts && own.contains(&end) && !returns && !ends && !changes)
 }

@@ -1,40 +1,82 @@
-//! Warnings about a program that loads: it means something, but hardly what its author meant.
+//! Lints: valid programs that are probably not what their author meant.
 //!
-//! A warning that fires on honest programs is wrong itself: each says in its file when it stays silent.
+//! A lint that fires on honest programs is wrong itself: each says in its file when it stays silent.
 
 mod assignment;
 mod commands;
 mod conditions;
 mod equations;
+mod file;
 mod labels;
 mod message;
 mod routines;
 mod unreachable;
 mod waits;
+mod walk;
 
-use crate::analysis::Flow;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::program::{Program, StepId};
-use crate::robot::Robot;
-use crate::source::Source;
-use crate::symbols::Symbols;
-use crate::syntax::{Module, Statement};
+use crate::allow::Allows;
+use crate::{Loaded, Options};
+use tipc::Robot;
+use tipc::analysis::flow::Flow;
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::program::{Program, StepId};
+use tipc::source::Source;
+use tipc::symbols::Symbols;
+use tipc::syntax::{Module, Statement};
 
 /// A program, and where its steps come from.
 #[derive(Clone, Copy)]
-pub(crate) struct Judged<'a> {
-    pub(crate) source: &'a Source,
-    pub(crate) module: &'a Module,
-    pub(crate) symbols: &'a Symbols,
-    pub(crate) program: &'a Program,
-    pub(crate) flow: &'a Flow,
-    pub(crate) robot: Robot,
+struct Judged<'a> {
+    source: &'a Source,
+    module: &'a Module,
+    symbols: &'a Symbols,
+    program: &'a Program,
+    flow: &'a Flow,
+    robot: Robot,
+}
+
+/// Adds the lints of a file to what was found in it, and leaves out what its comments silence.
+pub(crate) fn find(
+    loaded: &Loaded,
+    mut found: Findings,
+    bytes: &[u8],
+    options: &Options,
+) -> Findings {
+    if let Some(program) = &loaded.program {
+        let judged = Judged {
+            source: &loaded.source,
+            module: &loaded.module,
+            symbols: &loaded.symbols,
+            program,
+            flow: &Flow::of(program),
+            robot: options.robot,
+        };
+        judged.warn(&mut found);
+        let encoding = file::other_encoding(loaded, bytes, options);
+        let title = file::title(loaded, options);
+        let after_end = file::after_end(&loaded.source, &loaded.module);
+        found.extend(encoding.into_iter().chain(title).chain(after_end));
+    }
+    let mut allows = Allows::of(&loaded.source, &loaded.module);
+    allows.silence(&loaded.source, &mut found);
+    if loaded.program.is_some() {
+        found.extend(allows.warnings(&loaded.source));
+    }
+    found
+}
+
+/// Adds warnings that others found about a program, except those that a comment silences.
+pub(crate) fn add(loaded: &mut Loaded, mut found: Vec<Diagnostic>) {
+    if !found.is_empty() {
+        Allows::of(&loaded.source, &loaded.module).silence(&loaded.source, &mut found);
+        loaded.report(found.into());
+    }
 }
 
 impl Judged<'_> {
     /// Adds everything that its analysis gives reason to warn of to what was found before.
-    pub(crate) fn warn(&self, found: &mut Findings) {
+    fn warn(&self, found: &mut Findings) {
         let warnings = self.warnings();
         let meant = message::meant(&warnings);
         let is_meant = |name: &String| meant.contains(name.as_str());

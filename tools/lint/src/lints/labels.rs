@@ -1,30 +1,30 @@
 //! `GOTOL1:`, which is a label and no jump.
 
 use super::Judged;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::language::Keyword;
-use crate::message::{Message, Warning};
-use crate::parse::glued;
-use crate::symbols::{Access, Definition, DefinitionKind, Symbols};
+use crate::message::Linting;
 use std::collections::{HashMap, HashSet};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::language::Keyword;
+use tipc::parse::glued;
+use tipc::symbols::{Access, Definition, DefinitionKind, Symbols};
 
 /// Silent about a label that something jumps to, and where no label has the rest of its name. That nothing comes to the
 /// label that was meant follows from it.
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let suspects = suspects(judged.symbols);
     let meant: HashSet<&str> = suspects.iter().map(|it| it.meant).collect();
-    let follows = |finding: &Diagnostic| match &finding.reason {
-        Message::Warning(Warning::NothingJumps { name }) => meant.contains(name.as_str()),
+    let follows = |finding: &Diagnostic| match finding.reason.get() {
+        Some(Linting::NothingJumps { name }) => meant.contains(name.as_str()),
         _ => false,
     };
     found.retain(|finding| !follows(finding));
     for Suspect { label, jump, meant } in suspects {
-        let help = Warning::JumpInTwoWords {
+        let help = Linting::JumpInTwoWords {
             written: format!("{jump} {meant}:").into(),
             word: label.name.clone(),
         };
-        let reason = Warning::JumpInOneWord { jump };
+        let reason = Linting::JumpInOneWord { jump };
         let finding = |place| Diagnostic::new(Code::GluedJump, place, reason).help(help);
         found.extend(label.place.map(finding));
     }

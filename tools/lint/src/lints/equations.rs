@@ -1,11 +1,11 @@
 //! `N =+1` where `N += 1` was meant.
 
 use super::Judged;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::message::Warning;
-use crate::source::Span;
-use crate::syntax::{Equation, Expression, OperandKind, StatementKind};
+use crate::message::Linting;
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::source::Span;
+use tipc::syntax::{Equation, Expression, OperandKind, StatementKind};
 
 /// The blanks give it away: one before `=`, none behind it. `N = +1` and `N=+1` are what they look like.
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
@@ -15,10 +15,10 @@ pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
         {
             let name = judged.source.slice(equation.target.span);
             let number = judged.source.slice(Span::new(sign + 1, statement.span.end));
-            let reason = Warning::AssignsSigned {
+            let reason = Linting::AssignsSigned {
                 number: number.into(),
             };
-            let help = Warning::MeantUpdate {
+            let help = Linting::MeantUpdate {
                 name: name.into(),
                 number: number.into(),
             };

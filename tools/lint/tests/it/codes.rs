@@ -3,8 +3,8 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use tip_lint::{Options, load};
 use tipc::code::Mistake;
-use tipc::{Options, load};
 
 /// About as many words of a program are left out, doubled or taken for another.
 const MOST: usize = 4;
@@ -59,7 +59,7 @@ fn every_finding_about_a_program_or_a_variant_of_it_has_its_finest_code() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();
     programs(&package.join("tests/findings"), &mut found);
-    programs(&package.join("../tests/language/cases"), &mut found);
+    programs(&package.join("../../tests/language/cases"), &mut found);
     for path in &found {
         let bytes = fs::read(path).expect("a program");
         check(path, &bytes);

@@ -6,13 +6,13 @@
 use super::Judged;
 use super::conditions::condition;
 use super::unreachable::Unreachable;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::language::commands::{self, Moves};
-use crate::message::Warning;
-use crate::program::{Action, Condition, Flag, Op, Step, Target};
-use crate::source::Span;
-use crate::syntax::{Statement, StatementKind};
+use crate::message::Linting;
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::language::commands::{self, Moves};
+use tipc::program::{Action, Condition, Flag, Op, Step, Target};
+use tipc::source::Span;
+use tipc::syntax::{Statement, StatementKind};
 
 pub(super) fn warn(judged: &Judged<'_>, unreachable: &Unreachable, found: &mut Findings) {
     let steps = judged.program.steps();
@@ -61,7 +61,7 @@ fn moves(step: &Step) -> Option<Target> {
 }
 
 /// Why a step waits for nothing.
-fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
+fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Linting> {
     let is_one = |target: Target| !matches!(target, Target::All | Target::None);
     // A program in which nothing moves at all is a sketch.
     let others_move =
@@ -72,12 +72,12 @@ fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
             op: Op::WaitInpos,
             target,
             ..
-        } if rests(target) => Some(Warning::PassesAtOnce { target }),
+        } if rests(target) => Some(Linting::PassesAtOnce { target }),
         Action::Command {
             op: Op::WaitNear,
             target,
             ..
-        } if rests(target) => Some(Warning::NeverControlled { target }),
+        } if rests(target) => Some(Linting::NeverControlled { target }),
         Action::While {
             condition: Condition::Flag { flag, .. },
             ..
@@ -86,9 +86,9 @@ fn waits_for_nothing(action: &Action, moved: &[Target]) -> Option<Warning> {
             condition: Condition::Flag { flag, .. },
             ..
         } => match flag {
-            Flag::Inpos(target) if rests(target) => Some(Warning::InposOfNothing { target }),
-            Flag::Near(target) if rests(target) => Some(Warning::NearOfNothing { target }),
-            Flag::Special(_) => Some(Warning::NobodySets),
+            Flag::Inpos(target) if rests(target) => Some(Linting::InposOfNothing { target }),
+            Flag::Near(target) if rests(target) => Some(Linting::NearOfNothing { target }),
+            Flag::Special(_) => Some(Linting::NobodySets),
             _ => None,
         },
         _ => None,
@@ -106,10 +106,10 @@ fn meets(one: Target, other: Target) -> bool {
     }
 }
 
-fn way_out(reason: &Warning) -> Warning {
+fn way_out(reason: &Linting) -> Linting {
     match reason {
-        Warning::NobodySets => Warning::CallSpecial,
-        _ => Warning::WaitForMoved,
+        Linting::NobodySets => Linting::CallSpecial,
+        _ => Linting::WaitForMoved,
     }
 }
 

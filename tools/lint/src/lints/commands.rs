@@ -2,13 +2,13 @@
 //! answers.
 
 use super::Judged;
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::language::commands::{self, Form};
-use crate::message::Warning;
-use crate::program::{Action, Op};
-use crate::syntax::{self, OperandKind, StatementKind};
+use crate::message::Linting;
 use tip_runtime::command::{ABSOLUTE, RELATIVE, Target};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::language::commands::{self, Form};
+use tipc::program::{Action, Op};
+use tipc::syntax::{self, OperandKind, StatementKind};
 
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
     let keeps_period = judged
@@ -48,8 +48,8 @@ fn short_sleep(judged: &Judged<'_>, arguments: &[syntax::Operand]) -> Option<Dia
     };
     let period = judged.robot.facts().period;
     (0.0 < time && time < period).then(|| {
-        let reason = Warning::OneCycle { period };
-        Diagnostic::new(Code::ShortSleep, operand.span, reason).help(Warning::Milliseconds)
+        let reason = Linting::OneCycle { period };
+        Diagnostic::new(Code::ShortSleep, operand.span, reason).help(Linting::Milliseconds)
     })
 }
 
@@ -74,6 +74,6 @@ fn relative_first(name: &str, arguments: &[syntax::Operand]) -> Option<Diagnosti
         return None;
     }
     let place = mark.span.to(numbers[0].span);
-    let finding = Diagnostic::new(Code::RelativeFirst, place, Warning::OthersAbsolute);
-    Some(finding.help(Warning::MarkEach))
+    let finding = Diagnostic::new(Code::RelativeFirst, place, Linting::OthersAbsolute);
+    Some(finding.help(Linting::MarkEach))
 }

@@ -1,15 +1,15 @@
 //! Variables that are read without a value (T.I.P. 3.1 §5-1).
 
 use super::Judged;
-use crate::analysis::assignment::{Assigned, Assignment, Gap, gaps};
-use crate::code::Code;
-use crate::diagnostic::{Diagnostic, Findings};
-use crate::message::Warning;
-use crate::message::list::{Pieces, Quoted};
-use crate::message::phrase::{Assign, Lack, Stretch};
-use crate::program::{Program, StepId, VariableKind};
-use crate::source::Span;
-use crate::symbols::Access;
+use crate::message::{Lack, Linting, Stretch};
+use tipc::analysis::assignment::{Assigned, Assignment, Gap, gaps};
+use tipc::code::Code;
+use tipc::diagnostic::{Diagnostic, Findings};
+use tipc::message::list::{Pieces, Quoted};
+use tipc::message::phrase::Assign;
+use tipc::program::{Program, StepId, VariableKind};
+use tipc::source::Span;
+use tipc::symbols::Access;
 
 /// Warns of every variable that is, or may be, read without a value.
 pub(super) fn warn(judged: &Judged<'_>, found: &mut Findings) {
@@ -67,15 +67,15 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         _ => (Code::PerhapsUnassigned, Lack::ValueOnSomePaths),
     };
     let reason = match names.as_slice() {
-        [_] => Warning::Has {
+        [_] => Linting::Has {
             name: names[0].clone(),
             lack,
         },
-        _ if is_whole => Warning::Has {
+        _ if is_whole => Linting::Has {
             name: subject.clone(),
             lack,
         },
-        names => Warning::Have {
+        names => Linting::Have {
             names: Quoted(names.to_vec()),
             lack,
         },
@@ -89,8 +89,8 @@ fn warning(program: &Program, gap: &Gap, place: Span) -> Diagnostic {
         },
     };
     let help = match path(program, &gap.way) {
-        Some(path) => Warning::NoValueOnPath { path, assign },
-        None => Warning::Assign { assign },
+        Some(path) => Linting::NoValueOnPath { path, assign },
+        None => Linting::Assign { assign },
     };
     Diagnostic::new(code, place, reason)
         .about(subject)

@@ -1,6 +1,6 @@
 //! Where paths lead from a node.
 
-use super::flow::{Flow, NodeId};
+use tipc::analysis::flow::{Flow, NodeId};
 
 /// How far a path is followed: the time stays in proportion to the program.
 const FARTHEST: usize = 1_000;

@@ -3,14 +3,14 @@
 //! At the end of a line it is for that line; on a line of its own for the next statement; above the first statement for
 //! the whole program.
 
-use crate::code::{Code, Level};
-use crate::diagnostic::Diagnostic;
-use crate::language::Edition;
-use crate::lex::split_comment;
 use crate::message::Allowing;
-use crate::source::{Source, Span, Unit};
-use crate::syntax::Module;
 use std::collections::HashMap;
+use tipc::code::{Code, Level};
+use tipc::diagnostic::Diagnostic;
+use tipc::language::Edition;
+use tipc::lex::split_comment;
+use tipc::source::{Source, Span, Unit};
+use tipc::syntax::Module;
 
 /// What the comments of a program silence.
 #[derive(Clone, Debug, Default, PartialEq)]

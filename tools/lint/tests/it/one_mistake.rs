@@ -1,6 +1,6 @@
 //! One mistake is one finding: what follows from another finding is none, and what does not is kept.
 
-use tipc::{Options, load};
+use tip_lint::{Options, load};
 
 /// The codes and lines of what is wrong with some statements; the first statement is on line 3.
 #[track_caller]

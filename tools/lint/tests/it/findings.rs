@@ -2,10 +2,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use tip_lint::{Loaded, Options, load};
 use tipc::code::Code;
 use tipc::message::{Lang, Message};
 use tipc::render::{Style, human};
-use tipc::{Loaded, Options, load};
 
 /// The programs, in order.
 fn programs() -> Vec<PathBuf> {
