@@ -5,8 +5,7 @@ use crate::NotRecorded;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Outcome, Recording, Script};
 use std::collections::VecDeque;
-use tip_runtime::program::Program as _;
-use tip_sim::{Event, Events, Interpreter, Refused, Robot, Run, Snapshot};
+use tip_sim::{Event, Events, Interpreter, Robot, Run, Snapshot};
 use tipc::Loaded;
 
 /// How many cycles lie between two marks.
@@ -29,7 +28,6 @@ struct Mark {
 
 /// A program that runs, and what it did.
 pub(super) struct Runner {
-    robot: Robot,
     run: Run,
     recorder: Recorder,
     /// Those of the command line, which happen whatever else does.
@@ -60,7 +58,6 @@ impl Runner {
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {
-            robot: robot.clone(),
             run,
             recorder,
             scripted: scripted.clone(),
@@ -138,7 +135,7 @@ impl Runner {
         if is_full && !is_stop(&event) {
             return refuse("many");
         }
-        self.try_event(&event)?;
+        (self.run.accepts(&event)).or_else(|reason| refuse_since("impossible", reason))?;
         // Of two values of one input before one step, the later one is read.
         let is_same = |other: &Event| match (other, &event) {
             (Event::Sensor(one, _), Event::Sensor(other, _)) => one == other,
@@ -148,23 +145,6 @@ impl Runner {
         self.waiting.retain(|other| !is_same(other));
         self.waiting.push(event);
         Ok(())
-    }
-
-    /// Whether an event can happen to this run.
-    fn try_event(&self, event: &Event) -> Result<(), Refusal> {
-        match event {
-            Event::Sensor(port, _) if !self.robot.has_input(*port) => {
-                refuse_since("impossible", Refused::NoInput(*port))
-            }
-            Event::Set(name, value) => {
-                let program = self.run.engine::<Interpreter>().cloned();
-                let set = program.map_or(Ok(()), |mut program| program.set(name, *value));
-                set.or_else(|error| {
-                    refuse_since("impossible", Refused::Variable(name.clone(), error))
-                })
-            }
-            _ => Ok(()),
-        }
     }
 
     /// Takes the run back, or on, until so many cycles are recorded; less far if its past does not reach, or it is over
