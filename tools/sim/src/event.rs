@@ -107,9 +107,9 @@ impl Events {
         self.0.truncate(count);
     }
 
-    /// Leaves out those that `keeps` refuses.
-    pub(crate) fn retain(&mut self, keeps: impl FnMut(&Timed) -> bool) {
-        self.0.retain(keeps);
+    /// Number of events before a cycle.
+    pub(crate) fn before(&self, cycle: u64) -> usize {
+        self.0.partition_point(|event| event.cycle < cycle)
     }
 
     /// Adds an event after those of its cycle, and not before place `from`.
