@@ -112,8 +112,21 @@ fn are_sane(mut values: impl Iterator<Item = f64>) -> bool {
 
 /// Hardware that is simulated, so that the readings of its inputs can be set.
 pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
+    /// Returns true if the robot has this input.
+    fn has_input(&self, port: Port) -> bool;
+
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
+
+    /// Returns true if a force can move the body.
+    fn can_be_pushed(&self) -> bool {
+        false
+    }
+
+    /// Returns true if sensors can read with noise.
+    fn can_have_noise(&self) -> bool {
+        false
+    }
 
     /// Pushes the body at its origin with a force in the world (N) for so many control cycles from now on; `false` if
     /// no force moves it. One push takes the place of the one before.

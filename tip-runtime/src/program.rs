@@ -162,6 +162,14 @@ pub trait Program {
     fn set(&mut self, name: &str, value: f64) -> Result<(), VariableError> {
         variables::set(self, name, value)
     }
+
+    /// Checks that [`set`](Self::set) would assign the variable, and changes nothing.
+    ///
+    /// # Errors
+    /// Those of [`set`](Self::set).
+    fn accepts(&self, name: &str, value: f64) -> Result<(), VariableError> {
+        variables::settable(self, name, value).map(drop)
+    }
 }
 
 impl<P: Program + ?Sized> Program for &mut P {

@@ -314,9 +314,22 @@ impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
 }
 
 impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
+    fn has_input(&self, port: Port) -> bool {
+        let overrides: &Overrides<[LegInputs<J>]> = &self.overrides;
+        overrides.has(port)
+    }
+
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         let overrides: &mut Overrides<[LegInputs<J>]> = &mut self.overrides;
         overrides.set(port, volts)
+    }
+
+    fn can_be_pushed(&self) -> bool {
+        self.robot.trunk.model.is_some()
+    }
+
+    fn can_have_noise(&self) -> bool {
+        true
     }
 
     fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
@@ -324,7 +337,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
             force: Vector::from(force),
             cycles,
         };
-        self.robot.trunk.model.is_some()
+        self.can_be_pushed()
     }
 
     fn set_noise(&mut self, noise: Noise) -> bool {

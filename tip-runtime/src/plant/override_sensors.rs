@@ -31,6 +31,16 @@ impl<const J: usize> LegInputs<J> {
             angles: [None; J],
         }
     }
+
+    fn has(&self, joint: usize) -> bool {
+        joint < self.ranges.len()
+    }
+
+    fn set(&mut self, joint: usize, volts: f64) -> bool {
+        let joint = self.ranges.get(joint).zip(self.angles.get_mut(joint));
+        let set = joint.map(|(range, angle)| *angle = Some(analog::angle_of_volts(*range, volts)));
+        set.is_some()
+    }
 }
 
 impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
@@ -57,37 +67,44 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
         }
     }
 
-    /// `false` if the robot lacks the input.
-    pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
-        let index = |number: u8| usize::from(number).wrapping_sub(1);
-        match port {
-            Port::Channel(channel) => match analog::wire(channel, self.legs.len(), J) {
-                Some(Wire::Joint(leg, joint)) => self.set_joint(leg, joint, volts),
-                Some(Wire::Input(port)) => self.set_input(port, volts),
-                Some(Wire::Open) | None => false,
-            },
-            Port::Joint(leg, joint) => self.set_joint(index(leg), index(joint), volts),
-            port => self.set_input(port, volts),
+    /// Returns true if the robot has this input.
+    pub(super) fn has(&self, port: Port) -> bool {
+        match self.wire(port) {
+            Wire::Joint(leg, joint) => self.legs.get(leg).is_some_and(|it| it.has(joint)),
+            Wire::Input(port) => self.has_named(port),
+            Wire::Open => false,
         }
     }
 
-    fn set_input(&mut self, port: Port, volts: f64) -> bool {
-        let soles = if self.soles { self.legs.len() } else { 0 };
-        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > soles);
-        !lacks && self.inputs.set(port, Some(volts))
+    /// `false` if the robot lacks the input.
+    pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
+        match self.wire(port) {
+            Wire::Joint(leg, joint) => {
+                let leg = self.legs.get_mut(leg);
+                leg.is_some_and(|leg| leg.set(joint, volts))
+            }
+            Wire::Input(port) => self.has_named(port) && self.inputs.set(port, Some(volts)),
+            Wire::Open => false,
+        }
     }
 
-    fn set_joint(&mut self, leg: usize, joint: usize, volts: f64) -> bool {
-        let Some(leg) = self.legs.get_mut(leg) else {
-            return false;
-        };
-        let range = leg.ranges.get(joint);
-        let angle = leg.angles.get_mut(joint);
-        let (Some(range), Some(angle)) = (range, angle) else {
-            return false;
-        };
-        *angle = Some(analog::angle_of_volts(*range, volts));
-        true
+    /// Returns the source that an input reads, by whichever name.
+    fn wire(&self, port: Port) -> Wire {
+        let index = |number: u8| usize::from(number).wrapping_sub(1);
+        match port {
+            Port::Channel(channel) => {
+                analog::wire(channel, self.legs.len(), J).unwrap_or(Wire::Open)
+            }
+            Port::Joint(leg, joint) => Wire::Joint(index(leg), index(joint)),
+            port => Wire::Input(port),
+        }
+    }
+
+    /// Returns true if the robot has an input that is not a joint's.
+    fn has_named(&self, port: Port) -> bool {
+        let soles = if self.soles { self.legs.len() } else { 0 };
+        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > soles);
+        !lacks && port.place().is_some()
     }
 
     /// Puts what was set in place of what was measured.

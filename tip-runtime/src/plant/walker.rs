@@ -277,6 +277,11 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedPlant<L, J> {
 }
 
 impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
+    fn has_input(&self, port: Port) -> bool {
+        let overrides: &Overrides<[LegInputs<J>]> = &self.overrides;
+        overrides.has(port)
+    }
+
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         let overrides: &mut Overrides<[LegInputs<J>]> = &mut self.overrides;
         overrides.set(port, volts)

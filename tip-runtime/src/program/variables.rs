@@ -43,12 +43,22 @@ pub(super) fn set<P: Program + ?Sized>(
     name: &str,
     value: f64,
 ) -> Result<(), VariableError> {
-    let (index, _) = find(program, name)?;
-    if !value.is_finite() {
-        return Err(VariableError::NotFinite);
-    }
+    let index = settable(program, name, value)?;
     program.set_scalar(index, value);
     Ok(())
+}
+
+/// Index of a variable that can have a value.
+pub(super) fn settable<P: Program + ?Sized>(
+    program: &P,
+    name: &str,
+    value: f64,
+) -> Result<usize, VariableError> {
+    let (index, _) = find(program, name)?;
+    match value.is_finite() {
+        true => Ok(index),
+        false => Err(VariableError::NotFinite),
+    }
 }
 
 /// Index and value of the scalar of that name.

@@ -184,7 +184,7 @@ impl<const L: usize, const J: usize> Body for Sized<L, J> {
     }
 
     fn has_input(&self, around: &Around, port: Port) -> bool {
-        plant::Plant::set_sensor(&mut self.rig(around), port, 0.0)
+        plant::Plant::has_input(&self.rig(around), port)
     }
 
     fn beginning(&self, around: &Around) -> Beginning {

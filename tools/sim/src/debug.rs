@@ -1,8 +1,7 @@
 //! A run to move about in, forwards and backwards: the engine of a debugger.
 //!
-//! A position is the number of the cycle that comes next. The debugger keeps the step of every cycle and a snapshot now and
-//! then; it goes back by taking the run to the last snapshot before a position and running it again, which does the same to the
-//! bit. While it stands, nothing moves: program and robot have one time.
+//! A position is the number of the cycle that comes next. The debugger moves along a [`Timeline`], and keeps the step of
+//! every cycle. While it stands, nothing moves: program and robot have one time.
 //!
 //! ```
 //! use tip_sim::debug::{Debugger, Discard, Move, Reason, When};
@@ -44,14 +43,15 @@ pub use breakpoints::{Placed, When};
 pub use moves::Work;
 pub use stop::{By, Hits, Move, NotHits, Progress, Reason, Refused, Stop};
 
-use crate::event::{Event, Events, Timed};
+use crate::event::{Event, Events};
 use crate::interp::Interpreter;
 use crate::motion::Fall;
 use crate::refused;
 use crate::robot::Robot;
 use crate::run::Run;
+use crate::timeline::Timeline;
 use breakpoints::Breakpoints;
-use history::{History, Marks};
+use history::History;
 use moves::Errand;
 use std::sync::Arc;
 use tip_lint::ask::Asker;
@@ -73,17 +73,13 @@ pub struct Debugger {
     program: Arc<Program>,
     asker: Asker,
     /// Where the debugger stands.
-    run: Run,
-    now: u64,
+    timeline: Timeline,
     history: History,
-    marks: Marks,
     breakpoints: Breakpoints,
     watches: Watches,
     stops_at_fall: bool,
     /// The first one that is known.
     fall: Option<Fall>,
-    /// What its user made happen.
-    changes: Vec<Timed>,
     said: Vec<(u64, String)>,
     /// How many of them someone has taken.
     taken: usize,
@@ -106,17 +102,14 @@ impl Debugger {
     }
 
     fn of(run: Run, program: Arc<Program>, robot: &Robot) -> Self {
-        let mut debugger = Debugger {
+        Debugger {
             asker: Asker::new(&program, robot.options(), ask::OWN),
-            run,
-            now: 0,
+            timeline: Timeline::new(run, ()),
             history: History::default(),
-            marks: Marks::new(program.scalar_count()),
             breakpoints: Breakpoints::new(program.steps().len()),
             watches: Watches::default(),
             stops_at_fall: false,
             fall: None,
-            changes: Vec::new(),
             said: Vec::new(),
             taken: 0,
             logged: Vec::new(),
@@ -127,9 +120,7 @@ impl Debugger {
             },
             next_id: 1,
             program,
-        };
-        debugger.marks.note(0, &debugger.run);
-        debugger
+        }
     }
 
     /// Stops where the robot falls, or goes on.
@@ -139,7 +130,7 @@ impl Debugger {
 
     /// The position: the cycle that comes next.
     pub fn now(&self) -> u64 {
-        self.now
+        self.timeline.now()
     }
 
     /// How many cycles have been run at all; what follows them is not known yet.
@@ -159,7 +150,7 @@ impl Debugger {
 
     /// The run where the debugger stands.
     pub fn run(&self) -> &Run {
-        &self.run
+        self.timeline.run()
     }
 
     /// The interpreter; every run of a debugger has one.
@@ -186,8 +177,8 @@ impl Debugger {
     /// # Errors
     /// The robot or the program lacks what they change.
     pub fn with_events(mut self, events: &Events) -> Result<Self, refused::Refused> {
-        self.run = self.run.with_events(events)?;
-        self.run.happen();
+        self.timeline.script(events)?;
+        self.timeline.happen();
         Ok(self)
     }
 
@@ -198,44 +189,40 @@ impl Debugger {
     /// # Errors
     /// The program is over, the robot or the program lacks what it changes, or cycles would be discarded.
     pub fn happens(&mut self, event: Event, discard: Discard) -> Result<(), Refused> {
-        if self.end_at(self.now).is_some() {
+        let now = self.now();
+        if self.end_at(now).is_some() {
             return Err(Refused::Ended);
         }
-        let later = self.history.len() - self.now;
+        let later = self.history.len() - now;
         if later > 0 && discard == Discard::Nothing {
             return Err(Refused::WouldDiscard(later));
         }
-        let event = event.at(self.now);
-        self.run.add(event.clone()).map_err(Refused::Event)?;
+        self.run().accepts(&event).map_err(Refused::Event)?;
         self.errand = None;
         self.forget_later();
-        self.changes.push(event);
-        self.run.happen();
+        self.timeline.add(event).map_err(Refused::Event)?;
+        self.timeline.happen();
         self.stop = Stop {
             reason: Reason::Change,
-            at: self.now,
+            at: now,
         };
         Ok(())
     }
 
     /// What its user made happen, in the order in which it happens.
     pub fn changes(&self) -> Events {
-        self.changes.iter().cloned().collect()
+        self.timeline.changes().clone()
     }
 
     /// Discards what is known of the cycles from here on.
     fn forget_later(&mut self) {
-        let now = self.now;
-        self.history.truncate(now, self.run.program().at());
-        self.marks.truncate(now);
+        let now = self.now();
+        self.timeline.branch();
+        self.history
+            .truncate(now, self.timeline.run().program().at());
         self.breakpoints.truncate(now);
         self.said.retain(|(at, _)| *at < now);
         self.taken = self.taken.min(self.said.len());
         self.fall = self.fall.filter(|fall| fall.cycle < now);
-        let mut dropped: Vec<Timed> = self.changes.extract_if(.., |one| one.cycle > now).collect();
-        self.run.events.retain(|event| {
-            let place = dropped.iter().position(|one| one == event);
-            place.map(|place| dropped.swap_remove(place)).is_none()
-        });
     }
 }

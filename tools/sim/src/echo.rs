@@ -116,10 +116,15 @@ impl Echo {
         }
     }
 
+    /// Returns true if the robot has this input.
+    pub(crate) fn has_input(&self, port: Port) -> bool {
+        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > self.soles);
+        !lacks && port.place().is_some()
+    }
+
     /// Makes an input read `volts` from now on; `false` if the robot lacks it.
     pub(crate) fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        let lacks = matches!(port, Port::Paw(leg) if usize::from(leg) > self.soles);
-        !lacks && self.inputs.set(port, volts)
+        self.has_input(port) && self.inputs.set(port, volts)
     }
 }
 

@@ -16,12 +16,13 @@ mod text;
 pub use options::{Inputs, Keys, SensorAt};
 pub use text::EventError;
 
+use serde::{Deserialize, Serialize};
 use tip_runtime::command::Port;
 use tip_runtime::plant::Noise;
 
 /// Something that happens to a robot or to its program from outside.
 ///
-/// As text, in `--events`, files and tests:
+/// As text, in `--events`, files, tests, and as a string in JSON:
 ///
 /// | event | text |
 /// |---|---|
@@ -34,7 +35,8 @@ use tip_runtime::plant::Noise;
 /// | joint angles (deg) and soles (V) are measured with normally distributed errors from now on | `noise 0.1 0.02 seed 7` |
 /// | the robot cannot be read in this cycle | `read fails` |
 /// | the robot cannot be written to any more | `write fails` |
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(into = "String", try_from = "String")]
 #[non_exhaustive]
 pub enum Event {
     /// A byte is typed. ESC requests a halt, RETURN stops the robot.
@@ -105,9 +107,9 @@ impl Events {
         self.0.truncate(count);
     }
 
-    /// Leaves out those that `keeps` refuses.
-    pub(crate) fn retain(&mut self, keeps: impl FnMut(&Timed) -> bool) {
-        self.0.retain(keeps);
+    /// Number of events before a cycle.
+    pub(crate) fn before(&self, cycle: u64) -> usize {
+        self.0.partition_point(|event| event.cycle < cycle)
     }
 
     /// Adds an event after those of its cycle, and not before place `from`.

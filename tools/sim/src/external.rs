@@ -337,9 +337,12 @@ impl Outside for External {
         self.is_stopped = true;
     }
 
+    fn has_input(&self, port: Port) -> bool {
+        self.layout.inputs().any(|input| input == port)
+    }
+
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
-        let has = self.layout.inputs().any(|input| input == port);
-        has && self.overrides.set(port, Some(volts))
+        self.has_input(port) && self.overrides.set(port, Some(volts))
     }
 
     fn pose(&self) -> Option<Pose> {

@@ -31,6 +31,7 @@ pub(crate) trait Outside {
         period: f64,
     ) -> Result<(), HardwareFault>;
     fn stop(&mut self);
+    fn has_input(&self, port: Port) -> bool;
     /// `false` if the robot lacks the input.
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     /// Where the body is, if that is known.

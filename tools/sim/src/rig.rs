@@ -190,6 +190,22 @@ impl<const L: usize, const J: usize> Hardware<L, J> for Rig<L, J> {
 }
 
 impl<const L: usize, const J: usize> Plant<L, J> for Rig<L, J> {
+    fn has_input(&self, port: Port) -> bool {
+        match &self.simulated {
+            Simulated::Echo(echo) => echo.has_input(port),
+            Simulated::Plant(plant) => plant.has_input(port),
+            Simulated::Outside(outside) => outside.has_input(port),
+        }
+    }
+
+    fn can_be_pushed(&self) -> bool {
+        (self.simulated()).is_some_and(|plant| plant.can_be_pushed())
+    }
+
+    fn can_have_noise(&self) -> bool {
+        (self.simulated()).is_some_and(|plant| plant.can_have_noise())
+    }
+
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         match &mut self.simulated {
             Simulated::Echo(echo) => echo.set_sensor(port, volts),

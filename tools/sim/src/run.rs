@@ -129,24 +129,35 @@ impl Run {
         Ok(self)
     }
 
+    /// Checks that an event can happen to this run.
+    ///
+    /// # Errors
+    /// The robot lacks the input or has no mass, or the program has no such variable, or it cannot have the value.
+    pub fn accepts(&self, event: &Event) -> Result<(), Refused> {
+        let can = match event {
+            Event::Sensor(port, _) if !self.shell.has_input(*port) => {
+                return Err(Refused::NoInput(*port));
+            }
+            Event::Set(name, value) => {
+                let refused = |error| Refused::Variable(name.clone(), error);
+                return self.program().accepts(name, *value).map_err(refused);
+            }
+            Event::Push(..) => self.shell.can_be_pushed(),
+            Event::Noise(_) => self.shell.can_have_noise(),
+            _ => true,
+        };
+        match can {
+            true => Ok(()),
+            false => Err(Refused::Massless(event.to_string())),
+        }
+    }
+
     /// Lets one more event happen; at once in the next cycle if its own is over.
     ///
     /// # Errors
-    /// The robot lacks an input.
+    /// Those of [`accepts`](Self::accepts).
     pub fn add(&mut self, event: Timed) -> Result<(), Refused> {
-        if let Event::Sensor(port, _) = event.event
-            && !self.shell.has_input(port)
-        {
-            return Err(Refused::NoInput(port));
-        }
-        if !self.shell.can(&event.event) {
-            return Err(Refused::Massless(event.event.to_string()));
-        }
-        if let Event::Set(name, value) = &event.event {
-            let mut engine = self.shell.seen().engine.clone();
-            let refused = |error| Refused::Variable(name.clone(), error);
-            engine.set(name, *value).map_err(refused)?;
-        }
+        self.accepts(&event.event)?;
         self.events.insert(self.happened, event);
         Ok(())
     }

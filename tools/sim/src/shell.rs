@@ -3,7 +3,6 @@
 use crate::desk::Desk;
 use crate::echo::Echo;
 use crate::engine::Engine;
-use crate::event::Event;
 use crate::motion::{Grasp, Limbs};
 use crate::native::Native;
 use crate::rig::{Failures, Rig};
@@ -36,6 +35,9 @@ pub(crate) trait Shell {
     fn limbs(&self) -> Option<Limbs>;
     fn aims(&self) -> Vec<Aim>;
     fn grasp(&self) -> Option<Grasp>;
+    fn has_input(&self, port: Port) -> bool;
+    fn can_be_pushed(&self) -> bool;
+    fn can_have_noise(&self) -> bool;
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
     fn push(&mut self, force: [f64; 3], cycles: u32) -> bool;
     fn set_noise(&mut self, noise: Noise) -> bool;
@@ -72,20 +74,6 @@ impl dyn Shell {
         if let Some(echo) = self.touched() {
             echo.touch(on);
         }
-    }
-
-    /// Whether this can happen to the robot, tried on a copy.
-    pub(crate) fn can(&self, event: &Event) -> bool {
-        match *event {
-            Event::Push(force, _) => self.boxed().push(force, 0),
-            Event::Noise(noise) => self.boxed().set_noise(noise),
-            _ => true,
-        }
-    }
-
-    /// Whether the robot has this input.
-    pub(crate) fn has_input(&self, port: Port) -> bool {
-        self.boxed().set_sensor(port, 0.0)
     }
 }
 
@@ -168,6 +156,18 @@ impl<const L: usize, const J: usize> Shell for Sized<L, J> {
 
     fn grasp(&self) -> Option<Grasp> {
         self.hardware().grasp().map(Grasp::from)
+    }
+
+    fn has_input(&self, port: Port) -> bool {
+        self.hardware().has_input(port)
+    }
+
+    fn can_be_pushed(&self) -> bool {
+        self.hardware().can_be_pushed()
+    }
+
+    fn can_have_noise(&self) -> bool {
+        self.hardware().can_have_noise()
     }
 
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {

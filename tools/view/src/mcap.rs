@@ -3,26 +3,26 @@
 mod cdr;
 mod foxglove;
 mod own;
+mod proto;
 mod scene;
-mod schema;
 mod transforms;
-mod wire;
 
 use crate::recording::{Frame, Recording};
 use cdr::Cdr;
+use foxglove::Timestamp;
 use mcap::records::MessageHeader;
 use mcap::{McapResult, WriteOptions, Writer};
 use own::{State, Variables};
+use prost::Message;
+use prost_types::FileDescriptorSet;
 use scene::Stage;
-use schema::descriptors;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Seek, Write};
 use tip_sim::urdf::frame;
-use wire::Message;
 
 /// What an info is in `foxglove.Log`, and what an error is.
-const INFO: u32 = 2;
-const ERROR: u32 = 4;
+const INFO: i32 = 2;
+const ERROR: i32 = 4;
 
 impl Recording {
     /// Writes the recording as MCAP, with the robot as URDF, such as [`urdf::export`](tip_sim::urdf::export) gives. The same
@@ -131,7 +131,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         let text = Cdr::new().text(urdf).into_bytes();
         self.put(&DESCRIPTION, 0, text)?;
         let fixed = transforms::fixed(&self.recording.robot);
-        self.send(&FIXED, 0, transforms::message(0, fixed))?;
+        self.send(&FIXED, 0, &transforms::message(0, fixed))?;
         let mut happenings = happenings(self.recording).into_iter().peekable();
         for frame in &self.recording.frames {
             // What happens in a cycle stands before what the robot did until its end.
@@ -153,26 +153,22 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     fn frame(&mut self, frame: &Frame) -> McapResult<()> {
         let (robot, time) = (&self.recording.robot, nanoseconds(frame.time));
         let moving = transforms::moving(robot, frame);
-        self.send(&MOVING, time, transforms::message(time, moving))?;
+        self.send(&MOVING, time, &transforms::message(time, moving))?;
         let joints = self.joints(time, frame);
         self.put(&JOINTS, time, joints)?;
         let scene = self.stage.update(time, frame);
-        self.send(&SCENE, time, scene)?;
-        let state = self.state(frame.cycle, Some(frame)).message(time);
-        self.send(&STATE, time, state)?;
-        let falls = self
-            .recording
-            .falls
-            .partition_point(|fall| fall.cycle <= frame.cycle) as u64;
-        let figures = [
-            (&BODY, own::body(time, frame)),
-            (&MARGIN, own::margin(time, frame, falls)),
-            (&LOADS, own::loads(time, frame)),
-        ];
-        for (topic, message) in figures {
-            if let Some(message) = message {
-                self.send(topic, time, message)?;
-            }
+        self.send(&SCENE, time, &scene)?;
+        self.send(&STATE, time, &self.state(time, frame.cycle, Some(frame)))?;
+        let falls = &self.recording.falls;
+        let falls = falls.partition_point(|fall| fall.cycle <= frame.cycle);
+        if let Some(body) = own::body(time, frame) {
+            self.send(&BODY, time, &body)?;
+        }
+        if let Some(margin) = own::margin(time, frame, falls) {
+            self.send(&MARGIN, time, &margin)?;
+        }
+        if let Some(loads) = own::loads(time, frame) {
+            self.put(&LOADS, time, loads)?;
         }
         Ok(())
     }
@@ -223,7 +219,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     }
 
     /// What the program does in a cycle.
-    fn state<'s>(&'s self, cycle: u64, frame: Option<&'s Frame>) -> State<'s> {
+    fn state(&self, time: u64, cycle: u64, frame: Option<&Frame>) -> State {
         let recording = self.recording;
         let line = recording.line(cycle);
         let number = line.and_then(|line| (line as usize).checked_sub(1));
@@ -231,24 +227,27 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         let commands = &recording.commands;
         let found = commands.binary_search_by_key(&cycle, |command| command.cycle);
         let command = found.ok().and_then(|at| commands.get(at));
+        let statement = statement.unwrap_or_default().trim();
+        let step = recording.step(cycle).filter(|_| line.is_some());
+        let flags = frame.iter().flat_map(|frame| &frame.flags);
+        let joints = frame.iter().flat_map(|frame| &frame.torque_joints);
         State {
-            cycle,
-            step: recording.step(cycle),
-            line,
-            statement: statement.unwrap_or_default().trim(),
+            timestamp: Timestamp::of(time),
+            cycle: cycle as i64,
+            step: step.map(i64::from),
+            line: line.map(i64::from),
+            statement: line.map(|_| statement.to_owned()),
             command: command.map(|command| command.what.to_string()),
-            frame,
-            lamps: &self.lamps,
+            flags: flags.map(ToString::to_string).collect(),
+            torque_joints: joints.map(ToString::to_string).collect(),
+            lamps: self.lamps.iter().map(|lamp| i64::from(*lamp)).collect(),
         }
     }
 
     fn happening(&mut self, cycle: u64, happening: &Happening<'_>) -> McapResult<()> {
         let time = nanoseconds(self.recording.time(cycle));
         match happening {
-            Happening::Step => {
-                let state = self.state(cycle, None).message(time);
-                self.send(&STATE, time, state)
-            }
+            Happening::Step => self.send(&STATE, time, &self.state(time, cycle, None)),
             Happening::Lamp(lamp, on) => {
                 match on {
                     true => self.lamps.insert(*lamp),
@@ -262,7 +261,7 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             }
             Happening::Variables => {
                 let variables = self.variables.message(time);
-                self.send(&VARIABLES, time, variables)
+                self.put(&VARIABLES, time, variables)
             }
             Happening::Say(text) => self.say(cycle, INFO, text),
             Happening::Fall(margin) if *margin < 0.0 => {
@@ -277,19 +276,20 @@ impl<'a, W: Write + Seek> Log<'a, W> {
     }
 
     /// `foxglove.Log`
-    fn say(&mut self, cycle: u64, level: u32, text: &str) -> McapResult<()> {
+    fn say(&mut self, cycle: u64, level: i32, text: &str) -> McapResult<()> {
         let (script, time) = (
             &self.recording.script,
             nanoseconds(self.recording.time(cycle)),
         );
-        let message = Message::new()
-            .message(1, &foxglove::timestamp(time))
-            .number(2, level)
-            .text(3, text)
-            .text(4, &self.recording.robot.name)
-            .text(5, &script.name)
-            .fixed(6, self.recording.line(cycle).unwrap_or_default());
-        self.send(&MESSAGES, time, message)
+        let message = foxglove::Log {
+            timestamp: Timestamp::of(time),
+            level,
+            message: text.to_owned(),
+            name: self.recording.robot.name.clone(),
+            file: script.name.clone(),
+            line: self.recording.line(cycle).unwrap_or_default(),
+        };
+        self.send(&MESSAGES, time, &message)
     }
 
     /// How the run ended, among the messages.
@@ -303,8 +303,8 @@ impl<'a, W: Write + Seek> Log<'a, W> {
         self.say(recording.cycles, level, &recording.outcome.to_string())
     }
 
-    fn send(&mut self, topic: &Topic, time: u64, message: Message) -> McapResult<()> {
-        self.put(topic, time, message.into_bytes())
+    fn send(&mut self, topic: &Topic, time: u64, message: &impl Message) -> McapResult<()> {
+        self.put(topic, time, message.encode_to_vec())
     }
 
     /// Writes a message at a time of the run: ns.
@@ -347,13 +347,18 @@ impl<'a, W: Write + Seek> Log<'a, W> {
             .add_channel(schema, topic.name, encoding, &BTreeMap::new())
     }
 
+    /// The definition of a message, or the files of messages that it needs, each after those that it needs itself.
     fn description(&self, encoding: Encoding) -> Vec<u8> {
-        let time = foxglove::time();
-        match encoding {
-            Encoding::Ros(definition) => definition.as_bytes().to_vec(),
-            Encoding::Foxglove => descriptors(&[&time, &foxglove::duration(), &foxglove::file()]),
-            Encoding::Own => descriptors(&[&time, &own::file(self.recording)]),
-        }
+        let file = match encoding {
+            Encoding::Ros(definition) => return definition.as_bytes().to_vec(),
+            Encoding::Foxglove => vec![
+                foxglove::time_file(),
+                foxglove::duration_file(),
+                foxglove::file(),
+            ],
+            Encoding::Own => vec![foxglove::time_file(), own::file(self.recording)],
+        };
+        FileDescriptorSet { file }.encode_to_vec()
     }
 }
 

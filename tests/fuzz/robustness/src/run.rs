@@ -65,6 +65,10 @@ impl<H: Hardware<L, J>, const L: usize, const J: usize> Hardware<L, J> for Guard
 }
 
 impl<H: Plant<L, J>, const L: usize, const J: usize> Plant<L, J> for Guarded<H> {
+    fn has_input(&self, port: Port) -> bool {
+        self.0.has_input(port)
+    }
+
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
         self.0.set_sensor(port, volts)
     }

@@ -168,14 +168,14 @@ impl Debugger {
     /// The program has no such variable.
     pub fn value(&self, name: &str) -> Result<Option<f64>, Refused> {
         let name = name.trim().to_ascii_uppercase();
-        let value = self.run.program().get(&name);
+        let value = self.run().program().get(&name);
         value.map_err(|error| Refused::NoVariable(name, error))
     }
 
     pub(super) fn here(&self) -> Now<'_> {
         Now {
-            run: &self.run,
-            at: self.now,
+            run: self.run(),
+            at: self.now(),
             asker: &self.asker,
         }
     }
@@ -290,17 +290,17 @@ pub fn control(mode: Mode) -> Debugging {
 impl Debugger {
     /// The step that comes next.
     pub fn step(&self) -> u32 {
-        self.run.program().at()
+        self.run().program().at()
     }
 
     /// Its line, from 1.
     pub fn line(&self) -> u32 {
-        self.run.program().line(self.step())
+        self.run().program().line(self.step())
     }
 
     /// All variables, `VAR_KEY` first.
     pub fn variables(&self) -> Vec<Variable> {
-        let engine = self.run.program();
+        let engine = self.run().program();
         let scalar = |place| {
             engine
                 .scalar(place)
@@ -319,7 +319,7 @@ impl Debugger {
 
     /// The open calls, the innermost first, the program itself last.
     pub fn frames(&self) -> Vec<Frame> {
-        let returns = Self::interpreter(&self.run).map_or(&[][..], |engine| engine.calls());
+        let returns = Self::interpreter(self.run()).map_or(&[][..], |engine| engine.calls());
         let calls: Vec<u32> = returns.iter().map(|step| step.saturating_sub(1)).collect();
         let names = std::iter::once(None).chain(calls.iter().map(|call| self.called_by(*call)));
         let steps = calls.iter().copied().chain([self.step()]);
@@ -354,7 +354,7 @@ impl Debugger {
 
     /// What the program has said up to here: the cycle and the text of each message. Of very many only the last are kept.
     pub fn messages(&self) -> &[(u64, String)] {
-        let until = self.said.partition_point(|(at, _)| *at < self.now);
+        let until = self.said.partition_point(|(at, _)| *at < self.now());
         self.said.get(..until).unwrap_or_default()
     }
 

@@ -261,7 +261,7 @@ impl Debugger {
         all.flat_map(|one| {
             one.steps
                 .iter()
-                .map(|step| (self.run.program().line(*step), one.id))
+                .map(|step| (self.run().program().line(*step), one.id))
         })
     }
 }
@@ -300,16 +300,16 @@ impl Debugger {
 
     /// Says what is to be said where a step begins.
     pub(super) fn log_here(&mut self) {
-        let step = self.run.program().at();
-        let begins = self.now == 0 || self.history.step(self.now - 1) != step;
-        if !begins || self.end_at(self.now).is_some() {
+        let step = self.run().program().at();
+        let begins = self.now() == 0 || self.history.step(self.now() - 1) != step;
+        if !begins || self.end_at(self.now()).is_some() {
             return;
         }
         let said = self.breakpoints.said(step, &self.here());
         if self.logged.len() >= 2 * MESSAGES {
             self.logged.drain(..MESSAGES);
         }
-        let at = self.now;
+        let at = self.now();
         self.logged.extend(said.into_iter().map(|text| (at, text)));
     }
 }

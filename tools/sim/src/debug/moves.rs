@@ -42,11 +42,11 @@ impl Debugger {
     pub fn start(&mut self, movement: Move) {
         self.errand = None;
         let origin = Origin {
-            at: self.now,
-            step: self.run.program().at(),
-            depth: Self::depth(&self.run),
+            at: self.now(),
+            step: self.run().program().at(),
+            depth: Self::depth(self.run()),
         };
-        let goal = Goal::of(movement, self.now);
+        let goal = Goal::of(movement, self.now());
         let is_back = movement.is_back();
         if let Some(stop) = self.there_at_once(goal, is_back) {
             self.arrive(stop);
@@ -54,14 +54,14 @@ impl Debugger {
         }
         let unknown = self
             .breakpoints
-            .count_known(&self.history, self.now + u64::from(!is_back));
+            .count_known(&self.history, self.now() + u64::from(!is_back));
         let unknown = unknown.filter(|_| goal.stops_early());
-        if !is_back && self.now == 0 {
+        if !is_back && self.now() == 0 {
             self.log_here();
         }
         let phase = match unknown.and_then(|from| Learn::new(from, self)) {
             Some(learn) => Phase::Learning(learn),
-            None => Phase::after_learning(is_back, self.now),
+            None => Phase::after_learning(is_back, self.now()),
         };
         self.errand = Some(Errand {
             goal,
@@ -73,7 +73,7 @@ impl Debugger {
 
     /// Where a movement ends that needs no work.
     fn there_at_once(&self, goal: Goal, is_back: bool) -> Option<Stop> {
-        let at = self.now;
+        let at = self.now();
         match goal {
             Goal::At(to) if is_back || to <= self.history.len() => {
                 let reason = match (to, is_back) {
@@ -101,7 +101,7 @@ impl Debugger {
         let found = loop {
             match &mut errand.phase {
                 Phase::Learning(learn) => match self.learn(learn, &mut left) {
-                    true => errand.phase = Phase::after_learning(errand.is_back, self.now),
+                    true => errand.phase = Phase::after_learning(errand.is_back, self.now()),
                     false => break None,
                 },
                 Phase::Forward => break self.run_on(errand.goal, &errand.origin, &mut left),
@@ -116,7 +116,7 @@ impl Debugger {
                 Work::Stopped(self.stop.clone())
             }
             None => {
-                let progress = errand.progress(self.now);
+                let progress = errand.progress(self.now());
                 self.errand = Some(errand);
                 Work::Going(progress)
             }
@@ -143,7 +143,7 @@ impl Debugger {
         if self.errand.take().is_some() {
             self.stop = Stop {
                 reason: Reason::Interrupted,
-                at: self.now,
+                at: self.now(),
             };
         }
         &self.stop
@@ -188,7 +188,7 @@ impl Debugger {
             self.advance();
             self.log_here();
             if let Some(reason) = self.reason_here(goal, origin) {
-                let at = self.now;
+                let at = self.now();
                 return Some(Stop { reason, at });
             }
         }
@@ -197,7 +197,7 @@ impl Debugger {
 
     /// Why a run that has just come to this position stops here.
     fn reason_here(&self, goal: Goal, origin: &Origin) -> Option<Reason> {
-        if let Some(end) = self.end_at(self.now) {
+        if let Some(end) = self.end_at(self.now()) {
             return Some(end);
         }
         if let Goal::At(to) = goal {
@@ -205,17 +205,17 @@ impl Debugger {
                 true => Reason::Step,
                 false => Reason::There,
             };
-            return (self.now == to).then_some(reason);
+            return (self.now() == to).then_some(reason);
         }
-        let last = self.now - 1;
-        let step = self.run.program().at();
+        let last = self.now() - 1;
+        let step = self.run().program().at();
         if self.history.step(last) != step
             && let Some(id) = self.breakpoints.stops(step, &self.here())
         {
             return Some(Reason::Breakpoint(id));
         }
         let assigned = (self.watches).assigned(last, None, &self.history, &self.program);
-        let set = || self.watches.set(self.now, None, &self.run.events);
+        let set = || self.watches.set(self.now(), None, &self.run().events);
         if let Some(watch) = assigned.or_else(set) {
             return Some(watch);
         }
@@ -239,18 +239,18 @@ impl Debugger {
 
     /// One cycle. What happens before the next one has happened then.
     fn advance(&mut self) {
-        if self.now < self.history.len() {
-            self.run.advance(None);
-            self.now += 1;
+        if self.now() < self.history.len() {
+            self.timeline.advance(None);
         } else {
             self.explore();
         }
-        self.run.happen();
-        let step = self.run.program().at();
-        let begins = self.history.step(self.now - 1) != step;
+        self.timeline.happen();
+        let (run, at) = (self.timeline.run(), self.timeline.now());
+        let step = run.program().at();
+        let begins = self.history.step(at - 1) != step;
         let now = Now {
-            run: &self.run,
-            at: self.now,
+            run,
+            at,
             asker: &self.asker,
         };
         self.breakpoints.count(begins.then_some(step), &now);
@@ -258,39 +258,39 @@ impl Debugger {
 
     /// A cycle that nobody has seen.
     fn explore(&mut self) {
-        let before = self.run.program().at();
-        self.history.push(before, Self::depth(&self.run));
+        let before = self.run().program().at();
+        self.history.push(before, Self::depth(self.run()));
         let mut listener = Listener {
-            at: self.now,
+            at: self.now(),
             said: &mut self.said,
             taken: &mut self.taken,
         };
-        let status = self.run.advance(Some(&mut listener));
-        self.now += 1;
-        let frontier = match (status, self.run.emergency()) {
+        let status = self.timeline.advance(Some(&mut listener));
+        let frontier = match (status, self.run().emergency()) {
             (Status::Finished(end), _) => Frontier::Ended(end),
             (Status::Emergency, Some(emergency)) => Frontier::Failed(emergency),
             _ => Frontier::Open,
         };
-        self.history.reached(self.run.program().at(), frontier);
+        self.history
+            .reached(self.timeline.run().program().at(), frontier);
         if self.fall.is_none() {
-            self.fall = self.run.first_fall();
+            self.fall = self.run().first_fall();
         }
         if frontier == Frontier::Open {
-            self.marks.note(self.now, &self.run);
+            self.timeline.note(|| ());
         }
     }
 
     /// Goes to a position that is known.
     pub(super) fn seek(&mut self, to: u64) {
-        if let Some((at, mark)) = self.marks.before(to)
-            && (self.now > to || self.now < *at)
+        let now = self.now();
+        if let Some((at, _)) = self.timeline.before(to)
+            && (now > to || now < at)
         {
-            self.run.restore(mark);
-            self.now = *at;
-            self.run.happen();
+            self.timeline.rewind(to);
+            self.timeline.happen();
         }
-        while self.now < to.min(self.history.len()) {
+        while self.now() < to.min(self.history.len()) {
             self.advance();
         }
     }
@@ -388,10 +388,10 @@ impl Debugger {
                     return Some(Stop { reason, at: 0 });
                 }
             };
-            let (from, mark) = self.marks.before(last)?;
-            let stretch = self.scan(*from, last, goal, origin);
+            let (from, mark) = self.timeline.before(last)?;
+            let stretch = self.scan(from, last, goal, origin);
             if !stretch.asks.as_slice().is_empty() {
-                let scout = back.scout.get_or_insert_with(|| self.run.clone());
+                let scout = back.scout.get_or_insert_with(|| self.run().clone());
                 scout.restore(mark);
             }
             back.stretch = Some(stretch);
@@ -452,7 +452,7 @@ impl Debugger {
     /// What is assigned between a position and the next one, if a watch is on it: that watch, or any.
     fn set_at(&self, at: u64, watch: Option<u32>) -> Option<Reason> {
         let assigned = (self.watches).assigned(at, watch, &self.history, &self.program);
-        assigned.or_else(|| self.watches.set(at, watch, &self.run.events))
+        assigned.or_else(|| self.watches.set(at, watch, &self.run().events))
     }
 
     /// Runs a stretch again up to its last condition; says whether it came there.
@@ -503,15 +503,15 @@ pub(super) struct Learn {
 impl Learn {
     /// From a position up to where the debugger stands.
     pub(super) fn new(from: u64, debugger: &Debugger) -> Option<Self> {
-        let (at, mark) = debugger.marks.before(from)?;
-        let mut scout = debugger.run.clone();
+        let (at, mark) = debugger.timeline.before(from)?;
+        let mut scout = debugger.run().clone();
         scout.restore(mark);
         scout.happen();
         Some(Learn {
             scout,
-            from: *at,
-            at: *at,
-            until: debugger.now,
+            from: at,
+            at,
+            until: debugger.now(),
         })
     }
 

@@ -184,15 +184,18 @@ impl Goal {
 
     /// Whether a run that has come forward from an origin is there.
     pub(super) fn is_reached(self, from: &Origin, debugger: &Debugger) -> bool {
-        let (step, depth) = (debugger.run.program().at(), Debugger::depth(&debugger.run));
+        let (step, depth) = (
+            debugger.run().program().at(),
+            Debugger::depth(debugger.run()),
+        );
         match self {
-            Goal::At(at) => debugger.now == at,
+            Goal::At(at) => debugger.now() == at,
             Goal::Step => step != from.step || depth != from.depth,
             Goal::Over => depth < from.depth || (depth == from.depth && step != from.step),
             Goal::Out => depth < from.depth,
             Goal::Line(line) => {
-                debugger.history.step(debugger.now - 1) != step
-                    && debugger.run.program().line(step) == line
+                debugger.history.step(debugger.now() - 1) != step
+                    && debugger.run().program().line(step) == line
             }
             Goal::Set(_) | Goal::Nowhere => false,
         }
@@ -212,7 +215,7 @@ impl Goal {
             Goal::Over => history.enters(at) && history.depth(at) <= from.depth,
             Goal::Out => history.depth(at) < from.depth,
             Goal::Line(line) => {
-                history.enters(at) && debugger.run.program().line(history.step(at)) == line
+                history.enters(at) && debugger.run().program().line(history.step(at)) == line
             }
             Goal::Set(_) | Goal::Nowhere => false,
         }

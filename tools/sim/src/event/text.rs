@@ -37,6 +37,20 @@ impl fmt::Display for Event {
     }
 }
 
+impl From<Event> for String {
+    fn from(event: Event) -> Self {
+        event.to_string()
+    }
+}
+
+impl TryFrom<String> for Event {
+    type Error = EventError;
+
+    fn try_from(text: String) -> Result<Self, EventError> {
+        text.parse()
+    }
+}
+
 impl FromStr for Event {
     type Err = EventError;
 

@@ -107,8 +107,14 @@ fn every_event_is_read_from_what_it_is_written_as() {
         Event::WriteFails,
     ];
     for event in events {
-        assert_eq!(event.to_string().parse(), Ok(event));
+        let text = event.to_string();
+        assert_eq!(text.parse(), Ok(event.clone()));
+        // JSON has the same text as a string.
+        let json = serde_json::to_value(&event).expect("every event has a text");
+        assert_eq!(json, text);
+        assert_eq!(serde_json::from_value(json).ok(), Some(event));
     }
+    assert!(serde_json::from_value::<Event>("jump".into()).is_err());
 }
 
 #[test]

@@ -1,13 +1,18 @@
 //! Runs of programs on simulated robots.
 
+use std::cell::Cell;
 use std::error::Error;
-use tip_runtime::command::{Op, Target, Value};
+use std::rc::Rc;
+use tip_runtime::command::{Op, Port, Target, Value};
 use tip_runtime::console::Transcript;
 use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use tip_runtime::machine::Status;
+use tip_runtime::model::titan8;
+use tip_runtime::plant::{self, SimulatedPlant};
 use tip_runtime::program::End;
 use tip_runtime::record::{Cycle, Ending, Sink};
-use tip_sim::{Asked, Limit, Observer, Plant, Refused, Robot, Run, load};
+use tip_sim::{Asked, Event, Limit, Observer, Plant, Refused, Robot, Run, load};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -193,6 +198,95 @@ fn what_does_not_fit_is_refused() -> Outcome {
     assert!(error.starts_with("'arm' is not a robot"), "{error}");
     let error = load("p.prg", "3.1\nt\nPTP F9 0 0 0\nEND\n", &hand).expect_err("three fingers");
     assert!(error.to_string().contains("p.prg:3:"), "{error}");
+    Ok(())
+}
+
+/// A walker that counts its copies.
+struct Copied {
+    plant: SimulatedPlant<4, 3>,
+    copies: Rc<Cell<u32>>,
+}
+
+impl Clone for Copied {
+    fn clone(&self) -> Self {
+        self.copies.set(self.copies.get() + 1);
+        Copied {
+            plant: self.plant.clone(),
+            copies: Rc::clone(&self.copies),
+        }
+    }
+}
+
+impl Hardware<4, 3> for Copied {
+    fn read(&mut self, into: &mut Sensors<4, 3>) -> Result<(), HardwareFault> {
+        self.plant.read(into)
+    }
+
+    fn write(&mut self, outputs: &Outputs<4, 3>) -> Result<(), HardwareFault> {
+        self.plant.write(outputs)
+    }
+
+    fn stop(&mut self, why: &Fault) {
+        self.plant.stop(why);
+    }
+}
+
+impl plant::Plant<4, 3> for Copied {
+    fn has_input(&self, port: Port) -> bool {
+        self.plant.has_input(port)
+    }
+
+    fn set_sensor(&mut self, port: Port, volts: f64) -> bool {
+        self.plant.set_sensor(port, volts)
+    }
+}
+
+#[test]
+fn an_event_is_judged_without_a_copy_and_changes_nothing() -> Outcome {
+    let copies = Rc::new(Cell::new(0));
+    let plant = Copied {
+        plant: SimulatedPlant::new(&titan8::MODEL),
+        copies: Rc::clone(&copies),
+    };
+    let robot = Robot::on(&titan8::MODEL, plant);
+    let program = load("p.prg", "3.1\nt\nDEF_VAR N\nN = 1\nEND\n", &robot)?;
+    let mut run = Run::new(program, robot)?;
+    run.cycle();
+    copies.set(0);
+    let judge = |text: &str| -> Result<_, Box<dyn Error>> {
+        let event = text.parse::<Event>()?;
+        Ok(run.accepts(&event).err().map(|refused| refused.to_string()))
+    };
+    // It has four soles, and a step that follows would read any of these.
+    for text in [
+        "PAW4=1",
+        "J43=0",
+        "VR3=nan",
+        "ANTENNA=5",
+        "set n=2",
+        "touch on",
+        "read fails",
+    ] {
+        assert_eq!(judge(text)?, None, "{text}");
+    }
+    for (text, refused) in [
+        ("J51=1", "the robot has no input J51"),
+        ("J44=0", "the robot has no input J44"),
+        ("set M=2", "M: the program has no variable of that name"),
+        ("set N=inf", "N: a variable holds finite numbers only"),
+        (
+            "push 1 0 0 for 2",
+            "'push 1 0 0 for 2' is for walking robots with mass: --plant dynamic",
+        ),
+        (
+            "noise 1 0 seed 3",
+            "'noise 1 0 seed 3' is for walking robots with mass: --plant dynamic",
+        ),
+    ] {
+        assert_eq!(judge(text)?.as_deref(), Some(refused), "{text}");
+    }
+    assert_eq!(copies.get(), 0);
+    assert_eq!(run.program().get("N"), Ok(Some(1.0)));
     Ok(())
 }
 

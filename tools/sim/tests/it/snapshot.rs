@@ -8,7 +8,7 @@ use tip_runtime::program;
 use tip_runtime::record::Ending;
 use tip_runtime::special::hand::HandSpecials;
 use tip_runtime::special::{Call, Special};
-use tip_sim::{Cycle, Limit, Robot, Run, load};
+use tip_sim::{Cycle, Limit, Robot, Run, Timeline, load};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -135,5 +135,68 @@ fn an_emergency_is_taken_back_and_comes_again() -> Outcome {
         assert_eq!(shown.emergency, None);
         assert_eq!(run.to_end(Limit::cycles(80)), ending);
     }
+    Ok(())
+}
+
+#[test]
+fn another_future_has_what_is_scripted_and_what_has_happened() -> Outcome {
+    let robot = Robot::named("titan8")?;
+    let program = load("p.prg", "3.1\nt\nAGAIN:\nGOTO AGAIN:\nEND\n", &robot)?;
+    let run = Run::new(program, robot)?.events("5:VR1=2, 8:VR1=3")?;
+    let mut timeline = Timeline::new(run, ());
+    let go = |timeline: &mut Timeline, cycles| {
+        for _ in 0..cycles {
+            timeline.advance(None);
+            timeline.note(|| ());
+        }
+    };
+    let to_come = |timeline: &Timeline| {
+        let events = timeline.to_come().iter();
+        events.map(ToString::to_string).collect::<Vec<_>>()
+    };
+    go(&mut timeline, 5);
+    timeline.branch();
+    timeline.add("key A".parse()?)?;
+    assert_eq!(to_come(&timeline), ["5:VR1=2", "5:key A", "8:VR1=3"]);
+    go(&mut timeline, 1);
+    timeline.branch();
+    timeline.add("key B".parse()?)?;
+    assert_eq!(timeline.changes().to_string(), "5:key A, 6:key B");
+
+    // Back before both, where nothing of cycle 5 has happened.
+    assert!(timeline.rewind(5).is_some());
+    assert_eq!(timeline.now(), 0);
+    go(&mut timeline, 5);
+    timeline.branch();
+    assert_eq!(to_come(&timeline), ["5:VR1=2", "8:VR1=3"]);
+    assert_eq!(timeline.changes().to_string(), "");
+
+    // What has happened at this position stays.
+    timeline.add("key C".parse()?)?;
+    timeline.happen();
+    timeline.branch();
+    assert_eq!(to_come(&timeline), ["8:VR1=3"]);
+    assert_eq!(timeline.changes().to_string(), "5:key C");
+    Ok(())
+}
+
+#[test]
+fn checkpoints_are_apart_and_those_before_a_position_can_be_forgotten() -> Outcome {
+    let robot = Robot::named("titan8")?;
+    let program = load("p.prg", "3.1\nt\nAGAIN:\nGOTO AGAIN:\nEND\n", &robot)?;
+    let mut timeline = Timeline::new(Run::new(program, robot)?, 0);
+    for _ in 0..1000 {
+        timeline.advance(None);
+        let now = timeline.now();
+        assert_eq!(timeline.note(|| now), now % 200 == 0, "{now}");
+    }
+    assert_eq!(timeline.rewind(799), Some(&600));
+    assert_eq!((timeline.now(), timeline.run().cycles()), (600, 600));
+    timeline.forget_before(450);
+    assert_eq!(timeline.first(), 400);
+    assert_eq!(timeline.rewind(399), None);
+    // A branch knows nothing of what came later.
+    timeline.branch();
+    assert_eq!(timeline.rewind(1000), Some(&600));
     Ok(())
 }

@@ -14,7 +14,7 @@
 //   {do: 'step', cycles: -1}              so many cycles forward or back (1000 at most), then it rests
 //   {do: 'go', cycle: 611}                back to the end of a cycle, then it rests
 //   {do: 'speed', times: 0.5}             as a multiple of the robot's own
-//   {do: 'event', event: 'VR1=8'}         what `--events` takes, without the cycle: 'key F', 'key 0x0D', 'halt', 'touch on'
+//   {do: 'event', event: 'VR1=8'}         an event as its text, which is what `--events` takes without the cycle: 'key F', 'halt'
 //   {do: 'restart'}                       runs the text of the editor from the beginning
 //   {do: 'edit', text, base, by}          another text in the place of version `base`, by a viewer of that name
 //   {do: 'save'}   {do: 'reload'}         writes the text to its file, or takes that of the file

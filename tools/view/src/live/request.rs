@@ -24,10 +24,7 @@ impl Asked {
 
     /// Whether it is an emergency stop, which nothing may keep waiting.
     pub fn is_stop(&self) -> bool {
-        let Ok(Request::Event { event }) = &self.request else {
-            return false;
-        };
-        event.parse().is_ok_and(|event: Event| is_stop(&event))
+        matches!(&self.request, Ok(Request::Event { event }) if is_stop(event))
     }
 
     /// Whether the robot may move again because of it: not after an emergency stop that came later.
@@ -72,8 +69,8 @@ pub(super) enum Request {
     Go { cycle: u64 },
     /// So many times as fast as the robot.
     Speed { times: f64 },
-    /// Something happens, in the text form of events without a cycle: `key F`, `VR1=8`, `halt`.
-    Event { event: String },
+    /// Something happens before the next step.
+    Event { event: Event },
     /// Runs the text of the editor from the beginning.
     Restart {},
     /// Another text in the place of the version `base`, by the viewer who calls itself `by`.

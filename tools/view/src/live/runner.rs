@@ -5,12 +5,9 @@ use crate::NotRecorded;
 use crate::recorder::{self, Recorder};
 use crate::recording::{Outcome, Recording, Script};
 use std::collections::VecDeque;
-use tip_runtime::program::Program as _;
-use tip_sim::{Event, Events, Interpreter, Refused, Robot, Run, Snapshot};
+use tip_sim::{Event, Events, Interpreter, Robot, Run, Timeline};
 use tipc::Loaded;
 
-/// How many cycles lie between two marks.
-const APART: u64 = 500;
 /// How much of the past is kept, and how much more before it is cut: ms.
 const PAST: f64 = 300_000.0;
 const SLACK: f64 = 60_000.0;
@@ -20,25 +17,12 @@ const MOST_EVENTS: usize = 100_000;
 /// As many cuts are remembered; who missed more begins anew.
 const CUTS: usize = 64;
 
-/// A place to which the run can be taken back.
-struct Mark {
-    cycle: u64,
-    snapshot: Snapshot,
-    recorder: recorder::Mark,
-}
-
 /// A program that runs, and what it did.
 pub(super) struct Runner {
-    robot: Robot,
-    run: Run,
+    timeline: Timeline<recorder::Mark>,
     recorder: Recorder,
-    /// Those of the command line, which happen whatever else does.
-    scripted: Events,
-    marks: VecDeque<Mark>,
     /// What happens before the next step.
     waiting: Vec<Event>,
-    /// How many cycles are recorded.
-    taken: u64,
     /// Where the run was taken back to, the last ones.
     cuts: VecDeque<u64>,
     /// How often it was.
@@ -60,13 +44,9 @@ impl Runner {
         let mut recorder = Recorder::new(robot, Script::of(&loaded.source, program));
         recorder.recording.events = scripted.all().to_vec();
         let mut runner = Runner {
-            robot: robot.clone(),
-            run,
+            timeline: Timeline::new(run, recorder.mark()),
             recorder,
-            scripted: scripted.clone(),
-            marks: VecDeque::new(),
             waiting: Vec::new(),
-            taken: 0,
             cuts: VecDeque::new(),
             cut_count: 0,
         };
@@ -80,51 +60,32 @@ impl Runner {
             return;
         }
         self.happen();
-        let now = self.run.cycles();
-        if now.is_multiple_of(APART) && self.marks.back().is_none_or(|mark| mark.cycle < now) {
-            self.marks.push_back(Mark {
-                cycle: now,
-                snapshot: self.run.snapshot(),
-                recorder: self.recorder.mark(),
-            });
-            self.forget();
+        let cycle = self.timeline.cycle();
+        let (run, recorder) = (self.timeline.run(), &mut self.recorder);
+        recorder.take(cycle, run);
+        if let Some(ending) = run.ending() {
+            recorder.recording.outcome = Outcome::from(ending);
+            return;
         }
-        let cycle = self.run.cycle();
-        self.taken = cycle.number + 1;
-        self.recorder.take(cycle, &self.run);
-        if let Some(ending) = self.run.ending() {
-            self.recorder.recording.outcome = Outcome::from(ending);
+        if self.timeline.note(|| recorder.mark()) {
+            self.forget();
         }
     }
 
-    /// Lets what waits happen in the next cycle.
+    /// Lets what waits happen in the next cycle. What happened later, before the run was taken back, will not happen again.
     fn happen(&mut self) {
         if self.waiting.is_empty() {
             return;
         }
-        self.branch();
-        let now = self.run.cycles();
+        self.timeline.branch();
         for event in std::mem::take(&mut self.waiting) {
-            let timed = event.at(now);
-            // It was tried when it came.
-            if self.run.add(timed.clone()).is_ok() {
-                let events = &mut self.recorder.recording.events;
-                events.insert(events.partition_point(|other| other.cycle <= now), timed);
-            }
+            // It was accepted when it came.
+            let _ = self.timeline.add(event);
         }
-    }
-
-    /// What happened later, before the run was taken back, will not happen again.
-    fn branch(&mut self) {
-        let now = self.run.cycles();
-        self.run.forget_events();
+        let now = self.taken();
         let events = &mut self.recorder.recording.events;
         events.retain(|event| event.cycle < now);
-        for event in self.scripted.all() {
-            if event.cycle >= now && self.run.add(event.clone()).is_ok() {
-                events.push(event.clone());
-            }
-        }
+        events.extend_from_slice(self.timeline.to_come());
     }
 
     /// Lets something happen before the next step.
@@ -138,7 +99,9 @@ impl Runner {
         if is_full && !is_stop(&event) {
             return refuse("many");
         }
-        self.try_event(&event)?;
+        self.run()
+            .accepts(&event)
+            .or_else(|reason| refuse_since("impossible", reason))?;
         // Of two values of one input before one step, the later one is read.
         let is_same = |other: &Event| match (other, &event) {
             (Event::Sensor(one, _), Event::Sensor(other, _)) => one == other,
@@ -150,41 +113,16 @@ impl Runner {
         Ok(())
     }
 
-    /// Whether an event can happen to this run.
-    fn try_event(&self, event: &Event) -> Result<(), Refusal> {
-        match event {
-            Event::Sensor(port, _) if !self.robot.has_input(*port) => {
-                refuse_since("impossible", Refused::NoInput(*port))
-            }
-            Event::Set(name, value) => {
-                let program = self.run.engine::<Interpreter>().cloned();
-                let set = program.map_or(Ok(()), |mut program| program.set(name, *value));
-                set.or_else(|error| {
-                    refuse_since("impossible", Refused::Variable(name.clone(), error))
-                })
-            }
-            _ => Ok(()),
-        }
-    }
-
     /// Takes the run back, or on, until so many cycles are recorded; less far if its past does not reach, or it is over
     /// before.
     pub(super) fn go_to(&mut self, taken: u64) {
         let taken = taken.max(self.first() + 1);
-        if taken < self.taken {
-            let Some(last) = self
-                .marks
-                .partition_point(|mark| mark.cycle < taken)
-                .checked_sub(1)
-            else {
+        if taken < self.taken() {
+            let Some(mark) = self.timeline.rewind(taken - 1) else {
                 return;
             };
-            self.marks.truncate(last + 1);
-            let mark = &self.marks[last];
+            self.recorder.take_back(mark);
             self.waiting.clear();
-            self.run.restore(&mark.snapshot);
-            self.recorder.take_back(mark.cycle, &mark.recorder);
-            self.taken = mark.cycle;
             self.recorder.recording.outcome = Outcome::Limit;
             self.cuts.push_back(taken);
             self.cut_count += 1;
@@ -192,7 +130,7 @@ impl Runner {
                 self.cuts.pop_front();
             }
         }
-        while self.taken < taken && !self.is_over() {
+        while self.taken() < taken && !self.is_over() {
             self.cycle();
         }
     }
@@ -207,35 +145,34 @@ impl Runner {
     /// Forgets what lies too far back.
     fn forget(&mut self) {
         let begins = self.recording().frames.first().map(|frame| frame.time);
-        let now = self.run.time();
+        let now = self.run().time();
         if begins.is_none_or(|begins| now - begins < PAST + SLACK) {
             return;
         }
         let frames = &self.recording().frames;
         let kept = frames.partition_point(|frame| frame.time < now - PAST);
         let cycle = frames.get(kept).map_or(0, |frame| frame.cycle);
-        let later = self.marks.partition_point(|mark| mark.cycle <= cycle);
-        self.marks.drain(..later.saturating_sub(1));
+        self.timeline.forget_before(cycle);
         let first = self.first();
         self.recorder.recording.forget(first);
     }
 
     /// The first cycle that is still known.
     pub(super) fn first(&self) -> u64 {
-        self.marks.front().map_or(0, |mark| mark.cycle)
+        self.timeline.first()
     }
 
     /// How many cycles are recorded.
     pub(super) fn taken(&self) -> u64 {
-        self.taken
+        self.timeline.now()
     }
 
     pub(super) fn is_over(&self) -> bool {
-        self.run.ending().is_some()
+        self.run().ending().is_some()
     }
 
     pub(super) fn run(&self) -> &Run {
-        &self.run
+        self.timeline.run()
     }
 
     pub(super) fn recording(&self) -> &Recording {

@@ -267,16 +267,12 @@ impl Session {
         Ok(())
     }
 
-    fn give(&mut self, event: &str) -> Result<(), Refusal> {
-        let event: Event = match event.parse() {
-            Ok(event) => event,
-            Err(error) => return refuse_since("impossible", error),
-        };
-        let stops = is_stop(&event);
+    fn give(&mut self, event: &Event) -> Result<(), Refusal> {
+        let stops = is_stop(event);
         if stops {
             self.runs_next = None;
         }
-        self.runner.give(event)?;
+        self.runner.give(event.clone())?;
         // A robot at rest stops as well: the key is read in one cycle, and acts in it or in the next.
         if stops && !self.is_playing {
             self.runner.cycle();

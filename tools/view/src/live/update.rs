@@ -7,6 +7,7 @@ use crate::pack::{Channel, channels, each, event, mask, values};
 use crate::recording::{At, Frame, Recording};
 use serde::Serialize;
 use tip_runtime::command::Port;
+use tip_sim::Event;
 
 /// The most frames of one update; who has seen nothing gets several.
 const MOST_FRAMES: usize = 1000;
@@ -64,7 +65,7 @@ struct More<'a> {
     modes: Vec<(u64, Vec<(String, &'static str)>)>,
     falls: Vec<(u64, f64)>,
     slips: Vec<(u64, usize, f64)>,
-    events: Vec<(u64, String)>,
+    events: Vec<(u64, &'a Event)>,
 }
 
 #[derive(Serialize)]

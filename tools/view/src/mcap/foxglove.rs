@@ -1,274 +1,261 @@
-//! Foxglove's schemas, field by field as published, and what of them is written.
+//! Foxglove's messages, field by field as published.
 
-use super::schema::{File, Type};
-use super::wire::Message;
+use super::proto::{self, messages};
+use prost_types::field_descriptor_proto::Type;
+use prost_types::{EnumDescriptorProto, EnumValueDescriptorProto, FileDescriptorProto};
 
-const TIME: &str = ".google.protobuf.Timestamp";
-const DURATION: &str = ".google.protobuf.Duration";
+messages! { time:
+    Timestamp {
+        seconds: required int64 i64 = 1,
+        nanos: required int32 i32 = 2,
+    }
+}
 
-type Row = (
-    &'static str,
-    &'static [(&'static str, &'static str)],
-    &'static str,
-);
+messages! { durations:
+    Duration {
+        seconds: required int64 i64 = 1,
+        nanos: required int32 i32 = 2,
+    }
+}
 
-/// The name of each message, its fields, and the values of its enumeration with blanks between.
-const ROWS: [Row; 20] = [
-    (
-        "Vector3",
-        &[("x", "double"), ("y", "double"), ("z", "double")],
-        "",
-    ),
-    (
-        "Point3",
-        &[("x", "double"), ("y", "double"), ("z", "double")],
-        "",
-    ),
-    (
-        "Quaternion",
-        &[
-            ("x", "double"),
-            ("y", "double"),
-            ("z", "double"),
-            ("w", "double"),
-        ],
-        "",
-    ),
-    (
-        "Color",
-        &[
-            ("r", "double"),
-            ("g", "double"),
-            ("b", "double"),
-            ("a", "double"),
-        ],
-        "",
-    ),
-    (
-        "Pose",
-        &[("position", "Vector3"), ("orientation", "Quaternion")],
-        "",
-    ),
-    (
-        "KeyValuePair",
-        &[("key", "string"), ("value", "string")],
-        "",
-    ),
-    (
-        "ArrowPrimitive",
-        &[
-            ("pose", "Pose"),
-            ("shaft_length", "double"),
-            ("shaft_diameter", "double"),
-            ("head_length", "double"),
-            ("head_diameter", "double"),
-            ("color", "Color"),
-        ],
-        "",
-    ),
-    (
-        "CubePrimitive",
-        &[("pose", "Pose"), ("size", "Vector3"), ("color", "Color")],
-        "",
-    ),
-    (
-        "SpherePrimitive",
-        &[("pose", "Pose"), ("size", "Vector3"), ("color", "Color")],
-        "",
-    ),
-    (
-        "CylinderPrimitive",
-        &[
-            ("pose", "Pose"),
-            ("size", "Vector3"),
-            ("bottom_scale", "double"),
-            ("top_scale", "double"),
-            ("color", "Color"),
-        ],
-        "",
-    ),
+messages! { all:
+    Vector3 {
+        x: required double f64 = 1,
+        y: required double f64 = 2,
+        z: required double f64 = 3,
+    }
+    Point3 {
+        x: required double f64 = 1,
+        y: required double f64 = 2,
+        z: required double f64 = 3,
+    }
+    Quaternion {
+        x: required double f64 = 1,
+        y: required double f64 = 2,
+        z: required double f64 = 3,
+        w: required double f64 = 4,
+    }
+    Color {
+        r: required double f64 = 1,
+        g: required double f64 = 2,
+        b: required double f64 = 3,
+        a: required double f64 = 4,
+    }
+    Pose {
+        position: required message Vector3 = 1,
+        orientation: required message Quaternion = 2,
+    }
+    KeyValuePair {
+        key: required string String = 1,
+        value: required string String = 2,
+    }
+    ArrowPrimitive {
+        pose: required message Pose = 1,
+        shaft_length: required double f64 = 2,
+        shaft_diameter: required double f64 = 3,
+        head_length: required double f64 = 4,
+        head_diameter: required double f64 = 5,
+        color: required message Color = 6,
+    }
+    CubePrimitive {
+        pose: required message Pose = 1,
+        size: required message Vector3 = 2,
+        color: required message Color = 3,
+    }
+    SpherePrimitive {
+        pose: required message Pose = 1,
+        size: required message Vector3 = 2,
+        color: required message Color = 3,
+    }
+    CylinderPrimitive {
+        pose: required message Pose = 1,
+        size: required message Vector3 = 2,
+        bottom_scale: required double f64 = 3,
+        top_scale: required double f64 = 4,
+        color: required message Color = 5,
+    }
+    LinePrimitive {
+        r#type: optional int32 i32 = 1,
+        pose: required message Pose = 2,
+        thickness: required double f64 = 3,
+        scale_invariant: required bool bool = 4,
+        points: repeated message Point3 = 5,
+        color: required message Color = 6,
+        colors: repeated message Color = 7,
+        indices: repeated fixed32 u32 = 8,
+    }
+    TriangleListPrimitive {
+        pose: required message Pose = 1,
+        points: repeated message Point3 = 2,
+        color: required message Color = 3,
+        colors: repeated message Color = 4,
+        indices: repeated fixed32 u32 = 5,
+    }
+    TextPrimitive {
+        pose: required message Pose = 1,
+        billboard: required bool bool = 2,
+        font_size: required double f64 = 3,
+        scale_invariant: required bool bool = 4,
+        color: required message Color = 5,
+        text: required string String = 6,
+    }
+    ModelPrimitive {
+        pose: required message Pose = 1,
+        scale: required message Vector3 = 2,
+        color: required message Color = 3,
+        override_color: required bool bool = 4,
+        url: required string String = 5,
+        media_type: required string String = 6,
+        data: required bytes Bytes = 7,
+    }
+    SceneEntityDeletion {
+        timestamp: required message Timestamp = 1,
+        r#type: required int32 i32 = 2,
+        id: required string String = 3,
+    }
+    SceneEntity {
+        timestamp: required message Timestamp = 1,
+        frame_id: required string String = 2,
+        id: required string String = 3,
+        lifetime: optional message Duration = 4,
+        frame_locked: optional bool bool = 5,
+        metadata: repeated message KeyValuePair = 6,
+        arrows: repeated message ArrowPrimitive = 7,
+        cubes: repeated message CubePrimitive = 8,
+        spheres: repeated message SpherePrimitive = 9,
+        cylinders: repeated message CylinderPrimitive = 10,
+        lines: repeated message LinePrimitive = 11,
+        triangles: repeated message TriangleListPrimitive = 12,
+        texts: repeated message TextPrimitive = 13,
+        models: repeated message ModelPrimitive = 14,
+    }
+    SceneUpdate {
+        deletions: repeated message SceneEntityDeletion = 1,
+        entities: repeated message SceneEntity = 2,
+    }
+    FrameTransform {
+        timestamp: required message Timestamp = 1,
+        parent_frame_id: required string String = 2,
+        child_frame_id: required string String = 3,
+        translation: required message Vector3 = 4,
+        rotation: required message Quaternion = 5,
+    }
+    FrameTransforms {
+        transforms: repeated message FrameTransform = 1,
+    }
+    Log {
+        timestamp: required message Timestamp = 1,
+        level: required int32 i32 = 2,
+        message: required string String = 3,
+        name: required string String = 4,
+        file: required string String = 5,
+        line: required fixed32 u32 = 6,
+    }
+}
+
+type Bytes = Vec<u8>;
+
+/// Enumerations are numbers in messages: the message, the field, the enumeration, and its values from 0.
+const ENUMERATIONS: [(&str, &str, &str, &[&str]); 3] = [
     (
         "LinePrimitive",
-        &[
-            ("type", "enum Type"),
-            ("pose", "Pose"),
-            ("thickness", "double"),
-            ("scale_invariant", "bool"),
-            ("points", "repeated Point3"),
-            ("color", "Color"),
-            ("colors", "repeated Color"),
-            ("indices", "repeated fixed32"),
-        ],
-        "LINE_STRIP LINE_LOOP LINE_LIST",
-    ),
-    (
-        "TriangleListPrimitive",
-        &[
-            ("pose", "Pose"),
-            ("points", "repeated Point3"),
-            ("color", "Color"),
-            ("colors", "repeated Color"),
-            ("indices", "repeated fixed32"),
-        ],
-        "",
-    ),
-    (
-        "TextPrimitive",
-        &[
-            ("pose", "Pose"),
-            ("billboard", "bool"),
-            ("font_size", "double"),
-            ("scale_invariant", "bool"),
-            ("color", "Color"),
-            ("text", "string"),
-        ],
-        "",
-    ),
-    (
-        "ModelPrimitive",
-        &[
-            ("pose", "Pose"),
-            ("scale", "Vector3"),
-            ("color", "Color"),
-            ("override_color", "bool"),
-            ("url", "string"),
-            ("media_type", "string"),
-            ("data", "bytes"),
-        ],
-        "",
+        "type",
+        "Type",
+        &["LINE_STRIP", "LINE_LOOP", "LINE_LIST"],
     ),
     (
         "SceneEntityDeletion",
-        &[("timestamp", TIME), ("type", "enum Type"), ("id", "string")],
-        "MATCHING_ID ALL",
-    ),
-    (
-        "SceneEntity",
-        &[
-            ("timestamp", TIME),
-            ("frame_id", "string"),
-            ("id", "string"),
-            ("lifetime", DURATION),
-            ("frame_locked", "bool"),
-            ("metadata", "repeated KeyValuePair"),
-            ("arrows", "repeated ArrowPrimitive"),
-            ("cubes", "repeated CubePrimitive"),
-            ("spheres", "repeated SpherePrimitive"),
-            ("cylinders", "repeated CylinderPrimitive"),
-            ("lines", "repeated LinePrimitive"),
-            ("triangles", "repeated TriangleListPrimitive"),
-            ("texts", "repeated TextPrimitive"),
-            ("models", "repeated ModelPrimitive"),
-        ],
-        "",
-    ),
-    (
-        "SceneUpdate",
-        &[
-            ("deletions", "repeated SceneEntityDeletion"),
-            ("entities", "repeated SceneEntity"),
-        ],
-        "",
-    ),
-    (
-        "FrameTransform",
-        &[
-            ("timestamp", TIME),
-            ("parent_frame_id", "string"),
-            ("child_frame_id", "string"),
-            ("translation", "Vector3"),
-            ("rotation", "Quaternion"),
-        ],
-        "",
-    ),
-    (
-        "FrameTransforms",
-        &[("transforms", "repeated FrameTransform")],
-        "",
+        "type",
+        "Type",
+        &["MATCHING_ID", "ALL"],
     ),
     (
         "Log",
-        &[
-            ("timestamp", TIME),
-            ("level", "enum Level"),
-            ("message", "string"),
-            ("name", "string"),
-            ("file", "string"),
-            ("line", "fixed32"),
-        ],
-        "UNKNOWN DEBUG INFO WARNING ERROR FATAL",
+        "level",
+        "Level",
+        &["UNKNOWN", "DEBUG", "INFO", "WARNING", "ERROR", "FATAL"],
     ),
 ];
 
 /// The file of time, which messages of all files need.
-pub(super) fn time() -> File {
-    let parts = [("seconds", "int64"), ("nanos", "int32")];
-    File {
-        name: "google/protobuf/timestamp.proto",
-        package: "google.protobuf",
-        has_presence: false,
-        needs: &[],
-        types: vec![Type::row("Timestamp", &parts, "")],
-    }
+pub(super) const TIME: &str = "google/protobuf/timestamp.proto";
+const DURATION: &str = "google/protobuf/duration.proto";
+
+pub(super) fn time_file() -> FileDescriptorProto {
+    proto::file(TIME, "google.protobuf", "proto3", &[], time())
 }
 
-/// The file of durations.
-pub(super) fn duration() -> File {
-    let parts = [("seconds", "int64"), ("nanos", "int32")];
-    File {
-        name: "google/protobuf/duration.proto",
-        package: "google.protobuf",
-        has_presence: false,
-        needs: &[],
-        types: vec![Type::row("Duration", &parts, "")],
-    }
+pub(super) fn duration_file() -> FileDescriptorProto {
+    proto::file(DURATION, "google.protobuf", "proto3", &[], durations())
 }
 
 /// Foxglove's file.
-pub(super) fn file() -> File {
-    File {
-        name: "foxglove.proto",
-        package: "foxglove",
-        has_presence: false,
-        needs: &[
-            "google/protobuf/timestamp.proto",
-            "google/protobuf/duration.proto",
-        ],
-        types: ROWS
-            .map(|(name, fields, values)| Type::row(name, fields, values))
-            .into(),
+pub(super) fn file() -> FileDescriptorProto {
+    let mut messages = all();
+    for (name, field, enumeration, values) in ENUMERATIONS {
+        for message in messages.iter_mut().filter(|message| message.name() == name) {
+            for of in message.field.iter_mut().filter(|of| of.name() == field) {
+                of.r#type = Some(Type::Enum.into());
+                of.type_name = Some(format!("/{enumeration}"));
+            }
+            let values = (0..).zip(values);
+            let value = |(number, name): (i32, &&str)| EnumValueDescriptorProto {
+                name: Some((*name).to_owned()),
+                number: Some(number),
+                options: None,
+            };
+            message.enum_type = vec![EnumDescriptorProto {
+                name: Some(enumeration.to_owned()),
+                value: values.map(value).collect(),
+                ..EnumDescriptorProto::default()
+            }];
+        }
+    }
+    let needs = [TIME, DURATION];
+    proto::file("foxglove.proto", "foxglove", "proto3", &needs, messages)
+}
+
+impl Timestamp {
+    /// A moment of the run: ns.
+    pub(super) const fn of(nanoseconds: u64) -> Self {
+        const SECOND: u64 = 1_000_000_000;
+        Timestamp {
+            seconds: (nanoseconds / SECOND) as i64,
+            nanos: (nanoseconds % SECOND) as i32,
+        }
     }
 }
 
-/// A moment of the run: ns.
-pub(super) fn timestamp(nanoseconds: u64) -> Message {
-    const SECOND: u64 = 1_000_000_000;
-    Message::new()
-        .number(1, nanoseconds / SECOND)
-        .number(2, nanoseconds % SECOND)
+impl From<[f64; 3]> for Vector3 {
+    fn from([x, y, z]: [f64; 3]) -> Self {
+        Vector3 { x, y, z }
+    }
 }
 
-/// `Vector3` or `Point3`: m.
-pub(super) fn vector([x, y, z]: [f64; 3]) -> Message {
-    Message::new().double(1, x).double(2, y).double(3, z)
+impl From<[f64; 3]> for Point3 {
+    fn from([x, y, z]: [f64; 3]) -> Self {
+        Point3 { x, y, z }
+    }
 }
 
-/// x, y, z, w.
-pub(super) fn quaternion([x, y, z, w]: [f64; 4]) -> Message {
-    Message::new()
-        .double(1, x)
-        .double(2, y)
-        .double(3, z)
-        .double(4, w)
+impl From<[f64; 4]> for Quaternion {
+    fn from([x, y, z, w]: [f64; 4]) -> Self {
+        Quaternion { x, y, z, w }
+    }
 }
 
-/// Red, green, blue and how opaque it is, from 0 to 1.
-pub(super) fn colour(rgba: [f64; 4]) -> Message {
-    quaternion(rgba)
+impl From<[f64; 4]> for Color {
+    fn from([r, g, b, a]: [f64; 4]) -> Self {
+        Color { r, g, b, a }
+    }
 }
 
-pub(super) fn pose(at: [f64; 3], turned: [f64; 4]) -> Message {
-    Message::new()
-        .message(1, &vector(at))
-        .message(2, &quaternion(turned))
+impl Pose {
+    /// At a place (m), and turned by a quaternion.
+    pub(super) fn new(at: [f64; 3], turned: [f64; 4]) -> Self {
+        Pose {
+            position: at.into(),
+            orientation: turned.into(),
+        }
+    }
 }

@@ -1,129 +1,98 @@
 //! The messages of this project's own: what the program did, and how the robot stands.
 
-use super::foxglove::timestamp;
-use super::schema::{File, Type};
-use super::wire::Message;
+use super::foxglove::{TIME, Timestamp};
+use super::proto::{self, message, messages};
 use crate::recording::{Frame, Recording};
-use crate::skeleton::Skeleton;
-use std::collections::BTreeSet;
+use prost::encoding::{bytes, double};
+use prost_types::{DescriptorProto, FieldDescriptorProto, FileDescriptorProto};
 use tip_sim::urdf::frame::foot;
 
-const TIME: (&str, &str) = ("timestamp", ".google.protobuf.Timestamp");
-
-/// The file of all of them: those of variables and loads depend on the program and the robot.
-pub(super) fn file(recording: &Recording) -> File {
-    let state = [
-        TIME,
-        ("cycle", "int64"),
-        ("step", "int64"),
-        ("line", "int64"),
-        ("statement", "string"),
-        ("command", "string"),
-        ("flags", "repeated string"),
-        ("torque_joints", "repeated string"),
-        ("lamps", "repeated int64"),
-    ];
-    let body = [
-        TIME,
-        ("x_mm", "double"),
-        ("y_mm", "double"),
-        ("z_mm", "double"),
-        ("roll_deg", "double"),
-        ("pitch_deg", "double"),
-        ("yaw_deg", "double"),
-    ];
-    let margin = [TIME, ("margin_mm", "double"), ("falls", "int64")];
-    File {
-        name: "tip.proto",
-        package: "tip",
-        has_presence: true,
-        needs: &["google/protobuf/timestamp.proto"],
-        types: vec![
-            Type::row("State", &state, ""),
-            Type::row("Body", &body, ""),
-            Type::row("Margin", &margin, ""),
-            loads_type(&recording.robot),
-            Variables::of(&recording.script.scalars).kind(),
-        ],
+messages! { same:
+    State {
+        timestamp: required message Timestamp = 1,
+        cycle: required int64 i64 = 2,
+        step: optional int64 i64 = 3,
+        line: optional int64 i64 = 4,
+        statement: optional string String = 5,
+        command: optional string String = 6,
+        flags: repeated string String = 7,
+        torque_joints: repeated string String = 8,
+        lamps: repeated int64 [packed = "false"] i64 = 9,
+    }
+    Body {
+        timestamp: required message Timestamp = 1,
+        x_mm: required double f64 = 2,
+        y_mm: required double f64 = 3,
+        z_mm: required double f64 = 4,
+        roll_deg: required double f64 = 5,
+        pitch_deg: required double f64 = 6,
+        yaw_deg: required double f64 = 7,
+    }
+    Margin {
+        timestamp: required message Timestamp = 1,
+        margin_mm: required double f64 = 2,
+        falls: required int64 i64 = 3,
     }
 }
 
-fn loads_type(robot: &Skeleton) -> Type {
-    let feet = (1..)
-        .take(robot.legs.len())
-        .map(|leg| (format!("{}_N", foot(leg)), "double".to_owned()));
-    let time = (TIME.0.to_owned(), TIME.1.to_owned());
-    Type {
-        name: "Loads".to_owned(),
-        fields: [time].into_iter().chain(feet).collect(),
-        ..Type::default()
-    }
+/// The file of all of them.
+pub(super) fn file(recording: &Recording) -> FileDescriptorProto {
+    let feet = (1..).take(recording.robot.legs.len());
+    let feet = (2..).zip(feet.map(|leg| format!("{}_N", foot(leg))));
+    let mut loads = vec![time_field()];
+    loads.extend(feet.map(|(number, name)| number_field(&name, number)));
+    let mut messages = same();
+    messages.push(message("Loads", loads));
+    messages.push(Variables::of(&recording.script.scalars).descriptor());
+    proto::file("tip.proto", "tip", "proto2", &[TIME], messages)
 }
 
-/// `tip.State`
-pub(super) struct State<'a> {
-    pub(super) cycle: u64,
-    pub(super) step: Option<u32>,
-    pub(super) line: Option<u32>,
-    pub(super) statement: &'a str,
-    /// The command that is accepted in this cycle.
-    pub(super) command: Option<String>,
-    pub(super) frame: Option<&'a Frame>,
-    /// Those that are on.
-    pub(super) lamps: &'a BTreeSet<u8>,
+fn time_field() -> FieldDescriptorProto {
+    proto::field("timestamp", 1, "required", "message", "Timestamp")
 }
 
-impl State<'_> {
-    pub(super) fn message(&self, time: u64) -> Message {
-        let mut message = Message::new()
-            .message(1, &timestamp(time))
-            .number(2, self.cycle);
-        if let (Some(step), Some(line)) = (self.step, self.line) {
-            message = message
-                .number(3, step)
-                .number(4, line)
-                .text(5, self.statement);
-        }
-        if let Some(command) = &self.command {
-            message = message.text(6, command);
-        }
-        for flag in self.frame.iter().flat_map(|frame| &frame.flags) {
-            message = message.text(7, &flag.to_string());
-        }
-        for joint in self.frame.iter().flat_map(|frame| &frame.torque_joints) {
-            message = message.text(8, &joint.to_string());
-        }
-        let lamps = self.lamps.iter();
-        lamps.fold(message, |message, lamp| message.number(9, *lamp))
-    }
+fn number_field(name: &str, number: i32) -> FieldDescriptorProto {
+    proto::field(name, number, "optional", "double", "")
 }
 
 /// `tip.Body`
-pub(super) fn body(time: u64, frame: &Frame) -> Option<Message> {
+pub(super) fn body(time: u64, frame: &Frame) -> Option<Body> {
     let pose = frame.pose?;
-    let [x, y, z] = pose.position;
-    let values = [x, y, z, pose.roll, pose.pitch, pose.yaw];
-    Some(doubles(time, &values))
-}
-
-/// `tip.Loads`
-pub(super) fn loads(time: u64, frame: &Frame) -> Option<Message> {
-    (!frame.loads.is_empty()).then(|| doubles(time, &frame.loads))
+    let [x_mm, y_mm, z_mm] = pose.position;
+    Some(Body {
+        timestamp: Timestamp::of(time),
+        x_mm,
+        y_mm,
+        z_mm,
+        roll_deg: pose.roll,
+        pitch_deg: pose.pitch,
+        yaw_deg: pose.yaw,
+    })
 }
 
 /// `tip.Margin`
-pub(super) fn margin(time: u64, frame: &Frame, falls: u64) -> Option<Message> {
-    let message = Message::new().message(1, &timestamp(time));
-    Some(message.double(2, frame.margin?).number(3, falls))
+pub(super) fn margin(time: u64, frame: &Frame, falls: usize) -> Option<Margin> {
+    Some(Margin {
+        timestamp: Timestamp::of(time),
+        margin_mm: frame.margin?,
+        falls: falls as i64,
+    })
 }
 
-/// The time, then numbers in the fields from 2 on.
-fn doubles(time: u64, values: &[f64]) -> Message {
-    let begin = Message::new().message(1, &timestamp(time));
-    let values = (2..).zip(values);
-    values.fold(begin, |message, (field, value)| {
-        message.double(field, *value)
-    })
+/// `tip.Loads`
+pub(super) fn loads(time: u64, frame: &Frame) -> Option<Vec<u8>> {
+    let mut message = begun(time);
+    for (field, load) in (2..).zip(&frame.loads) {
+        double::encode(field, load, &mut message);
+    }
+    (!frame.loads.is_empty()).then_some(message)
+}
+
+/// A message whose first field is its time.
+fn begun(time: u64) -> Vec<u8> {
+    let mut message = Vec::new();
+    prost::encoding::message::encode(1, &Timestamp::of(time), &mut message);
+    message
 }
 
 /// A field: its name, and its members, each with the place of a scalar. A scalar of its own is a member without a name.
@@ -166,53 +135,55 @@ impl Variables {
     }
 
     /// `tip.Variables`: those that have a value.
-    pub(super) fn message(&self, time: u64) -> Message {
-        let mut message = Message::new().message(1, &timestamp(time));
+    pub(super) fn message(&self, time: u64) -> Vec<u8> {
+        let mut message = begun(time);
         for (field, (_, members)) in (2..).zip(&self.fields) {
-            message = match members.as_slice() {
-                [(None, place)] => self.double(message, field, *place),
+            match members.as_slice() {
+                [(None, place)] => self.encode(field, *place, &mut message),
                 members => {
-                    let members = (1..).zip(members);
-                    let inner = members.fold(Message::new(), |inner, (field, (_, place))| {
-                        self.double(inner, field, *place)
-                    });
-                    message.message(field, &inner)
+                    let mut inner = Vec::new();
+                    for (field, (_, place)) in (1..).zip(members) {
+                        self.encode(field, *place, &mut inner);
+                    }
+                    bytes::encode(field, &inner, &mut message);
                 }
-            };
+            }
         }
         message
     }
 
-    fn double(&self, message: Message, field: u32, place: usize) -> Message {
-        match self.values.get(place).copied().flatten() {
-            Some(value) => message.double(field, value),
-            None => message,
+    fn encode(&self, field: u32, place: usize, message: &mut Vec<u8>) {
+        if let Some(Some(value)) = self.values.get(place) {
+            double::encode(field, value, message);
         }
     }
 
-    fn kind(&self) -> Type {
-        let mut kind = Type::row("Variables", &[TIME], "");
-        for (name, members) in &self.fields {
-            let names: Vec<&String> = members
-                .iter()
-                .filter_map(|(name, _)| name.as_ref())
+    fn descriptor(&self) -> DescriptorProto {
+        let (mut fields, mut inner) = (vec![time_field()], Vec::new());
+        for (number, (name, members)) in (2..).zip(&self.fields) {
+            let names = members.iter().filter_map(|(name, _)| name.as_ref());
+            let names = (1..).zip(names);
+            let names: Vec<_> = names
+                .map(|(number, name)| number_field(name, number))
                 .collect();
             if names.is_empty() {
-                kind.fields.push((name.clone(), "double".to_owned()));
+                fields.push(number_field(name, number));
                 continue;
             }
             // A message must not be called as its field is.
-            let inner = format!("Of_{name}");
-            kind.fields.push((name.clone(), format!("/{inner}")));
-            kind.inner.push(Type {
-                name: inner,
-                fields: names
-                    .iter()
-                    .map(|name| ((*name).clone(), "double".to_owned()))
-                    .collect(),
-                ..Type::default()
-            });
+            let of = format!("Of_{name}");
+            fields.push(proto::field(
+                name,
+                number,
+                "optional",
+                "message",
+                &format!("/{of}"),
+            ));
+            inner.push(message(&of, names));
         }
-        kind
+        DescriptorProto {
+            nested_type: inner,
+            ..message("Variables", fields)
+        }
     }
 }

@@ -1,8 +1,10 @@
 //! What can be seen beside the robot: forces as arrows, trails of the feet, objects.
 
-use super::foxglove::{colour, pose, timestamp, vector};
+use super::foxglove::{
+    ArrowPrimitive, CubePrimitive, CylinderPrimitive, LinePrimitive, Pose, SceneEntity,
+    SceneUpdate, Timestamp,
+};
 use super::transforms::STRAIGHT;
-use super::wire::Message;
 use crate::recording::Frame;
 use crate::skeleton::{Skeleton, robot_frame};
 use nalgebra::{Unit, UnitQuaternion, Vector3};
@@ -38,7 +40,7 @@ pub(super) struct Stage<'a> {
     robot: &'a Skeleton,
     objects: Vec<Object>,
     /// What stands on the floor, as cubes; it never moves.
-    blocks: Vec<Message>,
+    blocks: Vec<CubePrimitive>,
     trails: Vec<VecDeque<Point>>,
     /// When the trails go on: ns.
     due: u64,
@@ -56,7 +58,7 @@ impl<'a> Stage<'a> {
     }
 
     /// `foxglove.SceneUpdate` for the end of a cycle: ns.
-    pub(super) fn update(&mut self, time: u64, frame: &Frame) -> Message {
+    pub(super) fn update(&mut self, time: u64, frame: &Frame) -> SceneUpdate {
         let feet = self.feet(frame);
         let mut entities = vec![self.forces(time, frame, &feet)];
         if !frame.objects.is_empty() {
@@ -64,7 +66,10 @@ impl<'a> Stage<'a> {
         }
         if !self.blocks.is_empty() {
             // Who looks at a log from its middle on sees them as well.
-            entities.push(self.entity(time, "blocks").messages(8, self.blocks.clone()));
+            entities.push(SceneEntity {
+                cubes: self.blocks.clone(),
+                ..self.entity(time, "blocks")
+            });
         }
         if time >= self.due {
             self.due = time + STEP;
@@ -72,7 +77,10 @@ impl<'a> Stage<'a> {
                 entities.extend(self.trail(time, number, foot));
             }
         }
-        Message::new().messages(2, entities)
+        SceneUpdate {
+            entities,
+            ..SceneUpdate::default()
+        }
     }
 
     /// Where everything is given: in the world, in which the body moves, or in the robot frame.
@@ -95,15 +103,17 @@ impl<'a> Stage<'a> {
         .collect()
     }
 
-    fn entity(&self, time: u64, id: &str) -> Message {
-        Message::new()
-            .message(1, &timestamp(time))
-            .text(2, self.frame())
-            .text(3, id)
+    fn entity(&self, time: u64, id: &str) -> SceneEntity {
+        SceneEntity {
+            timestamp: Timestamp::of(time),
+            frame_id: self.frame().to_owned(),
+            id: id.to_owned(),
+            ..SceneEntity::default()
+        }
     }
 
     /// Of the floor on the feet, or of the fingers on what they touch: N.
-    fn forces(&self, time: u64, frame: &Frame, feet: &[Point]) -> Message {
+    fn forces(&self, time: u64, frame: &Frame, feet: &[Point]) -> SceneEntity {
         let (scale, forces) = match frame.pushes.is_empty() {
             true if frame.forces.is_empty() => {
                 let up = frame.loads.iter().map(|load| [0.0, 0.0, *load]);
@@ -114,42 +124,46 @@ impl<'a> Stage<'a> {
         };
         let arrows = feet.iter().zip(forces);
         let arrows = arrows.filter_map(|(foot, force)| arrow(*foot, force, scale));
-        self.entity(time, "forces").messages(7, arrows)
+        SceneEntity {
+            arrows: arrows.collect(),
+            ..self.entity(time, "forces")
+        }
     }
 
-    fn things(&self, time: u64, frame: &Frame) -> Message {
+    fn things(&self, time: u64, frame: &Frame) -> SceneEntity {
         let (mut cubes, mut cylinders) = (Vec::new(), Vec::new());
         let depth = self.depth();
         for (object, thing) in self.objects.iter().zip(&frame.objects) {
             // About the z axis, which URDF's axes share.
             let half = thing.angle.to_radians() / 2.0;
             let turned = [0.0, 0.0, libm::sin(half), libm::cos(half)];
-            let at = pose(metres(thing.position), turned);
+            let pose = Pose::new(metres(thing.position), turned);
             match object.shape {
                 Shape::Box { width, height } => {
                     let size = metres([width, height, depth]).map(f64::abs);
-                    cubes.push(
-                        Message::new()
-                            .message(1, &at)
-                            .message(2, &vector(size))
-                            .message(3, &colour(OBJECT)),
-                    );
+                    cubes.push(CubePrimitive {
+                        pose,
+                        size: size.into(),
+                        color: OBJECT.into(),
+                    });
                 }
                 Shape::Disc { radius } => {
                     let size = metres([2.0 * radius, 2.0 * radius, depth]).map(f64::abs);
-                    let cylinder = Message::new().message(1, &at).message(2, &vector(size));
-                    cylinders.push(
-                        cylinder
-                            .double(3, 1.0)
-                            .double(4, 1.0)
-                            .message(5, &colour(OBJECT)),
-                    );
+                    cylinders.push(CylinderPrimitive {
+                        pose,
+                        size: size.into(),
+                        bottom_scale: 1.0,
+                        top_scale: 1.0,
+                        color: OBJECT.into(),
+                    });
                 }
             }
         }
-        self.entity(time, "objects")
-            .messages(8, cubes)
-            .messages(10, cylinders)
+        SceneEntity {
+            cubes,
+            cylinders,
+            ..self.entity(time, "objects")
+        }
     }
 
     /// How wide objects are along z: as wide as the hand, mm.
@@ -160,7 +174,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Where a foot has been; none as long as that is one place.
-    fn trail(&mut self, time: u64, number: u8, foot: Point) -> Option<Message> {
+    fn trail(&mut self, time: u64, number: u8, foot: Point) -> Option<SceneEntity> {
         let leg = usize::from(number) - 1;
         let trail = self.trails.get_mut(leg)?;
         trail.push_back(foot);
@@ -170,20 +184,24 @@ impl<'a> Stage<'a> {
         if trail.len() < 2 {
             return None;
         }
-        let points: Vec<Message> = trail.iter().map(|at| vector(metres(*at))).collect();
-        let line = Message::new()
-            .message(2, &pose([0.0; 3], STRAIGHT))
-            .double(3, 2.0)
-            .number(4, true)
-            .messages(5, points)
-            .message(6, &colour(TRAILS[leg % TRAILS.len()]));
+        let line = LinePrimitive {
+            pose: Pose::new([0.0; 3], STRAIGHT),
+            thickness: 2.0,
+            scale_invariant: true,
+            points: trail.iter().map(|at| metres(*at).into()).collect(),
+            color: TRAILS[leg % TRAILS.len()].into(),
+            ..LinePrimitive::default()
+        };
         let id = format!("trail/{}", frame::foot(number));
-        Some(self.entity(time, &id).messages(11, [line]))
+        Some(SceneEntity {
+            lines: vec![line],
+            ..self.entity(time, &id)
+        })
     }
 }
 
 /// The blocks of a scene as `CubePrimitive`s, down to the lowest place of the floor under each.
-fn blocks(scene: &Scene) -> Vec<Message> {
+fn blocks(scene: &Scene) -> Vec<CubePrimitive> {
     let blocks = scene.blocks.iter().flatten();
     let cubes = blocks.map(|block| {
         let Block { x, y, height } = *block;
@@ -191,10 +209,11 @@ fn blocks(scene: &Scene) -> Vec<Message> {
         let middle =
             [[x[0], x[1]], [y[0], y[1]], [foot, height]].map(|[from, to]| (from + to) / 2.0);
         let size = metres([x[1] - x[0], y[1] - y[0], height - foot]).map(f64::abs);
-        Message::new()
-            .message(1, &pose(metres(middle), STRAIGHT))
-            .message(2, &vector(size))
-            .message(3, &colour(BLOCK))
+        CubePrimitive {
+            pose: Pose::new(metres(middle), STRAIGHT),
+            size: size.into(),
+            color: BLOCK.into(),
+        }
     });
     cubes.collect()
 }
@@ -208,7 +227,7 @@ fn foot(floor: &Floor, block: &Block) -> f64 {
 }
 
 /// `ArrowPrimitive`: it points along x of its pose.
-fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<Message> {
+fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<ArrowPrimitive> {
     let force = Vector3::from(direction(force));
     let length = scale * force.norm();
     if length < SHORTEST {
@@ -218,15 +237,14 @@ fn arrow(at: Point, force: [f64; 3], scale: f64) -> Option<Message> {
     let turn = UnitQuaternion::rotation_between_axis(&Vector3::x_axis(), &along);
     let turned = turn.map_or([0.0, 0.0, 1.0, 0.0], |turn| turn.coords.into());
     let head = (0.25 * length).min(0.03);
-    Some(
-        Message::new()
-            .message(1, &pose(metres(at), turned))
-            .double(2, length - head)
-            .double(3, 0.2 * head)
-            .double(4, head)
-            .double(5, 0.5 * head)
-            .message(6, &colour(ARROW)),
-    )
+    Some(ArrowPrimitive {
+        pose: Pose::new(metres(at), turned),
+        shaft_length: length - head,
+        shaft_diameter: 0.2 * head,
+        head_length: head,
+        head_diameter: 0.5 * head,
+        color: ARROW.into(),
+    })
 }
 
 #[cfg(test)]
@@ -253,7 +271,7 @@ mod tests {
         // 50 N, to the right and up.
         let leaning = arrows(&[40.0], &[[30.0, 0.0, 40.0]]);
         let expected = arrow(feet[0], [30.0, 0.0, 40.0], 0.002).expect("it is seen");
-        assert_eq!(leaning, stage.entity(0, "forces").messages(7, [expected]));
+        assert_eq!(leaning.arrows, [expected]);
         assert_ne!(leaning, upright);
     }
 }

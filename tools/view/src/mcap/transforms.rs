@@ -1,7 +1,6 @@
 //! Where each frame of the robot is in the one before, under the names that its URDF file has.
 
-use super::foxglove::{quaternion, timestamp, vector};
-use super::wire::Message;
+use super::foxglove::{FrameTransform, FrameTransforms, Timestamp};
 use crate::recording::Frame;
 use crate::skeleton::{Skeleton, robot_frame};
 use nalgebra::{Matrix3, Rotation3, Unit, UnitQuaternion, Vector3};
@@ -95,14 +94,15 @@ fn attitude(pose: &Pose) -> [f64; 4] {
 }
 
 /// `foxglove.FrameTransforms`
-pub(super) fn message(time: u64, transforms: Vec<Transform>) -> Message {
-    let all = transforms.into_iter().map(|transform| {
-        Message::new()
-            .message(1, &timestamp(time))
-            .text(2, &transform.parent)
-            .text(3, &transform.child)
-            .message(4, &vector(transform.at))
-            .message(5, &quaternion(transform.turned))
+pub(super) fn message(time: u64, transforms: Vec<Transform>) -> FrameTransforms {
+    let all = transforms.into_iter().map(|transform| FrameTransform {
+        timestamp: Timestamp::of(time),
+        parent_frame_id: transform.parent,
+        child_frame_id: transform.child,
+        translation: transform.at.into(),
+        rotation: transform.turned.into(),
     });
-    Message::new().messages(1, all)
+    FrameTransforms {
+        transforms: all.collect(),
+    }
 }

@@ -8,7 +8,7 @@ use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::model::Range;
 use tip_runtime::plant::{self, Object, Shape};
-use tip_sim::{Asked, Timed};
+use tip_sim::{Asked, Event, Timed};
 
 #[derive(Serialize)]
 pub(crate) struct Header<'a> {
@@ -24,7 +24,7 @@ pub(crate) struct Header<'a> {
     modes: Vec<(u64, Vec<(String, &'static str)>)>,
     falls: Vec<(u64, f64)>,
     slips: Vec<(u64, usize, f64)>,
-    events: Vec<(u64, String)>,
+    events: Vec<(u64, &'a Event)>,
     outcome: Ended<'a>,
     columns: &'a [Column],
 }
@@ -155,11 +155,9 @@ pub(crate) fn each<'a, T, U>(
     list.iter().map(|at| of(at.cycle, &at.what)).collect()
 }
 
-/// `10:key F` without the cycle.
-pub(crate) fn event(timed: &Timed) -> (u64, String) {
-    let text = tip_sim::Events::new(vec![timed.clone()]).to_string();
-    let event = text.split_once(':').map_or(&*text, |(_, event)| event);
-    (timed.cycle, event.to_owned())
+/// An event with its cycle.
+pub(crate) fn event(timed: &Timed) -> (u64, &Event) {
+    (timed.cycle, &timed.event)
 }
 
 /// Flags, with blanks between.

@@ -9,6 +9,7 @@ use std::hash::Hash;
 /// What a recorder knows beside its recording.
 #[derive(Clone, Debug)]
 pub(crate) struct Mark {
+    cycle: u64,
     slips: Slips,
     falls: u32,
 }
@@ -17,17 +18,18 @@ impl Recorder {
     /// Marks where it is.
     pub(crate) fn mark(&self) -> Mark {
         Mark {
+            cycle: self.recording.cycles,
             slips: self.slips.clone(),
             falls: self.falls,
         }
     }
 
-    /// Back to where a mark was made, before this cycle.
-    pub(crate) fn take_back(&mut self, cycle: u64, mark: &Mark) {
+    /// Back to where a mark was made.
+    pub(crate) fn take_back(&mut self, mark: &Mark) {
         self.slips = mark.slips.clone();
         self.falls = mark.falls;
         self.pending = None;
-        self.recording.cut(cycle);
+        self.recording.cut(mark.cycle);
     }
 }
 

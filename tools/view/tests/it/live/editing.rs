@@ -229,6 +229,8 @@ fn what_is_no_request_is_refused() {
         r#"{"do":"play","fast":true}"#,
         r#"{"do":"step"}"#,
         r#"{"do":"step","cycles":1.5}"#,
+        r#"{"do":"event","event":"jump"}"#,
+        r#"{"do":"event","event":"PAW9=1"}"#,
         r#"{"do":"edit","text":1,"base":1,"by":""}"#,
     ] {
         assert_eq!(ask(text)["error"], "unknown", "{text}");
@@ -237,9 +239,10 @@ fn what_is_no_request_is_refused() {
         r#"{"do":"speed","times":0}"#,
         r#"{"do":"speed","times":-1}"#,
         r#"{"do":"speed","times":1e300}"#,
-        r#"{"do":"event","event":"jump"}"#,
-        r#"{"do":"event","event":"PAW9=1"}"#,
+        r#"{"do":"event","event":"J99=1"}"#,
         r#"{"do":"event","event":"set NOTHING=1"}"#,
+        // Its robot has no mass.
+        r#"{"do":"event","event":"push 9 0 0 for 5"}"#,
         r#"{"do":"go","cycle":18446744073709551615}"#,
     ] {
         assert_eq!(ask(text)["error"], "impossible", "{text}");
