@@ -5,7 +5,7 @@ use tip_runtime::plant::Scene;
 use tip_runtime::program::Program;
 use tip_runtime::record::{Ending, JsonLines, Sink};
 use tip_sim::lockstep::{Divergence, Lockstep, Scout};
-use tip_sim::{Engine, Inputs, Limit, Plant, Robot, Run};
+use tip_sim::{ProgramRunner, Inputs, Limit, Plant, Robot, Run};
 
 /// No case needs more cycles; one that has not ended by then never will.
 const ENDLESS: u64 = 100_000;
@@ -32,7 +32,7 @@ pub fn run(program: impl Program + Clone + 'static, settings: &Settings) -> Resu
 /// As [`run`]; or they differ.
 pub fn both(
     program: tipc::program::Program,
-    compiled: Engine,
+    compiled: ProgramRunner,
     settings: &Settings,
 ) -> Result<String, String> {
     let (mut inputs, limit) = inputs(settings)?;

@@ -18,7 +18,7 @@
 mod start;
 
 use crate::Robot;
-use crate::body::Miss;
+use crate::model::Miss;
 use crate::special;
 use start::Starts;
 use tip_runtime::command::{Op, Target};
