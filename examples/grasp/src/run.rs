@@ -15,7 +15,7 @@ const LIMIT: Limit = Limit::cycles(50_000);
 /// # Errors
 /// The program was checked for another robot.
 pub fn run(
-    program: impl Program + Clone + 'static,
+    program: impl Program + Clone + Send + 'static,
     scene: &Scene,
     console: impl Console + 'static,
     show: impl FnMut(f64, &SimulatedHand<3, 3>),

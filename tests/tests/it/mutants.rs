@@ -78,7 +78,7 @@ fn interpreter(source: &str) -> Interpreter {
     Interpreter::new(loaded.program.expect("it loads"))
 }
 
-fn trace(program: impl Program + Clone + 'static) -> String {
+fn trace(program: impl Program + Clone + Send + 'static) -> String {
     run(program, &Settings::default()).unwrap()
 }
 
