@@ -94,7 +94,7 @@ impl Programs {
         let kind = spelling.name_for(program.source_name());
         let items = emit::emit(&program, &spelling);
         writeln!(self.modules, "mod {module} {{ {items} }}").unwrap();
-        let arm = format!("{key:?} => tip_sim::Engine::new({module}::{kind}::new()),");
+        let arm = format!("{key:?} => tip_sim::ProgramRunner::new({module}::{kind}::new()),");
         writeln!(self.arms, "{arm}").unwrap();
         self.count += 1;
     }
@@ -104,7 +104,7 @@ impl Programs {
         format!(
             "{modules}
 /// The generated code of a program; `None` if it does not load.
-pub fn case(name: &str) -> Option<tip_sim::Engine> {{
+pub fn case(name: &str) -> Option<tip_sim::ProgramRunner> {{
     Some(match name {{
         {arms}
         _ => return None,

@@ -78,7 +78,7 @@ pub use aims::{Aim, Mode};
 use crate::command::{Command, Op, Poll};
 use crate::fault::Fault;
 use crate::hardware::{JointCommand, Sensors};
-use crate::model::{Family, Joint, Leg, Model, Point, Whole};
+use crate::model::{Family, Joint, Leg, Model, ModelFacts, Point};
 use core::ops::{Deref, DerefMut};
 use drive::Going;
 use leg::LegState;
@@ -102,7 +102,7 @@ pub type ControllerView<'m, const J: usize> = Core<'m, [LegState<'m, J>]>;
 /// A controller over its legs: an array of them, or a slice.
 #[derive(Clone, Debug)]
 pub struct Core<'m, S: ?Sized> {
-    robot: Whole<'m>,
+    robot: ModelFacts<'m>,
     params: Params,
     /// Where the slider is to be: mm.
     slider: Track<3>,
@@ -121,7 +121,7 @@ impl<'m, const L: usize, const J: usize> Controller<'m, L, J> {
     /// A robot in its initial posture with nothing controlled and standard parameters.
     #[must_use]
     pub fn new(model: &'m Model<L, J>) -> Self {
-        let robot = Whole::of(model);
+        let robot = ModelFacts::of(model);
         let core = Core::resting(robot).with([LegState::new(Leg::BLANK, &robot); L]);
         let mut controller = Controller { model, core };
         controller.put_legs(&model.legs);
@@ -170,7 +170,7 @@ impl<'m> Core<'m, ()> {
     /// What a controller keeps of the robot as a whole, with nothing controlled.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    fn resting(robot: Whole<'m>) -> Self {
+    fn resting(robot: ModelFacts<'m>) -> Self {
         let slider = robot.slider.map_or([0.0; 3], |slider| slider.initial);
         Core {
             robot,
@@ -218,7 +218,7 @@ impl<'m, const J: usize> ControllerView<'m, J> {
     }
 
     /// What the model says of the robot as a whole.
-    pub(crate) const fn robot(&self) -> &Whole<'m> {
+    pub(crate) const fn robot(&self) -> &ModelFacts<'m> {
         &self.robot
     }
 

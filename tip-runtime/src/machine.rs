@@ -43,24 +43,23 @@
 //! # Ok::<(), tip_runtime::machine::Mismatch>(())
 //! ```
 
-mod board;
 mod context;
 mod cycle;
 mod devices;
+mod dyn_hardware;
 mod graphs;
+mod io_state;
 mod keyboard;
 mod mismatch;
-mod sampling;
 mod simulated;
 mod state;
-mod view;
-mod wires;
 
 pub use crate::emergency::{Emergency, Report};
 pub use mismatch::Mismatch;
 pub use simulated::Simulated;
 pub use state::Status;
 
+use crate::command::Flag;
 use crate::console::Console;
 use crate::controller::Controller;
 use crate::hardware::{Hardware, JointCommand, Outputs, Sensors};
@@ -69,8 +68,8 @@ use crate::program::Program;
 use crate::record::Sink;
 use crate::special::Special;
 use cycle::ControlCycle;
+use dyn_hardware::OfSize;
 use state::State;
-use wires::Wired;
 
 /// A program on a robot.
 ///
@@ -80,56 +79,15 @@ use wires::Wired;
 /// again and again.
 #[derive(Clone, Debug)]
 pub struct Machine<'m, P, H, C, S, const L: usize, const J: usize> {
-    crew: Crew<P, C, S>,
-    body: Body<'m, H, L, J>,
-}
-
-/// What a machine has whatever its robot, so that it is compiled once for all sizes.
-#[derive(Clone, Debug)]
-struct Crew<P, C, S> {
     program: P,
     console: C,
     special: S,
     state: State,
-}
-
-impl<P, C, S> Crew<P, C, S> {
-    /// A program before its first cycle.
-    fn new(program: P, console: C, special: S) -> Self {
-        Crew {
-            program,
-            console,
-            special,
-            state: State::new(),
-        }
-    }
-}
-
-/// What a machine has of a robot's size.
-#[derive(Clone, Debug)]
-struct Body<'m, H, const L: usize, const J: usize> {
     hardware: H,
     controller: Controller<'m, L, J>,
     sensors: Sensors<L, J>,
     /// What was sent last.
     outputs: Outputs<L, J>,
-}
-
-impl<'m, H, const L: usize, const J: usize> Body<'m, H, L, J> {
-    /// A robot before its first cycle.
-    fn new(hardware: H, model: &'m Model<L, J>) -> Self {
-        Body {
-            hardware,
-            controller: Controller::new(model),
-            sensors: Sensors::ZERO,
-            outputs: Outputs {
-                joints: [[JointCommand::at(0.0); J]; L],
-                slider: [0.0; 3],
-                lamps: [0; 8],
-                period: model.standards.period,
-            },
-        }
-    }
 }
 
 impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J>
@@ -150,10 +108,8 @@ where
         console: C,
         special: S,
     ) -> Result<Self, Mismatch> {
-        let crew = Crew::new(program, console, special);
-        Mismatch::check(&crew.program, model.signature())?;
-        let body = Body::new(hardware, model);
-        Ok(Machine { crew, body })
+        Mismatch::check(&program, model.signature())?;
+        Ok(Self::resting(program, model, hardware, console, special))
     }
 
     /// Starts the program again on the robot as it is: after its end, after an emergency, or in
@@ -161,9 +117,9 @@ where
     /// where it was measured, as in an emergency stop. Cycles and time count from 0. Native
     /// code of SPECIAL keeps what it remembers.
     pub fn restart(&mut self) {
-        self.crew.program.reset();
-        self.body.controller.restart();
-        self.crew.state = State::new();
+        self.program.reset();
+        self.controller.restart();
+        self.state = State::new();
     }
 
     /// Runs one control cycle.
@@ -177,49 +133,144 @@ where
     }
 
     fn control(&mut self, sink: Option<&mut dyn Sink>) -> Status {
-        let mut robot = Wired {
-            hardware: &mut self.body.hardware,
-            sensors: &mut self.body.sensors,
-            outputs: &mut self.body.outputs,
+        let mut robot = OfSize {
+            hardware: &mut self.hardware,
+            sensors: &mut self.sensors,
+            outputs: &mut self.outputs,
         };
         let mut cycle = ControlCycle {
-            program: &mut self.crew.program,
+            program: &mut self.program,
             robot: &mut robot,
-            console: &mut self.crew.console,
-            special: &mut self.crew.special,
-            controller: &mut self.body.controller,
-            state: &mut self.crew.state,
+            console: &mut self.console,
+            special: &mut self.special,
+            controller: &mut self.controller,
+            state: &mut self.state,
         };
         cycle.run(sink)
     }
 }
 
-impl<P, H, C, S, const L: usize, const J: usize> Machine<'_, P, H, C, S, L, J> {
+impl<'m, P, H, C, S, const L: usize, const J: usize> Machine<'m, P, H, C, S, L, J> {
+    /// A program on a robot, before its first cycle.
+    fn resting(program: P, model: &'m Model<L, J>, hardware: H, console: C, special: S) -> Self {
+        Machine {
+            program,
+            console,
+            special,
+            state: State::new(),
+            hardware,
+            controller: Controller::new(model),
+            sensors: Sensors::ZERO,
+            outputs: Outputs {
+                joints: [[JointCommand::at(0.0); J]; L],
+                slider: [0.0; 3],
+                lamps: [0; 8],
+                period: model.standards.period,
+            },
+        }
+    }
+
     /// A byte was typed: RETURN stops the robot in the next cycle, ESC requests a halt, any other
     /// goes to the keyboard buffer, which keeps 64.
     pub fn key(&mut self, byte: u8) {
-        self.crew.state.key(byte);
+        self.state.key(byte);
     }
 
     /// Asks the program to stop at its next good moment: `HALT_REQUEST` is true from now on.
     pub fn request_halt(&mut self) {
-        self.crew.state.board.halt_requested = true;
+        self.state.io.halt_requested = true;
     }
 
     /// Stops the robot in the next cycle, as the RETURN key does.
     pub fn emergency_stop(&mut self) {
-        self.crew.state.stop_requested = true;
+        self.state.stop_requested = true;
     }
 
     /// Runs no step and holds the robot until [`resume`](Self::resume), as `ALL_STOP` does. Paused
     /// cycles do not count.
     pub fn pause(&mut self) {
-        self.crew.state.pause(&mut self.body.controller);
+        self.state.pause(&mut self.controller);
     }
 
     /// Goes on after [`pause`](Self::pause).
     pub fn resume(&mut self) {
-        self.crew.state.resume(&mut self.body.controller);
+        self.state.resume(&mut self.controller);
+    }
+
+    /// What became of the program.
+    pub fn status(&self) -> Status {
+        self.state.status
+    }
+
+    /// Why and where the robot stopped.
+    pub fn emergency(&self) -> Option<&Emergency> {
+        self.state.emergency.as_ref()
+    }
+
+    /// The program.
+    pub fn program(&self) -> &P {
+        &self.program
+    }
+
+    /// The program.
+    pub fn program_mut(&mut self) -> &mut P {
+        &mut self.program
+    }
+
+    /// The robot.
+    pub fn hardware(&self) -> &H {
+        &self.hardware
+    }
+
+    /// The robot.
+    pub fn hardware_mut(&mut self) -> &mut H {
+        &mut self.hardware
+    }
+
+    /// The console.
+    pub fn console(&self) -> &C {
+        &self.console
+    }
+
+    /// The console.
+    pub fn console_mut(&mut self) -> &mut C {
+        &mut self.console
+    }
+
+    /// The controller.
+    pub fn controller(&self) -> &Controller<'m, L, J> {
+        &self.controller
+    }
+
+    /// Whether a flag of conditions (T.I.P. 3.1 §6-2) is up.
+    pub fn flag(&self, flag: Flag) -> bool {
+        let (controller, inputs) = (&self.controller, &self.sensors.inputs);
+        self.state.io.flag(flag, controller, inputs)
+    }
+
+    /// What was measured in the last cycle.
+    pub fn sensors(&self) -> &Sensors<L, J> {
+        &self.sensors
+    }
+
+    /// What was sent in the last cycle.
+    pub fn outputs(&self) -> &Outputs<L, J> {
+        &self.outputs
+    }
+
+    /// Cycles whose step ran without a fault.
+    pub fn cycles(&self) -> u64 {
+        self.state.cycles
+    }
+
+    /// Time on the robot since the start, up to the end of the last cycle: ms.
+    pub fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    /// The sampling time: ms.
+    pub fn period(&self) -> f64 {
+        self.controller.period()
     }
 }
 

@@ -44,15 +44,15 @@ mod builder;
 mod check;
 pub mod generic;
 pub mod hand;
+#[cfg(feature = "control")]
+mod model_facts;
 mod spread;
 pub mod titan8;
-#[cfg(feature = "control")]
-mod whole;
 
 pub use check::{ModelError, Place};
-pub use spread::Spread;
 #[cfg(feature = "control")]
-pub(crate) use whole::Whole;
+pub(crate) use model_facts::ModelFacts;
+pub use spread::Spread;
 
 use core::fmt;
 

@@ -102,6 +102,18 @@ pub struct Noise {
 const DIVERGED: HardwareFault =
     HardwareFault("the simulation diverged: a force or a mass is too great for its time steps");
 
+/// How far beyond its outer limits a joint meets its mechanical stops: deg.
+const STOP: f64 = 2.0;
+
+/// What turns a joint in a step: `torque - inertia × acceleration`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Effort {
+    /// N·m.
+    torque: f64,
+    /// What stands for how the torque changes in the step: kg·m².
+    inertia: f64,
+}
+
 /// Positions, speeds and torques beyond this are no robot's, in any unit of this module.
 const BOUND: f64 = 1e9;
 

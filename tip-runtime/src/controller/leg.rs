@@ -7,7 +7,7 @@ use super::vibrate::{Shaken, Shaker};
 use crate::fault::Fault;
 use crate::hardware::JointCommand;
 use crate::kinematics::{Chain, LegPoint};
-use crate::model::{Inverse, Leg, Point, Whole};
+use crate::model::{Inverse, Leg, ModelFacts, Point};
 
 /// One leg: what it is, what it is to do, and what it measured.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ impl<'m, const J: usize> LegState<'m, J> {
     /// A leg in its initial posture, not controlled, with standard parameters.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn new(model: &'m Leg<J>, robot: &Whole<'_>) -> Self {
+    pub(super) fn new(model: &'m Leg<J>, robot: &ModelFacts<'_>) -> Self {
         LegState {
             model,
             params: LegParams::standard(robot),
@@ -93,7 +93,7 @@ impl<'m, const J: usize> LegState<'m, J> {
     }
 
     /// What its joints are commanded, vibrations included.
-    pub(super) fn outputs(&self, robot: &Whole<'_>) -> [JointCommand; J] {
+    pub(super) fn outputs(&self, robot: &ModelFacts<'_>) -> [JointCommand; J] {
         let mut commands = self.drive.outputs();
         let Some(per_volt) = robot.vibration else {
             return commands;

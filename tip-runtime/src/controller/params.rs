@@ -7,7 +7,7 @@ use super::{ControllerView, targets};
 use crate::command::{Command, Op, Target};
 use crate::fault::Fault;
 use crate::kinematics::LegPoint;
-use crate::model::{Forces, Joint, Standards, TorqueUnit, Whole};
+use crate::model::{Forces, Joint, ModelFacts, Standards, TorqueUnit};
 
 /// Parameters of one foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ const NO_FORCES: Forces = Forces {
     contact_torque: 0.0,
 };
 
-fn forces<'m>(robot: &Whole<'m>) -> &'m Forces {
+fn forces<'m>(robot: &ModelFacts<'m>) -> &'m Forces {
     robot.forces.unwrap_or(&NO_FORCES)
 }
 
@@ -128,7 +128,7 @@ pub(super) struct LegParams<const J: usize> {
 }
 
 impl<const J: usize> LegParams<J> {
-    pub(super) fn standard(robot: &Whole<'_>) -> Self {
+    pub(super) fn standard(robot: &ModelFacts<'_>) -> Self {
         let (standards, forces) = (robot.standards, forces(robot));
         LegParams {
             foot: FootParams::standard(standards, forces),
@@ -149,7 +149,7 @@ pub(super) struct Params {
 }
 
 impl Params {
-    pub(super) fn standard(robot: &Whole<'_>) -> Self {
+    pub(super) fn standard(robot: &ModelFacts<'_>) -> Self {
         Params {
             slider: FootParams::standard(robot.standards, forces(robot)),
             period: robot.standards.period,

@@ -102,7 +102,7 @@ impl<const J: usize> Robot for StepContext<'_, '_, J> {
 
 impl<const J: usize> Context for StepContext<'_, '_, J> {
     fn key(&mut self) -> Option<u8> {
-        self.devices.board.keyboard.take()
+        self.devices.io.keyboard.take()
     }
 
     fn message(&mut self, text: &dyn Display) {

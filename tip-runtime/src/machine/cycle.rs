@@ -2,8 +2,8 @@
 
 use super::context::StepContext;
 use super::devices::Devices;
+use super::dyn_hardware::DynHardware;
 use super::state::{State, Status};
-use super::wires::Wires;
 use crate::command::Port;
 use crate::console::Console;
 use crate::controller::ControllerView;
@@ -21,7 +21,7 @@ const KEYS_PER_CYCLE: usize = 256;
 /// All parts of a machine, for one cycle.
 pub(super) struct ControlCycle<'a, 'm, const J: usize> {
     pub(super) program: &'a mut dyn Program,
-    pub(super) robot: &'a mut dyn Wires<J>,
+    pub(super) robot: &'a mut dyn DynHardware<J>,
     pub(super) console: &'a mut dyn Console,
     pub(super) special: &'a mut dyn Special,
     pub(super) controller: &'a mut ControllerView<'m, J>,
@@ -74,7 +74,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
             let mut devices = Devices {
                 controller: self.controller,
                 sensors: self.robot.sensors(),
-                board: &mut self.state.board,
+                io: &mut self.state.io,
             };
             self.state.pending = self.special.cycle(&mut devices).err();
         }
@@ -104,7 +104,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
             devices: Devices {
                 controller: self.controller,
                 sensors: self.robot.sensors(),
-                board: &mut self.state.board,
+                io: &mut self.state.io,
             },
             special: self.special,
             console: self.console,
@@ -120,18 +120,18 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
 
     /// What the step asked of the console and could not reach itself.
     fn serve_console(&mut self, step: u32) {
-        let board = &mut self.state.board;
-        if let Some(on) = board.silence.take() {
+        let io = &mut self.state.io;
+        if let Some(on) = io.silence.take() {
             self.console.silent(on);
         }
         let torques = self.robot.sensors().torques;
-        board.graphs.show(
+        io.graphs.show(
             self.state.sampled_at,
             torques,
             self.controller,
             self.console,
         );
-        if core::mem::take(&mut board.dump_requested) {
+        if core::mem::take(&mut io.dump_requested) {
             self.console.variables(&Dump {
                 program: self.program,
                 cycle: self.state.cycles,
@@ -147,9 +147,9 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
         let outputs = self.robot.outputs();
         self.controller.put_outputs(outputs.joints);
         *outputs.slider = self.controller.slider();
-        *outputs.lamps = self.state.board.lamps;
+        *outputs.lamps = self.state.io.lamps;
         *outputs.period = period;
-        if core::mem::take(&mut self.state.board.held_for_dump) {
+        if core::mem::take(&mut self.state.io.held_for_dump) {
             self.controller.release();
         }
         if let Err(fault) = self.robot.write() {
@@ -160,7 +160,7 @@ impl<const J: usize> ControlCycle<'_, '_, J> {
 
     /// Hands a row of TITAN.LOG to the console if this cycle is to be sampled.
     fn log(&mut self) {
-        if self.state.board.sampling.take() {
+        if self.state.io.sampling.take() {
             let sample = sample(&*self.robot, self.controller, self.state);
             self.console.sample(&sample);
         }
@@ -203,7 +203,7 @@ fn hardware_fault(HardwareFault(what): HardwareFault) -> Fault {
 
 /// What a cycle measured and sent.
 fn sample<'a, const J: usize>(
-    robot: &'a dyn Wires<J>,
+    robot: &'a dyn DynHardware<J>,
     controller: &ControllerView<'_, J>,
     state: &State,
 ) -> Sample<'a> {

@@ -1,6 +1,6 @@
 //! The robot as steps and native code see it: motion goes to the controller, the rest is here.
 
-use super::board::Board;
+use super::io_state::IoState;
 use crate::analog::{self, Wire};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
 use crate::controller::ControllerView;
@@ -14,13 +14,13 @@ use crate::vibration::Vibration;
 pub(super) struct Devices<'a, 'm, const J: usize> {
     pub(super) controller: &'a mut ControllerView<'m, J>,
     pub(super) sensors: SensorsView<'a, J>,
-    pub(super) board: &'a mut Board,
+    pub(super) io: &'a mut IoState,
 }
 
 impl<const J: usize> Devices<'_, '_, J> {
     fn dump_variables(&mut self) {
-        self.board.dump_requested = true;
-        self.board.held_for_dump = self.controller.take_hold();
+        self.io.dump_requested = true;
+        self.io.held_for_dump = self.controller.take_hold();
     }
 
     fn switch_lamp(&mut self, command: &Command<'_>, on: bool) -> Result<(), Fault> {
@@ -29,7 +29,7 @@ impl<const J: usize> Devices<'_, '_, J> {
             return Err(Fault::Domain);
         }
         let bit = 1 << (device % 32);
-        if let Some(word) = self.board.lamps.get_mut(usize::from(device / 32)) {
+        if let Some(word) = self.io.lamps.get_mut(usize::from(device / 32)) {
             *word = if on { *word | bit } else { *word & !bit };
         }
         Ok(())
@@ -77,14 +77,14 @@ fn index(number: u8) -> usize {
 impl<const J: usize> Robot for Devices<'_, '_, J> {
     fn command(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         match command.op {
-            Op::FlushBuf => self.board.keyboard.clear(),
+            Op::FlushBuf => self.io.keyboard.clear(),
             Op::LampOn => self.switch_lamp(command, true)?,
             Op::LampOff => self.switch_lamp(command, false)?,
-            Op::SilentOn => self.board.silence = Some(true),
-            Op::SilentOff => self.board.silence = Some(false),
-            Op::LogStart => self.board.sampling.start(),
-            Op::LogStop => self.board.sampling.stop(),
-            Op::LogOneShot => self.board.sampling.one_shot(),
+            Op::SilentOn => self.io.silence = Some(true),
+            Op::SilentOff => self.io.silence = Some(false),
+            Op::LogStart => self.io.sampling.start(),
+            Op::LogStop => self.io.sampling.stop(),
+            Op::LogOneShot => self.io.sampling.one_shot(),
             Op::OutputVariables => self.dump_variables(),
             Op::Special => return Err(Fault::Domain),
             _ => return self.controller.command(command),
@@ -110,15 +110,11 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
     }
 
     fn flag(&self, flag: Flag) -> bool {
-        match flag {
-            Flag::Inpos(target) => self.controller.inpos(target),
-            Flag::Near(target) => self.controller.near(target),
-            flag => self.board.flag(flag, self.sensors.inputs),
-        }
+        self.io.flag(flag, self.controller, self.sensors.inputs)
     }
 
     fn set_special_flag(&mut self, n: u8, on: bool) {
-        if let Some(flag) = self.board.special_flags.get_mut(usize::from(n)) {
+        if let Some(flag) = self.io.special_flags.get_mut(usize::from(n)) {
             *flag = on;
         }
     }
@@ -143,7 +139,7 @@ impl<const J: usize> Robot for Devices<'_, '_, J> {
         if self.controller.robot().forces.is_none() {
             return Err(Fault::Domain);
         }
-        self.board.graphs.switch(graph, on)
+        self.io.graphs.switch(graph, on)
     }
 
     fn period(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! A program on the simulated robot that it was compiled for.
 
-use super::{Body, Crew, Machine, Mismatch};
+use super::{Machine, Mismatch};
 use crate::hardware::Hardware;
 use crate::model::{self, Model};
 use crate::plant::{SimulatedHand, SimulatedPlant};
@@ -75,10 +75,7 @@ where
         P: For<R>,
         R: Simulated<L, J, Hardware = H, Special = S>,
     {
-        Machine {
-            crew: Crew::new(program, (), R::special()),
-            body: Body::new(R::hardware(), R::MODEL),
-        }
+        Self::resting(program, R::MODEL, R::hardware(), (), R::special())
     }
 }
 

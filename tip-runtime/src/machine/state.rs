@@ -1,6 +1,6 @@
 //! Where a machine is in its run.
 
-use super::board::Board;
+use super::io_state::IoState;
 use crate::controller::ControllerView;
 use crate::emergency::Emergency;
 use crate::fault::Fault;
@@ -44,7 +44,7 @@ pub(super) struct State {
     pub(super) time: f64,
     /// When the sensors were sampled.
     pub(super) sampled_at: f64,
-    pub(super) board: Board,
+    pub(super) io: IoState,
 }
 
 impl State {
@@ -59,29 +59,29 @@ impl State {
             cycles: 0,
             time: 0.0,
             sampled_at: 0.0,
-            board: Board::new(),
+            io: IoState::new(),
         }
     }
 
     pub(super) fn key(&mut self, byte: u8) {
         match byte {
             RETURN_KEY => self.stop_requested = true,
-            ESCAPE_KEY => self.board.halt_requested = true,
-            _ => self.board.keyboard.push(byte),
+            ESCAPE_KEY => self.io.halt_requested = true,
+            _ => self.io.keyboard.push(byte),
         }
     }
 
     pub(super) fn pause<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
         if !self.paused {
             self.paused = true;
-            self.board.held_for_pause = controller.take_hold();
+            self.io.held_for_pause = controller.take_hold();
         }
     }
 
     pub(super) fn resume<const J: usize>(&mut self, controller: &mut ControllerView<'_, J>) {
         if self.paused {
             self.paused = false;
-            if core::mem::take(&mut self.board.held_for_pause) {
+            if core::mem::take(&mut self.io.held_for_pause) {
                 controller.release();
             }
         }

@@ -1,6 +1,6 @@
 //! What happened in a cycle, as a value.
 
-use crate::shell::Shell;
+use crate::dyn_machine::DynMachine;
 use std::fmt::{self, Display};
 use tip_runtime::command::{Command, FAST, Op, Target, Value};
 use tip_runtime::machine::Status;
@@ -79,8 +79,13 @@ pub(crate) struct Collector {
 
 impl Collector {
     /// The cycle that a robot is in now; `number` and `time` are those of its beginning.
-    pub(crate) fn finish(self, shell: &dyn Shell, number: u64, time: f64, status: Status) -> Cycle {
-        let seen = shell.seen();
+    pub(crate) fn finish(
+        self,
+        machine: &dyn DynMachine,
+        number: u64,
+        time: f64,
+        status: Status,
+    ) -> Cycle {
         Cycle {
             number,
             time,
@@ -90,8 +95,8 @@ impl Collector {
             say: self.say,
             lamp: self.lamp,
             command: self.command,
-            pose: shell.pose(),
-            state: state_hash(seen.commands, seen.angles),
+            pose: machine.hardware().pose(),
+            state: state_hash(machine.commands(), machine.angles()),
             status,
         }
     }

@@ -1,13 +1,11 @@
 //! Robots from descriptions.
 
-use crate::body::Sized;
 use crate::findings;
 use crate::robot::Robot;
 use std::fmt;
-use std::rc::Rc;
 use tip_runtime::model::Model;
 use tipc::description::{self, Description, WithModel};
-use tipc::{Facts, Loaded, published};
+use tipc::{Loaded, published};
 
 impl Robot {
     /// A walking robot from the text of its description (`docs/robots.md`). It stays in memory for good.
@@ -29,20 +27,19 @@ impl Robot {
 
     /// A walking robot from a description that was read. It stays in memory for good.
     pub fn described(description: &Description) -> Self {
-        let robot = description.with_model(Made(description.facts()));
+        let robot = description.with_model(Made);
         robot.with_shapes(description.shapes())
     }
 }
 
-/// Makes a robot of a model of any size, for which programs are checked by these facts.
-struct Made(Facts);
+/// Makes a robot of a model of any size.
+struct Made;
 
 impl WithModel for Made {
     type Output = Robot;
 
     fn with<const L: usize, const J: usize>(self, model: &Model<L, J>) -> Robot {
-        let body = Sized::walker(Box::leak(Box::new(*model)));
-        Robot::new(Rc::new(body), self.0, false)
+        Robot::of(Box::leak(Box::new(*model)))
     }
 }
 

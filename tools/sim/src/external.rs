@@ -30,13 +30,12 @@ mod trouble;
 
 pub use trouble::{Ended, Head, Trouble};
 
-use crate::desk::Desk;
-use crate::engine::Engine;
 use crate::message::Simulating;
 use crate::motion::Limbs;
-use crate::outside::{Outside, Reading};
+use crate::program_runner::ProgramRunner;
 use crate::robot::Robot;
 use crate::run::Run;
+use crate::sim_hardware::{Commands, DynHardware, Reading};
 use answer::{Answer, Measured};
 use journey::Journey;
 use line::Layout;
@@ -47,9 +46,9 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 use tip_runtime::command::Port;
-use tip_runtime::hardware::{HardwareFault, Inputs, JointCommand};
+use tip_runtime::fault::Fault;
+use tip_runtime::hardware::{HardwareFault, Inputs};
 use tip_runtime::machine::Mismatch;
-use tip_runtime::model::Point;
 use tip_runtime::plant::{Pose, Travel, volts_of_load};
 use tip_runtime::program::Program;
 use tipc::message::Lang;
@@ -165,23 +164,23 @@ impl Run {
     /// # Errors
     /// The program was checked for another robot, or the process cannot be started.
     pub fn external(
-        program: impl Program + Clone + 'static,
+        program: impl Program + Clone + Send + 'static,
         robot: &Robot,
         plant: &ExternalPlant,
     ) -> Result<Self, NotStarted> {
-        let plant = Box::new(External::start(robot, plant)?);
-        let shell = robot.start_outside(Engine::new(program), Desk::default(), plant);
-        Ok(Run::on(shell.map_err(NotStarted::Mismatch)?))
+        let plant = Box::new(ExternalHardware::start(robot, plant)?);
+        let machine = robot.start_on(plant, ProgramRunner::new(program));
+        Ok(Run::on(machine.map_err(NotStarted::Mismatch)?))
     }
 
     /// What is wrong with its external plant, if anything is.
     pub fn trouble(&self) -> Option<&Trouble> {
-        self.plant::<External>()?.trouble.as_ref()
+        self.plant::<ExternalHardware>()?.trouble.as_ref()
     }
 }
 
 /// A robot whose sensors and joints are another process's.
-pub(crate) struct External {
+pub(crate) struct ExternalHardware {
     layout: Layout,
     /// None in a copy.
     link: Option<Link>,
@@ -198,7 +197,7 @@ pub(crate) struct External {
     is_stopped: bool,
 }
 
-impl External {
+impl ExternalHardware {
     fn start(robot: &Robot, plant: &ExternalPlant) -> Result<Self, NotStarted> {
         let layout = Layout::of(robot.name(), &robot.anatomy());
         let hello = layout.hello();
@@ -208,7 +207,7 @@ impl External {
                 reason: reason.to_string(),
             })?;
         link.ask(hello);
-        Ok(External {
+        Ok(ExternalHardware {
             layout,
             link: Some(link),
             patience: plant.patience,
@@ -272,9 +271,10 @@ impl External {
     }
 }
 
-impl Outside for External {
-    fn boxed(&self) -> Box<dyn Outside> {
-        Box::new(External {
+impl DynHardware for ExternalHardware {
+    /// Returns a copy, which is connected to nothing.
+    fn boxed(&self) -> Box<dyn DynHardware> {
+        Box::new(ExternalHardware {
             layout: self.layout.clone(),
             link: None,
             // An answer that never comes, so that the copy finds out.
@@ -285,7 +285,7 @@ impl Outside for External {
         })
     }
 
-    fn any(&self) -> &dyn Any {
+    fn plant(&self) -> &dyn Any {
         self
     }
 
@@ -313,15 +313,10 @@ impl Outside for External {
         Ok(())
     }
 
-    fn write(
-        &mut self,
-        joints: &[JointCommand],
-        slider: Point,
-        period: f64,
-    ) -> Result<(), HardwareFault> {
+    fn write(&mut self, commands: &Commands<'_>) -> Result<(), HardwareFault> {
         while !self.wait(Duration::MAX) {}
         self.fault()?;
-        let line = self.layout.cycle(self.number, joints, slider, period);
+        let line = self.layout.cycle(self.number, commands);
         if let Some(link) = &mut self.link {
             link.ask(line);
         }
@@ -330,7 +325,7 @@ impl Outside for External {
         Ok(())
     }
 
-    fn stop(&mut self) {
+    fn stop(&mut self, _why: &Fault) {
         if let (Some(link), None, false) = (&mut self.link, &self.trouble, self.is_stopped) {
             link.tell(line::stop(self.number));
         }

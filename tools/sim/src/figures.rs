@@ -8,18 +8,18 @@ use tip_runtime::plant::{Motion, Pose, Travel};
 impl Run {
     /// How the body moves; none for a robot that stays where it is, or that another process simulates.
     pub fn motion(&self) -> Option<Motion> {
-        self.shell.motion()
+        self.machine.hardware().motion()
     }
 
     /// Where the body is; none for a robot that stays where it is, or that another process simulates without saying so.
     pub fn pose(&self) -> Option<Pose> {
-        self.shell.pose()
+        self.machine.hardware().pose()
     }
 
     /// How far the body has come; none for a robot that stays where it is, or that another process simulates without saying
     /// where it is.
     pub fn travel(&self) -> Option<Travel> {
-        self.shell.travel()
+        self.machine.hardware().travel()
     }
 
     /// When and where the robot first fell, if it did.
@@ -29,23 +29,23 @@ impl Run {
 
     /// The legs or fingers as they are after the last cycle; none if nothing but joints is simulated.
     pub fn limbs(&self) -> Option<Limbs> {
-        self.shell.limbs()
+        self.machine.hardware().limbs()
     }
 
     /// What every leg or finger is to do, foot by foot or joint by joint.
     pub fn aims(&self) -> Vec<Aim> {
-        self.shell.aims()
+        self.machine.aims()
     }
 
     /// What the robot grasps; none if it is not a hand.
     pub fn grasp(&self) -> Option<Grasp> {
-        self.shell.grasp()
+        self.machine.hardware().grasp()
     }
 
     /// Keeps the first fall, if it was in this cycle.
     pub(crate) fn note_fall(&mut self, cycle: u64, time: f64, step: u32) {
         if self.fall.is_none() {
-            self.fall = self.shell.first_fall().map(|fall| Fall {
+            self.fall = self.machine.hardware().first_fall().map(|fall| Fall {
                 cycle,
                 time,
                 step,

@@ -18,8 +18,8 @@
 mod start;
 
 use crate::Robot;
-use crate::body::Miss;
 use crate::message::Linting;
+use crate::model::Miss;
 use crate::special;
 use start::Starts;
 use tip_runtime::command::{Op, Target};

@@ -1,18 +1,17 @@
 //! Simulated robots, whatever their size.
 
-use crate::body::{Anatomy, Around, Body, Miss, Seats, Sized};
-use crate::desk::Desk;
-use crate::engine::Engine;
-use crate::native::Native;
-use crate::outside::Outside;
+use crate::dyn_machine::{DynMachine, NativeCommands};
+use crate::ideal_joints::IdealJoints;
+use crate::model::{Anatomy, DynModel, Miss};
 use crate::plant::Plant;
-use crate::shell::Shell;
+use crate::program_runner::ProgramRunner;
+use crate::sim_hardware::{DynHardware, OfSize, SimHardware};
 use std::fmt;
-use std::rc::Rc;
+use std::sync::Arc;
 use tip_runtime::command::{Op, Port, Target};
 use tip_runtime::machine::Mismatch;
 use tip_runtime::model::{Model, generic, hand, titan8};
-use tip_runtime::plant::{self, Scene};
+use tip_runtime::plant::{self, Scene, SimulatedHand};
 use tip_runtime::special::Special;
 use tip_runtime::special::hand::{HandSpecials, NUMBERS};
 use tipc::description::Shapes;
@@ -21,14 +20,32 @@ use tipc::{Facts, Options, published};
 /// A robot before its first control cycle: its model, how it is simulated, and its SPECIAL commands.
 #[derive(Clone)]
 pub struct Robot {
-    body: Rc<dyn Body>,
+    model: &'static dyn DynModel,
     facts: Facts,
-    grasps: bool,
-    around: Around,
-    special: Native,
+    hardware: Hardware,
+    plant: Plant,
+    scene: Scene,
+    special: Box<dyn NativeCommands>,
     /// The SPECIAL commands that are the robot's own; `None` if someone else's code answers.
     answers: Option<&'static [u8]>,
-    shapes: Rc<Shapes>,
+    shapes: Arc<Shapes>,
+}
+
+/// The kind of robot that is simulated.
+#[derive(Clone)]
+enum Hardware {
+    Walker,
+    /// Made where its size is known, so that only hands of that size are compiled.
+    Hand(fn(&Scene) -> Box<dyn DynHardware>),
+    Own(Box<dyn DynHardware>),
+}
+
+/// Where a robot and the objects around it are before the first control cycle.
+pub(crate) struct Beginning {
+    /// Of the body; `None` if it is bolted down.
+    pub(crate) pose: Option<plant::Pose>,
+    /// The objects that a hand is to grasp, in the order of the scene; `None` for any other robot.
+    pub(crate) objects: Option<Vec<plant::ObjectState>>,
 }
 
 impl Robot {
@@ -43,8 +60,11 @@ impl Robot {
             _ if name == titan8::MODEL.name => walker(&titan8::MODEL),
             _ if name == generic::MODEL.name => walker(&generic::MODEL),
             _ if name == hand::MODEL.name => {
-                let body = Rc::new(Sized::hand(&hand::MODEL));
-                let hand = Self::new(body, Facts::of(&hand::MODEL), true);
+                let hand = Self::new(
+                    &hand::MODEL,
+                    Facts::of(&hand::MODEL),
+                    Hardware::Hand(simulated_hand),
+                );
                 Ok(Robot {
                     answers: Some(NUMBERS),
                     ..hand.with_special(HandSpecials::new())
@@ -56,37 +76,35 @@ impl Robot {
 
     /// A walking robot of a model, such as `include_robot!` makes.
     pub fn of<const L: usize, const J: usize>(model: &'static Model<L, J>) -> Self {
-        Self::new(Rc::new(Sized::walker(model)), Facts::of(model), false)
+        Self::new(model, Facts::of(model), Hardware::Walker)
     }
 
     /// A robot of a model with a plant of its own.
     pub fn on<const L: usize, const J: usize>(
         model: &'static Model<L, J>,
-        plant: impl plant::Plant<L, J> + Clone + 'static,
+        plant: impl plant::Plant<L, J> + Clone + Send + 'static,
     ) -> Self {
-        let body = Rc::new(Sized::own(model, plant));
-        Self::new(body, Facts::of(model), true)
+        let hardware = Hardware::Own(OfSize::boxed(plant));
+        Self::new(model, Facts::of(model), hardware)
     }
 
-    pub(crate) fn new(body: Rc<dyn Body>, facts: Facts, grasps: bool) -> Self {
+    fn new(model: &'static dyn DynModel, facts: Facts, hardware: Hardware) -> Self {
         Robot {
-            body,
+            model,
             facts,
-            grasps,
-            around: Around {
-                plant: Plant::default(),
-                scene: Scene::EMPTY,
-            },
-            special: Native::new(()),
+            hardware,
+            plant: Plant::default(),
+            scene: Scene::EMPTY,
+            special: Box::new(()),
             answers: Some(&[]),
-            shapes: Rc::default(),
+            shapes: Arc::default(),
         }
     }
 
     /// Chooses how it is simulated. A robot with a plant of its own keeps it.
     #[must_use]
     pub fn with_plant(mut self, plant: Plant) -> Self {
-        self.around.plant = plant;
+        self.plant = plant;
         self
     }
 
@@ -97,23 +115,23 @@ impl Robot {
     /// There are objects, and the robot cannot grasp.
     pub fn with_scene(mut self, scene: &Scene) -> Result<Self, GraspsNothing> {
         let has_objects = scene.objects.iter().any(Option::is_some);
-        if has_objects && !self.grasps {
+        if has_objects && matches!(self.hardware, Hardware::Walker) {
             return Err(GraspsNothing(self.name()));
         }
-        self.around.scene = *scene;
+        self.scene = *scene;
         Ok(self)
     }
 
     /// What surrounds it, unless it has a plant of its own.
     pub fn scene(&self) -> &Scene {
-        &self.around.scene
+        &self.scene
     }
 
     /// Answers SPECIAL by native code of its owner; for a hand that is usually
     /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
     #[must_use]
-    pub fn with_special(mut self, special: impl Special + Clone + 'static) -> Self {
-        self.special = Native::new(special);
+    pub fn with_special(mut self, special: impl Special + Clone + Send + 'static) -> Self {
+        self.special = Box::new(special);
         self.answers = None;
         self
     }
@@ -135,7 +153,7 @@ impl Robot {
 
     /// What it has.
     pub fn anatomy(&self) -> Anatomy {
-        self.body.anatomy()
+        self.model.anatomy()
     }
 
     /// What a description says that it looks like.
@@ -144,13 +162,17 @@ impl Robot {
     }
 
     pub(crate) fn with_shapes(mut self, shapes: Shapes) -> Self {
-        self.shapes = Rc::new(shapes);
+        self.shapes = Arc::new(shapes);
         self
     }
 
-    /// How it and what is around it begin.
-    pub(crate) fn beginning(&self) -> crate::body::Beginning {
-        self.body.beginning(&self.around)
+    /// How it and what is around it begin, if everything has mass.
+    pub(crate) fn beginning(&self) -> Beginning {
+        let hardware = self.clone().with_plant(Plant::Dynamic).simulated();
+        Beginning {
+            pose: hardware.pose(),
+            objects: hardware.grasp().map(|grasp| grasp.objects),
+        }
     }
 
     /// How programs for it are loaded.
@@ -163,46 +185,49 @@ impl Robot {
 
     /// Whether it has this input.
     pub fn has_input(&self, port: Port) -> bool {
-        self.body.has_input(&self.around, port)
+        SimHardware::new(self.simulated()).has_input(port)
     }
 
     /// What a PTP or PTP_ANGLE to these numbers misses, if it does.
     pub(crate) fn miss(&self, op: Op, target: Target, values: &[f64]) -> Option<Miss> {
-        self.body.miss(op, target, values)
+        self.model.miss(op, target, values)
     }
 
     /// Puts a program on it.
-    pub(crate) fn start(&self, program: Engine, desk: Desk) -> Result<Box<dyn Shell>, Mismatch> {
-        self.body.start(&self.around, self.seats(program, desk))
+    pub(crate) fn start(&self, program: ProgramRunner) -> Result<Box<dyn DynMachine>, Mismatch> {
+        self.start_on(self.simulated(), program)
     }
 
-    /// Puts a program on it, and has it simulated outside.
-    pub(crate) fn start_outside(
+    /// Puts a program on it, simulated by other hardware of its size.
+    pub(crate) fn start_on(
         &self,
-        program: Engine,
-        desk: Desk,
-        outside: Box<dyn Outside>,
-    ) -> Result<Box<dyn Shell>, Mismatch> {
-        let mut seats = self.seats(program, desk);
-        seats.outside = Some(outside);
-        self.body.start(&self.around, seats)
+        hardware: Box<dyn DynHardware>,
+        program: ProgramRunner,
+    ) -> Result<Box<dyn DynMachine>, Mismatch> {
+        let hardware = SimHardware::new(hardware);
+        self.model.machine(program, hardware, self.special.clone())
     }
 
-    fn seats(&self, program: Engine, desk: Desk) -> Seats {
-        Seats {
-            program,
-            desk,
-            special: self.special.clone(),
-            outside: None,
+    fn simulated(&self) -> Box<dyn DynHardware> {
+        match (self.plant.walking(&self.scene), &self.hardware) {
+            (_, Hardware::Own(hardware)) => hardware.clone(),
+            (None, _) => Box::new(IdealJoints::new(&self.anatomy())),
+            (Some(_), Hardware::Hand(make)) => make(&self.scene),
+            (Some(simulation), Hardware::Walker) => self.model.walker(simulation, &self.scene),
         }
     }
+}
+
+fn simulated_hand(scene: &Scene) -> Box<dyn DynHardware> {
+    OfSize::boxed(SimulatedHand::new(&hand::MODEL).with_scene(scene))
 }
 
 impl fmt::Debug for Robot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Robot")
             .field("name", &self.name())
-            .field("around", &self.around)
+            .field("plant", &self.plant)
+            .field("scene", &self.scene)
             .finish_non_exhaustive()
     }
 }

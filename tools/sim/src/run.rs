@@ -1,15 +1,14 @@
 //! A run: a program on a simulated robot, with what happens to it from outside.
 
 use crate::cycle::{Collector, Cycle};
-use crate::desk::{Desk, Listener};
-use crate::engine::Engine;
+use crate::dyn_machine::DynMachine;
 use crate::event::{Event, Events, Timed};
+use crate::event_console::Listener;
 use crate::motion::Fall;
+use crate::program_runner::ProgramRunner;
 use crate::refused::Refused;
 use crate::robot::Robot;
-use crate::shell::Shell;
-use crate::sink::both;
-use crate::trace::Trace;
+use crate::trace::{Trace, both};
 use std::fmt;
 use std::time::Duration;
 use tip_runtime::command::Flag;
@@ -71,7 +70,7 @@ impl Observer for () {}
 /// A run is a value: it is copied with [`Clone`], marked with [`snapshot`](Self::snapshot) and taken back with
 /// [`restore`](Self::restore). Its listeners are outside, and are not copied.
 pub struct Run {
-    pub(crate) shell: Box<dyn Shell>,
+    pub(crate) machine: Box<dyn DynMachine>,
     pub(crate) events: Events,
     /// How many of them have happened.
     pub(crate) happened: usize,
@@ -86,21 +85,24 @@ impl Run {
     ///
     /// # Errors
     /// The program was checked for another robot.
-    pub fn new(program: impl Program + Clone + 'static, robot: Robot) -> Result<Self, Mismatch> {
-        Self::of(Engine::new(program), &robot)
+    pub fn new(
+        program: impl Program + Clone + Send + 'static,
+        robot: Robot,
+    ) -> Result<Self, Mismatch> {
+        Self::of(ProgramRunner::new(program), &robot)
     }
 
     /// The same with any engine.
     ///
     /// # Errors
     /// The program was checked for another robot.
-    pub fn of(engine: Engine, robot: &Robot) -> Result<Self, Mismatch> {
-        Ok(Self::on(robot.start(engine, Desk::default())?))
+    pub fn of(program: ProgramRunner, robot: &Robot) -> Result<Self, Mismatch> {
+        Ok(Self::on(robot.start(program)?))
     }
 
-    pub(crate) fn on(shell: Box<dyn Shell>) -> Self {
+    pub(crate) fn on(machine: Box<dyn DynMachine>) -> Self {
         Run {
-            shell,
+            machine,
             events: Events::NONE,
             happened: 0,
             ending: None,
@@ -135,15 +137,15 @@ impl Run {
     /// The robot lacks the input or has no mass, or the program has no such variable, or it cannot have the value.
     pub fn accepts(&self, event: &Event) -> Result<(), Refused> {
         let can = match event {
-            Event::Sensor(port, _) if !self.shell.has_input(*port) => {
+            Event::Sensor(port, _) if !self.machine.hardware().has_input(*port) => {
                 return Err(Refused::NoInput(*port));
             }
             Event::Set(name, value) => {
                 let refused = |error| Refused::Variable(name.clone(), error);
                 return self.program().accepts(name, *value).map_err(refused);
             }
-            Event::Push(..) => self.shell.can_be_pushed(),
-            Event::Noise(_) => self.shell.can_have_noise(),
+            Event::Push(..) => self.machine.hardware().can_be_pushed(),
+            Event::Noise(_) => self.machine.hardware().can_have_noise(),
             _ => true,
         };
         match can {
@@ -178,21 +180,20 @@ impl Run {
     /// Shows a console what the program shows from now on, and asks it for keys, after those of events. It takes the
     /// place of the one before.
     #[must_use]
-    pub fn with_console(mut self, console: impl Console + 'static) -> Self {
+    pub fn with_console(mut self, console: impl Console + Send + 'static) -> Self {
         let listener: Box<dyn Listener> = Box::new(console);
-        self.shell.desk_mut().replace(Some(listener));
+        self.machine.console_mut().replace(Some(listener));
         self
     }
 
     /// The console, if it is one of type `C`.
     pub fn console<C: Console + 'static>(&self) -> Option<&C> {
-        self.shell.seen().desk.listener()?.any().downcast_ref()
+        self.machine.console().listener()?.downcast_ref()
     }
 
     /// The console, if it is one of type `C`.
     pub fn console_mut<C: Console + 'static>(&mut self) -> Option<&mut C> {
-        let listener = self.shell.desk_mut().listener_mut()?;
-        listener.any_mut().downcast_mut()
+        self.machine.console_mut().listener_mut()?.downcast_mut()
     }
 
     /// Keeps a trace from now on; `with_state` ends each record with a hash of joint commands and measurements.
@@ -236,7 +237,7 @@ impl Run {
 
     /// Waits for a robot outside of this process; `false` if the observer does not.
     fn is_awaited(&mut self, observer: &mut (impl Observer + ?Sized)) -> bool {
-        while !self.shell.is_ready(NAP) {
+        while !self.machine.hardware_mut().is_ready(NAP) {
             if !observer.goes_on() {
                 return false;
             }
@@ -253,7 +254,7 @@ impl Run {
         let (cycles, time) = (self.cycles(), self.time());
         let mut collector = Collector::default();
         let status = self.advance(Some(&mut collector));
-        collector.finish(self.shell.as_ref(), cycles, time, status)
+        collector.finish(self.machine.as_ref(), cycles, time, status)
     }
 
     /// Runs one cycle, and reports it to a sink and the trace.
@@ -261,7 +262,7 @@ impl Run {
         self.happen();
         let (cycle, time, step) = (self.cycles(), self.time(), self.program().at());
         let own = self.trace.as_mut().map(Trace::sink);
-        let status = both(own, sink, |sink| self.shell.cycle(sink));
+        let status = both(own, sink, |sink| self.machine.cycle(sink));
         self.trace.iter_mut().for_each(Trace::keep);
         self.note_fall(cycle, time, step);
         self.ending = match status {
@@ -280,20 +281,24 @@ impl Run {
                 break;
             }
             match &due.event {
-                Event::Key(byte) => self.shell.desk_mut().press(*byte),
-                Event::Halt => self.shell.desk_mut().press(ESCAPE),
+                Event::Key(byte) => self.machine.console_mut().press(*byte),
+                Event::Halt => self.machine.console_mut().press(ESCAPE),
                 // The robot was asked when it was added.
                 Event::Sensor(port, volts) => {
-                    self.shell.set_sensor(*port, *volts);
+                    self.machine.hardware_mut().set_sensor(*port, *volts);
                 }
                 // It was tried when it was added.
-                Event::Set(name, value) => drop(self.shell.engine_mut().set(name, *value)),
-                Event::Touch(on) => self.shell.touch(*on),
+                Event::Set(name, value) => drop(self.machine.program_mut().set(name, *value)),
+                Event::Touch(on) => self.machine.hardware_mut().touch(*on),
                 // Both were tried when they were added.
-                Event::Push(force, cycles) => drop(self.shell.push(*force, *cycles)),
-                Event::Noise(noise) => drop(self.shell.set_noise(*noise)),
-                Event::ReadFails => self.shell.failures_mut().read = true,
-                Event::WriteFails => self.shell.failures_mut().write = true,
+                Event::Push(force, cycles) => {
+                    self.machine.hardware_mut().push(*force, *cycles);
+                }
+                Event::Noise(noise) => {
+                    self.machine.hardware_mut().set_noise(*noise);
+                }
+                Event::ReadFails => self.machine.hardware_mut().read_fails = true,
+                Event::WriteFails => self.machine.hardware_mut().write_fails = true,
             }
             self.happened += 1;
         }
@@ -301,7 +306,7 @@ impl Run {
 
     /// Runs no steps and holds the robot, or goes on. Paused cycles do not count.
     pub fn pause(&mut self, on: bool) {
-        self.shell.pause(on);
+        self.machine.pause(on);
     }
 
     /// How it ended, if it has; a run whose cycles were used up goes on when it is asked to.
@@ -311,72 +316,71 @@ impl Run {
 
     /// Why and where the robot stopped.
     pub fn emergency(&self) -> Option<Emergency> {
-        self.shell.seen().emergency.copied()
+        self.machine.emergency().copied()
     }
 
     /// Cycles whose step ran without a fault.
     pub fn cycles(&self) -> u64 {
-        self.shell.seen().cycles
+        self.machine.cycles()
     }
 
     /// Time on the robot: ms.
     pub fn time(&self) -> f64 {
-        self.shell.seen().time
+        self.machine.time()
     }
 
     /// The sampling time: ms.
     pub fn period(&self) -> f64 {
-        self.shell.seen().period
+        self.machine.period()
     }
 
     /// The program as the run has left it.
     pub fn program(&self) -> &dyn Program {
-        self.shell.seen().engine
+        self.machine.program()
     }
 
     /// The program, if it is one of type `P`, such as [`Interpreter`](crate::Interpreter).
     pub fn engine<P: Program + 'static>(&self) -> Option<&P> {
-        self.shell.seen().engine.get()
+        self.machine.program().get()
     }
 
     /// What is simulated, if it is one of type `H`, such as
     /// [`SimulatedPlant<4, 3>`](tip_runtime::plant::SimulatedPlant).
     pub fn plant<H: 'static>(&self) -> Option<&H> {
-        self.shell.seen().plant.downcast_ref()
+        self.machine.hardware().plant().downcast_ref()
     }
 
     /// Whether a flag of conditions is up, as the step of the next cycle finds it unless sensors and keys change it.
     pub fn flag(&self, flag: Flag) -> bool {
-        self.shell.flag(flag)
+        self.machine.flag(flag)
     }
 
     /// What each joint was sent in the last cycle, leg by leg.
     pub fn commands(&self) -> &[JointCommand] {
-        self.shell.seen().commands
+        self.machine.commands()
     }
 
     /// Joint angles as measured in the last cycle, leg by leg: deg.
     pub fn angles(&self) -> &[f64] {
-        self.shell.seen().angles
+        self.machine.angles()
     }
 
     /// Whether a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
-        let word = self.shell.seen().lamps.get(usize::from(device / 32));
+        let word = self.machine.lamps().get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
     }
 
     /// A hash of what each joint was sent and measured in the last cycle.
     pub fn state_hash(&self) -> u64 {
-        let seen = self.shell.seen();
-        state_hash(seen.commands, seen.angles)
+        state_hash(self.commands(), self.angles())
     }
 }
 
 impl Clone for Run {
     fn clone(&self) -> Self {
         Run {
-            shell: self.shell.boxed(),
+            machine: self.machine.boxed(),
             events: self.events.clone(),
             happened: self.happened,
             ending: self.ending,
@@ -389,7 +393,7 @@ impl Clone for Run {
 impl fmt::Debug for Run {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Run")
-            .field("program", self.shell.seen().engine)
+            .field("program", self.machine.program())
             .field("cycles", &self.cycles())
             .field("ending", &self.ending)
             .finish_non_exhaustive()

@@ -11,11 +11,11 @@ pub use compare::{Run, Verdict, compare, shrink};
 pub use figures::Figures;
 pub use script::Script;
 
-use tip_sim::Engine;
+use tip_sim::ProgramRunner;
 use tipc::{Loaded, Options, Robot};
 
 /// Seed, robot and text of a program, and a maker of its compiled form.
-pub type Subject = ((u64, &'static str, &'static str), fn() -> Engine);
+pub type Subject = ((u64, &'static str, &'static str), fn() -> ProgramRunner);
 
 /// The program of a subject for the reference interpreter.
 ///

@@ -28,7 +28,7 @@ pub fn rust(specimens: &[Specimen], tamper: Tamper) -> Result<String, String> {
         writeln!(modules, "mod p{n} {{ {items} }}").expect("writing to a string");
         writeln!(
             rows,
-            "(({seed}, {robot:?}, {source:?}), || ::tip_sim::Engine::new(p{n}::Compiled::new())),"
+            "(({seed}, {robot:?}, {source:?}), || ::tip_sim::ProgramRunner::new(p{n}::Compiled::new())),"
         )
         .expect("writing to a string");
     }
@@ -36,7 +36,7 @@ pub fn rust(specimens: &[Specimen], tamper: Tamper) -> Result<String, String> {
         "{modules}
 /// Seed, robot, text and compiled form of each program.
 #[allow(clippy::type_complexity)]
-pub static SUBJECTS: &[((u64, &str, &str), fn() -> ::tip_sim::Engine)] = &[
+pub static SUBJECTS: &[((u64, &str, &str), fn() -> ::tip_sim::ProgramRunner)] = &[
 {rows}];
 "
     ))

@@ -8,14 +8,14 @@ use crate::seek::root;
 use crate::settings::Settings;
 use crate::stops::{self, Stop};
 use std::fs;
-use tip_sim::{Engine, Interpreter};
+use tip_sim::{Interpreter, ProgramRunner};
 use tipc::code::Level;
 use tipc::diagnostic::Diagnostic;
 use tipc::message::{Message, Naming};
 use tipc::render;
 
 /// The generated code of a program by [`Settings::key`]; `None` if it does not load.
-pub type Compiled = fn(&str) -> Option<Engine>;
+pub type Compiled = fn(&str) -> Option<ProgramRunner>;
 
 /// Runs a case on the interpreter, and on the generated code if there is some: each gives the expected trace, and both
 /// give the same one.
@@ -107,12 +107,16 @@ pub fn each_use(finding: &Diagnostic) -> Vec<Diagnostic> {
     places
 }
 
-fn engine(compiled: Compiled, case: &str, settings: &Settings) -> Engine {
+fn engine(compiled: Compiled, case: &str, settings: &Settings) -> ProgramRunner {
     compiled(&settings.key(case)).expect("a case that loads was compiled")
 }
 
 /// The trace of a program, states included; that of its generated code, if there is some, is the same.
-fn trace(program: tipc::program::Program, compiled: Option<Engine>, settings: &Settings) -> String {
+fn trace(
+    program: tipc::program::Program,
+    compiled: Option<ProgramRunner>,
+    settings: &Settings,
+) -> String {
     let trace = match compiled {
         Some(compiled) => both(program, compiled, settings),
         None => run(Interpreter::new(program), settings),

@@ -142,13 +142,13 @@ fn native_code_goes_on_behind_every_step_of_a_running_program() {
     machine.cycle();
     machine.resume();
     machine.cycle();
-    assert_eq!(machine.crew.special.cycles, 3);
+    assert_eq!(machine.special.cycles, 3);
 
     let mut ended = active(&[nop, end], 0);
     for _ in 0..5 {
         ended.cycle();
     }
-    assert_eq!(ended.crew.special.cycles, 1);
+    assert_eq!(ended.special.cycles, 1);
 }
 
 // clauses: 2.22

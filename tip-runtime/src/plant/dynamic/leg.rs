@@ -10,11 +10,12 @@ use super::factor::{Factor, dot};
 use super::foothold::Foothold;
 use super::frame::Frame;
 use super::links::{Walk, length};
-use super::servo::{Control, Drives, Effort, Servo};
+use super::servo::{Control, Drives, Servo};
 use super::spatial::{Spatial, tensor};
 use super::world::{Share, World};
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
+use crate::plant::Effort;
 use crate::plant::walker::path::Path;
 
 /// How a joint moves what it carries.

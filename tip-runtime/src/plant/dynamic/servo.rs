@@ -3,10 +3,8 @@
 
 use crate::hardware::JointCommand;
 use crate::model::Joint;
-use crate::plant::ServoDynamics;
+use crate::plant::{Effort, STOP, ServoDynamics};
 
-/// How far beyond its outer limit a joint meets its mechanical stop: deg.
-const STOP: f64 = 2.0;
 /// How much stiffer than a position loop a mechanical stop is.
 const HARDER: f64 = 10.0;
 
@@ -65,13 +63,6 @@ impl Stride {
             speed: servos.speed.to_radians(),
         }
     }
-}
-
-/// What a joint is turned by: a torque now (N·m), and the inertia (kg·m²) that stands for how it changes in a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Effort {
-    pub(super) torque: f64,
-    pub(super) inertia: f64,
 }
 
 /// One joint.

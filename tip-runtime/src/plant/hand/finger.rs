@@ -5,8 +5,9 @@
 //! The links have no weight: the fingers are counterbalanced.
 
 use super::Vector;
-use super::motor::{Effort, Motor};
+use super::motor::Motor;
 use crate::model::{Joint, Leg};
+use crate::plant::Effort;
 
 /// Of each motor and its gear, as the joint feels it: kg·m².
 const ROTOR: f64 = 1e-4;

@@ -10,7 +10,7 @@ use super::thing::{Join, Palm, Thing};
 use super::{Fingertip, ObjectState};
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
-use crate::model::{Leg, Model, Point, Whole};
+use crate::model::{Leg, Model, ModelFacts, Point};
 use crate::plant::are_sane;
 use crate::scene::{OBJECTS, Scene};
 
@@ -127,7 +127,7 @@ impl<const L: usize, const J: usize> Grip<[FingerPlant<J>; L]> {
     pub(super) fn new(model: &Model<L, J>) -> Self {
         let mut grip = Grip {
             scene: Scene::EMPTY,
-            torque_unit: Whole::of(model).torque_unit(),
+            torque_unit: ModelFacts::of(model).torque_unit(),
             slider: SliderServo::new(model.slider.as_ref()),
             palm: Palm::between(model.legs.iter().map(|leg| leg.base)),
             things: [None; OBJECTS],

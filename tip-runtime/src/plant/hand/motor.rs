@@ -6,6 +6,7 @@
 
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Range};
+use crate::plant::{Effort, STOP};
 
 /// Of the position servo, which is far stiffer than what it meets: N·m/rad.
 const SERVO: f64 = 1e5;
@@ -16,23 +17,11 @@ const SERVO_DAMPING: f64 = 100.0;
 /// Viscous, of the joint: N·m·s/rad.
 const FRICTION: f64 = 0.01;
 
-/// How far beyond the potentiometer's limits the mechanical stops are: deg.
-const STOP: f64 = 2.0;
-
 /// Of the stops: N·m/rad.
 const STOP_STIFFNESS: f64 = 500.0;
 
 /// Of the stops: N·m·s/rad.
 const STOP_DAMPING: f64 = 0.5;
-
-/// What acts on a joint: `torque - inertia × acceleration`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Effort {
-    /// N·m.
-    pub(super) torque: f64,
-    /// kg·m².
-    pub(super) inertia: f64,
-}
 
 impl Effort {
     /// A spring (N·m/rad) that is stretched by `gap` deg, and a damper (N·m·s/rad) between rates that

@@ -2,9 +2,7 @@
 
 use crate::hardware::JointCommand;
 use crate::model::Joint;
-
-/// How far beyond its outer limit a joint meets its mechanical stop: deg.
-const STOP: f64 = 2.0;
+use crate::plant::STOP;
 
 /// How all joints follow their commands.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,10 @@
 //! The lines that an external plant gets, and the words of the protocol.
 
-use crate::body::Anatomy;
+use crate::model::Anatomy;
+use crate::sim_hardware::Commands;
 use std::fmt::Write as _;
 use tip_runtime::command::Port;
 use tip_runtime::hardware::JointCommand;
-use tip_runtime::model::Point;
 
 /// The version of the protocol.
 pub(super) const VERSION: u32 = 1;
@@ -101,20 +101,15 @@ impl Layout {
     }
 
     /// The line of a control cycle.
-    pub(super) fn cycle(
-        &self,
-        number: u64,
-        commands: &[JointCommand],
-        slider: Point,
-        period: f64,
-    ) -> String {
+    pub(super) fn cycle(&self, number: u64, commands: &Commands<'_>) -> String {
         let unit = self.per_newton_metre;
-        let modes: Vec<&str> = commands.iter().map(|command| mode(*command)).collect();
-        let targets = list(commands.iter().map(|command| match command {
+        let (joints, period) = (commands.joints, commands.period);
+        let modes: Vec<&str> = joints.iter().map(|command| mode(*command)).collect();
+        let targets = list(joints.iter().map(|command| match command {
             JointCommand::Angle { angle, .. } => *angle,
             JointCommand::Torque(torque) => torque / unit,
         }));
-        let rates = list(commands.iter().map(|command| match command {
+        let rates = list(joints.iter().map(|command| match command {
             JointCommand::Angle { rate, .. } => *rate,
             JointCommand::Torque(_) => 0.0,
         }));
@@ -123,7 +118,7 @@ impl Layout {
             modes.join(",")
         );
         if self.has_slider {
-            line = format!("{line} {SLIDER}={}", list(slider.into_iter()));
+            line = format!("{line} {SLIDER}={}", list(commands.slider.into_iter()));
         }
         line + "\n"
     }

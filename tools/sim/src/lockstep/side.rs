@@ -4,7 +4,7 @@ use super::Evidence;
 use super::notes::{Notes, Shown};
 use crate::interp::Interpreter;
 use crate::run::Run;
-use crate::sink::both;
+use crate::trace::both;
 use tip_lint::spots::Place;
 use tip_runtime::record::JsonLines;
 use tip_runtime::record::{Ending, Sink};

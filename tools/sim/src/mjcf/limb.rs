@@ -2,7 +2,8 @@
 
 use super::parts::Parts;
 use super::{SKIN, metres, quaternion};
-use crate::body::{Anatomy, Beginning, Limb};
+use crate::model::{Anatomy, Limb};
+use crate::robot::Beginning;
 use crate::urdf::frame::{self, BASE, BODY};
 use crate::urdf::shape::rod_moments;
 use crate::urdf::xml::vector;

@@ -2,11 +2,11 @@
 
 use super::metres;
 use super::parts::Parts;
-use crate::body::Anatomy;
+use crate::model::Anatomy;
 use crate::urdf::frame::{self, FLOOR};
 use crate::urdf::xml::vector;
 use tip_runtime::model::{Inverse, Slider};
-use tip_runtime::plant::{Block, OBJECTS, Object, ObjectState, Scene, Shape};
+use tip_runtime::plant::{Block, Object, ObjectState, Scene, Shape};
 
 /// How far blocks reach below the floor: m.
 const DEEP: f64 = 0.1;
@@ -116,12 +116,7 @@ fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
 
 /// The objects under a hand, which move in its plane, and the palm above them. Where two of these touch, the smaller
 /// friction counts.
-pub(super) fn objects(
-    parts: &mut Parts,
-    anatomy: &Anatomy,
-    scene: &Scene,
-    states: &[Option<ObjectState>; OBJECTS],
-) {
+pub(super) fn objects(parts: &mut Parts, anatomy: &Anatomy, scene: &Scene, states: &[ObjectState]) {
     let [x, y, z] = frame::around(&anatomy.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
     let thick = PALM.1 / 2.0;
@@ -134,11 +129,9 @@ pub(super) fn objects(
         (FLOOR.to_owned(), scene.friction),
         ("palm".to_owned(), PALM.0),
     ];
-    let found = scene.objects.iter().zip(states);
-    for (number, (object, state)) in (1_u8..).zip(found) {
-        let (Some(object), Some(state)) = (object, state) else {
-            continue;
-        };
+    let objects = (1_u8..).zip(&scene.objects);
+    let objects = objects.filter_map(|(number, object)| Some((number, object.as_ref()?)));
+    for ((number, object), state) in objects.zip(states) {
         let name = format!("O{number}");
         thing(parts, &name, object, state, [middle, half]);
         for (other, friction) in &before {

@@ -3,7 +3,7 @@
 use super::frame::{self, BASE, BODY, FLOOR, WORLD, length};
 use super::shape::{self, Solid};
 use super::xml;
-use crate::body::{Anatomy, Limb};
+use crate::model::{Anatomy, Limb};
 use crate::robot::Robot;
 use tip_runtime::model::{Body, Inverse, Joint, Point, Range, Slider, Spread};
 use tipc::description::{Shape, Shapes};

@@ -7,7 +7,7 @@
 //! assert_eq!(frame::metres([100.0, 2000.0, -50.0]), [2.0, -0.1, -0.05], "right is minus left");
 //! ```
 
-use crate::body::Limb;
+use crate::model::Limb;
 use std::f64::consts::FRAC_PI_2;
 use tip_runtime::command::Target;
 use tip_runtime::model::{Point, Range, Slider};

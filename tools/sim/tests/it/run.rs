@@ -1,8 +1,8 @@
 //! Runs of programs on simulated robots.
 
-use std::cell::Cell;
 use std::error::Error;
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use tip_runtime::command::{Op, Port, Target, Value};
 use tip_runtime::console::Transcript;
 use tip_runtime::fault::Fault;
@@ -204,15 +204,15 @@ fn what_does_not_fit_is_refused() -> Outcome {
 /// A walker that counts its copies.
 struct Copied {
     plant: SimulatedPlant<4, 3>,
-    copies: Rc<Cell<u32>>,
+    copies: Arc<AtomicU32>,
 }
 
 impl Clone for Copied {
     fn clone(&self) -> Self {
-        self.copies.set(self.copies.get() + 1);
+        self.copies.fetch_add(1, Ordering::Relaxed);
         Copied {
             plant: self.plant.clone(),
-            copies: Rc::clone(&self.copies),
+            copies: Arc::clone(&self.copies),
         }
     }
 }
@@ -243,16 +243,16 @@ impl plant::Plant<4, 3> for Copied {
 
 #[test]
 fn an_event_is_judged_without_a_copy_and_changes_nothing() -> Outcome {
-    let copies = Rc::new(Cell::new(0));
+    let copies = Arc::new(AtomicU32::new(0));
     let plant = Copied {
         plant: SimulatedPlant::new(&titan8::MODEL),
-        copies: Rc::clone(&copies),
+        copies: Arc::clone(&copies),
     };
     let robot = Robot::on(&titan8::MODEL, plant);
     let program = load("p.prg", "3.1\nt\nDEF_VAR N\nN = 1\nEND\n", &robot)?;
     let mut run = Run::new(program, robot)?;
     run.cycle();
-    copies.set(0);
+    copies.store(0, Ordering::Relaxed);
     let judge = |text: &str| -> Result<_, Box<dyn Error>> {
         let event = text.parse::<Event>()?;
         Ok(run.accepts(&event).err().map(|refused| refused.to_string()))
@@ -285,7 +285,7 @@ fn an_event_is_judged_without_a_copy_and_changes_nothing() -> Outcome {
     ] {
         assert_eq!(judge(text)?.as_deref(), Some(refused), "{text}");
     }
-    assert_eq!(copies.get(), 0);
+    assert_eq!(copies.load(Ordering::Relaxed), 0);
     assert_eq!(run.program().get("N"), Ok(Some(1.0)));
     Ok(())
 }
@@ -345,5 +345,14 @@ fn a_console_is_shown_what_the_program_shows() -> Outcome {
         (&shown.messages[..], shown.ended),
         (&["one".to_owned(), "two".to_owned()][..], 1)
     );
+    Ok(())
+}
+
+#[test]
+fn a_run_goes_on_in_another_thread() -> Outcome {
+    let mut run = run_on("titan8", "MESSAGE one\nMESSAGE two\nEND")?;
+    assert_eq!(run.cycle().say.as_deref(), Some("one"));
+    let there = std::thread::spawn(move || (run.to_end(Limit::NONE), run.cycles())).join();
+    assert_eq!(there.ok(), Some((Ending::Program(End::End), 3)));
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use ::lockstep::{Figures, Script, Subject, Verdict, compare, shrink};
 use tip_sim::lockstep::Divergence;
-use tip_sim::{Engine, Event, Interpreter, Plant};
+use tip_sim::{Event, Interpreter, Plant, ProgramRunner};
 use tipc::{Options, Robot};
 
 const RIGHT: &str = "3.1
@@ -18,25 +18,25 @@ GOTO
 END
 ";
 
-fn engine(source: &str) -> Engine {
+fn engine(source: &str) -> ProgramRunner {
     let loaded = tipc::load("1.prg", source.as_bytes(), &Options::default());
-    Engine::new(Interpreter::new(loaded.program.expect("it loads")))
+    ProgramRunner::new(Interpreter::new(loaded.program.expect("it loads")))
 }
 
-fn right() -> Engine {
+fn right() -> ProgramRunner {
     engine(RIGHT)
 }
 
 /// Only a key makes it differ.
-fn wrong() -> Engine {
+fn wrong() -> ProgramRunner {
     engine(&RIGHT.replace("D + 1", "D - 1"))
 }
 
-fn longer() -> Engine {
+fn longer() -> ProgramRunner {
     engine(&RIGHT.replace("FLUSH_BUF", "FLUSH_BUF\nREM"))
 }
 
-fn subject(compiled: fn() -> Engine) -> Subject {
+fn subject(compiled: fn() -> ProgramRunner) -> Subject {
     ((1, "titan8", RIGHT), compiled)
 }
 
@@ -98,7 +98,7 @@ fn programs_of_other_steps_are_no_match_before_they_run() {
 
 #[test]
 fn simulated_robots_agree_with_themselves() {
-    let engines: [(Robot, fn() -> Engine); 3] = [
+    let engines: [(Robot, fn() -> ProgramRunner); 3] = [
         (Robot::Titan8, right),
         (Robot::Hand, || engine_on(Robot::Hand)),
         (Robot::Generic, || engine_on(Robot::Generic)),
@@ -111,11 +111,11 @@ fn simulated_robots_agree_with_themselves() {
     }
 }
 
-fn engine_on(robot: Robot) -> Engine {
+fn engine_on(robot: Robot) -> ProgramRunner {
     let options = Options {
         robot,
         ..Options::default()
     };
     let loaded = tipc::load("1.prg", RIGHT.as_bytes(), &options);
-    Engine::new(Interpreter::new(loaded.program.expect("it loads")))
+    ProgramRunner::new(Interpreter::new(loaded.program.expect("it loads")))
 }

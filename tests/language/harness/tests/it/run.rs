@@ -1,7 +1,7 @@
 //! A run as a case wants it.
 
 use tip_harness::{Settings, both, run};
-use tip_sim::{Engine, Interpreter, Robot, load};
+use tip_sim::{Interpreter, ProgramRunner, Robot, load};
 
 #[test]
 fn what_cannot_happen_is_refused() {
@@ -28,7 +28,7 @@ fn both_engines_give_the_trace_of_one() {
     let settings = Settings::default();
     let one = run(Interpreter::new(of(text)), &settings);
     let same = |compiled: &str| {
-        let compiled = Engine::new(Interpreter::new(of(compiled)));
+        let compiled = ProgramRunner::new(Interpreter::new(of(compiled)));
         both(of(text), compiled, &settings)
     };
     assert_eq!(same(text), one);

@@ -4,7 +4,7 @@ use super::{Family, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, 
 
 /// A model without its legs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Whole<'m> {
+pub(crate) struct ModelFacts<'m> {
     pub(crate) family: Family,
     pub(crate) inverse: Inverse,
     pub(crate) standards: &'m Standards,
@@ -16,9 +16,9 @@ pub(crate) struct Whole<'m> {
     pub(crate) vibration: Option<PerVolt>,
 }
 
-impl<'m> Whole<'m> {
+impl<'m> ModelFacts<'m> {
     pub(crate) const fn of<const L: usize, const J: usize>(model: &'m Model<L, J>) -> Self {
-        Whole {
+        ModelFacts {
             family: model.family,
             inverse: model.inverse,
             standards: &model.standards,

@@ -6,49 +6,45 @@ use tip_runtime::fault::Fault;
 use tip_runtime::program::{Context, Flow, Program, Signature};
 
 /// A program of any engine, compiled or interpreted, that can be copied in the middle of its run.
-pub struct Engine(Box<dyn AnyProgram>);
+pub struct ProgramRunner(Box<dyn AnyProgram>);
 
-/// What an engine needs of its program besides running it.
-trait AnyProgram: Program {
+/// A program of any type that can be copied.
+trait AnyProgram: Program + Any + Send {
     fn boxed(&self) -> Box<dyn AnyProgram>;
-    fn any(&self) -> &dyn Any;
 }
 
-impl<P: Program + Clone + 'static> AnyProgram for P {
+impl<P: Program + Clone + Send + 'static> AnyProgram for P {
     fn boxed(&self) -> Box<dyn AnyProgram> {
         Box::new(self.clone())
     }
-
-    fn any(&self) -> &dyn Any {
-        self
-    }
 }
 
-impl Engine {
+impl ProgramRunner {
     /// Takes a program as it is.
-    pub fn new(program: impl Program + Clone + 'static) -> Self {
-        Engine(Box::new(program))
+    pub fn new(program: impl Program + Clone + Send + 'static) -> Self {
+        ProgramRunner(Box::new(program))
     }
 
-    /// The program, if it is one of type `P`.
+    /// Returns the program, if it is one of type `P`.
     pub fn get<P: Program + 'static>(&self) -> Option<&P> {
-        self.0.any().downcast_ref()
+        let program: &dyn Any = self.0.as_ref();
+        program.downcast_ref()
     }
 }
 
-impl Clone for Engine {
+impl Clone for ProgramRunner {
     fn clone(&self) -> Self {
-        Engine(self.0.boxed())
+        ProgramRunner(self.0.boxed())
     }
 }
 
-impl fmt::Debug for Engine {
+impl fmt::Debug for ProgramRunner {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} at {}", self.0.name(), self.0.at())
     }
 }
 
-impl Program for Engine {
+impl Program for ProgramRunner {
     fn signature(&self) -> Signature {
         self.0.signature()
     }

@@ -2,12 +2,12 @@
 
 use super::graphs::Graphs;
 use super::keyboard::Keyboard;
-use super::sampling::Sampling;
 use crate::command::{Flag, Port};
+use crate::controller::ControllerView;
 use crate::hardware::Inputs;
 
 #[derive(Clone, Debug)]
-pub(super) struct Board {
+pub(super) struct IoState {
     pub(super) keyboard: Keyboard,
     pub(super) halt_requested: bool,
     pub(super) special_flags: [bool; 10],
@@ -28,10 +28,17 @@ pub(super) struct Board {
 /// Volts from which the antenna counts as touching.
 const TOUCH: f64 = 0.5;
 
-impl Board {
-    /// Whether a flag is up, unless it is one of the controller.
-    pub(super) fn flag(&self, flag: Flag, inputs: &Inputs) -> bool {
+impl IoState {
+    /// Returns true if a flag of conditions is up.
+    pub(super) fn flag<const J: usize>(
+        &self,
+        flag: Flag,
+        controller: &ControllerView<'_, J>,
+        inputs: &Inputs,
+    ) -> bool {
         match flag {
+            Flag::Inpos(target) => controller.inpos(target),
+            Flag::Near(target) => controller.near(target),
             Flag::HaltRequest => self.halt_requested,
             Flag::KbHit => !self.keyboard.is_empty(),
             Flag::Special(n) => {
@@ -41,12 +48,11 @@ impl Board {
             Flag::Antenna => inputs
                 .get(Port::Antenna)
                 .is_some_and(|volts| volts >= TOUCH),
-            Flag::Inpos(_) | Flag::Near(_) => false,
         }
     }
 
     pub(super) fn new() -> Self {
-        Board {
+        IoState {
             keyboard: Keyboard::new(),
             halt_requested: false,
             special_flags: [false; 10],
@@ -58,5 +64,33 @@ impl Board {
             held_for_pause: false,
             graphs: Graphs::OFF,
         }
+    }
+}
+
+/// The state of LOG_START, LOG_STOP and LOG_ONE_SHOT.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sampling {
+    running: bool,
+    once: bool,
+}
+
+impl Sampling {
+    pub(super) const fn start(&mut self) {
+        self.running = true;
+    }
+
+    pub(super) const fn stop(&mut self) {
+        self.running = false;
+    }
+
+    pub(super) const fn one_shot(&mut self) {
+        self.once = true;
+    }
+
+    /// Returns true if this cycle is sampled.
+    pub(super) const fn take(&mut self) -> bool {
+        let once = self.once;
+        self.once = false;
+        self.running || once
     }
 }

@@ -2,7 +2,7 @@
 
 use std::any::Any;
 use std::collections::VecDeque;
-use std::fmt::{self, Display};
+use std::fmt::Display;
 use tip_runtime::console::{Bars, Console};
 use tip_runtime::machine::Report;
 use tip_runtime::record::{Dump, Sample};
@@ -10,40 +10,29 @@ use tip_runtime::record::{Dump, Sample};
 /// Keys that wait to be typed, and who is shown what the program shows. A copy has the keys alone: listeners stand
 /// outside of a run.
 #[derive(Default)]
-pub(crate) struct Desk {
+pub(crate) struct EventConsole {
     /// Typed before what the listener has to give.
     due: VecDeque<u8>,
     listener: Option<Box<dyn Listener>>,
 }
 
 /// A console that can be asked for again.
-pub(crate) trait Listener: Console {
-    fn any(&self) -> &dyn Any;
-    fn any_mut(&mut self) -> &mut dyn Any;
-}
+pub(crate) trait Listener: Console + Any + Send {}
 
-impl<C: Console + 'static> Listener for C {
-    fn any(&self) -> &dyn Any {
-        self
-    }
+impl<C: Console + Send + 'static> Listener for C {}
 
-    fn any_mut(&mut self) -> &mut dyn Any {
-        self
-    }
-}
-
-impl Desk {
+impl EventConsole {
     /// A key is pressed.
     pub(crate) fn press(&mut self, byte: u8) {
         self.due.push_back(byte);
     }
 
-    pub(crate) fn listener(&self) -> Option<&dyn Listener> {
-        self.listener.as_deref()
+    pub(crate) fn listener(&self) -> Option<&dyn Any> {
+        Some(self.listener.as_deref()?)
     }
 
-    pub(crate) fn listener_mut(&mut self) -> Option<&mut (dyn Listener + 'static)> {
-        self.listener.as_deref_mut()
+    pub(crate) fn listener_mut(&mut self) -> Option<&mut dyn Any> {
+        Some(self.listener.as_deref_mut()?)
     }
 
     /// Exchanges who listens.
@@ -61,24 +50,16 @@ impl Desk {
     }
 }
 
-impl Clone for Desk {
+impl Clone for EventConsole {
     fn clone(&self) -> Self {
-        Desk {
+        EventConsole {
             due: self.due.clone(),
             listener: None,
         }
     }
 }
 
-impl fmt::Debug for Desk {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Desk")
-            .field("due", &self.due)
-            .finish_non_exhaustive()
-    }
-}
-
-impl Console for Desk {
+impl Console for EventConsole {
     fn key(&mut self, cycle: u64) -> Option<u8> {
         let next = self.due.pop_front();
         next.or_else(|| self.listener.as_deref_mut()?.key(cycle))

@@ -1,4 +1,4 @@
-//! The seam between the control loop and hardware, which hides the number of legs.
+//! Hardware behind one trait, so that the control loop is compiled once for all numbers of legs.
 
 use crate::fault::Fault;
 use crate::hardware::{
@@ -6,7 +6,7 @@ use crate::hardware::{
 };
 
 /// A robot with any number of legs of `J` joints: what it measured last, and what it is sent.
-pub(super) trait Wires<const J: usize> {
+pub(super) trait DynHardware<const J: usize> {
     fn read(&mut self) -> Result<(), HardwareFault>;
     fn sensors(&self) -> SensorsView<'_, J>;
     fn outputs(&mut self) -> OutputsView<'_, J>;
@@ -16,13 +16,13 @@ pub(super) trait Wires<const J: usize> {
 }
 
 /// Hardware of a known size, and what goes in and out.
-pub(super) struct Wired<'a, H, const L: usize, const J: usize> {
+pub(super) struct OfSize<'a, H, const L: usize, const J: usize> {
     pub(super) hardware: &'a mut H,
     pub(super) sensors: &'a mut Sensors<L, J>,
     pub(super) outputs: &'a mut Outputs<L, J>,
 }
 
-impl<H: Hardware<L, J>, const L: usize, const J: usize> Wires<J> for Wired<'_, H, L, J> {
+impl<H: Hardware<L, J>, const L: usize, const J: usize> DynHardware<J> for OfSize<'_, H, L, J> {
     fn read(&mut self) -> Result<(), HardwareFault> {
         self.hardware.read(self.sensors)
     }
