@@ -182,6 +182,9 @@ tipc::message_table! {
     StopsWaiting { wait: Waiting, time: String }
         "stopped after {time} s without a motion: {wait}; --cycles sets another end",
         "{time} s間動作がないため終了しました。{wait}。--cyclesで別の終わりを指定できます";
+    StopsInTimeWaiting { minutes: String, wait: Waiting }
+        "stopped after {minutes} minutes of the robot's time: {wait}; --cycles sets another end",
+        "ロボットの時間で{minutes}分たったため終了しました。{wait}。--cyclesで別の終わりを指定できます";
     StopsInTime { minutes: String }
         "stopped after {minutes} minutes of the robot's time; --cycles sets another end",
         "ロボットの時間で{minutes}分たったため終了しました。--cyclesで別の終わりを指定できます";

@@ -116,7 +116,11 @@ impl RecordedArguments {
                 wait,
                 time: format!("{:.0}", LONG_WAIT / 1000.0),
             },
-            _ if is_cut_off => Running::StopsInTime {
+            Some(wait) if is_cut_off => Running::StopsInTimeWaiting {
+                minutes: MINUTES.to_string(),
+                wait,
+            },
+            None if is_cut_off => Running::StopsInTime {
                 minutes: MINUTES.to_string(),
             },
             Some(wait) => Running::IsWaiting { wait },

@@ -9,8 +9,9 @@ use tipc::program::{Action, Condition, Operand, Program, Step};
 
 /// Joints that move slowly and variables are looked at so often: ms.
 const OFTEN: f64 = 1000.0;
-/// A joint that is this much from where it was has moved: deg.
-const MOVED: f64 = 0.1;
+/// A joint that is this much from where it was has moved: deg. Fingers that press on something tremble by some tenths, which moves
+/// nothing.
+const MOVED: f64 = 1.0;
 
 /// A wait.
 #[derive(Clone, Debug, PartialEq)]

@@ -564,3 +564,48 @@ fn view_and_log_end_after_a_long_wait_and_say_so() {
         .expect(0);
     assert!(!outcome.err.contains("stopped"), "{outcome:#?}");
 }
+
+/// Fingers that press on something tremble for ever.
+#[test]
+fn a_hand_that_trembles_waits_without_a_motion() {
+    let grasp = include_str!("../../../../examples/grasp/motions/grasp.prg");
+    let folder = Folder::new("speaks-trembles").file("grasp.prg", grasp);
+    let outcome = folder
+        .tipc(&[
+            "log",
+            "grasp.prg",
+            "--robot",
+            "hand",
+            "--scene",
+            "cylinder",
+            "-o",
+            "grasp.csv",
+            "--every",
+            "500",
+        ])
+        .expect(0);
+    let expected =
+        "stopped after 60 s without a motion: line 22 waits for INPOS_ALL since 1.2 s, for ";
+    assert!(outcome.err.contains(expected), "{outcome:#?}");
+}
+
+#[test]
+fn a_recording_that_ends_in_time_says_what_the_program_waits_for() {
+    let folder = Folder::new("speaks-in-time").program(
+        "keys.prg",
+        "DEF_VAR K\nL1:\nKEY_IN K\nMESSAGE %K%\nGOTO L1:\nEND",
+    );
+    // A key every 50 s, the last one after 550 s.
+    let keys: Vec<String> = (1..=11).map(|k| format!("{}:key {k}", 2500 * k)).collect();
+    let keys = keys
+        .join(", ")
+        .replace("key 10", "key A")
+        .replace("key 11", "key B");
+    let log = [
+        "log", "keys.prg", "-o", "keys.csv", "--events", &keys, "--every", "500",
+    ];
+    let outcome = folder.tipc(&log).expect(0);
+    let expected =
+        "stopped after 10 minutes of the robot's time: line 5 waits for a key since 550.";
+    assert!(outcome.err.contains(expected), "{outcome:#?}");
+}

@@ -5,7 +5,7 @@ use super::{SKIN, metres, quaternion};
 use crate::model::{Anatomy, Limb};
 use crate::robot::Beginning;
 use crate::urdf::frame::{self, BASE, BODY};
-use crate::urdf::shape::rod_moments;
+use crate::urdf::shape::{loadable, rod_moments};
 use crate::urdf::xml::vector;
 use std::f64::consts::FRAC_1_SQRT_2;
 use tip_runtime::model::{Body, Joint};
@@ -14,6 +14,9 @@ use tipc::description::{Form, Shape, Shapes};
 
 /// How far around a foot or fingertip its contacts are counted as its load: m.
 const REACH: f64 = 2.0 * SKIN;
+
+/// The shortest rod that is drawn: m. MuJoCo refuses ends less than 1e-6 m apart.
+const SHORTEST: f64 = 1e-5;
 
 /// Begins the body that carries all legs.
 pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, shapes: &[Shape]) {
@@ -46,8 +49,13 @@ fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let [xx, yy, zz] = half.map(|half| half * half);
     let inertia = [yy + zz, xx + zz, xx + yy].map(|squares| body.mass * squares / 3.0);
     let (half, middle) = (vector(half), vector(middle));
+    let [xx, yy, zz] = inertia;
+    let [xx, yy, zz, ..] = loadable([xx, yy, zz, 0.0, 0.0, 0.0]);
     let (centre, inertia) = match &body.spread {
-        None => ([0.0; 3], format!("diaginertia=\"{}\"", vector(inertia))),
+        None => (
+            [0.0; 3],
+            format!("diaginertia=\"{}\"", vector([xx, yy, zz])),
+        ),
         Some(spread) => (spread.centre, full(spread.inertia)),
     };
     let (centre, mass) = (vector(metres(centre)), body.mass);
@@ -179,7 +187,7 @@ fn carried(
         "inertial pos=\"{centre}\" mass=\"{mass}\" {inertia}"
     ));
     let rod = |size: f64| format!("type=\"capsule\" fromto=\"0 0 0 {end}\" size=\"{size}\"");
-    let has_length = length >= frame::LEAST / 1000.0;
+    let has_length = length >= SHORTEST;
     if has_length && shapes.is_empty() {
         world.add(&format!("geom class=\"drawn\" {}", rod(radius)));
     }
@@ -193,7 +201,7 @@ fn carried(
 
 /// xx, yy, zz, xy, xz and yz of a tensor.
 fn full(inertia: [f64; 6]) -> String {
-    format!("fullinertia=\"{}\"", vector(inertia))
+    format!("fullinertia=\"{}\"", vector(loadable(inertia)))
 }
 
 /// xx, yy, zz, xy, xz and yz of a rod (kg, m) that ends at a point, about its middle.

@@ -48,6 +48,7 @@ impl Solid {
     /// What is in the element of that name, if it weighs something.
     fn inertial(&self) -> Option<String> {
         let mass = Some(self.mass).filter(|mass| *mass > 0.0)?;
+        let mass = mass.max(LEAST_MASS);
         let (origin, inertia) = match (&self.spread, &self.even) {
             (Some(spread), _) => (
                 origin(spread.centre, [0.0; 3]),
@@ -60,7 +61,7 @@ impl Solid {
             }
             (None, None) => return None,
         };
-        let [xx, yy, zz, xy, xz, yz] = inertia;
+        let [xx, yy, zz, xy, xz, yz] = loadable(inertia);
         Some(format!(
             "{origin}<mass value=\"{mass}\"/><inertia ixx=\"{xx}\" iyy=\"{yy}\" izz=\"{zz}\" ixy=\"{xy}\" ixz=\"{xz}\" iyz=\"{yz}\"/>"
         ))
@@ -156,6 +157,34 @@ fn moments(form: &Form, mass: f64) -> [f64; 3] {
             [across, across, along]
         }
     }
+}
+
+/// The least mass that is written of what weighs something: kg. Simulators refuse less.
+const LEAST_MASS: f64 = 1e-9;
+/// The least second moment of mass that is written of it: kg·m².
+const LEAST_MOMENT: f64 = 1e-12;
+/// The share of a tensor within which rounding may make it that of no body.
+const ROUNDING: f64 = 1e-9;
+
+/// Returns xx, yy, zz, xy, xz and yz of a tensor of inertia that simulators load. That of a body without thickness, or with hardly
+/// any mass, grows by the same amount about every axis; any other one stays as it is.
+pub(crate) fn loadable(tensor: [f64; 6]) -> [f64; 6] {
+    let [xx, yy, zz, xy, xz, yz] = tensor;
+    let half = (xx + yy + zz) / 2.0;
+    let least = LEAST_MOMENT + ROUNDING * half;
+    // Second moments of mass above `least` in every direction: the leading minors are positive.
+    let [x, y, z] = [xx, yy, zz].map(|moment| half - moment - least);
+    let (a, b, c) = (-xy, -xz, -yz);
+    let minors = [
+        x,
+        x * y - a * a,
+        x * (y * z - c * c) - a * (a * z - b * c) + b * (a * c - b * y),
+    ];
+    if minors.into_iter().all(|minor| minor > 0.0) {
+        return tensor;
+    }
+    let more = 2.0 * LEAST_MOMENT + 20.0 * ROUNDING * half;
+    [xx + more, yy + more, zz + more, xy, xz, yz]
 }
 
 /// The moments of inertia of a rod (kg, m) across it and about itself: kg·m².

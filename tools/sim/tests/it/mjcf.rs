@@ -250,9 +250,9 @@ fn no_size_is_nothing() {
         body: Some(flat),
         ..titan8::MODEL
     }));
-    // A link that is nearly nothing, of which no rod is made.
+    // Links that are nearly nothing, of which no rod is made.
     let short = "name = \"short\"\nleg = [{ base = [0, 0, 0] }]\njoint = [
-        { axis = \"x\", link = [0, 0, 1e-9] }, { axis = \"x\", link = [0, 0, -50] }]";
+        { axis = \"x\", link = [0, 0, 1e-9] }, { axis = \"y\", link = [0, 1e-4, 0] }, { axis = \"x\", link = [0, 0, -50] }]";
     let short = Robot::description(short).expect("a description");
     for robot in [Robot::of(model), short] {
         let [mjcf, urdf] = [mjcf::export(&robot), urdf::export(&robot)];
@@ -268,13 +268,71 @@ fn no_size_is_nothing() {
                     assert!(sizes.iter().all(|size| *size >= 1e-10), "{node:?}");
                 }
                 if let [x, y, z, to @ ..] = &*numbers(node, "fromto") {
+                    // MuJoCo takes 1e-6 m for nothing here.
                     let apart = to
                         .iter()
                         .zip([x, y, z])
-                        .any(|(to, from)| (to - from).abs() > 1e-10);
+                        .any(|(to, from)| (to - from).abs() > 1e-6);
                     assert!(apart, "{node:?}");
                 }
             }
         }
     }
+}
+
+/// MuJoCo refuses a principal moment below 1e-14 kg·m², one above the sum of the other two, and a mass below 1e-15 kg. All tensors
+/// here lie along the axes.
+#[test]
+fn every_inertia_is_that_of_a_body_with_some_thickness() {
+    let arm = |joint: &str, body: &str| {
+        let text = format!(
+            "name = \"arm\"\nleg = [{{ base = [0, 0, 0] }}]\njoint = [{{ axis = \"x\", link = [0, 0, -50], {joint} }}]\n{body}"
+        );
+        Robot::description(&text).expect("a description")
+    };
+    let plain = "[body]\nx = [-50, 50]\ny = [-50, 50]\nz = [-10, 10]\n";
+    let dust = "[body]\nx = [0, 0.000001]\ny = [0, 0.000001]\nz = [0, 0.000001]\n";
+    let sheet = "[body]\nx = [0, 0.000001]\ny = [-50, 51]\nz = [-33, 50]\nmass = 0.7\n";
+    for (joint, body) in [
+        ("mass = 0.5, inertia = [0, 0, 0, 0, 0, 0]", plain),
+        ("mass = 0.5, inertia = [0.01, 0.01, 0, 0, 0, 0]", plain),
+        ("mass = 0.5, inertia = [0.1, 0.3, 0.2, 0, 0, 0]", plain),
+        ("mass = 1e-20", plain),
+        ("mass = 1", dust),
+        ("mass = 1", sheet),
+    ] {
+        let robot = arm(joint, body);
+        let [mjcf, urdf] = [mjcf::export(&robot), urdf::export(&robot)];
+        let [mjcf, urdf] = [read(&mjcf), read(&urdf)];
+        let of_mjcf = all(&mjcf, "inertial").into_iter().map(|node| {
+            let tensor = [numbers(node, "diaginertia"), numbers(node, "fullinertia")].concat();
+            (tensor, true)
+        });
+        let of_urdf = all(&urdf, "inertia").into_iter().map(|node| {
+            let tensor = ["ixx", "iyy", "izz"].map(|name| numbers(node, name)[0]);
+            (tensor.to_vec(), false)
+        });
+        for (tensor, is_mjcf) in of_mjcf.chain(of_urdf) {
+            let [x, y, z] = tensor[..3] else {
+                panic!("{tensor:?}")
+            };
+            let half = (x + y + z) / 2.0;
+            for moment in [x, y, z] {
+                // Both are far above rounding.
+                assert!(moment >= 1e-13, "{tensor:?} of {joint}, {body}, {is_mjcf}");
+                assert!(half - moment >= 1e-13, "{tensor:?} of {joint}, {body}");
+                assert!(half - moment >= 1e-13 * half, "{tensor:?} of {joint}");
+            }
+        }
+        for mass in all(&urdf, "mass") {
+            assert!(numbers(mass, "value")[0] >= 1e-12, "{joint}");
+        }
+    }
+    // What has a thickness is exported as it is described.
+    let arm = arm("mass = 0.5, inertia = [0.01, 0.02, 0.015, 0, 0, 0]", plain);
+    let (text, link) = (mjcf::export(&arm), [0.01, 0.02, 0.015, 0.0, 0.0, 0.0]);
+    let model = read(&text);
+    let inertia = one(&model, "body", "link11").first_element_child();
+    let inertia = inertia.and_then(|hinge| hinge.next_sibling_element());
+    assert_eq!(numbers(inertia.expect("it weighs"), "fullinertia"), link);
 }
