@@ -20,7 +20,7 @@ In every cycle of every run
 - after END the robot came to rest, and every wait that did not end by itself was ended by a stop.
 
 A cell with several outcomes lists all that occurred; which one depends on the step and the joint.
-*Goes on to its end* means with other commands than without the fault: no program can tell a plausible wrong measurement from a right one.
+*Unaffected* runs give the same commands as without the fault; those that *end differently* give others and run to their end, since no program can tell a plausible wrong measurement from a right one.
 A robot reads only the sensors of its model: faults of other torque, slider or sole sensors change nothing.
 
 `cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it rewrites it.
