@@ -6,7 +6,7 @@ import { animated } from './webp.mjs';
 
 /** How many stills of each run, from which cycle to which: a stride of the walk, and all of the grasp. */
 const MOTIONS = {
-  walk: { stills: 36, from: 1057, to: 1506 },
+  walk: { stills: 36, from: 1067, to: 1526 },
   grasp: { stills: 48, from: 0, to: 5562 },
 };
 const SIZE = { width: 480, height: 320 };

@@ -7,23 +7,24 @@ use std::fmt::Write as _;
 const HEAD: &str = "\
 # What a fault does
 
-How a program ends, or goes on, after a fault of sensors, hardware, keys or timing. Each fault was injected into runs of a short program
-with motion, waits, inputs and, where the robot has them, torques, forces and springs. A fault that stops the robot at once was injected
-in every cycle but the first; the others in every fifth cycle, starting at a different cycle for each place. A broken sensor stays broken.
-On robots with mass (`--plant dynamic`) it was every third cycle, and every fifteenth.
-The same faults were injected into [compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and
-vibration, in every eleventh cycle and in every fifty-fifth.
+The outcome of faults of sensors, hardware, keys and timing.
+Each fault was injected into runs of a short program with motion, waits, inputs and, where the robot has them, torques, forces and springs.
+A fault that stops the robot immediately was injected in every cycle but the first; the others in every fifth cycle, starting at a different cycle for each place; with mass (`--plant dynamic`) in every third and every fifteenth.
+The same faults were injected into [compiled programs](../tests/faults/tests/faults/motions) with searches, EMG_OFF, SPECIAL commands and vibration, in every eleventh cycle and in every fifty-fifth.
+A broken sensor stays broken.
 
-In every cycle of every run the joint commands were numbers: angles within the working limits, torques within TORQUE_MAX, the slider
-within its travel. In every emergency stop the hardware was stopped in each cycle and received no other command, and the emergency was
-reported once. After every END the robot came to rest. Every wait that did not end by itself was ended by a stop.
+In every cycle of every run
 
-Where a cell lists several outcomes, each was seen. Which one occurs depends on the step that runs and on the joint. *Goes on to its
-end* means with other commands than without the fault: no program can tell a wrong measurement from a right one if it is plausible.
-A robot reads only the sensors that its model has: a fault of a torque, slider or sole sensor that it lacks changes nothing.
+- joint commands were finite numbers: angles within the working limits, torques within TORQUE_MAX, the slider within its travel;
+- in an emergency the hardware was stopped and received no other command, and the emergency was reported once;
+- after END the robot came to rest, and every wait that did not end by itself was ended by a stop.
 
-`cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it rewrites
-it. [Files and Ctrl-C](#files-and-ctrl-c) are the other half.
+A cell with several outcomes lists all that occurred; which one depends on the step and the joint.
+*Unaffected* runs give the same commands as without the fault; those that *end differently* give others and run to their end, since no program can tell a plausible wrong measurement from a right one.
+A robot reads only the sensors of its model: faults of other torque, slider or sole sensors change nothing.
+
+`cargo test -p tip-tests-faults` runs the campaign and compares this half of the page; with `TIP_BLESS=1` it rewrites it.
+[Files and Ctrl-C](#files-and-ctrl-c) are the other half.
 
 ";
 

@@ -124,8 +124,8 @@ impl Expected {
                 Some("ends at once if the program asks for it".into())
             }
             (Expected::EndsWhereAsked, _) => Some("ends where the program asks for it".into()),
-            (_, Outcome::Ends { same: true, .. }) => Some("goes on, commands unchanged".into()),
-            (_, Outcome::Ends { same: false, .. }) => Some("goes on to its end".into()),
+            (_, Outcome::Ends { same: true, .. }) => Some("unaffected".into()),
+            (_, Outcome::Ends { same: false, .. }) => Some("ends differently".into()),
             (_, Outcome::Waits) => Some("waits until it is stopped".into()),
             (_, Outcome::Stops { .. }) => Some(format!("stops: {fault}")),
         }

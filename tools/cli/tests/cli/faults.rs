@@ -20,42 +20,42 @@ struct Row {
 const HEADING: &str = "\n## Files and Ctrl-C\n";
 
 const HEAD: &str = "
-What `tip run PROGRAM --out-dir FOLDER --trace FILE` does if its files cannot be written, or if it is interrupted. An earlier run of the
-same program had written all five files. In every case each file is either the complete earlier one or the complete new one; no partial file is
-left.
+The outcome of `tip run PROGRAM --out-dir FOLDER --trace FILE` if its files cannot be written, or if it is interrupted.
+An earlier run of the same program had written all five files.
+In every case each file is either the complete earlier one or the complete new one; no partial file is left.
 
 | where | fault | outcome | runs |
 |---|---|---|---|
 ";
 
 const TAIL: &str = "
-A read-only file is one that nobody may write, as after `chmod a-w`; it is refused to the system administrator too. *Refused*: the run stops before
-the first cycle with `TIP_ERR:File can not write(…) (PreprocessError)`, status 1, and all earlier files stay. *Reported at the end*: the program runs
-to its end, every file that can be written is new, then the run ends with the same error and status 1. *Interrupted*: status 130; the trace ends with
-`INTERRUPTED`, and the logs hold all cycles up to that point.
+- *Refused*: the run stops before the first cycle with `TIP_ERR:File can not write(…) (PreprocessError)`, status 1, and all earlier files stay.
+- *Reported at the end*: the program runs to its end, every file that can be written is new, then the run ends with the same error and status 1.
+- *Interrupted*: status 130; the trace ends with `INTERRUPTED`, and the logs hold all cycles up to that point.
+- A *read-only* file is one that nobody may write, as after `chmod a-w`; it is refused to the system administrator too.
 
-A compiled program writes its logs with the same `LogFiles`. Where it reads the keys of a terminal, Ctrl-C is a key, which stops the robot like
-RETURN. The signal ends it like any process, unless its host catches it; then the earlier files stay, and partial files are left next to them
-as `.tip-RANDOM.part`. `cargo test -p walk --test it interrupt` tests both.
+A compiled program writes its logs with the same `LogFiles`.
+If it reads keys from a terminal, Ctrl-C is a key that stops the robot like RETURN.
+Otherwise the signal ends the process unless the host catches it; the earlier files stay, and partial files are left next to them as `.tip-RANDOM.part`.
+`cargo test -p walk --test it interrupt` tests both.
 
-`cargo test -p tip-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it
-rewrites it.
+`cargo test -p tip-cli --test cli faults` makes these runs, on Linux, and compares this half of the page; with `TIP_BLESS=1` it rewrites it.
 
 ## Long programs and large numbers
 
-What would take time or memory without end, and what bounds it. Work is counted in bytes taken from the heap, which is the same on every machine.
+Bounds on time and memory. Work is counted in bytes allocated, which is the same on every machine.
 
-| where | what | bound | test |
+| where | input | bound | test |
 |---|---|---|---|
-| `tip cycles`, hovers | loops in loops, labels, calls in calls, jumps across the program | in proportion to the steps: 1,000,000 and 32 for each node of the flow may be passed for each kind of parts, then counting ends, and says so | `tools/lint/tests/it/bounded.rs` |
-| `tip check` | blocks in blocks with constant conditions, many variables in messages | in proportion to the steps | `tools/lint/tests/it/bounded.rs` |
-| reads of variables | thousands of variables that are assigned elsewhere than they are read | 1008 of them, and more while blocks times 63 variables are below 1,000,000; other reads are tested when they run | `tools/lint/tests/it/bounded.rs` |
-| `tip migrate` | tolerances, placeholders, names that became words | in proportion to the lines | `tools/lint/tests/it/bounded.rs` |
-| generated code | the memory that it takes to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
-| messages | words that a program, a description or a URDF file holds | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
-| messages | the nearest known name to a word | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
+| `tip cycles`, hovers | loops in loops, labels, calls in calls, jumps across the program | proportional to the steps: for each kind of parts at most 1,000,000 visits and 32 per node of the flow graph; then counting stops, and says so | `tools/lint/tests/it/bounded.rs` |
+| `tip check` | blocks in blocks with constant conditions, many variables in messages | proportional to the steps | `tools/lint/tests/it/bounded.rs` |
+| reads of variables | thousands of variables that are assigned elsewhere than they are read | 1008 of them, and more while blocks times 63 variables are below 1,000,000; other reads are checked at run time | `tools/lint/tests/it/bounded.rs` |
+| `tip migrate` | tolerances, placeholders, names that became words | proportional to the lines | `tools/lint/tests/it/bounded.rs` |
+| generated code | memory to write it | less than 1.5 kB a step | `tools/lint/tests/it/bounded.rs` |
+| messages | words quoted from a program, a description or a URDF file | 80 characters, then `…`; texts of the system 4096 | `tipc/src/message/tests.rs` |
+| messages | search for the nearest known name | 500 names, and words of 80 bytes | `tipc/src/check/suggest.rs` |
 | VARIABLES.LOG | OUTPUT_VARIABLES in a loop | 16 MiB, then a line that says so | `tip-runtime/tests/it/log_files.rs` |
-| TITAN.LOG | a run without end | 10,000 rows | `tools/cli/tests/cli/faults/signals.rs` |
+| TITAN.LOG | an endless run | 10,000 rows | `tools/cli/tests/cli/faults/signals.rs` |
 | NORM | members whose squares are beyond the largest number | the root where it is finite; else `Domain error` | `tip-runtime/src/ops.rs`, `tests/language/cases/faults/norm-overflows` |
 ";
 
