@@ -20,25 +20,27 @@ function contents() {
 
 const define = { CONTENTS: JSON.stringify(contents()) };
 const tour = read('site/page/src/tour.html').trim();
-const made = (data, allowed) =>
-  page({
+const made = async (data, allowed) => {
+  const { html } = await page({
     script: `${here}/src/main.js`,
     ahead: `${here}/src/load.js`,
-    styles: ['./src/style.css', './src/live.css', `${here}/src/tour.css`],
+    styles: { live: ['./node_modules/uplot/dist/uPlot.min.css', './src/style.css', './src/live.css', `${here}/src/tour.css`] },
     kinds: ['live', 'playground'],
     scripts: ["'wasm-unsafe-eval'"],
     allowed,
     parts: { 'TIP-TITLE': 'T.I.P. playground', 'BUILD-TOUR': tour, 'BUILD-DATA': data },
     define,
   });
+  return html;
+};
 
 mkdirSync(`${out}/hosted`, { recursive: true });
 const module = readFileSync(wasm);
 const packed = deflateRawSync(module, { level: 9 }).toString('base64');
-const one = await made(`<script type="application/octet-stream" id="module">${packed}</script>\n`, []);
+const one = await made(`<script type="application/octet-stream" id="module">${packed}</script>\n`, '');
 // The module is on its way while the script still comes.
 const ahead = '<link rel="preload" href="playground.wasm" as="fetch" type="application/wasm" crossorigin>\n';
-const index = await made(ahead, ["connect-src 'self'"]);
+const index = await made(ahead, "connect-src 'self'; ");
 writeFileSync(`${out}/playground.html`, one);
 writeFileSync(`${out}/hosted/index.html`, index);
 writeFileSync(`${out}/hosted/playground.wasm`, module);

@@ -1,12 +1,6 @@
 // A program in the fragment of an address: deflated (RFC 1951), in base64 without padding, + and /.
 
-import { bytesOf } from '../../../tools/view/page/src/unpack.js';
-
-async function through(bytes, stream) {
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
-}
-
-export const inflated = (bytes) => through(bytes, new DecompressionStream('deflate-raw'));
+import { bytesOf, inflated, through } from '../../../tools/view/page/src/unpack.js';
 
 /** The fragment of a program with its robot and its events. */
 export async function fragmentOf({ text, robot, events }) {

@@ -1,8 +1,7 @@
 // The module: inside this page where that is one file, else beside it. A script of its own, which begins while the page's script
 // still comes.
 
-import { bytesOf } from '../../../tools/view/page/src/unpack.js';
-import { inflated } from './link.js';
+import { bytesOf, inflated } from '../../../tools/view/page/src/unpack.js';
 
 const TYPE = 'application/wasm';
 

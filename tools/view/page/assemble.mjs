@@ -1,5 +1,5 @@
-// Bundles the page's sources into files of one page each: the one that replays a run, with two marks, which tip-view replaces
-// by a title and a recording; and the one that shows a run that goes on.
+// Bundles the page's sources into two files: page.html, in which tip-view chooses between what replays a run and what shows a run
+// that goes on, and fills in a title, the script and a recording; and page.js, its script.
 // node assemble.mjs FOLDER
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,20 +7,14 @@ import { page } from './bundle.mjs';
 
 const folder = process.argv[2];
 mkdirSync(folder, { recursive: true });
-const pages = {
-  'page.html': await page({
-    script: 'src/main.js',
-    styles: ['./src/style.css'],
-    kinds: ['replay'],
-    allowed: [],
-    parts: { 'TIP-TITLE': 'TIP-TITLE' },
-  }),
-  'live.html': await page({
-    script: 'src/serve.js',
-    styles: ['./src/style.css', './src/live.css'],
-    kinds: ['live', 'served'],
-    allowed: ["connect-src 'self'"],
-    parts: { 'TIP-TITLE': 'tip serve' },
-  }),
-};
-for (const [name, text] of Object.entries(pages)) writeFileSync(join(folder, name), text);
+const { html, script } = await page({
+  script: 'src/main.js',
+  loader: 'src/load.js',
+  styles: { both: ['./node_modules/uplot/dist/uPlot.min.css', './src/style.css'], live: ['./src/live.css'] },
+  kinds: ['served'],
+  left: ['replay', 'live'],
+  allowed: "<!--live-->connect-src 'self'; <!--/live-->",
+  parts: { 'TIP-TITLE': 'TIP-TITLE' },
+});
+writeFileSync(join(folder, 'page.html'), html);
+writeFileSync(join(folder, 'page.js'), script);

@@ -23,35 +23,51 @@ const bundle = async (options) => {
 };
 const hash = (content) => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
 
+const KINDS = ['replay', 'live', 'served', 'playground'];
+
 /**
- * A page of a script and styles, by their paths; of page.html it holds what is marked for one of its kinds. `ahead` is a short
- * script that runs before the other has come, `scripts` and `allowed` are what else its policy lets it do, `parts` what stands
- * for marks of page.html, `define` what names in the script stand for.
+ * A page of a script and styles, by their paths: `{ html, script }`, where the script is part of the page unless `loader` is the
+ * path of another one that fetches it from the page's element `script`. Of page.html the page holds what is marked for one of
+ * `kinds`; what is marked for one of `left` stays marked. `ahead` is a short script that runs before the other has come,
+ * `scripts` and `allowed` are what else its policy lets it do, `parts` what stands for marks of page.html, `define` what names in
+ * the script stand for. Styles are lists of paths, by the kind that they are for.
  */
-export async function page({ script: entry, ahead, styles, kinds, scripts = [], allowed, parts, define = {} }) {
-  const compiled = (path) => bundle({ entryPoints: [path], format: 'iife', target: 'es2023', define });
-  const script = await compiled(entry);
-  const first = ahead ? await compiled(ahead) : { text: '', files: [] };
-  const contents = ['./node_modules/uplot/dist/uPlot.min.css', ...styles].map((path) => `@import "${path}";`).join('\n');
-  const style = await bundle({ stdin: { contents, loader: 'css', resolveDir: here } });
-  if (/<\/script|<!--/i.test(script.text + first.text) || /<\/style/i.test(style.text)) throw new Error('the bundle would end its own element');
+export async function page({ script: entry, ahead, loader, styles, kinds, left = [], scripts = [], allowed = '', parts, define = {} }) {
+  const compiled = (path) => (path ? bundle({ entryPoints: [path], format: 'iife', target: 'es2023', define }) : { text: '', files: [] });
+  const [script, first, fetcher] = [await compiled(entry), await compiled(ahead), await compiled(loader)];
+  const sheets = [];
+  for (const [kind, paths] of Object.entries(styles)) {
+    const contents = paths.map((path) => `@import "${path}";`).join('\n');
+    sheets.push({ kind, ...(await bundle({ stdin: { contents, loader: 'css', resolveDir: here } })) });
+  }
+  if (/<\/script|<!--/i.test(script.text + first.text) || sheets.some(({ text }) => /<\/style/i.test(text))) throw new Error('the bundle would end its own element');
 
   // Nothing else is asked for, and no other script runs.
+  const own = [script, first, fetcher].filter(({ text }) => text);
   const policy = [
     "default-src 'none'",
-    ['script-src', hash(script.text), ...(ahead ? [hash(first.text)] : []), ...scripts].join(' '),
-    `style-src ${hash(style.text)}`,
+    ['script-src', ...own.map(({ text }) => hash(text)), ...scripts].join(' '),
+    ['style-src', ...sheets.map(({ text }) => hash(text))].join(' '),
     'img-src data: blob:',
-    ...allowed,
-    "base-uri 'none'",
+    `${allowed}base-uri 'none'`,
     "form-action 'none'",
   ].join('; ');
-  const values = { 'BUILD-POLICY': policy, 'BUILD-STYLE': style.text, 'BUILD-SCRIPT': script.text, ...parts };
-  if (ahead) values['BUILD-DATA'] = `${parts['BUILD-DATA'] ?? ''}<script>${first.text}</script>\n`;
-  const marked = /<!--(\w+)-->([^]*?)<!--\/\1-->/g;
-  let text = read('src/page.html');
-  while (text.search(marked) >= 0) text = text.replace(marked, (_, kind, part) => (kinds.includes(kind) ? part : ''));
-  return text.replace('<html', () => `${notice([...first.files, ...script.files, ...style.files])}<html`).replace(/BUILD-[A-Z]+|TIP-TITLE/g, (mark) => values[mark] ?? '');
+  const element = (text) => `<script>${text}</script>`;
+  const marked = (kind, text) => (left.includes(kind) ? `<!--${kind}-->${text}<!--/${kind}-->` : text);
+  const values = {
+    'BUILD-POLICY': policy,
+    'BUILD-STYLE': sheets.map(({ kind, text }) => marked(kind, `<style>${text}</style>`)).join('\n'),
+    'BUILD-SCRIPT': loader ? `<script type="application/octet-stream" id="script">TIP-SCRIPT</script>\n${element(fetcher.text)}` : element(script.text),
+    ...parts,
+  };
+  if (ahead) values['BUILD-DATA'] = `${parts['BUILD-DATA'] ?? ''}${element(first.text)}\n`;
+  let html = read('src/page.html');
+  for (const kind of KINDS.filter((kind) => !left.includes(kind))) {
+    html = html.replace(new RegExp(`<!--${kind}-->([^]*?)<!--/${kind}-->`, 'g'), kinds.includes(kind) ? '$1' : '');
+  }
+  const files = [...own, ...sheets].flatMap(({ files }) => files);
+  html = html.replace('<html', () => `${notice(files)}<html`).replace(/BUILD-[A-Z]+|TIP-TITLE/g, (mark) => values[mark] ?? '');
+  return { html, script: script.text };
 }
 
 /** The licences of all packages that files belong to. */

@@ -3,11 +3,9 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_macros))]
 
-mod bundle;
 mod csv;
 pub mod live;
 mod mcap;
-mod pack;
 mod page;
 mod plot;
 mod recorder;
@@ -15,6 +13,7 @@ mod recording;
 mod skeleton;
 mod slips;
 mod trace;
+mod updates;
 
 pub use plot::{Diagram, NothingToPlot};
 pub use recorder::{Extent, NotRecorded};

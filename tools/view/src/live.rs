@@ -43,5 +43,5 @@ pub const MOST_BYTES: usize = 2 << 20;
 /// The page that shows a session at the other end of a WebSocket: `/live` of the server that it comes from, with the same
 /// query.
 pub fn page() -> String {
-    crate::bundle::live()
+    crate::page::live()
 }

@@ -1,12 +1,18 @@
-//! The page that replays a recording.
+//! The page of a run: one HTML file that replays a recording, or shows a session.
 
-use crate::bundle;
 use crate::recording::Recording;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use miniz_oxide::deflate::compress_to_vec;
+
+/// The page without its script and what it shows.
+const PAGE: &str = include_str!("../page/dist/page.html");
+
+/// The script, deflated by `build.rs`.
+const SCRIPT: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/page.js"));
 
 impl Recording {
-    /// One HTML file that replays this recording: it asks for nothing from anywhere.
+    /// Returns one HTML file that replays this recording and makes no network requests.
     ///
     /// Nothing that a program, its name or its messages say becomes markup or script: all of it is in the packed bytes,
     /// which the page shows as text, but the title, which is escaped.
@@ -15,21 +21,46 @@ impl Recording {
             "" => &self.script.name,
             title => title,
         };
-        let mut page = String::new();
-        let whole = bundle::replay();
-        let mut rest = whole.as_str();
-        for (mark, content) in [
-            ("TIP-TITLE", escaped(title)),
-            ("TIP-RECORDING", STANDARD.encode(self.packed())),
-        ] {
-            let (before, after) = rest.split_once(mark).unwrap_or((rest, ""));
-            page.push_str(before);
-            page.push_str(&content);
-            rest = after;
-        }
-        page.push_str(rest);
-        page
+        page("live", &escaped(title), &STANDARD.encode(self.packed()))
     }
+
+    /// Returns the [updates](Self::updates) deflated (RFC 1951), as the page holds them.
+    pub fn packed(&self) -> Vec<u8> {
+        compress_to_vec(self.updates().as_bytes(), 9)
+    }
+}
+
+/// Returns the page that shows a session at the other end of a WebSocket.
+pub(crate) fn live() -> String {
+    page("replay", "tip serve", "")
+}
+
+/// Returns the page without what is marked as another kind's.
+fn page(other: &str, title: &str, recording: &str) -> String {
+    let mut page = String::new();
+    let mut rest = PAGE;
+    let (begin, end) = (format!("<!--{other}-->"), format!("<!--/{other}-->"));
+    while let Some((before, marked)) = rest.split_once(&begin) {
+        page.push_str(before);
+        rest = marked.split_once(&end).map_or("", |(_, after)| after);
+    }
+    page.push_str(rest);
+    for kind in ["replay", "live"] {
+        page = page.replace(&format!("<!--{kind}-->"), "");
+        page = page.replace(&format!("<!--/{kind}-->"), "");
+    }
+    // The last mark first: nothing that is filled in is looked through for marks.
+    let script = STANDARD.encode(SCRIPT);
+    for (mark, content) in [
+        ("TIP-SCRIPT", script.as_str()),
+        ("TIP-RECORDING", recording),
+        ("TIP-TITLE", title),
+    ] {
+        if let Some(at) = page.find(mark) {
+            page.replace_range(at..at + mark.len(), content);
+        }
+    }
+    page
 }
 
 /// Text as HTML.
@@ -47,4 +78,35 @@ fn escaped(text: &str) -> String {
         }
     }
     html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use miniz_oxide::inflate::decompress_to_vec;
+
+    #[test]
+    fn the_script_is_the_one_that_its_sources_make() {
+        let script = decompress_to_vec(SCRIPT).expect("it is deflated");
+        assert!(script == include_bytes!("../page/dist/page.js"));
+    }
+
+    #[test]
+    fn each_kind_of_page_has_what_is_its_own() {
+        let (replay, live) = (page("live", "x", "y"), live());
+        for (part, is_of_replay, is_of_live) in [
+            ("id=\"recording\">y<", true, false),
+            ("id=\"export\"", true, false),
+            ("connect-src", false, true),
+            ("id=\"stop\"", false, true),
+            ("id=\"lost\"", false, true),
+            ("<style>main{", false, true),
+            ("TIP-", false, false),
+            ("<!--live", false, false),
+            ("<!--/replay", false, false),
+        ] {
+            assert_eq!(replay.contains(part), is_of_replay, "{part}");
+            assert_eq!(live.contains(part), is_of_live, "{part}");
+        }
+    }
 }

@@ -571,7 +571,7 @@ fn a_hand_that_trembles_waits_without_a_motion() {
     let grasp = include_str!("../../../../examples/grasp/motions/grasp.prg");
     let folder = Folder::new("speaks-trembles").file("grasp.prg", grasp);
     let outcome = folder
-        .tipc(&[
+        .tip(&[
             "log",
             "grasp.prg",
             "--robot",
@@ -604,7 +604,7 @@ fn a_recording_that_ends_in_time_says_what_the_program_waits_for() {
     let log = [
         "log", "keys.prg", "-o", "keys.csv", "--events", &keys, "--every", "500",
     ];
-    let outcome = folder.tipc(&log).expect(0);
+    let outcome = folder.tip(&log).expect(0);
     let expected =
         "stopped after 10 minutes of the robot's time: line 5 waits for a key since 550.";
     assert!(outcome.err.contains(expected), "{outcome:#?}");

@@ -4,10 +4,10 @@ import { controls } from './controls.js';
 import { element } from './dom.js';
 import { Editor } from './editor.js';
 import { FollowingPlayer } from './following.js';
-import { GrowingRecording } from './growing.js';
 import { choices, dialogs, keys, languages, notice, observeSize, openStage, showTab, tabs, themes } from './page.js';
 import { LIVE_WORDS } from './live-words.js';
 import { Plots } from './plots.js';
+import { Recording } from './recording.js';
 import { Requests } from './session.js';
 import { endOf, listMarks, state } from './state.js';
 import { timeline } from './timeline.js';
@@ -38,7 +38,7 @@ export function openLive(session, stage) {
     more(update) {
       const begins = begun;
       begun = undefined;
-      if (begins) recording = page ? recording.begin(begins) : new GrowingRecording(begins);
+      if (begins) recording = page ? recording.begin(begins) : new Recording(begins);
       recording.take(update);
       page ??= build(requests, recording, stage);
       if (begins) page.begun();

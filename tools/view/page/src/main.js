@@ -1,90 +1,11 @@
-// The page of a run that is over: everything that shows where in it one is, and everything that goes somewhere.
+// The page of a run: one that is over, which the page holds, or that of `tip serve`, whose session is at the other end of a
+// WebSocket of the same server.
 
 import { element } from './dom.js';
-import { exporting } from './export.js';
-import { choices, dialogs, keys, languages, observeSize, openStage, showTab, tabs, themes } from './page.js';
-import { Player } from './player.js';
-import { Plots } from './plots.js';
-import { Recording } from './recording.js';
-import { source } from './source.js';
-import { endOf, listMarks, state } from './state.js';
-import { timeline } from './timeline.js';
-import { whenSpoken } from './words.js';
+import { openLive, prepareLive } from './live.js';
+import { openReplay } from './replay.js';
+import { socketSession } from './socket.js';
 
-async function open() {
-  let player;
-  languages(() => player?.goToTime(player.time));
-  const stage = openStage();
-  const recording = await Recording.of(element('recording').textContent);
-  player = new Player(recording);
-  element('title').textContent = recording.script.title || recording.script.name;
-  element('file').textContent = `${recording.script.name} · ${recording.robot.name}`;
-  stage?.begin(recording);
-  // Charts can wait until the robot is there.
-  let plots;
-  const charts = () => (plots ??= new Plots(player));
-  const strip = timeline(player);
-  const plot = (scalar) => {
-    showTab('plots-tab');
-    charts().showVariable(scalar);
-  };
-  source(player, plot);
-  state(player, plot);
-  whenSpoken(() => {
-    element('outcome').textContent = endOf(recording);
-    element('outcome').classList.toggle('bad', recording.outcome.how === 'emergency');
-  });
-  whenSpoken(() => listMarks(player));
-  if (stage) {
-    player.onMove(() => stage.show(player.time));
-    exporting(player, stage);
-    choices(stage, player);
-  }
-  player.onMove(() => rememberPlace(player));
-  player.onState(() => rememberPlace(player));
-  themes(() => {
-    stage?.recolour();
-    plots?.build();
-    strip.draw();
-    player.goToTime(player.time);
-  });
-  observeSize(stage, strip);
-  tabs();
-  dialogs();
-  keys(player, stage);
-  const go = () => player.goTo(linked() ?? player.cycle);
-  window.addEventListener('hashchange', () => {
-    player.pause();
-    go();
-  });
-  stage?.resize();
-  go();
-  strip.draw();
-  stage?.resetView();
-  stage?.drawNow();
-  const { dataset } = document.documentElement;
-  dataset.ready = Math.round(performance.now());
-  requestAnimationFrame(() => setTimeout(charts));
-  // A page around this one may have it play at once.
-  if (dataset.plays !== undefined) player.play();
-}
-
-/** The cycle of `#cycle=611`. */
-function linked() {
-  const cycle = new URLSearchParams(location.hash.slice(1)).get('cycle');
-  return /^\d+$/.test(cycle ?? '') ? Number(cycle) : undefined;
-}
-
-function rememberPlace(player) {
-  if (player.playing) return;
-  clearTimeout(rememberPlace.due);
-  rememberPlace.due = setTimeout(() => {
-    try {
-      history.replaceState(null, '', `#cycle=${player.cycle}`);
-    } catch {
-      // A page inside another one may have no address of its own.
-    }
-  }, 200);
-}
-
-open();
+const held = element('recording');
+if (held) openReplay(held);
+else openLive(socketSession(`${location.protocol.replace('http', 'ws')}//${location.host}/live${location.search}`), prepareLive());

@@ -1,49 +1,50 @@
-// What a program did, to be asked by cycle or by time. A source of cycles that is still running would fill the same lists.
+// What a program did, to be asked by cycle or by time. It grows by the updates of a session (session.js); a page that replays a
+// run holds all of them.
 
 import { countUpTo, lastUpTo } from './search.js';
-import { signed, sums, unpack } from './unpack.js';
+import { bytesOf, inflated } from './unpack.js';
+
+/** Motion is in hundredths of mm, deg or N. */
+const HUNDREDTHS = 100;
+/** Lists of what happened seldom, and what each entry has beside its cycle. */
+const LISTED = [
+  ['messages', 'text'],
+  ['lamps', 'device', 'on'],
+  ['commands', 'op', 'target', 'values'],
+  ['flags', 'text'],
+  ['modes', 'list'],
+  ['falls', 'margin'],
+  ['slips', 'leg', 'distance'],
+  ['events', 'text'],
+];
 
 export class Recording {
+  /** Of a run that is over: its updates, one a line, deflated, in base64. */
   static async of(base64) {
-    const { header, columns } = await unpack(base64);
-    return new Recording(header, columns);
+    const updates = new TextDecoder().decode(await inflated(bytesOf(base64))).split('\n');
+    const [run, more, { outcome }] = updates.map((update) => JSON.parse(update));
+    const recording = new Recording(run);
+    recording.take(more);
+    return Object.assign(recording, { outcome });
   }
 
-  constructor(header, columns) {
-    this.robot = header.robot;
-    this.scene = header.scene;
-    this.script = header.script;
-    this.outcome = header.outcome;
-    this.clock = header.clock.map(([cycle, time, period]) => ({ cycle, time, period }));
-    this.columns = columns;
-    this.frames = sums(columns['frame']);
-    this.stepCycles = sums(columns['step.cycle']);
-    this.steps = sums(signed(columns['step']));
-    this.contactCycles = sums(columns['contact.cycle']);
-    this.contacts = columns['contact'];
-    const at = (list, ...names) =>
-      list.map((values) => Object.fromEntries(['cycle', ...names].map((name, i) => [name, values[i]])));
-    this.messages = at(header.messages, 'text');
-    this.lamps = at(header.lamps, 'device', 'on');
-    this.commands = at(header.commands, 'op', 'target', 'values');
-    this.flags = at(header.flags, 'text');
-    this.modes = at(header.modes, 'list');
-    this.falls = at(header.falls, 'margin');
-    this.slips = at(header.slips, 'leg', 'distance');
-    this.events = at(header.events, 'text');
-    this.sets = this.script.scalars.map(() => ({ cycles: [], values: [] }));
-    const [cycles, scalars, values] = [sums(columns['set.cycle']), columns['set.scalar'], columns['set.value']];
-    cycles.forEach((cycle, i) => {
-      const set = this.sets[scalars[i]];
-      set.cycles.push(cycle);
-      set.values.push(values[i]);
-    });
-    const lastFrame = this.frames.length ? this.frames[this.frames.length - 1] + 1 : 1;
-    this.cycles = Math.max(header.cycles, lastFrame, 1);
-    this.frameTimes = this.frames.map((cycle) => this.endOf(cycle));
-    this.duration = this.endOf(this.cycles - 1);
+  /** Of a run that begins, an update `run`. */
+  constructor({ run, robot, scene, script, channels, inputs }) {
+    Object.assign(this, { run, robot, scene, script, channels, inputs });
+    this.outcome = { how: 'limit' };
+    this.cycles = 1;
+    this.first = 0;
+    // From which frame on those that were known have changed.
+    this.changed = 0;
+    // Whether the last frame is there for the moment only.
+    this.provisional = false;
+    const lists = ['clock', 'frames', 'frameTimes', 'stepCycles', 'steps', 'contactCycles', 'contacts', ...LISTED.map(([list]) => list)];
+    for (const list of lists) this[list] = [];
+    this.columns = Object.fromEntries(channels.map((name) => [name, []]));
+    this.sets = script.scalars.map(() => ({ cycles: [], values: [] }));
+    this.duration = this.endOf(0);
     this.stepsOfLine = new Map();
-    this.script.lines.forEach((line, step) => {
+    script.lines.forEach((line, step) => {
       this.stepsOfLine.set(line, [...(this.stepsOfLine.get(line) ?? []), step]);
     });
   }
@@ -156,4 +157,107 @@ export class Recording {
       ...stop,
     ].sort((one, other) => one.cycle - other.cycle);
   }
+
+  /** Another run in the place of this one. */
+  begin(run) {
+    return Object.assign(this, new Recording(run));
+  }
+
+  /** What has happened, an update `more`. */
+  take(more) {
+    this.cut(more.from);
+    for (const [cycle, time, period] of more.clock) this.clock.push({ cycle, time, period });
+    this.addFrames(more.frames);
+    const [steps, contacts, sets] = [more.steps.map(sums), more.contacts, more.sets];
+    append(this.stepCycles, steps[0]);
+    append(this.steps, steps[1]);
+    append(this.contactCycles, sums(contacts[0]));
+    append(this.contacts, contacts[1]);
+    sums(sets[0]).forEach((cycle, n) => {
+      const set = this.sets[sets[1][n]];
+      set.cycles.push(cycle);
+      set.values.push(sets[2][n]);
+    });
+    for (const [list, ...names] of LISTED) {
+      for (const entry of more[list]) this[list].push(Object.fromEntries(['cycle', ...names].map((name, n) => [name, entry[n]])));
+    }
+    this.provisional = Boolean(more.now);
+    if (more.now) this.addFrames(more.now);
+    if (more.first > this.first) this.forget(more.first);
+    this.cycles = Math.max(more.cycles, 1);
+    this.duration = this.endOf(this.cycles - 1);
+  }
+
+  addFrames([cycles, ...motion]) {
+    for (const cycle of sums(cycles)) {
+      this.frames.push(cycle);
+      this.frameTimes.push(this.endOf(cycle));
+    }
+    motion.forEach((column, n) => append(this.columns[this.channels[n]], sums(column), HUNDREDTHS));
+  }
+
+  /** Takes away what was known of cycles from `from` on, and a frame that was there for the moment only. */
+  cut(from) {
+    const kept = Math.min(countBefore(this.frames, from), this.frames.length - (this.provisional ? 1 : 0));
+    this.changed = Math.min(this.changed, kept);
+    for (const list of this.framed) list.length = kept;
+    for (const lists of this.paired) lists.forEach((list) => (list.length = countBefore(lists[0], from)));
+    for (const list of this.listed) list.length = countBefore(list, from, ({ cycle }) => cycle);
+  }
+
+  /** Forgets what was before a cycle, but for what still holds. */
+  forget(first) {
+    this.first = first;
+    const frames = countBefore(this.frames, first);
+    for (const list of this.framed) list.splice(0, frames);
+    for (const lists of this.paired) {
+      const before = Math.max(countUpTo(lists[0], first) - 1, 0);
+      lists.forEach((list) => list.splice(0, before));
+    }
+    const before = countUpTo(this.clock, first, ({ cycle }) => cycle) - 1;
+    this.clock.splice(0, Math.max(before, 0));
+    keepLast(this.lamps, first, ({ device }) => device);
+    keepLast(this.commands, first, ({ target }) => target);
+    for (const list of [this.messages, this.flags, this.modes]) keepLast(list, first, () => 0);
+    for (const list of [this.falls, this.slips, this.events]) list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
+    this.changed = 0;
+  }
+
+  /** Lists with a value for each frame. */
+  get framed() {
+    return [this.frames, this.frameTimes, ...this.channels.map((name) => this.columns[name])];
+  }
+
+  /** Cycles with what changed in them. */
+  get paired() {
+    return [[this.stepCycles, this.steps], [this.contactCycles, this.contacts], ...this.sets.map(({ cycles, values }) => [cycles, values])];
+  }
+
+  /** Lists of entries with a cycle. */
+  get listed() {
+    return [this.clock, ...LISTED.map(([list]) => this[list])];
+  }
+}
+
+/** How many of the ordered values are below `value`. */
+function countBefore(values, value, of) {
+  return countUpTo(values, value - 0.5, of);
+}
+
+/** Of the entries before a cycle, keeps the last of each key. */
+function keepLast(list, first, key) {
+  const before = list.splice(0, countBefore(list, first, ({ cycle }) => cycle));
+  const last = new Map(before.map((entry) => [key(entry), entry]));
+  list.unshift(...before.filter((entry) => last.get(key(entry)) === entry));
+}
+
+/** Running sums. */
+function sums(differences) {
+  let sum = 0;
+  return differences.map((difference) => (sum += difference));
+}
+
+/** Puts values behind those of a list. */
+function append(list, values, share = 1) {
+  for (const value of values) list.push(value / share);
 }

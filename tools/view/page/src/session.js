@@ -8,6 +8,8 @@
 // and may have a third, watch(listener), which calls listener(true) when it is reached and listener(false) when it is not.
 // After it is reached anew it begins anew, with an update `run`.
 //
+// A page that replays a run holds three updates, one a line: `run`, one `more`, and a `status` with the outcome alone.
+//
 // Requests; each may have a number `id`, which its answer repeats:
 //
 //   {do: 'play'}   {do: 'pause'}          the run goes on, or rests
@@ -26,12 +28,14 @@
 //
 // Updates, by their `type`:
 //
-//   run        {run, robot, scene, script, channels, inputs}: a run begins. All but the last two are as in a recording;
-//              `channels` names the numbers of each frame, `inputs` those that have sliders
+//   run        {run, robot, scene, script, channels, inputs}: a run begins. `channels` names the columns of motion, `inputs`
+//              what has sliders
 //   more       {run, first, from, cycles, clock, frames, now, steps, contacts, sets, messages, lamps, commands, flags, modes,
-//              falls, slips, events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any more, and
-//              what was before `first` is forgotten. Lists are as in a recording, but with cycles instead of differences;
-//              `now` is a frame of the last cycle that the next update takes back, or null
+//              falls, slips, events}: what happened up to cycle `cycles`. What was known of cycles from `from` on is not so any
+//              more, and what was before `first` is forgotten. What is much is in columns, the first of them cycles: `frames`
+//              has one for each channel (0.01 mm, deg or N), `steps` steps, `contacts` bits of feet or fingers, `sets` variables
+//              and their values. Columns of cycles, steps and motion hold differences. Other lists have an entry of its cycle
+//              and more for each thing. `now` is a frame of the last cycle that the next update takes back, or null
 //   text       {version, by, text}: the text of the editor
 //   findings   {version, findings, good}: what is found in it, and whether it is a program. Each has `level`, `code`, `from`
 //              and `to` (line and UTF-16 column, from 1), `text` and `help` (English and Japanese), `classical`

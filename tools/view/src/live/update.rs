@@ -2,12 +2,10 @@
 
 use super::finding::Finding;
 use super::session::Session;
-use crate::pack::header::{self, Ended, Robot, Scene, Script, words};
-use crate::pack::{Channel, channels, each, event, mask, values};
-use crate::recording::{At, Frame, Recording};
+use crate::recording::Recording;
+use crate::updates::{self, Ended, Part, json};
 use serde::Serialize;
 use tip_runtime::command::Port;
-use tip_sim::Event;
 
 /// The most frames of one update; who has seen nothing gets several.
 const MOST_FRAMES: usize = 1000;
@@ -29,43 +27,6 @@ pub struct Viewer {
     findings: u64,
     /// How the run is.
     status: String,
-}
-
-/// A run begins: what stays the same in it.
-#[derive(Serialize)]
-struct Begin<'a> {
-    r#type: &'static str,
-    run: u64,
-    robot: Robot<'a>,
-    scene: Scene,
-    script: Script<'a>,
-    channels: Vec<String>,
-    inputs: Vec<String>,
-}
-
-/// What happened from one cycle to another; what the viewer has seen of cycles from `from` on is not so any more.
-#[derive(Serialize)]
-struct More<'a> {
-    r#type: &'static str,
-    run: u64,
-    first: u64,
-    from: u64,
-    cycles: u64,
-    clock: Vec<(u64, f64, f64)>,
-    frames: Vec<(u64, Vec<f64>)>,
-    /// The posture of the last cycle, unless it is among the frames.
-    now: Option<(u64, Vec<f64>)>,
-    steps: Vec<(u64, u32)>,
-    contacts: Vec<(u64, u64)>,
-    sets: Vec<(u64, usize, f64)>,
-    messages: Vec<(u64, &'a str)>,
-    lamps: Vec<(u64, u8, bool)>,
-    commands: Vec<(u64, &'static str, String, String)>,
-    flags: Vec<(u64, String)>,
-    modes: Vec<(u64, Vec<(String, &'static str)>)>,
-    falls: Vec<(u64, f64)>,
-    slips: Vec<(u64, usize, f64)>,
-    events: Vec<(u64, &'a Event)>,
 }
 
 #[derive(Serialize)]
@@ -149,20 +110,7 @@ fn begin(session: &Session, viewer: &mut Viewer) -> String {
     viewer.cycle = 0;
     viewer.cuts = session.runner.cut_count;
     viewer.status.clear();
-    json(&Begin {
-        r#type: "run",
-        run: session.runs,
-        robot: Robot::of(&recording.robot),
-        scene: Scene::of(&recording.scene),
-        script: Script::of(&recording.script),
-        channels: named(recording).into_iter().map(|it| it.name).collect(),
-        inputs: inputs(session),
-    })
-}
-
-/// The channels of a recording; the first cycle has them all.
-fn named(recording: &Recording) -> Vec<Channel> {
-    recording.frames.first().map_or(Vec::new(), channels)
+    updates::begin(recording, session.runs, &inputs(session))
 }
 
 /// The inputs that a page has sliders for.
@@ -180,56 +128,15 @@ fn more(session: &Session, viewer: &mut Viewer, cut: u64) -> String {
     let until = until(recording, from, runner.taken());
     let is_all = until == runner.taken();
     (viewer.cycle, viewer.cuts) = (until, runner.cut_count);
-    let channels = named(recording);
-    let shown = |frame: &Frame| {
-        let value = |channel: &Channel| hundredths((channel.value)(frame).unwrap_or(0.0));
-        (frame.cycle, channels.iter().map(value).collect())
-    };
-    let frames = &recording.frames;
-    let frames = &frames[frames.partition_point(|it| it.cycle < from)
-        ..frames.partition_point(|it| it.cycle < until)];
-    let span = Span { from, until };
-    let ticks = recording.clock.iter();
-    let ticks = ticks.filter(|tick| span.has(tick.cycle));
-    let events = recording.events.iter().filter(|it| span.has(it.cycle));
-    json(&More {
-        r#type: "more",
+    let part = Part {
         run: session.runs,
         first: runner.first(),
         from,
+        until,
         cycles: until,
-        clock: ticks
-            .map(|tick| (tick.cycle, tick.time, tick.period))
-            .collect(),
-        frames: frames.iter().map(shown).collect(),
-        now: runner.pending().filter(|_| is_all).map(shown),
-        steps: each(span.of(&recording.steps), |cycle, step| (cycle, *step)),
-        contacts: each(span.of(&recording.contacts), |cycle, touch| {
-            (cycle, mask(touch))
-        }),
-        sets: each(span.of(&recording.sets), |cycle, set| {
-            (cycle, set.scalar, set.value)
-        }),
-        messages: each(span.of(&recording.messages), |cycle, text| (cycle, &**text)),
-        lamps: each(span.of(&recording.lamps), |cycle, (device, on)| {
-            (cycle, *device, *on)
-        }),
-        commands: each(span.of(&recording.commands), |cycle, asked| {
-            let target = asked.target.to_string();
-            (cycle, asked.op.name(), target, values(asked))
-        }),
-        flags: each(span.of(&recording.flags), |cycle, flags| {
-            (cycle, words(flags))
-        }),
-        modes: each(span.of(&recording.modes), |cycle, modes| {
-            (cycle, header::named(modes))
-        }),
-        falls: each(span.of(&recording.falls), |cycle, margin| (cycle, *margin)),
-        slips: each(span.of(&recording.slips), |cycle, slip| {
-            (cycle, slip.leg, slip.distance)
-        }),
-        events: events.map(event).collect(),
-    })
+        now: runner.pending().filter(|_| is_all),
+    };
+    updates::more(recording, &part)
 }
 
 /// Up to which cycle one update may go.
@@ -264,33 +171,4 @@ fn status(session: &Session) -> String {
         changed: session.draft.is_changed(),
         overtaken: session.draft.is_overtaken,
     })
-}
-
-/// From a cycle up to another one.
-#[derive(Clone, Copy)]
-struct Span {
-    from: u64,
-    until: u64,
-}
-
-impl Span {
-    fn has(self, cycle: u64) -> bool {
-        (self.from..self.until).contains(&cycle)
-    }
-
-    fn of<T>(self, list: &[At<T>]) -> &[At<T>] {
-        let place = |cycle| list.partition_point(|at| at.cycle < cycle);
-        &list[place(self.from)..place(self.until)]
-    }
-}
-
-/// Motion is rounded as in a page: 0.01 mm, deg or N.
-fn hundredths(value: f64) -> f64 {
-    let rounded = (value * 100.0).round() / 100.0;
-    if rounded.is_finite() { rounded } else { 0.0 }
-}
-
-/// No value of it can fail to be written.
-fn json(update: &impl Serialize) -> String {
-    serde_json::to_string(update).unwrap_or_default()
 }

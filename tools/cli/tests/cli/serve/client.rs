@@ -124,7 +124,7 @@ pub(super) struct Socket {
     id: u64,
     pub(super) run: u64,
     pub(super) cycles: u64,
-    frames: BTreeMap<u64, Value>,
+    frames: BTreeMap<u64, Vec<i64>>,
     scalars: Vec<String>,
     sets: Vec<Value>,
     pub(super) messages: Vec<String>,
@@ -185,13 +185,18 @@ impl Socket {
             "more" => {
                 let from = update["from"].as_u64().expect("a cycle");
                 self.frames.retain(|cycle, _| *cycle < from);
-                for frame in list("frames").into_iter().chain([update["now"].clone()]) {
-                    if let Some(cycle) = frame[0].as_u64() {
-                        self.frames.insert(cycle, frame[1].clone());
+                for frames in [&update["frames"], &update["now"]] {
+                    for (row, cycle) in sums(&frames[0]).into_iter().enumerate() {
+                        let motion = frames.as_array().into_iter().flatten().skip(1);
+                        let motion = motion.map(|column| sums(column)[row]);
+                        self.frames.insert(cycle as u64, motion.collect());
                     }
                 }
                 self.sets.retain(|set| set[0].as_u64() < Some(from));
-                self.sets.extend(list("sets"));
+                for (row, cycle) in sums(&update["sets"][0]).into_iter().enumerate() {
+                    let [scalar, value] = [1, 2].map(|column| &update["sets"][column][row]);
+                    self.sets.push(json!([cycle, scalar, value]));
+                }
                 let texts = list("messages").into_iter();
                 let texts = texts.map(|it| it[1].as_str().expect("text").to_owned());
                 self.messages.extend(texts);
@@ -292,4 +297,15 @@ impl Socket {
         }
         false
     }
+}
+
+/// The numbers of a column that holds their differences.
+fn sums(column: &Value) -> Vec<i64> {
+    let differences = column.as_array().into_iter().flatten();
+    let mut sum = 0;
+    let sums = differences.map(|difference| {
+        sum += difference.as_i64().expect("a whole number");
+        sum
+    });
+    sums.collect()
 }

@@ -25,6 +25,25 @@ pub(crate) const LISTS: [&str; 7] = [
     "steps", "sets", "messages", "events", "contacts", "flags", "modes",
 ];
 
+/// The rows of columns, of which so many hold differences.
+fn rows(columns: &Value, differences: usize) -> Vec<Vec<Value>> {
+    let mut rows: Vec<Vec<Value>> = Vec::new();
+    for (place, column) in columns.as_array().expect("columns").iter().enumerate() {
+        let mut sum = 0;
+        for (row, value) in column.as_array().expect("a column").iter().enumerate() {
+            if place == 0 {
+                rows.push(Vec::new());
+            }
+            sum += value.as_i64().unwrap_or_default();
+            rows[row].push(match place < differences {
+                true => sum.into(),
+                false => value.clone(),
+            });
+        }
+    }
+    rows
+}
+
 impl Page {
     pub(crate) fn look(&mut self, session: &Session) -> usize {
         let mut count = 0;
@@ -52,14 +71,20 @@ impl Page {
             "more" => {
                 let from = number("from");
                 self.frames.retain(|cycle, _| *cycle < from);
-                for frame in update["frames"].as_array().expect("frames") {
-                    self.frames
-                        .insert(frame[0].as_u64().expect("a cycle"), frame[1].clone());
+                for mut frame in rows(&update["frames"], usize::MAX) {
+                    let cycle = frame.remove(0).as_u64().expect("a cycle");
+                    self.frames.insert(cycle, frame.into());
                 }
                 for name in LISTS {
                     let list = self.lists.entry(name).or_default();
                     list.retain(|entry| entry[0].as_u64() < Some(from));
-                    list.extend(update[name].as_array().expect("a list").iter().cloned());
+                    match name {
+                        "steps" => list.extend(rows(&update[name], 2).into_iter().map(Value::from)),
+                        "sets" | "contacts" => {
+                            list.extend(rows(&update[name], 1).into_iter().map(Value::from));
+                        }
+                        _ => list.extend(update[name].as_array().expect("a list").iter().cloned()),
+                    }
                 }
                 self.now = update["now"].clone();
                 self.cycles = number("cycles");
