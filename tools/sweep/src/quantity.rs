@@ -1,0 +1,243 @@
+//! Quantities that a sweep varies: their names, and how a value reaches a run.
+
+use crate::error::SweepError;
+use tip_runtime::command::Port;
+use tipc::analysis::{access, flow::Flow};
+use tipc::program::{Action, Operand, Program, ScalarExpression, StepId};
+use toml::{Table, Value};
+
+/// A quantity that varies.
+///
+/// | name | quantity | unit |
+/// |---|---|---|
+/// | `STRIDE`, `P.X` | a scalar of the program | as the program uses it |
+/// | `friction` | the floor's coefficient of friction, short for `scene.floor.friction` | |
+/// | `scene.KEY` | a number of the scene file, such as `scene.floor.slope.1` or `scene.block.1.height` | as in the file |
+/// | `robot.KEY` | a number of the robot's description, such as `robot.body.mass` | as in the file |
+/// | `push.x`, `push.y`, `push.z` | a force on the body, along an axis of the world | N |
+/// | `push.at`, `push.for` | start and duration of that force; 1 s and 0.2 s if they do not vary | s |
+/// | `noise.angle`, `noise.sole` | standard deviation of measured joint angles, and of soles | deg, V |
+/// | `sensor.VR1` | the reading of an input from the first cycle on | V |
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// A scalar of the program, by its place among all scalars.
+    Variable(usize),
+    /// A number of the scene file, by its path.
+    Scene(Vec<String>),
+    /// A number of the robot's description, by its path.
+    Robot(Vec<String>),
+    /// A push.
+    Push(Push),
+    /// Noise of a kind of sensor.
+    Noise(Noise),
+    /// The reading of an input.
+    Sensor(Port),
+}
+
+/// A property of a push.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Push {
+    /// Force along an axis of the world (0 is x), N.
+    Force(usize),
+    /// Start, s.
+    At,
+    /// Duration, s.
+    For,
+}
+
+/// A kind of sensor that has noise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Noise {
+    /// Joint angles, deg.
+    Angle,
+    /// Soles, V.
+    Sole,
+}
+
+/// Names of quantities that every robot has.
+const NAMES: [(&str, Quantity); 7] = [
+    ("push.x", Quantity::Push(Push::Force(0))),
+    ("push.y", Quantity::Push(Push::Force(1))),
+    ("push.z", Quantity::Push(Push::Force(2))),
+    ("push.at", Quantity::Push(Push::At)),
+    ("push.for", Quantity::Push(Push::For)),
+    ("noise.angle", Quantity::Noise(Noise::Angle)),
+    ("noise.sole", Quantity::Noise(Noise::Sole)),
+];
+
+impl Quantity {
+    /// Finds a quantity by its name.
+    ///
+    /// # Errors
+    /// There is no such quantity; the error suggests the nearest name.
+    pub(crate) fn find(name: &str, program: &Program) -> Result<Self, SweepError> {
+        if let Some((_, quantity)) = NAMES.iter().find(|(known, _)| *known == name) {
+            return Ok(quantity.clone());
+        }
+        if name == "friction" {
+            return Ok(Quantity::Scene(keys("floor.friction")));
+        }
+        if let Some(path) = name.strip_prefix("scene.") {
+            return Ok(Quantity::Scene(keys(path)));
+        }
+        if let Some(path) = name.strip_prefix("robot.") {
+            return Ok(Quantity::Robot(keys(path)));
+        }
+        if let Some(input) = name.strip_prefix("sensor.") {
+            let unknown = |_| SweepError::axis(name, format!("'{input}' is not an input"));
+            let port = input.to_ascii_uppercase().parse().map_err(unknown)?;
+            return Ok(Quantity::Sensor(port));
+        }
+        let scalars: Vec<String> = program.scalar_names().collect();
+        let wanted = name.to_ascii_uppercase();
+        if let Some(scalar) = scalars.iter().position(|scalar| *scalar == wanted) {
+            return Ok(Quantity::Variable(scalar));
+        }
+        let known = scalars
+            .iter()
+            .map(String::as_str)
+            .chain(NAMES.iter().map(|(known, _)| *known))
+            .chain(["friction"]);
+        Err(SweepError::unknown(
+            name,
+            "neither a variable of the program nor a quantity of robot, scene, push, noise or sensor",
+            known,
+        ))
+    }
+}
+
+fn keys(path: &str) -> Vec<String> {
+    path.split('.').map(str::to_owned).collect()
+}
+
+impl Quantity {
+    /// Returns its unit; empty if the program or a file decides.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Quantity::Variable(_) | Quantity::Scene(_) | Quantity::Robot(_) => "",
+            Quantity::Push(Push::Force(_)) => "N",
+            Quantity::Push(Push::At | Push::For) => "s",
+            Quantity::Noise(Noise::Angle) => "deg",
+            Quantity::Noise(Noise::Sole) | Quantity::Sensor(_) => "V",
+        }
+    }
+}
+
+/// The places where a varied scalar gets its value.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Override {
+    /// Steps that assign a constant to it before any step reads it.
+    pub(crate) steps: Vec<StepId>,
+    /// A path reads it before any step assigns it, so it has its value from the start.
+    pub(crate) at_start: bool,
+}
+
+impl Override {
+    /// Finds the constant assignments to a scalar that come before its first use on some path.
+    ///
+    /// # Errors
+    /// A path assigns a computed value first; the error names its line.
+    pub(crate) fn of(program: &Program, scalar: usize) -> Result<Self, u32> {
+        let flow = Flow::of(program);
+        let returns: Vec<usize> = flow.calls().map(|call| call.back).collect();
+        // Each node as it is reached with the scalar unassigned, and assigned.
+        let mut seen = vec![[false; 2]; flow.nodes().len()];
+        let mut open = vec![(0, false)];
+        let mut found = Override::default();
+        while let Some((id, mut is_assigned)) = open.pop() {
+            let node = &flow.nodes()[id];
+            if std::mem::replace(&mut seen[id][usize::from(is_assigned)], true) {
+                continue;
+            }
+            let step = &program.steps()[node.step as usize];
+            let mut is_read = false;
+            if !node.is_passed {
+                access::reads(program, &step.action, |read| is_read |= read == scalar);
+            }
+            if is_read {
+                found.at_start |= !is_assigned;
+                continue;
+            }
+            if access::assigns(program, &step.action).contains(&scalar) {
+                let Action::SetScalar {
+                    update: None,
+                    value: ScalarExpression::Operand(Operand::Constant(_)),
+                    ..
+                } = &step.action
+                else {
+                    return Err(step.line);
+                };
+                found.steps.push(node.step);
+                is_assigned = true;
+            }
+            let called = node.call.iter().map(|call| call.entry);
+            let returned = returns.iter().filter(|_| node.returns);
+            let next = node.next.iter().chain(returned).copied().chain(called);
+            open.extend(next.map(|id| (id, is_assigned)));
+        }
+        found.steps.sort_unstable();
+        found.steps.dedup();
+        Ok(found)
+    }
+}
+
+/// A TOML file whose numbers vary.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    table: Table,
+}
+
+impl Settings {
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// It is not TOML.
+    pub(crate) fn read(text: &str) -> Result<Self, SweepError> {
+        let table = text
+            .parse()
+            .map_err(|error| SweepError::new(format!("{error}")))?;
+        Ok(Settings { table })
+    }
+
+    /// Sets the number at a path; elements of lists count from 1.
+    ///
+    /// # Errors
+    /// The path leads through a number or beyond a list's end.
+    pub(crate) fn set(&mut self, path: &[String], number: f64) -> Result<(), SweepError> {
+        let mut file = Value::Table(std::mem::take(&mut self.table));
+        let done = put(&mut file, path, number);
+        if let Value::Table(table) = file {
+            self.table = table;
+        }
+        done.map_err(|reason| SweepError::axis(&path.join("."), reason))
+    }
+
+    /// Writes the file.
+    pub(crate) fn text(&self) -> String {
+        self.table.to_string()
+    }
+}
+
+fn put(value: &mut Value, path: &[String], number: f64) -> Result<(), String> {
+    let Some((key, rest)) = path.split_first() else {
+        *value = Value::Float(number);
+        return Ok(());
+    };
+    match value {
+        Value::Table(table) => {
+            let new = || Value::Table(Table::new());
+            put(table.entry(key.clone()).or_insert_with(new), rest, number)
+        }
+        Value::Array(list) => {
+            let index = key
+                .parse::<usize>()
+                .ok()
+                .and_then(|index| index.checked_sub(1));
+            match index.and_then(|index| list.get_mut(index)) {
+                Some(element) => put(element, rest, number),
+                None => Err(format!("there is no element {key}; elements count from 1")),
+            }
+        }
+        _ => Err(format!("there is no {key} in a number")),
+    }
+}

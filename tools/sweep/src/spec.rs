@@ -1,0 +1,240 @@
+//! The specification of a sweep: a JSON document, and the text forms of its axes.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::str::FromStr;
+
+/// Everything that determines the results of a sweep.
+///
+/// Two equal specifications give equal results, bit by bit, however their cases are split over threads and machines.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spec {
+    /// The motion program.
+    pub program: Text,
+    /// The robot; `titan8` if it is left out.
+    #[serde(default)]
+    pub robot: RobotSpec,
+    /// The text of a scene file; a level floor if it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<String>,
+    /// The simulation of the robot's body.
+    #[serde(default)]
+    pub plant: PlantSpec,
+    /// The quantities that vary.
+    #[serde(default)]
+    pub vary: Vec<Axis>,
+    /// How random axes are sampled.
+    #[serde(default)]
+    pub sampling: Sampling,
+    /// Number of cases for each combination of listed values.
+    #[serde(default = "one")]
+    pub repeat: u64,
+    /// Seed of random axes and of sensor noise.
+    #[serde(default)]
+    pub seed: u64,
+    /// Events of every run, as `tip run --events` takes them.
+    #[serde(default)]
+    pub events: String,
+    /// Longest time of a run on the robot, s.
+    #[serde(default = "minute")]
+    pub until: f64,
+    /// Scalars of the program whose last values become columns, named `final_A`.
+    #[serde(default)]
+    pub record: Vec<String>,
+}
+
+const fn one() -> u64 {
+    1
+}
+
+const fn minute() -> f64 {
+    60.0
+}
+
+/// A file that is part of the specification.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Text {
+    /// File name in messages.
+    pub name: String,
+    /// Contents.
+    pub text: String,
+}
+
+/// A robot.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RobotSpec {
+    /// A built-in or published robot.
+    Name(String),
+    /// The text of a TOML description.
+    Description(String),
+}
+
+impl Default for RobotSpec {
+    fn default() -> Self {
+        RobotSpec::Name("titan8".to_owned())
+    }
+}
+
+/// A simulation of the robot's body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlantSpec {
+    /// The one that the scene names; without mass if it names none.
+    #[default]
+    Scene,
+    /// With mass.
+    Dynamic,
+}
+
+/// A sampling method of random axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sampling {
+    /// Independent samples.
+    #[default]
+    Random,
+    /// Latin hypercube: the repeats of a combination have one sample in each of as many equally likely intervals.
+    LatinHypercube,
+}
+
+/// A quantity that varies, and its values.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Axis {
+    /// Name of the quantity ([`Quantity`](crate::Quantity) lists the forms).
+    pub name: String,
+    /// Its values.
+    pub values: Values,
+}
+
+/// Values of an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum Values {
+    /// Each of these, combined with every value of other listed axes.
+    List(Vec<f64>),
+    /// Equally spaced values, both ends included where the step meets them.
+    Range {
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// Distance of neighbours.
+        step: f64,
+    },
+    /// Samples that are equally likely between two bounds.
+    Uniform {
+        /// Lower bound.
+        low: f64,
+        /// Upper bound.
+        high: f64,
+    },
+    /// Normally distributed samples.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation.
+        deviation: f64,
+    },
+}
+
+/// Longest list of values of an axis.
+const LIST_LIMIT: f64 = 1e6;
+
+impl Values {
+    /// Returns the listed values; `None` for random ones.
+    ///
+    /// # Errors
+    /// The list is empty or too long, or a number is not usable.
+    pub(crate) fn listed(&self) -> Result<Option<Vec<f64>>, &'static str> {
+        let are_finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
+        match self {
+            Values::List(list) if list.is_empty() => Err("the list of values is empty"),
+            Values::List(list) if !are_finite(list) => Err("a value is not a finite number"),
+            Values::List(list) => Ok(Some(list.clone())),
+            Values::Range { from, to, step } => {
+                if !are_finite(&[*from, *to, *step]) {
+                    return Err("a value is not a finite number");
+                }
+                if *step == 0.0 || (to - from) * step < 0.0 {
+                    return Err("the range is empty: the step leads away from its end");
+                }
+                // A last value that only rounding keeps beyond the end belongs to the range.
+                let steps = libm::floor((to - from) / step + 1e-9);
+                if steps >= LIST_LIMIT {
+                    return Err("the range has more than 1,000,000 values");
+                }
+                let values = (0..=steps as u32).map(|index| from + f64::from(index) * step);
+                Ok(Some(values.collect()))
+            }
+            Values::Uniform { low, high } => match are_finite(&[*low, *high]) && low <= high {
+                true => Ok(None),
+                false => Err("the lower bound is above the upper one"),
+            },
+            Values::Normal { mean, deviation } => {
+                match are_finite(&[*mean, *deviation]) && *deviation >= 0.0 {
+                    true => Ok(None),
+                    false => Err("the standard deviation is negative or no number"),
+                }
+            }
+        }
+    }
+}
+
+/// A text that is no axis.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AxisError(String);
+
+impl fmt::Display for AxisError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for AxisError {}
+
+impl FromStr for Axis {
+    type Err = AxisError;
+
+    /// Reads `NAME=100..300/20`, `NAME=200,300,400`, `NAME=uniform(0.4,1)` or `NAME=normal(20,2)`.
+    fn from_str(text: &str) -> Result<Self, AxisError> {
+        let forms = "expected NAME=FROM..TO/STEP, NAME=A,B,C, NAME=uniform(LOW,HIGH) or NAME=normal(MEAN,DEVIATION)";
+        let (name, values) = text
+            .split_once('=')
+            .filter(|(name, _)| !name.trim().is_empty())
+            .ok_or_else(|| AxisError(format!("'{text}' has no '='; {forms}")))?;
+        let wrong = |part: &str| AxisError(format!("'{}' is not a number; {forms}", part.trim()));
+        let number = |part: &str| part.trim().parse::<f64>().map_err(|_| wrong(part));
+        let pair = |kind: &str| {
+            let inner = values.trim().strip_prefix(kind)?.trim_start();
+            inner.strip_prefix('(')?.strip_suffix(')')?.split_once(',')
+        };
+        let values = if let Some((low, high)) = pair("uniform") {
+            Values::Uniform {
+                low: number(low)?,
+                high: number(high)?,
+            }
+        } else if let Some((mean, deviation)) = pair("normal") {
+            Values::Normal {
+                mean: number(mean)?,
+                deviation: number(deviation)?,
+            }
+        } else if let Some((from, rest)) = values.split_once("..") {
+            let (to, step) = rest.split_once('/').unwrap_or((rest, "1"));
+            Values::Range {
+                from: number(from)?,
+                to: number(to)?,
+                step: number(step)?,
+            }
+        } else {
+            Values::List(values.split(',').map(number).collect::<Result<_, _>>()?)
+        };
+        Ok(Axis {
+            name: name.trim().to_owned(),
+            values,
+        })
+    }
+}
