@@ -52,6 +52,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tip-ide",
         ],
     ),
+    ("tip-sweep", &["tip-runtime", "tip-compiler", "tip-sim"]),
     (
         "tip-cli",
         &[
@@ -60,6 +61,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tip-lint",
             "tip-sim",
             "tip-ide",
+            "tip-sweep",
             "tip-view",
         ],
     ),
