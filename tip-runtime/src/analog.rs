@@ -1,5 +1,5 @@
-//! The analogue inputs of the control box: which channel is what, and how volts follow from angles
-//! and forces.
+//! The analogue inputs of the control box: the use of each A/D channel, and the conversions between
+//! volts, angles and forces.
 
 use crate::command::Port;
 use crate::model::Range;
@@ -19,18 +19,19 @@ const PAW: f64 = 5.0;
 /// The full load of a sole's pressure sensor: N.
 const PAW_FULL: f64 = 200.0;
 
-/// What is wired to a channel of the A/D board.
+/// The connection of a channel of the A/D board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wire {
     /// A joint: leg and joint, from 0.
     Joint(usize, usize),
     /// An input with a name.
     Input(Port),
-    /// Nothing.
+    /// No connection.
     Open,
 }
 
-/// What is wired to `channel` of a robot of `legs` × `joints`; `None` past the board's last one.
+/// Returns the connection of `channel` on a robot of `legs` × `joints`; `None` past the board's
+/// last channel.
 pub(crate) fn wire(channel: u8, legs: usize, joints: usize) -> Option<Wire> {
     if channel >= CHANNELS {
         return None;
@@ -45,19 +46,19 @@ pub(crate) fn wire(channel: u8, legs: usize, joints: usize) -> Option<Wire> {
     }
 }
 
-/// Volts of a potentiometer that covers `range` degrees.
+/// Returns the voltage of a potentiometer that covers `range` (deg) at `angle` (deg), V.
 pub(crate) fn volts_of_angle(range: Range, angle: f64) -> f64 {
     let middle = (range.min + range.max) / 2.0;
     POTENTIOMETER * (angle - middle) / (range.max - middle)
 }
 
-/// The angle in degrees at which a potentiometer gives `volts`.
+/// Returns the angle at which a potentiometer that covers `range` (deg) gives `volts` (V), deg.
 pub(crate) fn angle_of_volts(range: Range, volts: f64) -> f64 {
     let middle = (range.min + range.max) / 2.0;
     middle + volts / POTENTIOMETER * (range.max - middle)
 }
 
-/// Volts of a sole's pressure sensor under `load` N.
+/// Returns the voltage of a sole's pressure sensor under `load` (N), V.
 pub fn volts_of_load(load: f64) -> f64 {
     (PAW * load / PAW_FULL).clamp(0.0, PAW)
 }

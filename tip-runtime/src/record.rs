@@ -1,4 +1,4 @@
-//! What is written down about a run: the trace, TITAN.LOG, the dump of variables.
+//! The records of a run: the trace, TITAN.LOG, the dump of variables.
 //!
 //! ```
 //! use tip_runtime::hardware::JointCommand;
@@ -63,35 +63,35 @@ pub struct Cycle<'a> {
     pub next: Option<u32>,
     /// The program after the step, for its variables.
     pub program: &'a dyn Program,
-    /// Its number, its time, and what was measured and sent.
+    /// The cycle's number and time, with its measurements and commands.
     pub sample: Sample<'a>,
 }
 
-/// Takes notes of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
-/// and [`cycle`](Self::cycle) after it, with what the step did in between; the failing cycle of an
+/// A recorder of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
+/// and [`cycle`](Self::cycle) after it, with the other calls in between; the failing cycle of an
 /// emergency has no [`cycle`](Self::cycle).
 pub trait Sink {
-    /// A step is about to run.
+    /// Records that a step is about to run.
     fn begin(&mut self, program: &dyn Program) {
         let _ = program;
     }
 
-    /// A robot command was accepted: reported in the first cycle of the command only.
+    /// Records an accepted robot command: called in the first cycle of the command only.
     fn command(&mut self, command: &Command<'_>) {
         let _ = command;
     }
 
-    /// A message was shown; an empty one cleared the line.
+    /// Records a message; an empty one cleared the line.
     fn say(&mut self, text: &dyn Display) {
         let _ = text;
     }
 
-    /// A lamp was switched.
+    /// Records the switching of a lamp.
     fn lamp(&mut self, device: u8, on: bool) {
         let _ = (device, on);
     }
 
-    /// The cycle is over.
+    /// Records the end of a cycle.
     fn cycle(&mut self, cycle: &Cycle<'_>) {
         let _ = cycle;
     }

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// The bars of a graph, each as a share of the full height: −1…1. Shown, each is one character as
-/// high as the bar is long, whatever its sign.
+/// The bars of a graph, each as a share of the full height: −1…1. `Display` writes one character
+/// for each bar, as high as the bar is long, whatever its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bars<'a>(pub &'a [f64]);
 

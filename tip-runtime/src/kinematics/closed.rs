@@ -1,14 +1,14 @@
-//! Which solution of a closed form a leg takes, if there are several.
+//! Selection among the solutions of a closed form.
 
 use super::chain::Growing;
 use super::{ROUNDING, Solutions, roll_pitch_pitch, yaw_pitch_pitch};
 use crate::model::{Inverse, Joint, Point, Range};
 
-/// How much a joint may turn at most in one cycle where a leg passes from one branch of solutions to another:
-/// deg. Between them there are postures that it leaves out.
+/// Greatest turn of a joint in one cycle where a leg passes from one branch of solutions to
+/// another, deg. A greater turn skips postures in between.
 const LEAP: f64 = 6.0;
 
-/// A leg of three joints whose angles a closed form finds.
+/// A leg of three joints with a closed-form inverse.
 #[derive(Clone, Copy)]
 pub(super) struct ClosedLeg<'a> {
     kind: Inverse,
@@ -17,7 +17,7 @@ pub(super) struct ClosedLeg<'a> {
 }
 
 impl<'a> ClosedLeg<'a> {
-    /// `None` if the leg has not three joints.
+    /// Returns `None` if the leg does not have three joints.
     pub(super) fn new(kind: Inverse, base: Point, joints: &'a [Joint]) -> Option<Self> {
         let [first, second, third] = joints else {
             return None;
@@ -26,7 +26,8 @@ impl<'a> ClosedLeg<'a> {
         Some(ClosedLeg { kind, base, joints })
     }
 
-    /// All that puts the foot at `foot` (mm), whatever the limits. A joint that does not matter stays as in `from`.
+    /// Returns all solutions that put the foot at `foot` (mm), whatever the limits. A joint that
+    /// does not matter stays as in `from`.
     pub(super) fn solutions(&self, from: &[f64; 3], foot: Point) -> Solutions {
         let [first, _, _] = from;
         match self.kind {
@@ -40,12 +41,14 @@ impl<'a> ClosedLeg<'a> {
         }
     }
 
-    /// The solution within the limits that is nearest to `from`; of several that are as near, the first.
+    /// Returns the solution within the limits that is nearest to `from`; the first of equally near
+    /// ones.
     pub(super) fn nearest(&self, from: &[f64; 3], foot: Point) -> Option<[f64; 3]> {
         self.nearest_of(from, foot, |_| true)
     }
 
-    /// The same among those to which the leg comes from `from` without leaving out postures.
+    /// Like [`nearest`](Self::nearest), among the solutions that the leg reaches from `from`
+    /// without skipping postures.
     pub(super) fn next(&self, from: &[f64; 3], foot: Point) -> Option<[f64; 3]> {
         self.nearest_of(from, foot, |to| !self.leaps(from, to))
     }
@@ -71,7 +74,7 @@ impl<'a> ClosedLeg<'a> {
         nearest.map(|(_, angles)| angles)
     }
 
-    /// The same directions within the limits, as near to `from` as they are there.
+    /// Returns equivalent angles within the limits, as near to `from` as possible.
     fn within_limits(&self, from: &[f64; 3], mut angles: [f64; 3]) -> Option<[f64; 3]> {
         for ((angle, joint), from) in angles.iter_mut().zip(self.joints).zip(from) {
             *angle = within(joint.limits, *from, *angle)?;
@@ -79,7 +82,8 @@ impl<'a> ClosedLeg<'a> {
         Some(angles)
     }
 
-    /// Whether postures are left out between two: those of another branch of solutions, or whole turns.
+    /// Returns true if postures are skipped between two: they belong to different branches of
+    /// solutions, or differ by whole turns.
     fn leaps(&self, from: &[f64; 3], to: &[f64; 3]) -> bool {
         let (before, after) = (self.branch(from), self.branch(to));
         let ([first, _, _], [first_to, _, _]) = (from, to);
@@ -107,7 +111,8 @@ impl<'a> ClosedLeg<'a> {
     }
 }
 
-/// On which side of its first axis a leg's foot is, and to which its last joint is bent; 0 between them.
+/// The branch of a solution: the side of its first axis on which the foot is, and the side to which
+/// the last joint is bent; 0 between them.
 struct Branch {
     side: f64,
     bend: f64,
@@ -117,7 +122,7 @@ fn unless_tiny(share: f64) -> f64 {
     if libm::fabs(share) < 1e-6 { 0.0 } else { share }
 }
 
-/// The angle and whole turns, within the limits and as near to `near` as possible there: deg.
+/// Returns `angle` plus whole turns, within the limits and as near to `near` as possible, deg.
 fn within(limits: Range, near: f64, angle: f64) -> Option<f64> {
     let limits = limits.widened(ROUNDING);
     let and_turns = |turns: f64| {

@@ -1,17 +1,17 @@
-//! The closed form of two joints that turn about z, and put the third one of a planar leg. Joint 2 stays
-//! bent to the side to which it is bent.
+//! The closed form of two joints that turn about z and put the third joint of a planar leg. Joint 2
+//! keeps the side to which it is bent.
 
 use super::ROUNDING;
 use super::two_links::TwoLinks;
 use crate::model::{Joint, Leg, Point, Range};
 use nalgebra::Vector2;
 
-/// A second joint that is bent less than this is straight, and may bend to either side: deg.
+/// Bend of a second joint below which it counts as straight and may bend to either side, deg.
 const STRAIGHT: f64 = 0.01;
 
-/// The joint angles (deg) that put the third joint of `leg`, which is at `from`, at `place` (mm); `None`
-/// if the links do not reach it, or a joint cannot turn so far. A straight leg bends to the side of
-/// `posture`.
+/// Returns the joint angles (deg) that put the third joint of `leg`, which is at `from`, at `place`
+/// (mm); `None` if the links do not reach it, or a joint cannot turn so far. A straight leg bends
+/// to the side of `posture`.
 pub(super) fn two_joints<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
@@ -53,19 +53,19 @@ pub(super) fn two_joints<const J: usize>(
     Some(angles)
 }
 
-/// The link after a joint, in the plane.
+/// Returns the link after a joint, in the plane.
 fn flat(joint: &Joint) -> Vector2<f64> {
     let [x, y, _] = joint.link;
     Vector2::new(x, y)
 }
 
-/// Whether a joint turns to the left (1) or to the right (−1).
+/// Returns 1 if a joint turns to the left, −1 if it turns to the right.
 fn sense(joint: &Joint) -> f64 {
     let [_, _, z] = joint.axis;
     libm::copysign(1.0, z)
 }
 
-/// The same direction within −180…180 deg.
+/// Returns the equivalent angle within −180…180 deg.
 fn half_turn(angle: f64) -> f64 {
     angle - 360.0 * libm::round(angle / 360.0)
 }

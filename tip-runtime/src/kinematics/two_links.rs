@@ -1,13 +1,13 @@
-//! Two links in a plane: a triangle of them and the line between their ends (Craig, *Introduction to
-//! Robotics*, ch. 4.4).
+//! Two links in a plane: the triangle of the links and the line between their ends (Craig,
+//! *Introduction to Robotics*, ch. 4.4).
 
 use super::chain::RADIANS_PER_DEGREE;
 use nalgebra::Vector2;
 
-/// How far beyond full stretch rounding alone can put a place, as a cosine.
+/// Tolerance for a place that rounding puts beyond full stretch, as a cosine.
 const STRETCH: f64 = 1e-12;
 
-/// Two links as they are at 0: mm.
+/// Two links at angle 0, mm.
 #[derive(Clone, Copy)]
 pub(super) struct TwoLinks {
     pub(super) first: Vector2<f64>,
@@ -15,14 +15,14 @@ pub(super) struct TwoLinks {
 }
 
 impl TwoLinks {
-    /// How far the second link is bent to the left of the first one at 0: deg.
+    /// Returns the bend of the second link to the left of the first one at angle 0, deg.
     pub(super) fn unbent(&self) -> f64 {
         let (a, b) = (self.first, self.second);
         libm::atan2(a.perp(&b), a.dot(&b)) / RADIANS_PER_DEGREE
     }
 
-    /// By how much the links turn to the left (deg) to lead to `reach` (mm), with the second one bent to the
-    /// side of `side`; `None` if they do not reach it.
+    /// Returns the turns of the links to the left (deg) that lead to `reach` (mm), with the second
+    /// one bent to the side of `side`; `None` if the links do not reach it.
     pub(super) fn turns(&self, reach: Vector2<f64>, side: f64) -> Option<[f64; 2]> {
         let (a, b) = (self.first, self.second);
         let (long, short) = (a.norm(), b.norm());

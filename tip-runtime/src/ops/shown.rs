@@ -1,20 +1,21 @@
-//! Numbers as text. The floats of `core::fmt` could do it, except for bounds checks: a MESSAGE would
-//! bring panics into a control cycle.
+//! Number formatting. The floats of `core::fmt` would do, except for bounds checks: a MESSAGE would
+//! bring panic paths into a control cycle.
 
 use core::fmt::{self, Write};
 
-/// The most digits after the point.
+/// Maximum number of decimals.
 const DECIMALS: u8 = 7;
-/// How many times nine decimal digits a number can have: the largest has 309.
+/// Maximum number of groups of nine decimal digits: the largest number has 309 digits.
 const GROUPS: usize = 35;
-/// Nine decimal digits in each, the last ones first.
+/// Groups of nine decimal digits, the least significant first.
 type Digits = [u32; GROUPS];
-/// One more than nine digits hold.
+/// The base of a group of nine digits.
 const BASE: u64 = 1_000_000_000;
-/// Bits that nine digits can be shifted by at once within 64.
+/// Number of bits by which nine digits can be shifted within 64 bits.
 const SHIFT: u32 = 32;
 
-/// A value as MESSAGE shows it: truncated without decimals, otherwise rounded (T.I.P. 3.1 §7-9-4).
+/// A value in the format of MESSAGE: truncated without decimals, otherwise rounded (T.I.P. 3.1
+/// §7-9-4).
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// The value.
@@ -37,14 +38,14 @@ impl fmt::Display for Shown {
 /// A part of a line that MESSAGE shows.
 #[derive(Clone, Copy, Debug)]
 pub enum Part<'a> {
-    /// Text as it is.
+    /// Literal text.
     Text(&'a str),
-    /// A value, and the digits after its point.
+    /// A value and its number of decimals.
     Number(f64, u8),
 }
 
-/// The line that MESSAGE shows: generated code has one function for all of them, where `format_args!` would make
-/// several for each.
+/// The line of a MESSAGE. Generated code has one function for all of them, where `format_args!`
+/// would make several for each.
 #[derive(Clone, Copy, Debug)]
 pub struct Message<'a>(pub &'a [Part<'a>]);
 
@@ -60,7 +61,7 @@ impl fmt::Display for Message<'_> {
     }
 }
 
-/// As `printf("%.*f")` does: from the exact binary value, ties to even.
+/// Formats like `printf("%.*f")`: from the exact binary value, ties to even.
 fn write_fixed(f: &mut fmt::Formatter<'_>, value: f64, decimals: u8) -> fmt::Result {
     if value.is_nan() {
         return f.write_str("NaN");
@@ -93,7 +94,8 @@ const fn exponent(value: f64) -> u32 {
     (value.to_bits() >> 52) as u32 & 0x7FF
 }
 
-/// The whole part of `mantissa` / 2^`halvings`, and the rest in units of the last decimal, rounded.
+/// Returns the whole part of `mantissa` / 2^`halvings`, and the rest in units of the last decimal,
+/// rounded.
 fn split(mantissa: u64, halvings: u32, decimals: u8) -> (u64, u64) {
     let whole = mantissa.checked_shr(halvings).unwrap_or(0);
     let rest = mantissa ^ whole.checked_shl(halvings).unwrap_or(0);
@@ -106,7 +108,8 @@ fn split(mantissa: u64, halvings: u32, decimals: u8) -> (u64, u64) {
     }
 }
 
-/// `number` / 2^`halvings`, rounded, ties to even; `number` is below 2^127, `halvings` not 0.
+/// Returns `number` / 2^`halvings`, rounded, ties to even; `number` is below 2^127, `halvings` is
+/// not 0.
 fn halved(number: u128, halvings: u32) -> u128 {
     let Some(half) = 1_u128.checked_shl(halvings - 1) else {
         return 0;
@@ -120,7 +123,7 @@ fn halved(number: u128, halvings: u32) -> u128 {
     }
 }
 
-/// `mantissa` · 2^`doublings` in full.
+/// Writes `mantissa` · 2^`doublings` in full.
 fn write_whole(f: &mut fmt::Formatter<'_>, mantissa: u64, mut doublings: u32) -> fmt::Result {
     let mut digits = in_decimal(mantissa);
     while doublings > 0 {
@@ -151,7 +154,7 @@ fn shift(digits: &mut Digits, bits: u32) {
     }
 }
 
-/// The point and what follows it; nothing without decimals.
+/// Writes the decimal point and the decimals; nothing without decimals.
 fn write_fraction(f: &mut fmt::Formatter<'_>, fraction: u64, decimals: u8) -> fmt::Result {
     if decimals == 0 {
         return Ok(());
@@ -198,7 +201,7 @@ mod tests {
         assert_eq!(shown(2.0_f64.powi(70), 1), "1180591620717411303424.0");
     }
 
-    /// `core::fmt` rounds as the language asks for; it only cannot do it without bounds checks.
+    /// `core::fmt` rounds as the language asks for, but has bounds checks.
     #[test]
     fn it_is_the_text_of_core() {
         let mut bits = 0x9E37_79B9_7F4A_7C15_u64;

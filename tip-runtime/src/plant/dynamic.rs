@@ -1,11 +1,12 @@
-//! A walking robot with mass: links and body that swing, bounce, slide and tip over, deterministic to the bit.
+//! A walking robot with mass: links and body swing, bounce, slide and tip over, deterministic to
+//! the bit.
 //!
 //! The body floats, and every link is a uniform rod, the body a uniform box around its origin. Joints are position servos
 //! with a lag, a speed and a torque limit, or give the torque that they are commanded. Feet, joints and corners of the
 //! body touch the floor through springs and dampers, with Coulomb friction. Time goes on in steps of 0.5 ms or less,
 //! by the semi-implicit Euler method.
 //!
-//! Inside of this module everything is in m, kg, s, rad and N.
+//! Inside of this module all values are in m, kg, s, rad and N.
 //!
 //! ```
 //! use tip_runtime::model::titan8;
@@ -56,30 +57,30 @@ use trunk::{Push, Trunk};
 use watch::Watch;
 use world::GRAVITY;
 
-/// How a body moves.
+/// The velocity of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
-    /// Of its origin, in the world: mm/s.
+    /// Velocity of the origin, in the world, mm/s.
     pub velocity: [f64; 3],
-    /// Its turn, about the axes of the world: deg/s.
+    /// Angular velocity about the axes of the world, deg/s.
     pub rate: [f64; 3],
 }
 
-/// What a robot's motion and height are worth.
+/// The mechanical energy of a robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
-    /// Of body, links and rotors: J.
+    /// Kinetic energy of body, links and rotors, J.
     pub kinetic: f64,
-    /// Of all masses above the world's origin: J.
+    /// Potential energy of all masses above the world's origin, J.
     pub potential: f64,
 }
 
 /// The momentum of body and links, in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum {
-    /// N·s.
+    /// Linear momentum, N·s.
     pub linear: [f64; 3],
-    /// About the centre of mass: N·m·s.
+    /// Angular momentum about the centre of mass, N·m·s.
     pub angular: [f64; 3],
 }
 
@@ -96,7 +97,7 @@ pub struct DynamicPlant<const L: usize, const J: usize> {
 }
 
 impl<const L: usize, const J: usize> DynamicPlant<L, J> {
-    /// The robot in its initial posture on a level floor.
+    /// Returns the robot in its initial posture on a level floor.
     pub fn new(model: &Model<L, J>) -> Self {
         let trunk = Trunk::new(model.body);
         let terrain = Terrain::of(&Scene::EMPTY);
@@ -133,7 +134,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Gives all joints other motors.
+    /// Replaces the motors of all joints.
     #[must_use]
     pub fn with_drives(mut self, drives: Drives) -> Self {
         self.robot.drives = drives;
@@ -141,7 +142,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Holds the robot so high above where it stands, before it is let go: mm.
+    /// Lifts the robot by `height` mm above its stand, before it is released.
     #[must_use]
     pub fn lifted(mut self, height: f64) -> Self {
         self.robot.trunk.frame.position.z += height / 1000.0;
@@ -149,7 +150,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Lets the body move. A robot that is bolted down stays where it is.
+    /// Sets the velocity of the body. A robot that is bolted down stays where it is.
     #[must_use]
     pub fn with_twist(mut self, twist: Twist) -> Self {
         if self.robot.trunk.model.is_some() {
@@ -160,7 +161,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Lets the joints turn: deg/s.
+    /// Sets the angular velocities of the joints, deg/s.
     #[must_use]
     pub fn with_rates(mut self, rates: [[f64; J]; L]) -> Self {
         for (leg, rates) in self.robot.legs.iter_mut().zip(rates) {
@@ -171,13 +172,13 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Where the body is, in the world.
+    /// Returns the pose of the body in the world.
     pub fn body(&self) -> Pose {
         let frame = &self.robot.trunk.frame;
         Pose::new((frame.position * 1000.0).into(), &frame.rotation)
     }
 
-    /// How the body moves.
+    /// Returns the velocity of the body.
     pub fn twist(&self) -> Twist {
         let frame = &self.robot.trunk.frame;
         Twist {
@@ -186,7 +187,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         }
     }
 
-    /// The feet.
+    /// Returns the feet.
     pub fn feet(&self) -> [Foot; L] {
         let feet = self.robot.legs.each_ref().map(|leg| leg.foot);
         feet.map(|foot| Foot {
@@ -196,25 +197,25 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         })
     }
 
-    /// How much the body carries by itself: N.
+    /// Returns the load that the body carries by itself, N.
     pub fn belly_load(&self) -> f64 {
         let trunk = &self.robot.trunk;
         trunk.loads.iter().sum::<f64>() + trunk.propped
     }
 
-    /// The centre of mass in the world: mm.
+    /// Returns the centre of mass in the world, mm.
     pub fn centre_of_mass(&self) -> Point {
         let mut now = self.clone();
         now.robot_mut().refresh();
         now.centre().into()
     }
 
-    /// As it was when things were last placed: mm.
+    /// Returns the centre of mass at the last placement, mm.
     fn centre(&self) -> Vector {
         (self.robot.trunk.frame.position + self.robot.whole.centre()) * 1000.0
     }
 
-    /// Kinetic and potential energy.
+    /// Returns the kinetic and potential energy.
     pub fn energy(&self) -> Energy {
         let mut now = self.clone();
         let robot = now.robot_mut();
@@ -225,7 +226,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         }
     }
 
-    /// The momentum of body and links; rotors count in kinetic energy only.
+    /// Returns the momentum of body and links; rotors count in kinetic energy only.
     pub fn momentum(&self) -> Momentum {
         let mut now = self.clone();
         let robot = now.robot_mut();
@@ -237,12 +238,12 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         }
     }
 
-    /// How far the body has come from where it began.
+    /// Returns the travel of the body from its start.
     pub fn travel(&self) -> Travel {
         self.robot.watch.travel(&self.robot.trunk.frame)
     }
 
-    /// Joint angles as they are, whatever the sensors say: deg.
+    /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut angles, |servo| {
@@ -251,7 +252,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         angles
     }
 
-    /// How fast the joints turn: deg/s.
+    /// Returns the angular velocities of the joints, deg/s.
     pub fn rates(&self) -> [[f64; J]; L] {
         let mut rates = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut rates, |servo| {
@@ -260,14 +261,14 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         rates
     }
 
-    /// What the motors give: N·m.
+    /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut torques, |servo| servo.torque);
         torques
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.lamps.get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
@@ -364,5 +365,5 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 }
 
-/// In m, or without a unit.
+/// A vector in m, or without a unit.
 type Vector = Vector3<f64>;

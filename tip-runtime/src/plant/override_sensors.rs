@@ -1,15 +1,16 @@
-//! Inputs that read what was set for them.
+//! Sensor inputs that are set from outside.
 
 use crate::analog::{self, Wire};
 use crate::command::Port;
 use crate::hardware::{Inputs, SensorsMut};
 use crate::model::{Leg, Model, Range};
 
-/// Inputs of the robot as a whole, and the potentiometers of its legs: an array of them, or a slice.
+/// Overrides of the robot's inputs and of the potentiometers of its legs: an array of legs, or a
+/// slice.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Overrides<S: ?Sized> {
     inputs: Inputs<Option<f64>>,
-    /// Only a body that stands on its legs has soles.
+    /// True for a body that stands on its legs: only such a robot has soles.
     soles: bool,
     legs: S,
 }
@@ -17,7 +18,7 @@ pub(super) struct Overrides<S: ?Sized> {
 /// The potentiometers of one leg.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegInputs<const J: usize> {
-    /// What the potentiometers cover: deg.
+    /// Ranges of the potentiometers, deg.
     ranges: [Range; J],
     angles: [Option<f64>; J],
 }
@@ -34,7 +35,7 @@ impl<const J: usize> LegInputs<J> {
 }
 
 impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
-    /// Everything is measured.
+    /// Returns overrides that replace nothing.
     pub(super) fn new(model: &Model<L, J>) -> Self {
         let mut overrides = Overrides {
             inputs: Inputs::all(None),
@@ -48,7 +49,7 @@ impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
 }
 
 impl<const J: usize> Overrides<[LegInputs<J>]> {
-    /// Takes what the potentiometers cover from the legs.
+    /// Copies the ranges of the potentiometers from the legs.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     fn put(&mut self, legs: &[Leg<J>]) {
@@ -57,7 +58,7 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
         }
     }
 
-    /// `false` if the robot lacks the input.
+    /// Overrides an input; returns `false` if the robot lacks it.
     pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
         let index = |number: u8| usize::from(number).wrapping_sub(1);
         match port {
@@ -90,7 +91,7 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
         true
     }
 
-    /// Puts what was set in place of what was measured.
+    /// Replaces measurements by the overrides.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn apply(&self, sensors: &mut SensorsMut<'_, J>) {

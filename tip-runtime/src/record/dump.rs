@@ -4,15 +4,15 @@ use crate::printable::Printable;
 use crate::program::Program;
 use core::fmt;
 
-/// Every scalar of a program, one a line in declaration order: name, tab, value; `unassigned` in
-/// place of a value that is none. A heading `# cycle N, step N, line N` goes before.
+/// The scalars of a program, one a line in declaration order: name, tab, value; `unassigned` in
+/// place of a missing value. A heading `# cycle N, step N, line N` goes before.
 #[derive(Clone, Copy)]
 pub struct Dump<'a> {
     /// The program.
     pub program: &'a dyn Program,
-    /// The cycle that asked for it.
+    /// The cycle of the request.
     pub cycle: u64,
-    /// The step that asked for it.
+    /// The step of the request.
     pub step: u32,
 }
 

@@ -1,16 +1,16 @@
-//! How a run ended.
+//! The end of a run.
 
 use crate::emergency::Emergency;
 use crate::program::End;
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ending {
     /// The program ended itself.
     Program(End),
     /// Someone pressed Ctrl-C.
     Interrupted,
-    /// The asked number of cycles is used up.
+    /// The requested number of cycles was reached.
     Limit,
     /// Emergency stop.
     Emergency(Emergency),

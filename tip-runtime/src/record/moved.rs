@@ -1,20 +1,20 @@
-//! What a simulated robot did in a cycle, as the trace shows it.
+//! The motion of a simulated robot in a cycle, as the trace shows it.
 
 use crate::plant::{Motion, Pose};
 use core::fmt::{self, Write};
 
-/// What a simulated robot did in a cycle. Joints come leg by leg.
+/// The motion of a simulated robot in a cycle. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub struct Moved<'a> {
-    /// Where the body is; none for a robot that stays where it is.
+    /// Pose of the body; `None` for a robot that stays where it is.
     pub pose: Option<Pose>,
-    /// How the body moves, if that is known.
+    /// Motion of the body, if known.
     pub motion: Option<Motion>,
-    /// Joints of each leg.
+    /// Number of joints of each leg.
     pub joints_per_leg: usize,
-    /// Joint angles as they are: deg. Empty if they are not known.
+    /// True joint angles, deg; empty if unknown.
     pub angles: &'a [f64],
-    /// How much each foot carries, or how hard each fingertip pushes: N. Empty if it is not known.
+    /// The load of each foot or the contact force of each fingertip, N; empty if unknown.
     pub loads: &'a [f64],
 }
 
@@ -70,7 +70,7 @@ impl Moved<'_> {
     }
 }
 
-/// The counts that are above 0.
+/// Writes the counts that are above 0.
 fn counts<const N: usize>(out: &mut impl Write, counts: [(&str, u32); N]) -> fmt::Result {
     for (key, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
         write!(out, r#","{key}":{count}"#)?;
@@ -78,7 +78,8 @@ fn counts<const N: usize>(out: &mut impl Write, counts: [(&str, u32); N]) -> fmt
     Ok(())
 }
 
-/// A number of JSON in the shortest form that reads back to the same bits; JSON has no infinity, which is `null`.
+/// A JSON number in the shortest form that reads back to the same bits; JSON has no infinity, which
+/// becomes `null`.
 struct Number(f64);
 
 impl fmt::Display for Number {
@@ -91,7 +92,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// An array.
+/// Writes an array.
 fn numbers(out: &mut impl Write, values: &[f64]) -> fmt::Result {
     let mut opening = '[';
     for value in values {

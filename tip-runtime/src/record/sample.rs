@@ -1,21 +1,21 @@
-//! What a cycle measured and sent: a row of TITAN.LOG, and of what is written down of each cycle.
+//! The measurements and commands of a cycle.
 
 use crate::hardware::JointCommand;
 
-/// What a cycle measured and sent. Joints come leg by leg.
+/// The measurements and commands of a cycle: a row of TITAN.LOG. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a> {
     /// The program's cycle, from 0.
     pub cycle: u64,
-    /// When the sensors were sampled, since the program's start: ms.
+    /// Time at which the sensors were sampled, from the program's start, ms.
     pub time: f64,
-    /// Joints of each leg.
+    /// Number of joints of each leg.
     pub joints_per_leg: usize,
-    /// Measured: deg.
+    /// Measured angles, deg.
     pub angles: &'a [f64],
-    /// Sent: deg, or the robot's torque unit.
+    /// Commands sent, deg, or the robot's torque unit.
     pub commands: &'a [JointCommand],
-    /// Measured, in the robot's torque unit; empty for a robot that senses none.
+    /// Measured torques in the robot's torque unit; empty for a robot without torque sensors.
     pub torques: &'a [f64],
     /// `PAW1…`: V.
     pub paws: &'a [f64],

@@ -1,12 +1,12 @@
-//! A fingerprint of what the robot was commanded and did.
+//! A hash of the robot's commands and measurements.
 
 use crate::hardware::JointCommand;
 
 const OFFSET: u64 = 0xCBF2_9CE4_8422_2325;
 const PRIME: u64 = 0x0000_0100_0000_01B3;
 
-/// FNV-1a, 64 bits wide, over the bits (little endian) of each joint's command and measured angle,
-/// joint by joint (Fowler, Noll and Vo's hash: IETF draft-eastlake-fnv).
+/// Returns the 64-bit FNV-1a hash over the bits (little endian) of each joint's command and
+/// measured angle, joint by joint (Fowler, Noll and Vo's hash: IETF draft-eastlake-fnv).
 pub fn state_hash(commands: &[JointCommand], angles: &[f64]) -> u64 {
     commands
         .iter()

@@ -6,7 +6,8 @@ use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
-/// A file that takes its place when [`commit`](Self::commit) says so; until then the earlier one stays as it was.
+/// A file that replaces the earlier one at [`commit`](Self::commit); until then the earlier one
+/// stays unchanged.
 ///
 /// It is written next to its place, as `.tip-RANDOM.part`, and then renamed; it gets owner and permissions of the file that
 /// it replaces, without set-user-ID and set-group-ID. What a link leads to is replaced, not the link, unless there is nothing. Dropped without `commit`
@@ -24,13 +25,14 @@ enum Target {
     Part {
         file: NamedTempFile,
         place: PathBuf,
-        /// The file that takes the content, if it is not replaced.
+        /// The file that receives the content, if it is not replaced.
         kept: Option<File>,
     },
 }
 
 impl WholeFile {
-    /// Begins a file; its folder has to exist. It never waits: a pipe without a reader is refused.
+    /// Begins a file; its folder has to exist. The call never blocks: a pipe without a reader is
+    /// refused.
     ///
     /// # Errors
     /// The folder cannot be written, or `path` is a folder, a read-only file, or a pipe that nobody reads.
@@ -68,7 +70,8 @@ impl WholeFile {
         Ok(WholeFile(Target::Part { file, place, kept }))
     }
 
-    /// Where it is written, if it is not written straight: what a process leaves that is ended at once.
+    /// Returns the path of the temporary file, unless the file is written directly: a process that
+    /// is killed leaves it behind.
     pub fn part(&self) -> Option<&Path> {
         match &self.0 {
             Target::Straight(_) => None,
@@ -79,7 +82,7 @@ impl WholeFile {
     /// Puts the file in its place.
     ///
     /// # Errors
-    /// The disk did not take all of it; the earlier file stays.
+    /// The disk did not take all of the content; the earlier file stays.
     pub fn commit(self) -> io::Result<()> {
         if let Target::Part { file, place, kept } = self.0 {
             file.as_file().sync_all()?;
@@ -92,12 +95,13 @@ impl WholeFile {
     }
 }
 
-/// The permissions that a file keeps with another content: those to read, write and execute.
+/// The permission bits that a file keeps with new content: those to read, write and execute.
 #[cfg(unix)]
 const KEPT: u32 = 0o777;
 
-/// Gives a part owner and permissions of the file that it is to replace. Returns false if it cannot replace it: the file has
-/// other names, which would keep the earlier content, or an owner that the part cannot have.
+/// Gives a part owner and permissions of the file that it is to replace. Returns false if it cannot
+/// replace it: the file has other names, which would keep the earlier content, or an owner that the
+/// part cannot have.
 #[cfg(unix)]
 fn adopt(part: &File, replaced: &Metadata) -> bool {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
@@ -115,7 +119,8 @@ fn adopt(part: &File, replaced: &Metadata) -> bool {
     part.set_permissions(replaced.permissions()).is_ok()
 }
 
-/// Copies a part into the file that is kept; where the system can say so, not before there is room for all of it.
+/// Copies a part into the file that is kept; where the system can reserve space, it does so before
+/// the first byte.
 fn copy(mut part: NamedTempFile, mut kept: File) -> io::Result<()> {
     reserve(&kept, part.as_file().metadata()?.len())?;
     part.rewind()?;
@@ -151,13 +156,13 @@ fn reserve(_: &File, _: u64) -> io::Result<()> {
     Ok(())
 }
 
-/// Too long, or with a NUL in it.
+/// Returns true if the name is too long or holds a NUL.
 fn is_no_name(error: &io::Error) -> bool {
     use io::ErrorKind::{InvalidFilename, InvalidInput};
     matches!(error.kind(), InvalidFilename | InvalidInput)
 }
 
-/// What a new file may be: all that the user's mask leaves.
+/// Sets the permissions of a new file: all that the user's mask leaves.
 #[cfg(unix)]
 fn usual_mode<'b, 'p, 's>(builder: &'b mut Builder<'p, 's>) -> &'b mut Builder<'p, 's> {
     use std::os::unix::fs::PermissionsExt;
@@ -169,7 +174,7 @@ fn usual_mode<'b, 'p, 's>(builder: &'b mut Builder<'p, 's>) -> &'b mut Builder<'
     builder
 }
 
-/// Opens a device or a pipe without waiting for its other end; writing waits for a reader that is slow.
+/// Opens a device or a pipe without waiting for its other end; a write waits for a slow reader.
 #[cfg(unix)]
 fn open(path: &Path) -> io::Result<File> {
     use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl};

@@ -151,7 +151,8 @@ fn what_a_link_leads_to_is_written_and_the_link_stays() {
     }
 }
 
-/// Only the system administrator can give a file away; for others the test says nothing.
+/// Only the system administrator can give a file away; without the permission the test checks
+/// nothing.
 #[test]
 fn a_replaced_file_keeps_its_owner() {
     use std::os::unix::fs::{MetadataExt, chown};

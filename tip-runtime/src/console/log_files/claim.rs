@@ -1,4 +1,5 @@
-//! Files that belong to one program: complete or absent, and never replacing those of another.
+//! A folder of log files that belong to one program: complete or absent, and never replacing those
+//! of another.
 #![allow(
     clippy::disallowed_methods,
     reason = "this console is for writing files"
@@ -12,15 +13,15 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::{format, fs, vec::Vec};
 
-/// No first line that we wrote is longer.
+/// Maximum length of a heading that this module writes, bytes.
 const LONGEST_HEADING: u64 = 4096;
 
-/// A file that cannot be written.
+/// The error for a file that cannot be written.
 #[derive(Debug)]
 pub struct LogError {
-    /// Which one.
+    /// The file.
     pub path: PathBuf,
-    /// Why.
+    /// The reason.
     pub reason: io::Error,
 }
 
@@ -57,13 +58,14 @@ impl Claim {
         }
     }
 
-    /// Sees that the folder is there and every file of these names is ours.
+    /// Creates the folder and checks that every existing file of these names belongs to the
+    /// program.
     pub(super) fn take(&self, names: &[&str]) -> Result<(), LogError> {
         fs::create_dir_all(&self.folder).map_err(|error| LogError::new(&self.folder, error))?;
         names.iter().try_for_each(|name| self.check_owner(name))
     }
 
-    /// Gives a file a new content, all of it or nothing.
+    /// Replaces the content of a file, completely or not at all.
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), LogError> {
         let path = self.folder.join(name);
         let replace = || {
@@ -93,7 +95,7 @@ impl Claim {
         }
     }
 
-    /// Removes what an earlier run left.
+    /// Removes the file of an earlier run.
     pub(super) fn remove(&self, name: &str) -> Result<(), LogError> {
         let path = self.folder.join(name);
         match fs::remove_file(&path) {
@@ -105,7 +107,7 @@ impl Claim {
     }
 }
 
-/// Refuses a file that someone wants to keep as it is.
+/// Refuses a file that its owner marked read-only.
 fn writable(path: &Path) -> io::Result<()> {
     if fs::metadata(path)?.permissions().readonly() {
         return Err(io::ErrorKind::PermissionDenied.into());
@@ -113,7 +115,7 @@ fn writable(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The first line of a file; of a device or a pipe, which may have none for ever, nothing.
+/// Returns the first line of a file; empty for a device or a pipe, which may never have one.
 fn first_line(path: &Path) -> io::Result<Vec<u8>> {
     let mut line = Vec::new();
     let found = fs::metadata(path)?;

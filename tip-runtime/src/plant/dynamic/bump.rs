@@ -1,4 +1,4 @@
-//! What the body's sides and edges meet: blocks, whose edges may be between its corners.
+//! Contacts between the edges of the body and blocks, where neither has a corner inside.
 
 use super::Vector;
 use super::contact::Touch;
@@ -6,11 +6,12 @@ use super::frame::Frame;
 use super::terrain::Terrain;
 use crate::plant::cuboid::{Cuboid, middle};
 
-/// The highest that a body is lifted at first by a block that is wholly under it: m.
+/// Height of the first lift of a body over a block that is wholly under it, m.
 const CLIMB: f64 = 1e4;
 
-/// Goes through all places where an edge of the body passes through a block, or one of a block through the body: from the
-/// body's origin, in the middle of what is inside (m). Corners of the body are another's.
+/// Calls `meet` for each place where an edge of the body passes through a block, or an edge of a
+/// block through the body: the midpoint of the part inside, from the body's origin (m). Corners of
+/// the body are handled elsewhere.
 pub(super) fn bumps(
     extent: &Cuboid,
     frame: &Frame,
@@ -51,7 +52,7 @@ pub(super) fn bumps(
     }
 }
 
-/// By how much the body has to rise to be nowhere below the top of a block: m.
+/// Returns the rise of the body that clears the top of every block, m.
 pub(super) fn climb(extent: &Cuboid, frame: &Frame, terrain: &Terrain) -> f64 {
     let edges = extent.edges();
     let edges = edges.map(|edge| terrain.rise(edge.map(|corner| frame.point(corner))));

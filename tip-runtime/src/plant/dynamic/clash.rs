@@ -1,4 +1,5 @@
-//! Legs that meet: links are rods of some thickness, and push each other apart.
+//! Self-collision: legs that meet push each other apart. Links are rods whose thickness is in
+//! proportion to their length.
 
 use super::Vector;
 use super::contact::Law;
@@ -6,12 +7,13 @@ use super::frame::Frame;
 use super::leg::LegBody;
 use crate::command::MAX;
 
-/// How thick a link is, of its length: its radius.
+/// Radius of a link, as a share of its length.
 const RADIUS: f64 = 0.05;
-/// Of leg on leg.
+/// The coefficient of Coulomb friction between legs.
 const FRICTION: f64 = 0.5;
 
-/// How much of their thickness links have, so that none touch as they are: 1 if they are far enough apart.
+/// Returns the share of their thickness that links have, so that none touch in this posture: 1 if
+/// they are far enough apart.
 pub(super) fn clearance<const J: usize>(legs: &[LegBody<J>], frame: &Frame) -> f64 {
     let mut clearance = 1.0_f64;
     for (number, leg) in legs.iter().enumerate() {
@@ -55,14 +57,15 @@ pub(super) fn clash<const J: usize>(
     }
 }
 
-/// All links of two legs but the first of both, which sit side by side on the body.
+/// Iterates over all pairs of links of two legs except the first of both, which are next to each
+/// other on the body.
 fn pairs<const J: usize>() -> impl Iterator<Item = (usize, usize)> {
     (0..J)
         .flat_map(|j| (0..J).map(move |i| (j, i)))
         .filter(|pair| *pair != (0, 0))
 }
 
-/// Two links, if they meet.
+/// Pushes two links apart, if they meet.
 fn meet<const J: usize>(
     (leg, j): (&mut LegBody<J>, usize),
     (other, i): (&mut LegBody<J>, usize),
@@ -93,7 +96,7 @@ fn meet<const J: usize>(
     }
 }
 
-/// Whether the boxes around two legs meet.
+/// Returns true if the boxes around two legs meet.
 #[inline]
 fn are_near([low, high]: &[Vector; 2], [least, most]: &[Vector; 2]) -> bool {
     (0..3).all(|axis| {
@@ -102,7 +105,7 @@ fn are_near([low, high]: &[Vector; 2], [least, most]: &[Vector; 2]) -> bool {
     })
 }
 
-/// The box around a leg: m.
+/// Returns the box around a leg, m.
 fn around<const J: usize>(leg: &LegBody<J>, frame: &Frame) -> [Vector; 2] {
     let ends = (0..J).filter_map(|j| leg.link(j, frame));
     let mut least = Vector::repeat(f64::INFINITY);
@@ -115,13 +118,14 @@ fn around<const J: usize>(leg: &LegBody<J>, frame: &Frame) -> [Vector; 2] {
     [least, most]
 }
 
-/// From the middle of one link to that of the other, where they touch: m.
+/// Returns the distance of the axes of two links that touch, m.
 #[inline]
 fn thickness([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
     RADIUS * ((b - a).norm() + (d - c).norm())
 }
 
-/// Where two stretches are nearest to each other (Ericson, *Real-Time Collision Detection*, 2005, §5.1.9).
+/// Returns the nearest points of two segments (Ericson, *Real-Time Collision Detection*, 2005,
+/// §5.1.9).
 #[inline]
 fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
     let (along, beside, apart) = (b - a, d - c, a - c);
@@ -139,7 +143,7 @@ fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
     [a + along * share, c + beside * second]
 }
 
-/// A fraction from 0 to 1.
+/// Returns the fraction, limited to 0…1.
 #[inline]
 fn part(of: f64, whole: f64) -> f64 {
     if whole > 0.0 && of > 0.0 {
@@ -153,7 +157,7 @@ fn part(of: f64, whole: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The least distance of points of two stretches, tried out.
+    /// Returns the least distance of points of two segments, by sampling.
     fn tried([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> f64 {
         let points = |from: Vector, to: Vector| {
             (0..=200).map(move |n| from + (to - from) * (f64::from(n) / 200.0))

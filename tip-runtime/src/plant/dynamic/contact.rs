@@ -1,16 +1,16 @@
-//! What things that touch do to each other: a spring and a damper along the normal, and across it a bristle that
-//! bends until friction lets go (Cundall and Strack, *Géotechnique* 29, 1979).
+//! The contact law of a robot with mass: a spring and a damper along the normal, and across it a
+//! bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29, 1979).
 
 use super::Vector;
 
-/// Of each kg of the robot: N/m. TITAN VIII has 400 N/mm.
+/// Stiffness for each kg of the robot, N/m. TITAN VIII has 400 N/mm.
 const STIFFNESS: f64 = 2e4;
-/// Of each kg of the robot: N·s/m.
+/// Damping for each kg of the robot, N·s/m.
 const DAMPING: f64 = 20.0;
-/// How much of what would make a step unstable stiffness and damping may be.
+/// The share of the stability limit that stiffness and damping may reach.
 const SHARE: f64 = 0.25;
 
-/// How stiff every contact is.
+/// Stiffness and damping of every contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Law {
     /// N/m.
@@ -20,7 +20,8 @@ pub(super) struct Law {
 }
 
 impl Law {
-    /// For a robot of a mass (kg) whose lightest foot pushes back as `foot` (kg), in steps of `dt` s at most.
+    /// Returns the law for a robot of a mass (kg) whose lightest foot has the effective mass `foot`
+    /// (kg), in steps of `dt` s at most.
     pub(super) fn of(mass: f64, foot: f64, dt: f64) -> Self {
         Law {
             stiffness: (mass * STIFFNESS).min(SHARE * foot / (dt * dt)),
@@ -29,22 +30,22 @@ impl Law {
     }
 }
 
-/// A point inside of something.
+/// A point inside of an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Touch {
-    /// How deep: m.
+    /// Penetration depth, m.
     pub(super) depth: f64,
-    /// Out of it: a unit vector.
+    /// Outward normal, a unit vector.
     pub(super) normal: Vector,
     /// The coefficient of Coulomb friction.
     pub(super) friction: f64,
 }
 
-/// What a touch faces upwards by at least to carry anything; a wall does not.
+/// Least upward component of the normal of a contact that carries load; a wall carries none.
 const CARRIES: f64 = 0.25;
 
 impl Touch {
-    /// What carries of a force on it: N.
+    /// Returns the part of a force that is load, N.
     #[inline]
     pub(super) fn load(&self, force: Vector) -> f64 {
         if self.normal.z > CARRIES {
@@ -54,7 +55,7 @@ impl Touch {
         }
     }
 
-    /// The force (N) on a place that rubs along: one whose bristle nobody keeps.
+    /// Returns the force (N) on a place that slides, without a stored bristle.
     #[inline]
     pub(super) fn rub(self, velocity: Vector, law: &Law, dt: f64) -> Vector {
         let mut bare = Grip::FREE;
@@ -62,15 +63,16 @@ impl Touch {
     }
 }
 
-/// How far the bristle of a contact is bent, in the world: m.
+/// The deflection of a contact's bristle, in the world, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grip(Vector);
 
 impl Grip {
-    /// Of what touches nothing.
+    /// The bristle of a free point.
     pub(super) const FREE: Self = Grip(Vector::new(0.0, 0.0, 0.0));
 
-    /// The force (N) on a point that moves at `velocity` (m/s) for `dt` s; without a touch none.
+    /// Returns the force (N) on a point that moves at `velocity` (m/s) for `dt` s; zero without a
+    /// touch.
     #[inline]
     pub(super) fn force(
         &mut self,
@@ -99,7 +101,7 @@ impl Grip {
     }
 }
 
-/// The vector, or the part of it that is `longest`.
+/// Shortens a vector to `longest`.
 #[inline]
 fn within(vector: Vector, longest: f64) -> Vector {
     let length = vector.norm();
@@ -119,7 +121,7 @@ mod tests {
         damping: 100.0,
     };
 
-    /// Inside a floor with friction 0.5.
+    /// Returns a touch inside a floor with friction 0.5.
     fn on_floor(depth: f64) -> Option<Touch> {
         let normal = Vector::new(0.0, 0.6, 0.8);
         Some(Touch {

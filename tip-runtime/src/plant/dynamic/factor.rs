@@ -1,11 +1,12 @@
-//! Symmetric, positive definite systems of equations (Cholesky's method), without a path that could panic.
+//! Cholesky's method for symmetric, positive definite systems of equations, without a panic path.
 
-/// The lower triangle of such a matrix's factor, row by row.
+/// The lower triangle of a matrix's Cholesky factor, row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Factor<const N: usize>([[f64; N]; N]);
 
 impl<const N: usize> Factor<N> {
-    /// Of a matrix, of which only the lower triangle is read; `None` if it is not positive definite.
+    /// Factorises a matrix, of which only the lower triangle is read; `None` if it is not positive
+    /// definite.
     pub(super) fn of(mut rows: [[f64; N]; N]) -> Option<Self> {
         for i in 0..N {
             let (done, rest) = rows.split_at_mut_checked(i)?;
@@ -26,7 +27,7 @@ impl<const N: usize> Factor<N> {
         Some(Factor(rows))
     }
 
-    /// Halfway to the solution: what the factor turns into `right`.
+    /// Solves the lower triangular system: the forward substitution of `right`.
     pub(super) fn halve(&self, mut right: [f64; N]) -> [f64; N] {
         for (i, row) in self.0.iter().enumerate() {
             let known = dot(row, &right, i);
@@ -37,7 +38,7 @@ impl<const N: usize> Factor<N> {
         right
     }
 
-    /// The solution.
+    /// Solves the whole system.
     pub(super) fn solve(&self, right: [f64; N]) -> [f64; N] {
         let mut half = self.halve(right);
         for (i, row) in self.0.iter().enumerate().rev() {
@@ -53,7 +54,7 @@ impl<const N: usize> Factor<N> {
     }
 }
 
-/// Of the first `count` numbers of both.
+/// Returns the dot product of the first `count` entries.
 pub(super) fn dot<const N: usize>(one: &[f64; N], other: &[f64; N], count: usize) -> f64 {
     let both = one.iter().zip(other).take(count);
     both.map(|(one, other)| one * other).sum()

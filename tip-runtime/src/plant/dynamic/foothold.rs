@@ -1,30 +1,31 @@
-//! What a foot does on the ground.
+//! The contact of a foot with the ground.
 
 use super::Vector;
 
-/// A foot that leaves the ground for less has bounced, not stepped: s. Feet that chatter as a push drives the robot along are up
-/// for some 10 ms, feet that step for 100.
+/// Time off the ground below which a foot has bounced and not stepped, s. Feet that chatter as a
+/// push drives the robot along are up for some 10 ms, feet that step for 100.
 const BOUNCE: f64 = 20e-3;
 
-/// A foot on the ground.
+/// The contact of a foot with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Foothold {
-    /// In the world: m.
+    /// Position in the world, m.
     pub(super) place: Vector,
-    /// Along the ground's normal: N.
+    /// Force along the ground's normal, N.
     pub(super) load: f64,
-    /// Of the ground, friction included, in the world: N.
+    /// Force of the ground, friction included, in the world, N.
     pub(super) force: Vector,
-    /// Where it touched down, in the world: m. It counts until the foot has been up for so long that it stepped.
+    /// Place of the touchdown in the world, m. It counts until the foot has been up for the time of
+    /// a step.
     touchdown: Vector,
-    /// For how long it has carried nothing: s.
+    /// Time without load, s.
     up: f64,
-    /// How far from there it has slipped: m.
+    /// Slip since the touchdown, m.
     pub(super) slip: f64,
 }
 
 impl Foothold {
-    /// Of a foot that has not been placed yet.
+    /// The contact of a foot that has not been placed yet.
     pub(super) const NONE: Self = Foothold {
         place: Vector::new(0.0, 0.0, 0.0),
         load: 0.0,
@@ -34,7 +35,8 @@ impl Foothold {
         slip: 0.0,
     };
 
-    /// The foot is there, and has been pushed so hard by ground with a normal for `dt` s.
+    /// Updates the contact: the foot is at `place`, and ground with a normal has pushed it with
+    /// `force` for `dt` s.
     #[inline]
     pub(super) fn at(&mut self, place: Vector, force: Vector, normal: Vector, dt: f64) {
         let load = force.dot(&normal);

@@ -1,23 +1,23 @@
-//! Where the body is, and how it moves.
+//! The moving frame of the body.
 
 use super::Vector;
 use super::spatial::Spatial;
 use nalgebra::{Matrix3, Rotation3};
 
-/// Where the body is in the world, and how it moves.
+/// The position, rotation and velocity of the body in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    /// m.
+    /// Position, m.
     pub(super) position: Vector,
     pub(super) rotation: Rotation3<f64>,
-    /// m/s.
+    /// Velocity of the origin, m/s.
     pub(super) velocity: Vector,
-    /// rad/s, along the axes of the world.
+    /// Angular velocity along the axes of the world, rad/s.
     pub(super) rate: Vector,
 }
 
 impl Frame {
-    /// Moves for `dt` s while it accelerates: angular first.
+    /// Integrates an acceleration (angular first) over `dt` s.
     pub(super) fn advance(&mut self, acceleration: [f64; 6], dt: f64) {
         let Spatial { angular, linear } = Spatial::of(acceleration);
         self.rate += angular * dt;
@@ -26,12 +26,12 @@ impl Frame {
         self.rotation = orthogonal(Rotation3::from_scaled_axis(self.rate * dt) * self.rotation);
     }
 
-    /// A point of the body, in the world: m.
+    /// Transforms a point of the body into the world, m.
     pub(super) fn point(&self, inner: Vector) -> Vector {
         self.position + self.rotation * inner
     }
 
-    /// Turn and velocity.
+    /// Returns angular and linear velocity.
     pub(super) const fn twist(&self) -> Spatial {
         Spatial {
             angular: self.rate,
@@ -40,7 +40,8 @@ impl Frame {
     }
 }
 
-/// The rotation nearest to one that rounding has bent (one step of Newton's method for the polar decomposition).
+/// Returns the rotation nearest to a matrix with rounding errors (one step of Newton's method for
+/// the polar decomposition).
 fn orthogonal(bent: Rotation3<f64>) -> Rotation3<f64> {
     let matrix = bent.matrix();
     let square = matrix.transpose() * matrix;

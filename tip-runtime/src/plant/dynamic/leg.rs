@@ -1,8 +1,9 @@
-//! A leg: links that weigh, joints that motors turn, and what touches the ground.
+//! The dynamics of a leg: links with mass, motors, and contacts with the ground.
 //!
-//! A leg meets the other ones at the body only. So the equations of motion have the form of an arrow: six rows of the
-//! body, and for each leg a block of its joints, which it shares with the body alone. Each leg is eliminated by itself
-//! (Schur's complement), and nothing larger than 6 × 6 is ever solved for the robot as a whole.
+//! A leg meets the others at the body only, so the equations of motion have the form of an arrow:
+//! six rows of the body, and for each leg a block of its joints, which it shares with the body
+//! alone. Each leg is eliminated by itself (Schur's complement), and nothing larger than 6 × 6 is
+//! ever solved for the robot as a whole.
 
 use super::Vector;
 use super::contact::Grip;
@@ -17,19 +18,19 @@ use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
 use crate::plant::walker::path::Path;
 
-/// How a joint moves what it carries.
+/// The motion of a joint and the momentum of all that it carries: a column of the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Column {
     /// The joint's axis, in the world.
     axis: Vector,
-    /// Where the joint is, from the body's origin: m.
+    /// Position of the joint from the body's origin, m.
     place: Vector,
-    /// Of all that it carries in that motion.
+    /// Momentum of all that the joint carries in that motion.
     momentum: Spatial,
 }
 
 impl Column {
-    /// At 1 rad/s.
+    /// Returns the motion at 1 rad/s.
     #[inline]
     fn motion(&self) -> Spatial {
         Spatial::turning(self.axis, self.place)
@@ -42,20 +43,20 @@ pub(super) struct LegBody<const J: usize> {
     pub(super) model: Leg<J>,
     pub(super) servos: [Servo; J],
     columns: [Column; J],
-    /// What keeps the joints turning at their rates, against gravity and contacts: N·m.
+    /// Generalised forces of gravity, velocities and contacts on the joints, N·m.
     bias: [f64; J],
-    /// Of the end of each link; the last one is the foot's.
+    /// Bristles of the end of each link; the last one is the foot's.
     grips: [Grip; J],
     pub(super) foot: Foothold,
-    /// Whose motors give all that they can: bit j of joint j.
+    /// The saturated motors: bit j of joint j.
     spent: u16,
-    /// Which joints are commanded torques.
+    /// The joints that are commanded torques: bit j of joint j.
     by_torque: u16,
     path: Path,
 }
 
 impl<const J: usize> LegBody<J> {
-    /// At rest in its initial posture.
+    /// Returns the leg at rest in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &Leg<J>) -> Self {
@@ -76,7 +77,7 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Returns the distance of the foot from the path of its commands, mm.
+    /// Returns the distance of the foot from its commanded path, mm.
     pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
         let angles = self.servos.map(|servo| servo.angle.to_degrees());
         self.path.stray_at(&self.model, commands, angles)
@@ -93,7 +94,7 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Forgets what it touched.
+    /// Clears the contacts.
     pub(super) const fn let_go(&mut self) {
         self.grips = [Grip::FREE; J];
         self.foot = Foothold::NONE;
@@ -105,12 +106,12 @@ impl<const J: usize> LegBody<J> {
         self.servos.iter_mut().for_each(Servo::hold);
     }
 
-    /// What each joint is commanded by.
+    /// Returns the control mode of each joint.
     fn controls(&self) -> [Control; J] {
         core::array::from_fn(|j| self.control(j))
     }
 
-    /// What joint `j` is commanded by.
+    /// Returns the control mode of joint `j`.
     fn control(&self, j: usize) -> Control {
         match self.by_torque & bit(j) {
             0 => Control::Angle,
@@ -118,7 +119,8 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Finds out where the links are, what touches, what everything weighs, and what forces act.
+    /// Updates the positions, contacts, masses and forces of the links; returns the leg's
+    /// contribution to the body.
     pub(super) fn place(&mut self, world: &World<'_>) -> Share {
         let mut links = [Share::NONE; J];
         let mut walk = Walk::from(world.frame, &self.model);
@@ -168,7 +170,7 @@ impl<const J: usize> LegBody<J> {
         carried
     }
 
-    /// Lets every motor aim; `left` steps of the cycle are left.
+    /// Updates the torque of every motor; `left` steps of the cycle are left.
     pub(super) fn aim(
         &mut self,
         world: &World<'_>,
@@ -184,7 +186,7 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// What the motor of joint `j` turns it by.
+    /// Returns the effort of the motor of joint `j`.
     #[inline]
     fn motor(&self, j: usize, servo: &Servo, joint: &Joint, world: &World<'_>) -> Effort {
         let (drives, dt) = (world.drives, world.stride.dt);
@@ -195,7 +197,8 @@ impl<const J: usize> LegBody<J> {
         self.spent & bit(j) != 0
     }
 
-    /// The joints' block of the equations of motion, factorised, and what is to turn them: N·m.
+    /// Returns the joints' block of the equations of motion, factorised, and the torques on its
+    /// right side, N·m.
     fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, [f64; J]) {
         let mut matrix = [[0.0; J]; J];
         let mut torques = [0.0; J];
@@ -219,7 +222,7 @@ impl<const J: usize> LegBody<J> {
         (Factor::of(matrix), torques)
     }
 
-    /// The joints' momentum by each motion of the body.
+    /// Returns the joints' momentum for each motion of the body.
     fn coupling(&self) -> [[f64; J]; 6] {
         let mut coupling = [[0.0; J]; 6];
         for (j, column) in self.columns.iter().enumerate() {
@@ -232,7 +235,8 @@ impl<const J: usize> LegBody<J> {
         coupling
     }
 
-    /// Takes the joints out of the body's equations of motion, of which the lower triangle counts.
+    /// Eliminates the joints from the body's equations of motion, of which the lower triangle
+    /// counts.
     pub(super) fn eliminate(
         &self,
         world: &World<'_>,
@@ -253,7 +257,7 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// What the joints accelerate by (rad/s²) while the body does so.
+    /// Returns the accelerations of the joints (rad/s²) for an acceleration of the body.
     fn accelerations(&self, world: &World<'_>, body: &[f64; 6]) -> [f64; J] {
         let (factor, mut torques) = self.block(world);
         for (torque, column) in torques.iter_mut().zip(&self.columns) {
@@ -264,8 +268,8 @@ impl<const J: usize> LegBody<J> {
         factor.map_or([0.0; J], |factor| factor.solve(torques))
     }
 
-    /// Finds out what the joints accelerate by, and which motors would have to give more than they can for that; whether
-    /// any of them is new.
+    /// Calculates the accelerations of the joints, and marks motors that would exceed their torque
+    /// as saturated; returns true if any of them is new.
     pub(super) fn overload(
         &mut self,
         world: &World<'_>,
@@ -288,7 +292,7 @@ impl<const J: usize> LegBody<J> {
         self.spent != before
     }
 
-    /// Moves on while its joints accelerate so.
+    /// Integrates the accelerations of the joints.
     pub(super) fn advance(&mut self, world: &World<'_>, accelerations: &[f64; J]) {
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
@@ -301,14 +305,14 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Both ends of the link after joint `j`, from the body's origin: m.
+    /// Returns both ends of the link after joint `j`, from the body's origin, m.
     pub(super) fn link(&self, j: usize, frame: &Frame) -> Option<[Vector; 2]> {
         let start = self.columns.get(j)?.place;
         let next = self.columns.get(j + 1).map(|next| next.place);
         Some([start, next.unwrap_or(self.foot.place - frame.position)])
     }
 
-    /// How fast a point of the link after joint `j` moves: m/s.
+    /// Returns the velocity of a point of the link after joint `j`, m/s.
     pub(super) fn velocity(&self, j: usize, at: Vector, frame: &Frame) -> Vector {
         let own = frame.velocity + frame.rate.cross(&at);
         let joints = self.columns.iter().zip(&self.servos).take(j + 1);
@@ -317,7 +321,8 @@ impl<const J: usize> LegBody<J> {
         })
     }
 
-    /// A force acts at a point of the link after joint `j`; what that does to the body is another's.
+    /// Applies a force at a point of the link after joint `j` to the joints; its effect on the body
+    /// is handled elsewhere.
     pub(super) fn push(&mut self, j: usize, at: Vector, force: Vector) {
         let joints = self.bias.iter_mut().zip(&self.columns);
         for (bias, column) in joints.take(j + 1) {
@@ -325,7 +330,8 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Twice the kinetic energy of its rotors, and of its links by what the body's motion adds to that of the joints: J.
+    /// Returns twice the kinetic energy of the rotors, and of the links beyond that of the body's
+    /// motion, J.
     pub(super) fn vigour(&self, body: &Spatial, drives: &Drives) -> f64 {
         let mut vigour = 0.0;
         for (j, (column, servo)) in self.columns.iter().zip(&self.servos).enumerate() {
@@ -345,7 +351,7 @@ impl<const J: usize> LegBody<J> {
         vigour
     }
 
-    /// The momentum that the joints' rates give the robot.
+    /// Returns the momentum of the joints' rates.
     pub(super) fn momentum(&self) -> Spatial {
         let mut momentum = Spatial::ZERO;
         for (column, servo) in self.columns.iter().zip(&self.servos) {
@@ -357,7 +363,7 @@ impl<const J: usize> LegBody<J> {
         momentum
     }
 
-    /// What its foot pushes back as at least: kg.
+    /// Returns the least effective mass of the foot, kg.
     pub(super) fn foot_mass(&self, drives: &Drives) -> f64 {
         self.model.joints.last().map_or(0.0, |joint| {
             let square = length(joint).norm_squared();
@@ -369,13 +375,14 @@ impl<const J: usize> LegBody<J> {
         })
     }
 
-    /// kg.
+    /// Returns the mass, kg.
     pub(super) fn mass(&self) -> f64 {
         self.model.joints.iter().map(|joint| joint.mass).sum()
     }
 }
 
-/// What the end of a link that floats pushes back as at least: kg. Of a uniform rod it is a quarter.
+/// Returns the least effective mass of the end of a floating link, kg: a quarter of a uniform rod's
+/// mass.
 fn end_mass(joint: &Joint) -> f64 {
     let Some(spread) = &joint.spread else {
         return joint.mass / 4.0;
@@ -394,7 +401,7 @@ fn end_mass(joint: &Joint) -> f64 {
     joint.mass / (1.0 + joint.mass * most)
 }
 
-/// The bit of joint `j`; none for more joints than robots have.
+/// Returns the bit of joint `j`; 0 for more joints than robots have.
 #[inline]
 fn bit(j: usize) -> u16 {
     u32::try_from(j)
@@ -403,7 +410,8 @@ fn bit(j: usize) -> u16 {
         .unwrap_or(0)
 }
 
-/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
 #[inline(never)]
 pub(super) fn fill_joints<const J: usize>(
     legs: &[LegBody<J>],
@@ -417,7 +425,7 @@ pub(super) fn fill_joints<const J: usize>(
     }
 }
 
-/// Fills in the load, N, and the contact force of each foot.
+/// Copies the load, N, and the contact force of each foot.
 #[inline(never)]
 pub(super) fn fill_feet<const J: usize>(
     legs: &[LegBody<J>],

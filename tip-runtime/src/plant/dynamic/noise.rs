@@ -1,12 +1,12 @@
-//! Errors of sensors.
+//! Sensor noise.
 
 use crate::command::Port;
 use crate::hardware::SensorsMut;
 use crate::plant::Noise;
 use core::f64::consts::TAU;
 
-/// Random numbers (SplitMix64: Steele, Lea and Flood, *Fast Splittable Pseudorandom Number Generators*, 2014), and what
-/// they disturb.
+/// A source of noise: random numbers by SplitMix64 (Steele, Lea and Flood, *Fast Splittable
+/// Pseudorandom Number Generators*, 2014).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Disturbance {
     noise: Noise,
@@ -21,7 +21,7 @@ impl Disturbance {
         }
     }
 
-    /// Disturbs what the joints and the soles of a robot with so many legs read.
+    /// Adds noise to the readings of joints and soles.
     pub(super) fn apply<const J: usize>(&mut self, sensors: &mut SensorsMut<'_, J>) {
         let Noise { angle, volts, .. } = self.noise;
         for read in sensors.angles.iter_mut().flatten() {
@@ -35,13 +35,13 @@ impl Disturbance {
         }
     }
 
-    /// A number of the standard normal distribution (Box and Muller, 1958).
+    /// Returns a number of the standard normal distribution (Box and Muller, 1958).
     fn normal(&mut self) -> f64 {
         let (radius, angle) = (1.0 - self.uniform(), self.uniform());
         libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(TAU * angle)
     }
 
-    /// From 0 up to, but not including, 1.
+    /// Returns a number from 0 up to, but not including, 1.
     fn uniform(&mut self) -> f64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut mixed = self.state;

@@ -1,4 +1,4 @@
-//! The robot as a whole: its equations of motion, step by step.
+//! The robot as a multibody system: its equations of motion and their integration.
 
 use super::bump::climb;
 use super::clash::{clash, clearance};
@@ -22,27 +22,27 @@ use crate::plant::{Following, are_sane};
 
 /// The longest step: s.
 const LONGEST: f64 = 5e-4;
-/// How many steps a cycle has at most.
+/// Maximum number of steps in a cycle.
 const MOST: f64 = 4000.0;
-/// How often a step is calculated anew, since another motor gives all that it can.
+/// Maximum number of repetitions of a step because another motor saturates.
 const ANEW: u32 = 4;
-/// Contacts that are no more than this above the lowest one carry the robot at first: m.
+/// Height above the lowest contact up to which contacts carry the robot at first, m.
 const LEVEL: f64 = 1e-3;
 
-/// Body and legs: an array of them, or a slice, over which all logic is.
+/// Body and legs: an array of legs, or a slice, which holds all logic.
 #[derive(Clone, Debug)]
 pub(super) struct Robot<S: ?Sized> {
     pub(super) trunk: Trunk,
     pub(super) terrain: Terrain,
     pub(super) law: Law,
     pub(super) drives: Drives,
-    /// How many of the robot's torque unit one N·m is.
+    /// Number of the robot's torque units in one N·m.
     pub(super) unit: f64,
     /// The sampling time: ms.
     pub(super) period: f64,
-    /// How much of their thickness the legs have.
+    /// The share of their thickness that the legs have.
     pub(super) clearance: f64,
-    /// All that weighs, as it was at the last step.
+    /// The inertia of the whole robot at the last step.
     pub(super) whole: Inertia,
     pub(super) watch: Watch,
     pub(super) following: Following,
@@ -59,7 +59,8 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         }
     }
 
-    /// Sets the robot down at the world's origin, as deep in the floor as its lowest contacts carry it.
+    /// Places the robot at the world's origin, as deep in the floor as its lowest contacts carry
+    /// it.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn stand(&mut self) {
@@ -89,7 +90,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         self.watch.begin();
     }
 
-    /// By how much the robot is in what stands on the floor: m.
+    /// Returns the depth of the robot in the blocks on the floor, m.
     fn rise(&mut self) -> f64 {
         self.refresh();
         let frame = &self.trunk.frame;
@@ -102,7 +103,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         links.fold(body, f64::max)
     }
 
-    /// Moves for a control cycle as commanded.
+    /// Simulates a control cycle with commands.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn obey(&mut self, commands: &[[JointCommand; J]]) {
@@ -120,7 +121,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         self.following.count(is_too_fast, stray);
     }
 
-    /// Returns true if all positions and speeds are a robot's.
+    /// Returns true if all positions and speeds are valid.
     pub(super) fn is_sane(&self) -> bool {
         let Frame {
             position,
@@ -135,7 +136,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         are_sane(body.chain(rotation.matrix().iter().copied()).chain(joints))
     }
 
-    /// Holds every joint for a control cycle.
+    /// Simulates a control cycle in which every joint is held.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn hold(&mut self) {
@@ -145,7 +146,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         self.cycle(&[]);
     }
 
-    /// Moves for a control cycle; legs without commands are held.
+    /// Simulates a control cycle; legs without commands are held.
     fn cycle(&mut self, commands: &[[JointCommand; J]]) {
         let time = self.period / 1000.0;
         let steps = libm::ceil(time / LONGEST).clamp(1.0, MOST) as u32;
@@ -158,7 +159,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         self.watch.cycle += 1;
     }
 
-    /// Moves for one of the steps that are `left` of a cycle (semi-implicit Euler method).
+    /// Integrates one of the steps that are `left` of a cycle (semi-implicit Euler method).
     fn step(&mut self, stride: &Stride, commands: &[[JointCommand; J]], left: f64) {
         let frame = self.trunk.frame;
         let clearance = self.clearance;
@@ -208,7 +209,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         trunk.advance(body, stride.dt);
     }
 
-    /// Finds out where everything is and what touches, without moving it.
+    /// Updates positions and contacts, without moving.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn refresh(&mut self) {
@@ -228,7 +229,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         self.whole = share.inertia;
     }
 
-    /// Looks at how it stands.
+    /// Updates the fall detector.
     fn look(&mut self, period: f64) {
         let feet = self.legs.iter().map(|leg| &leg.foot);
         self.watch.look(
@@ -240,7 +241,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         );
     }
 
-    /// What the sensors read.
+    /// Measures joints and soles.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>) {
@@ -255,7 +256,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         }
     }
 
-    /// Twice the kinetic energy: J.
+    /// Returns twice the kinetic energy, J.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn vigour(&self) -> f64 {
@@ -264,7 +265,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
         twist.dot(&self.whole.momentum(&twist)) + legs.sum::<f64>()
     }
 
-    /// The momentum about the body's origin.
+    /// Returns the momentum about the body's origin.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn momentum(&self) -> Spatial {
@@ -274,7 +275,7 @@ impl<const J: usize> Robot<[LegBody<J>]> {
     }
 }
 
-/// What the body accelerates by, once its legs have been taken out of its equations: angular first.
+/// Returns the acceleration of the body, angular first, after the elimination of its legs.
 fn acceleration<const J: usize>(share: &Share, legs: &[LegBody<J>], world: &World<'_>) -> [f64; 6] {
     let mut matrix = share.inertia.matrix();
     let mut forces = share.force.entries().map(|force| -force);
@@ -284,7 +285,7 @@ fn acceleration<const J: usize>(share: &Share, legs: &[LegBody<J>], world: &Worl
     Factor::of(matrix).map_or([0.0; 6], |factor| factor.solve(forces))
 }
 
-/// How high the ends of a leg's links are in the robot's frame: m.
+/// Iterates over the heights of the ends of a leg's links in the robot's frame, m.
 fn ends<const J: usize>(leg: &LegBody<J>) -> impl Iterator<Item = f64> + Clone + '_ {
     let mut heights = [0.0; J];
     let angles = leg.servos.map(|servo| servo.angle.to_degrees());

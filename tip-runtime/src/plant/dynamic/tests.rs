@@ -3,7 +3,7 @@ extern crate std;
 use super::*;
 use std::println;
 
-/// Bytes that the largest robot moves by, apart from its model and its inputs.
+/// Returns the bytes that the largest robot moves by, without its model and its inputs.
 fn working_memory() -> usize {
     let model = size_of::<[Leg<9>; 9]>();
     let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();

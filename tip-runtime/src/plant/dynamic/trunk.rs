@@ -1,4 +1,4 @@
-//! The body: a box that floats, or a frame that is bolted down.
+//! The dynamics of the body: a floating box, or a frame that is bolted down.
 
 use super::Vector;
 use super::bump::bumps;
@@ -16,11 +16,11 @@ pub(super) struct Trunk {
     /// `None` if it is bolted down.
     pub(super) model: Option<Body>,
     pub(super) frame: Frame,
-    /// Of its corners.
+    /// Bristles of the corners.
     grips: [Grip; 8],
-    /// What each of its corners carries: N.
+    /// The load of each corner, N.
     pub(super) loads: [f64; 8],
-    /// What blocks under its sides and edges carry: N.
+    /// The load of blocks under sides and edges, N.
     pub(super) propped: f64,
     pub(super) push: Push,
 }
@@ -28,9 +28,9 @@ pub(super) struct Trunk {
 /// A force on the body's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Push {
-    /// N, in the world.
+    /// The force in the world, N.
     pub(super) force: Vector,
-    /// For how many more cycles.
+    /// Number of remaining cycles.
     pub(super) cycles: u32,
 }
 
@@ -40,7 +40,7 @@ impl Push {
         cycles: 0,
     };
 
-    /// A cycle is over.
+    /// Counts a cycle.
     pub(super) const fn tire(&mut self) {
         match self.cycles.checked_sub(1) {
             Some(left @ 1..) => self.cycles = left,
@@ -70,18 +70,18 @@ impl Trunk {
         self.model.map_or(0.0, |body| body.mass)
     }
 
-    /// Its extent in its own frame.
+    /// Returns the extent in the body's frame.
     pub(super) fn extent(&self) -> Option<Cuboid> {
         self.model.map(|body| Cuboid::of_body(&body, 1000.0))
     }
 
-    /// Its corners in its own frame, those of the belly first: m.
+    /// Returns the corners in the body's frame, those of the belly first, m.
     pub(super) fn corners(&self) -> [Vector; 8] {
         let extent = self.extent();
         extent.map_or([Vector::zeros(); 8], |extent| extent.corners())
     }
 
-    /// What it weighs, and what forces act on it.
+    /// Updates contacts and forces; returns the body's inertia and the forces on it.
     pub(super) fn place(&mut self, world: &World<'_>) -> Share {
         let Some(body) = self.model else {
             return Share::NONE;
@@ -148,7 +148,7 @@ impl Trunk {
         }
     }
 
-    /// Moves on for `dt` s, unless it is bolted down.
+    /// Integrates an acceleration over `dt` s, unless the body is bolted down.
     pub(super) fn advance(&mut self, acceleration: [f64; 6], dt: f64) {
         if self.model.is_some() {
             self.frame.advance(acceleration, dt);
@@ -156,7 +156,8 @@ impl Trunk {
     }
 }
 
-/// Of a uniform box about its middle, which is taken to be where its mass is: kg·m².
+/// Returns the inertia of a uniform box about its middle, which is taken as the centre of mass,
+/// kg·m².
 fn box_inertia(body: &Body) -> Vector {
     let square = |range: Range| {
         let length = (range.max - range.min) / 1000.0;

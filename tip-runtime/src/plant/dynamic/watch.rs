@@ -1,4 +1,4 @@
-//! Watches how far the robot comes, how it stands, and whether it falls.
+//! The fall detector of a robot with mass; it measures travel, slip and margin as well.
 
 use super::Vector;
 use super::foothold::Foothold;
@@ -10,37 +10,40 @@ use crate::plant::walker::fall::{FallCounter, Posture, TILTED};
 use crate::plant::walker::polygon;
 use core::f64::consts::{PI, TAU};
 
-/// A robot that has stood on its feet alone for so long has got up: ms.
+/// Time on its feet alone after which a robot has got up, ms.
 const UP: f64 = 200.0;
-/// A robot that nothing has carried for so long, or nothing near its centre of mass, has lost its support: ms.
+/// Time without support, or with none near its centre of mass, after which a robot has lost its
+/// support, ms.
 const LOST: f64 = 200.0;
-/// Distance of the centre of mass from the support polygon then: a share of its height above the feet.
+/// Distance of the centre of mass from the support polygon then, as a share of its height above the
+/// feet.
 const OUTSIDE: f64 = 0.25;
-/// Feet of a tilted body that are this much higher than the lowest, along its z axis, were lifted, and the body came
-/// down on them: m.
+/// Height above the lowest foot, along the body's z axis, from which feet of a tilted body count as
+/// lifted, m: the body came down on them.
 const LIFTED: f64 = 0.02;
 
-/// What has been seen so far.
+/// The measurements so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watch {
-    /// Where the body began: m.
+    /// Start of the body, m.
     start: Vector,
-    /// To the left, about the floor's normal: rad.
+    /// Heading to the left, about the floor's normal, rad.
     heading: f64,
-    /// Since the beginning; whole turns count: rad.
+    /// Turn since the beginning; whole turns count, rad.
     turned: f64,
-    /// The farthest that a foot has slipped on one stance: m.
+    /// The greatest slip of a foot in one stance, m.
     pub(super) slip: f64,
-    /// How far inside the polygon of what carries the robot its centre of mass is: mm.
+    /// Distance of the centre of mass from the edge of the polygon of all carrying points, mm;
+    /// negative outside.
     pub(super) margin: f64,
-    /// The least of it so far: mm.
+    /// The least margin so far, mm.
     pub(super) least: f64,
     pub(super) falls: FallCounter,
-    /// For how long its support has been lost: ms.
+    /// Time without support, ms.
     unsupported: f64,
-    /// For how long it has stood on its feet alone: ms.
+    /// Time on its feet alone, ms.
     stood: f64,
-    /// Writings so far.
+    /// Number of cycles so far.
     pub(super) cycle: u64,
 }
 
@@ -60,17 +63,18 @@ impl Watch {
         }
     }
 
-    /// What has been seen counts from here.
+    /// Restarts the measurement of the least margin.
     pub(super) const fn begin(&mut self) {
         self.least = self.margin;
     }
 
-    /// A foot has slipped so far: m.
+    /// Records the slip of a foot, m.
     pub(super) fn slipped(&mut self, slip: f64) {
         self.slip = self.slip.max(slip);
     }
 
-    /// Looks at the end of a cycle of `period` ms; `centre` is that of mass, from the body's origin.
+    /// Updates the measurements at the end of a cycle of `period` ms; `centre` is the centre of
+    /// mass from the body's origin.
     pub(super) fn look<'a>(
         &mut self,
         period: f64,
@@ -126,7 +130,7 @@ impl Watch {
         self.falls.look(&posture, self.cycle);
     }
 
-    /// The heading is kept within half a turn.
+    /// Updates the heading, which is kept within half a turn.
     fn turn(&mut self, frame: &Frame, terrain: &Terrain) {
         let heading = heading(frame, terrain);
         let turn = heading - self.heading;
@@ -141,7 +145,7 @@ impl Watch {
         self.heading = heading;
     }
 
-    /// How far the body has come.
+    /// Returns the travel of the body.
     pub(super) fn travel(&self, frame: &Frame) -> Travel {
         let come = (frame.position - self.start) * 1000.0;
         Travel {
@@ -167,13 +171,13 @@ fn standing_below<'a>(
         .map(|foot| flat(foot.place))
 }
 
-/// Where the robot's y axis points along the floor, from where it pointed at first: rad.
+/// Returns the heading of the robot's y axis along the floor, from the world's y axis, rad.
 fn heading(frame: &Frame, terrain: &Terrain) -> f64 {
     let forward = terrain.tilt().inverse() * (frame.rotation * Vector::y());
     libm::atan2(-forward.x, forward.y)
 }
 
-/// Seen from above: mm.
+/// Projects a point onto the horizontal plane, mm.
 fn flat(point: Vector) -> [f64; 2] {
     [point.x * 1000.0, point.y * 1000.0]
 }

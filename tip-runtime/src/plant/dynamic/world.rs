@@ -1,4 +1,4 @@
-//! What body and legs have in common in a step.
+//! The shared state of a time step.
 
 use super::contact::Law;
 use super::frame::Frame;
@@ -9,18 +9,19 @@ use super::terrain::Terrain;
 /// Standard gravity: m/s² (3rd CGPM, 1901).
 pub(super) const GRAVITY: f64 = 9.80665;
 
-/// Where the body is and what is around it, what all joints are like, and a piece of time.
+/// The frame of the body, its surroundings, the motors, and the time step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct World<'a> {
     pub(super) frame: &'a Frame,
     pub(super) drives: &'a Drives,
     pub(super) law: &'a Law,
-    /// `None` around a robot that is bolted down.
+    /// The terrain; `None` around a robot that is bolted down.
     pub(super) terrain: Option<&'a Terrain>,
     pub(super) stride: &'a Stride,
 }
 
-/// What a leg, or the body, adds to the robot: its inertia, and the force that keeps it moving as it does.
+/// The contribution of a leg or the body to the robot: its inertia, and the force that sustains its
+/// motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Share {
     pub(super) inertia: Inertia,

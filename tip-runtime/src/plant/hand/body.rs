@@ -1,4 +1,4 @@
-//! An object in motion: a rigid body in the plane.
+//! A rigid body in the plane: the motion of an object.
 
 use super::Vector;
 use super::contact::{HEAVY, Law};
@@ -6,15 +6,15 @@ use super::finger::{across, rotated};
 use super::seam::Face;
 use crate::scene::{Object, Shape};
 
-/// Of free fall: m/s².
+/// Acceleration of free fall, m/s².
 const GRAVITY: f64 = 9.80665;
 
-/// The outline, in m.
+/// The outline, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Outline {
-    /// Its radius.
+    /// Radius.
     Disc(f64),
-    /// Half of its width and height.
+    /// Half of the width and height.
     Box(Vector),
 }
 
@@ -22,19 +22,19 @@ enum Outline {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Body {
     outline: Outline,
-    /// No point of it is farther from its centre: m.
+    /// Greatest distance of a point from the centre, m.
     pub(super) reach: f64,
-    /// kg.
+    /// Mass, kg.
     mass: f64,
-    /// About its centre: kg·m².
+    /// Inertia about the centre, kg·m².
     inertia: f64,
-    /// The coefficient of Coulomb friction of its surface.
+    /// The coefficient of Coulomb friction of the surface.
     pub(super) friction: f64,
-    /// Of its contacts with floor and palm.
+    /// Contact law with floor and palm.
     pub(super) law: Law,
-    /// Of its contacts with fingers.
+    /// Contact law with fingers.
     pub(super) held: Law,
-    /// Its centre: m.
+    /// Centre, m.
     pub(super) centre: Vector,
     /// rad.
     pub(super) angle: f64,
@@ -42,24 +42,24 @@ pub(super) struct Body {
     pub(super) velocity: Vector,
     /// rad/s.
     pub(super) spin: f64,
-    /// In the middle of the step, as the one before it lets expect: m/s.
+    /// Expected velocity in the middle of the step, m/s.
     middle: Vector,
-    /// The same: rad/s.
+    /// Expected angular velocity in the middle of the step, rad/s.
     middle_spin: f64,
-    /// Unit vector along its width.
+    /// Unit vector along the width.
     right: Vector,
-    /// What it accelerated by in the last step: m/s².
+    /// Acceleration in the last step, m/s².
     acceleration: Vector,
-    /// The same: rad/s².
+    /// Angular acceleration in the last step, rad/s².
     spin_up: f64,
-    /// What pushes it: N.
+    /// Sum of forces, N.
     force: Vector,
-    /// What turns it: N·m.
+    /// Sum of torques, N·m.
     torque: f64,
 }
 
 impl Body {
-    /// At rest, with its centre at y = 0 if it has no position of its own.
+    /// Returns a body at rest, with its centre at y = 0 if it has no position of its own.
     pub(super) fn new(object: &Object) -> Self {
         let mass = object.mass;
         let (outline, reach, inertia) = match object.shape {
@@ -97,22 +97,22 @@ impl Body {
         body
     }
 
-    /// Moves on at its velocity for `time` s, to the end of a cycle, where it lies as its angle says, to
-    /// the last bit.
+    /// Moves at the velocity for `time` s, to the end of a cycle, where the orientation is that of
+    /// the angle to the last bit.
     pub(super) fn arrive(&mut self, time: f64) {
         self.centre += self.velocity * time;
         self.angle += self.spin * time;
         self.align();
     }
 
-    /// Lies as its angle says.
+    /// Sets the orientation to that of the angle.
     fn align(&mut self) {
         let (sin, cos) = libm::sincos(self.angle);
         self.right = Vector::new(cos, sin);
     }
 
-    /// Moves on at its velocity for `time` s, to the middle of a step of `dt` s, in which only its
-    /// weight pushes it yet.
+    /// Moves at the velocity for `time` s, to the middle of a step of `dt` s, and resets the forces
+    /// to its weight.
     pub(super) fn drift(&mut self, time: f64, dt: f64) {
         self.centre += self.velocity * time;
         self.angle += self.spin * time;
@@ -123,14 +123,15 @@ impl Body {
         self.torque = 0.0;
     }
 
-    /// A force (N) acts at a point (m).
+    /// Applies a force (N) at a point (m).
     #[inline]
     pub(super) fn push(&mut self, point: Vector, force: Vector) {
         self.force += force;
         self.torque += (point - self.centre).perp(&force);
     }
 
-    /// Takes its velocity from the start to the end of a step of `dt` s, in whose middle it is.
+    /// Integrates the forces from the start to the end of a step of `dt` s, in whose middle the
+    /// body is.
     pub(super) fn kick(&mut self, dt: f64) {
         self.acceleration = self.force / self.mass;
         self.spin_up = self.torque / self.inertia;
@@ -138,24 +139,24 @@ impl Body {
         self.spin += self.spin_up * dt;
     }
 
-    /// How fast a point of it moves in the middle of the step: m/s.
+    /// Returns the velocity of a point in the middle of the step, m/s.
     #[inline]
     pub(super) fn velocity_at(&self, point: Vector) -> Vector {
         self.middle + across(point - self.centre) * self.middle_spin
     }
 
-    /// Of its contacts with another body: that of the lighter one.
+    /// Returns the contact law with another body: that of the lighter one.
     pub(super) fn law_with(&self, other: &Self) -> Law {
         let lighter = if self.mass < other.mass { self } else { other };
         lighter.law
     }
 
-    /// How fast its contacts swing it at most: rad/s.
+    /// Returns the greatest frequency of oscillation on its contacts, rad/s.
     pub(super) fn frequency(&self) -> f64 {
         self.law.frequency(self.mass)
     }
 
-    /// The points of its outline that meet something flat in the `direction` (a unit vector).
+    /// Returns the points of the outline that meet a plane in the `direction` (a unit vector).
     #[inline]
     pub(super) fn feelers(&self, direction: Vector) -> [Option<Vector>; 4] {
         match self.outline {
@@ -164,7 +165,7 @@ impl Body {
         }
     }
 
-    /// The corners of a box, one after the other; of a disc its centre.
+    /// Returns the corners of a box in order, or the centre of a disc.
     #[inline]
     pub(super) fn corners(&self) -> [Vector; 4] {
         let half = match self.outline {
@@ -175,12 +176,13 @@ impl Body {
         [-along - up, along - up, along + up, up - along].map(|corner| self.centre + corner)
     }
 
-    /// Whether it has corners.
+    /// Returns true if the outline has corners.
     pub(super) const fn is_box(&self) -> bool {
         matches!(self.outline, Outline::Box(_))
     }
 
-    /// The shortest path out of it for a point: a unit vector, and how far; negative from outside.
+    /// Returns the shortest path out for a point: a unit vector and a distance, negative from
+    /// outside.
     #[inline]
     pub(super) fn way_out(&self, point: Vector) -> (Vector, f64) {
         let from = point - self.centre;
@@ -215,9 +217,10 @@ impl Body {
         }
     }
 
-    /// The path out of a box for a point that came in through a face: a unit vector, and how far; not
-    /// positive from outside. It is the shortest path, or the next one if that leads out of the opposite face.
-    /// The face is the one to leave by then; from outside it is the nearest.
+    /// Returns the path out of a box for a point that came in through a face: a unit vector and a
+    /// distance, not positive from outside. It is the shortest path, or the next one if that leads
+    /// out of the opposite face. `face` becomes the one to leave by; from outside it becomes the
+    /// nearest.
     #[inline]
     pub(super) fn way_back(&self, point: Vector, face: &mut Option<Face>) -> (Vector, f64) {
         let from = point - self.centre;
@@ -256,7 +259,7 @@ impl Body {
         (out, depth(way))
     }
 
-    /// The axes of a box and how far it extends along them: m.
+    /// Returns the axes of a box and its half extents along them, m.
     fn axes(&self) -> [(Vector, f64); 2] {
         let half = match self.outline {
             Outline::Disc(radius) => Vector::new(radius, radius),
@@ -265,7 +268,8 @@ impl Body {
         [(self.right, half.x), (across(self.right), half.y)]
     }
 
-    /// How far a point of a box has to go in a `direction` to leave it: m; not positive from outside.
+    /// Returns the distance that a point of a box has to go in a `direction` to leave it, m; not
+    /// positive from outside.
     pub(super) fn depth_along(&self, point: Vector, direction: Vector) -> f64 {
         let from = point - self.centre;
         let mut depth = f64::INFINITY;
@@ -282,8 +286,9 @@ impl Body {
         depth
     }
 
-    /// The direction, away from `other`, in which two boxes overlap least; `None` if some line keeps
-    /// them apart (Ericson, *Real-Time Collision Detection*, 2005, ch. 4.4: separating axes).
+    /// Returns the direction, away from `other`, in which two boxes overlap least; `None` if some
+    /// line separates them (Ericson, *Real-Time Collision Detection*, 2005, ch. 4.4: separating
+    /// axes).
     pub(super) fn least_overlap(&self, other: &Self) -> Option<Vector> {
         let apart = self.centre - other.centre;
         let mut least = (f64::INFINITY, Vector::zeros());
@@ -304,8 +309,8 @@ impl Body {
         Some(least.1)
     }
 
-    /// Where the line from `start` to `end` enters and leaves a box, as shares of its length; `None`
-    /// if it passes by (Liang and Barsky, ACM Trans. Graph. 3, 1984).
+    /// Returns where the line from `start` to `end` enters and leaves a box, as shares of its
+    /// length; `None` if it misses (Liang and Barsky, ACM Trans. Graph. 3, 1984).
     pub(super) fn crossing(&self, start: Vector, end: Vector) -> Option<(f64, f64)> {
         let Outline::Box(half) = self.outline else {
             return None;

@@ -1,5 +1,5 @@
-//! Fingers, the floor on its slider, the palm and the objects between them, and what they do to each
-//! other.
+//! The contact model of the hand: fingers, the floor on its slider, the palm and the objects
+//! between them.
 
 use super::Vector;
 use super::contact::{Bristle, Law, Push};
@@ -17,44 +17,44 @@ use crate::scene::{OBJECTS, Scene};
 /// The longest step: s.
 const STEP: f64 = 0.0005;
 
-/// How far one contact may swing a body in a step: rad. All of its contacts together swing it up to four
-/// times as fast, and their dampers must not turn its motion round within a step.
+/// Greatest oscillation of a body on one contact in a step, rad. All of its contacts together swing
+/// it up to four times as fast, and their dampers must not reverse its motion within a step.
 const SWING: f64 = 0.12;
 
-/// A cycle that is longer is cut short: ms.
+/// The longest cycle, ms; longer ones are cut short.
 const LONGEST: f64 = 1000.0;
 
 /// One finger and its contacts.
 #[derive(Clone, Debug)]
 pub(super) struct FingerPlant<const J: usize> {
     finger: Finger<J>,
-    /// Where it is along z: mm.
+    /// Position along z, mm.
     z: f64,
-    /// Friction of its joints and tip on the floor.
+    /// Friction of joints and tip on the floor.
     treads: [Bristle; J],
-    /// Its links and each object.
+    /// Contacts of the links with each object.
     grasps: [[Join; J]; OBJECTS],
-    /// What pulls the fingertip from outside: N.
+    /// External force on the fingertip, N.
     pub(super) pull: Vector,
-    /// What the floor, and what the objects do to the last link: N.
+    /// Forces of the floor, and of the objects, on the last link, N.
     on_last: [Vector; 2],
-    /// The greatest force of both together, at the end of a cycle: N.
+    /// The greatest sum of both at the end of a cycle, N.
     greatest: f64,
 }
 
-/// A hand: with an array of fingers, or a slice, over which all logic is.
+/// A hand and its surroundings: with an array of fingers, or a slice, which holds all logic.
 #[derive(Clone, Debug)]
 pub(super) struct Grip<S: ?Sized> {
     scene: Scene,
-    /// How many of the robot's torque unit one N·m is.
+    /// Number of the robot's torque units in one N·m.
     pub(super) torque_unit: f64,
     slider: SliderServo,
-    /// `None` of a hand without fingers.
+    /// The palm; `None` for a hand without fingers.
     palm: Option<Palm>,
     things: [Option<Thing>; OBJECTS],
-    /// The longest step that its fingers and objects allow: s.
+    /// The longest step that the fingers and objects allow, s.
     step: f64,
-    /// Of the last cycle: ms.
+    /// Period of the last cycle, ms.
     period: f64,
     stopped: bool,
     pub(super) fingers: S,
@@ -84,17 +84,17 @@ impl<const J: usize> FingerPlant<J> {
         }
     }
 
-    /// deg.
+    /// Returns the joint angles, deg.
     pub(super) const fn angles(&self) -> [f64; J] {
         self.finger.angles
     }
 
-    /// What the motors give, in a unit of which one N·m is `unit`.
+    /// Returns the motor torques, in a unit of which one N·m is `unit`.
     pub(super) fn torques(&self, unit: f64) -> [f64; J] {
         self.finger.motors.map(|motor| motor.torque * unit)
     }
 
-    /// Its joints and tip press on the floor.
+    /// Applies the contacts of joints and tip with the floor.
     fn meet_floor(&mut self, floor: &Surface, dt: f64) {
         for (m, tread) in self.treads.iter_mut().enumerate() {
             let Some(&link) = self.finger.links().get(m) else {
@@ -113,7 +113,7 @@ impl<const J: usize> FingerPlant<J> {
         }
     }
 
-    /// It presses on the object with that place in the scene.
+    /// Applies the contacts with the object at a place in the scene.
     fn meet(&mut self, place: usize, thing: &mut Thing, dt: f64) {
         if let Some(joins) = self.grasps.get_mut(place) {
             let [_, on_last] = &mut self.on_last;
@@ -123,7 +123,7 @@ impl<const J: usize> FingerPlant<J> {
 }
 
 impl<const L: usize, const J: usize> Grip<[FingerPlant<J>; L]> {
-    /// In its initial posture over a level floor with nothing on it.
+    /// Returns the hand in its initial posture over an empty, level floor.
     pub(super) fn new(model: &Model<L, J>) -> Self {
         let mut grip = Grip {
             scene: Scene::EMPTY,
@@ -147,12 +147,12 @@ impl<S: ?Sized> Grip<S> {
         self.slider.floor(&self.scene.floor, self.scene.friction)
     }
 
-    /// Where the slider is: mm.
+    /// Returns the position of the slider, mm.
     pub(super) const fn slider(&self) -> Point {
         self.slider.position
     }
 
-    /// The objects, in the order of the scene.
+    /// Returns the objects, in the order of the scene.
     pub(super) fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
         let floor = self.floor();
         self.things.map(|thing| {
@@ -173,7 +173,7 @@ impl<S: ?Sized> Grip<S> {
 }
 
 impl<const J: usize> Grip<[FingerPlant<J>]> {
-    /// Another floor with other objects, which nothing touches yet.
+    /// Replaces floor and objects and clears the contacts.
     pub(super) fn replace(&mut self, scene: &Scene) {
         self.scene = *scene;
         let floor = self.floor();
@@ -185,7 +185,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.step = self.longest_step();
     }
 
-    /// A step in which no contact swings too far: s.
+    /// Returns a step in which no contact swings too far, s.
     fn longest_step(&self) -> f64 {
         let of_fingers = self
             .fingers
@@ -196,7 +196,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         frequencies.fold(STEP, |step, frequency| step.min(SWING / frequency))
     }
 
-    /// What the sensors read.
+    /// Measures joints, palm and slider.
     pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>) {
         let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
         for ((angles, torques), finger) in joints.zip(&self.fingers) {
@@ -209,7 +209,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         *sensors.slider = self.slider.position;
     }
 
-    /// One control cycle of `period` ms. Without a period nothing moves.
+    /// Simulates a control cycle of `period` ms with commands. Without a period nothing moves.
     pub(super) fn obey(&mut self, commands: &[[JointCommand; J]], slider: Point, period: f64) {
         self.stopped = false;
         if !(period > 0.0 && period.is_finite()) {
@@ -227,7 +227,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.advance();
     }
 
-    /// Returns true if all positions and speeds are a hand's.
+    /// Returns true if all positions and speeds are valid.
     pub(super) fn is_sane(&self) -> bool {
         let things = self.things.iter().flatten().map(|thing| &thing.body);
         let things = things.flat_map(|body| {
@@ -242,7 +242,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         are_sane(things.chain(fingers))
     }
 
-    /// One control cycle of an emergency.
+    /// Simulates a control cycle of an emergency.
     pub(super) fn stop(&mut self) {
         if !self.stopped {
             self.stopped = true;
@@ -256,8 +256,9 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.advance();
     }
 
-    /// One control cycle: positions at the middles of steps, velocities at their ends. What pushes in
-    /// a middle depends on velocities, too, which go on there as in the step before.
+    /// Simulates a control cycle: positions at the middles of steps, velocities at their ends.
+    /// Contact forces in a middle depend on velocities, too, which are extrapolated from the step
+    /// before.
     fn advance(&mut self) {
         let time = self.period.min(LONGEST) / 1000.0;
         // Whole multiples of the longest step are not split for a rounding error.
@@ -273,7 +274,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.watch();
     }
 
-    /// A cycle is over.
+    /// Updates the extremes at the end of a cycle.
     fn watch(&mut self) {
         for finger in &mut self.fingers {
             let [floor, objects] = finger.on_last;
@@ -285,7 +286,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
     }
 
-    /// Moves everything on for `time` s at its velocity, to the middle of a step of `dt` s.
+    /// Moves all bodies for `time` s at their velocities, to the middle of a step of `dt` s.
     fn drift(&mut self, time: f64, dt: f64) {
         for FingerPlant { finger, .. } in &mut self.fingers {
             finger.drift(time, dt);
@@ -296,7 +297,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.slider.advance(time);
     }
 
-    /// Moves everything on for `time` s at its velocity, to the end of a cycle.
+    /// Moves all bodies for `time` s at their velocities, to the end of a cycle.
     fn arrive(&mut self, time: f64) {
         for FingerPlant { finger, .. } in &mut self.fingers {
             finger.arrive(time);
@@ -307,7 +308,8 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         self.slider.advance(time);
     }
 
-    /// Takes all velocities from the start to the end of a step of `dt` s, by what pushes in its middle.
+    /// Integrates all velocities from the start to the end of a step of `dt` s, with the forces of
+    /// its middle.
     fn kick(&mut self, dt: f64) {
         let floor = self.floor();
         for finger in &mut self.fingers {
@@ -324,7 +326,7 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
     }
 
-    /// Objects press on the floor, the palm, the fingers and each other.
+    /// Applies the contacts of objects with the floor, the palm, the fingers and each other.
     fn meet_objects(&mut self, floor: &Surface, dt: f64) {
         for (place, thing) in self.things.iter_mut().enumerate() {
             let Some(thing) = thing else {

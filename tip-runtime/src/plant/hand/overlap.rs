@@ -1,4 +1,5 @@
-//! Where things overlap. Depths are in m, normals point from the second thing to the first.
+//! Overlaps of links, bodies and surfaces. Depths are in m, normals point from the second body to
+//! the first.
 
 use super::Vector;
 use super::body::Body;
@@ -6,16 +7,16 @@ use super::contact::Overlap;
 use super::finger::{Link, across};
 use super::seam::Seam;
 
-/// How far apart a link and a body may be that meet, or have passed each other, within a step: m. That
-/// is 20 m/s in the longest one.
+/// Greatest distance of a link and a body that meet, or pass each other, within a step, m. That is
+/// 20 m/s in the longest step.
 const SWEEP: f64 = 0.01;
 
-/// Something flat and endless that moves.
+/// A moving plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Surface {
-    /// A point of it: m.
+    /// A point of the plane, m.
     pub(super) point: Vector,
-    /// A unit vector out of it.
+    /// Outward normal, a unit vector.
     pub(super) normal: Vector,
     /// m/s.
     pub(super) velocity: Vector,
@@ -24,23 +25,23 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    /// How far a point is above it: m.
+    /// Returns the height of a point above the plane, m.
     #[inline]
     pub(super) fn height(&self, point: Vector) -> f64 {
         (point - self.point).dot(&self.normal)
     }
 
-    /// A point below it.
+    /// Returns the overlap of a point below the plane.
     #[inline]
     pub(super) fn overlap(&self, at: Vector) -> Option<Overlap> {
         overlap(at, self.normal, -self.height(at))
     }
 }
 
-/// The places where a link can touch a body: one along a disc; of a box its end, and each corner
-/// that pokes through it; `None` while they are far apart. The start of a link belongs to the link
-/// before it, if there is one. A body that has come too far through the link, or a link through the
-/// body, goes back to where the seam knows it from.
+/// Returns the places where a link can touch a body: one along a disc; of a box the link's end, and
+/// each corner that pokes through the link; `None` while they are far apart. The start of a link
+/// belongs to the link before it, if there is one. A body that has passed through the link, or a
+/// link through the body, goes back to the side in the contact history.
 #[inline]
 pub(super) fn of_link(
     link: &Link,
@@ -91,8 +92,8 @@ pub(super) fn of_link(
     Some([None, a, b, c, d])
 }
 
-/// The corners of a box that poke through a link from a side of it: +1 is where a quarter turn from
-/// it points.
+/// Returns the corners of a box that poke through a link from a side of it: +1 is where a quarter
+/// turn from the link points.
 fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap>; 4] {
     let normal = across(along) / along.norm();
     let away = normal * -side;
@@ -100,7 +101,7 @@ fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap
         .map(|corner| overlap(corner, away, (corner - link.start).dot(&away)))
 }
 
-/// The places where two bodies can touch: of boxes the corners of each, otherwise one.
+/// Returns the places where two bodies can touch: of boxes the corners of each, otherwise one.
 pub(super) fn of_bodies(first: &Body, second: &Body) -> [Option<Overlap>; 8] {
     let apart = first.centre - second.centre;
     let reach = first.reach + second.reach;

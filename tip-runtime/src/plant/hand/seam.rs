@@ -1,6 +1,6 @@
-//! From where a link and a body came together, so that neither leaves through the other: not when they
-//! are pressed deeper into each other than half of what is thin, and not when they pass each other
-//! within one step.
+//! The history of a contact between a link and a body, so that neither leaves through the other:
+//! not when they are pressed deeper into each other than half of the thinner one, and not when they
+//! pass each other within one step.
 
 /// One of the four faces of a box, by the sign of the direction out of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,31 +20,31 @@ impl Face {
     }
 }
 
-/// What is known of a link and a body that are near each other.
+/// The contact history of a link and a body that are near each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Seam {
-    /// On which side of the link the body is, or was before it came through: +1 where a quarter turn
-    /// from it points, −1 on the other side, 0 if that is not known.
+    /// The side of the link on which the body is, or was before it came through: +1 where a quarter
+    /// turn from the link points, −1 on the other side, 0 if unknown.
     pub(super) side: f64,
-    /// The face of a box through which the link's end came, or would come, if that is known.
+    /// The face of a box through which the link's end came, or would come, if known.
     pub(super) face: Option<Face>,
 }
 
 impl Seam {
-    /// Of what has not been near each other.
+    /// The history of a pair that has not been near each other.
     pub(super) const UNKNOWN: Self = Seam {
         side: 0.0,
         face: None,
     };
 
-    /// Whether a body is known from the other side.
+    /// Returns true if the body is known from the other side.
     #[inline]
     pub(super) fn is_other(&self, side: f64) -> bool {
         self.side == -side
     }
 
-    /// Whether a body, whose centre is on that side now, has come through the link. That it can have only
-    /// while it is beside it; elsewhere it goes round the link's ends.
+    /// Returns true if a body, whose centre is on `side` now, has come through the link. It can
+    /// only do so while it is `is_beside` the link; elsewhere it goes round the link's ends.
     #[inline]
     pub(super) fn is_through(&mut self, side: f64, is_beside: bool) -> bool {
         if !is_beside || self.side == 0.0 {

@@ -1,4 +1,4 @@
-//! An object and everything that it touches.
+//! A grasped object: a body with its contacts.
 
 use super::Vector;
 use super::body::Body;
@@ -12,19 +12,19 @@ use crate::scene::{OBJECTS, Object};
 /// The coefficient of Coulomb friction of the palm; the object's counts if it is smaller.
 const PALM: f64 = 0.5;
 
-/// How thick the palm is, upwards: m.
+/// Thickness of the palm, upwards, m.
 const THICKNESS: f64 = 0.02;
 
-/// What a link and a body are to each other.
+/// The contacts of a link with a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Join {
-    /// Friction of the places where they can touch.
+    /// Friction of the possible places of contact.
     bristles: [Bristle; 5],
     seam: Seam,
 }
 
 impl Join {
-    /// Of what has not been near each other.
+    /// The contacts of a pair that has not been near each other.
     pub(super) const NONE: Self = Join {
         bristles: [Bristle::NONE; 5],
         seam: Seam::UNKNOWN,
@@ -37,16 +37,16 @@ pub(super) struct Thing {
     pub(super) body: Body,
     floor: [Bristle; 4],
     palm: [Bristle; 4],
-    /// With those after it in the scene.
+    /// Contacts with the objects after it in the scene.
     others: [[Bristle; 8]; OBJECTS],
     pub(super) on_floor: bool,
     pub(super) at_palm: bool,
-    /// How far its lowest point has been above the floor at most: m.
+    /// The greatest height of the lowest point above the floor, m.
     pub(super) highest: f64,
 }
 
 impl Thing {
-    /// At rest. One without a position of its own stands on the floor.
+    /// Returns an object at rest. One without a position of its own stands on the floor.
     pub(super) fn new(object: &Object, floor: &Surface) -> Self {
         let mut body = Body::new(object);
         if object.y.is_none() {
@@ -68,26 +68,26 @@ impl Thing {
         thing
     }
 
-    /// How far its lowest point is above the floor: m.
+    /// Returns the height of the lowest point above the floor, m.
     pub(super) fn clearance(&self, floor: &Surface) -> f64 {
         let feelers = self.body.feelers(-floor.normal);
         let heights = feelers.iter().flatten().map(|point| floor.height(*point));
         heights.fold(f64::INFINITY, f64::min)
     }
 
-    /// Stands on the floor.
+    /// Applies the contact with the floor.
     pub(super) fn meet_floor(&mut self, floor: &Surface, dt: f64) {
         self.on_floor = press(&mut self.body, &mut self.floor, floor, |_| true, dt);
     }
 
-    /// Touches the palm.
+    /// Applies the contact with the palm.
     pub(super) fn meet_palm(&mut self, palm: &Palm, dt: f64) {
         let is_there = |point| palm.is_at(point);
         self.at_palm = press(&mut self.body, &mut self.palm, &palm.surface, is_there, dt);
     }
 
-    /// Touches a finger, with whose links it has these contacts. What it does to the finger's last
-    /// link: N.
+    /// Applies the contacts with a finger, which are `joins`; returns the force on the finger's
+    /// last link, N.
     pub(super) fn meet_finger<const J: usize>(
         &mut self,
         joins: &mut [Join; J],
@@ -125,7 +125,7 @@ impl Thing {
         on_last
     }
 
-    /// Touches another thing, the `n`th after it.
+    /// Applies the contact with another object, the `n`th after it.
     pub(super) fn meet(&mut self, n: usize, other: &mut Self, dt: f64) {
         let friction = self.body.friction.min(other.body.friction);
         let law = self.body.law_with(&other.body);
@@ -153,7 +153,7 @@ pub(super) struct Palm {
 }
 
 impl Palm {
-    /// Between fingers that begin there (mm); `None` if there are none.
+    /// Returns the palm between fingers with these bases (mm); `None` if there are none.
     pub(super) fn between(bases: impl Iterator<Item = Point>) -> Option<Self> {
         let around = |at: f64| Range::new(at / 1000.0, at / 1000.0);
         let join = |a: Range, b: Range| Range::new(a.min.min(b.min), a.max.max(b.max));
@@ -175,7 +175,8 @@ impl Palm {
     }
 }
 
-/// A surface presses on a body wherever it is; whether it does.
+/// Applies the contact of a body with a surface where `is_there` is true; returns true if they
+/// touch.
 fn press(
     body: &mut Body,
     bristles: &mut [Bristle; 4],

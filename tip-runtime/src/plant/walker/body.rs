@@ -1,4 +1,4 @@
-//! Where the body is.
+//! The pose of the body, in the world and in the floor's frame.
 
 use super::Vector;
 use crate::model::{self, Point};
@@ -12,11 +12,11 @@ use nalgebra::{Matrix3, Rotation3, Unit};
 pub struct Pose {
     /// The origin of the robot frame in the world: x to the right at the start, y forward at the start, z up.
     pub position: Point,
-    /// About the body's y axis.
+    /// Angle about the body's y axis.
     pub roll: f64,
-    /// About the body's x axis.
+    /// Angle about the body's x axis.
     pub pitch: f64,
-    /// About the world's z axis.
+    /// Angle about the world's z axis.
     pub yaw: f64,
 }
 
@@ -36,14 +36,14 @@ impl Pose {
     }
 }
 
-/// The body in the floor's frame.
+/// The pose of the body in the floor's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Body {
     /// The floor's normal in the robot frame.
     pub(super) normal: Vector,
-    /// The origin above the floor: mm.
+    /// Height of the origin above the floor, mm.
     pub(super) height: f64,
-    /// The origin along the floor: mm.
+    /// Position of the origin along the floor, mm.
     pub(super) x: f64,
     pub(super) y: f64,
     /// Turn about the floor's normal, after the tilt: rad.
@@ -51,7 +51,8 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// Level, over the floor's origin: with its belly on the floor, or bolted down there.
+    /// Returns a level body over the floor's origin: with its belly on the floor, or bolted down
+    /// there.
     pub(super) fn standing(body: Option<&model::Body>) -> Self {
         Body {
             normal: Vector::z(),
@@ -62,36 +63,36 @@ impl Body {
         }
     }
 
-    /// Tilts and lifts the body, keeping place and heading.
+    /// Sets tilt and height of the body, keeping place and heading.
     pub(super) fn rest(&mut self, normal: Vector, height: f64) {
         self.normal = normal;
         self.height = height;
     }
 
-    /// The shortest turn that stands the floor's normal upright.
+    /// Returns the shortest rotation that turns the floor's normal upright.
     pub(super) fn levelling(normal: Vector) -> Rotation3<f64> {
         turn(normal, Vector::z())
     }
 
-    /// Turns the robot frame into the floor's.
+    /// Returns the rotation from the robot frame to the floor's.
     pub(super) fn rotation(&self) -> Rotation3<f64> {
         self.headed(&Self::levelling(self.normal))
     }
 
-    /// As [`rotation`](Self::rotation), with the turn that levels the body.
+    /// Returns [`rotation`](Self::rotation) for a given rotation that levels the body.
     pub(super) fn headed(&self, levelling: &Rotation3<f64>) -> Rotation3<f64> {
         let up = Unit::new_unchecked(Vector::z());
         Rotation3::from_axis_angle(&up, self.heading) * levelling
     }
 
-    /// A point of the robot frame, in the floor's.
+    /// Transforms a point of the robot frame into the floor's.
     pub(super) fn point(&self, point: Vector) -> Vector {
         self.rotation() * point + Vector::new(self.x, self.y, self.height)
     }
 }
 
-/// The shortest turn from one unit vector to another that does not point the other way (Rodrigues'
-/// formula without an angle, which would lose small ones).
+/// Returns the shortest rotation from one unit vector to another that does not point the other way
+/// (Rodrigues' formula without an angle, which would lose small ones).
 pub(super) fn turn(from: Vector, to: Vector) -> Rotation3<f64> {
     let cross = from.cross(&to).cross_matrix();
     let matrix = Matrix3::identity() + cross + cross * cross / (1.0 + from.dot(&to));

@@ -1,9 +1,9 @@
-//! What can touch the floor.
+//! The points of a robot that can touch the floor.
 
 use super::Vector;
 use crate::model::Body;
 
-/// Something for each foot and for each corner of the belly.
+/// A value for each foot and for each corner of the belly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Contacts<T, const L: usize> {
     pub(super) feet: [T; L],
@@ -15,12 +15,12 @@ impl<T, const L: usize> Contacts<T, L> {
         Contacts { feet, belly }
     }
 
-    /// Feet first.
+    /// Iterates over all contacts, feet first.
     pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
         self.feet.iter().chain(&self.belly)
     }
 
-    /// Both of each contact, feet first.
+    /// Calls `f` with both values of each contact, feet first.
     pub(super) fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
         for (one, other) in self.feet.iter().zip(&other.feet) {
             f(one, other);
@@ -41,7 +41,7 @@ impl<T: Copy, const L: usize> Contacts<T, L> {
 }
 
 impl<const L: usize> Contacts<Vector, L> {
-    /// The points that can touch the floor, in the robot frame.
+    /// Returns the points that can touch the floor, in the robot frame.
     pub(super) fn of(body: &Body, feet: [Vector; L]) -> Self {
         let (x, y, z) = (body.x, body.y, body.z.min);
         Contacts {

@@ -1,24 +1,25 @@
-//! Legs that are where another leg is or a block, or below the floor.
+//! Collisions of legs with other legs, blocks or the floor.
 
 use super::Vector;
 use super::ground::Carrier;
 use super::links::LegLinks;
 use super::obstacles::SUNK;
 
-/// How thick a leg is, as a share of its length.
+/// Thickness of a leg, as a share of its length.
 const THICK: f64 = 0.04;
 
-/// Whether a joint of a leg is below the floor.
+/// Returns true if a joint of a leg is below the floor.
 pub(super) fn sinks<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
     (leg.places().skip(1)).any(|joint| ground.height(joint) < -SUNK)
 }
 
-/// Whether a leg is in a block.
+/// Returns true if a leg is in a block.
 pub(super) fn strikes<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
     leg.lines().any(|line| ground.stops(line))
 }
 
-/// Whether a leg goes through another one, both of this length (mm). Their first links are part of the body.
+/// Returns true if a leg goes through another one, both of this length (mm). Their first links are
+/// part of the body.
 pub(super) fn touch<const J: usize>(a: &LegLinks<J>, b: &LegLinks<J>, length: f64) -> bool {
     let thick = THICK * length;
     if a.is_beyond(b, thick) {
@@ -28,7 +29,8 @@ pub(super) fn touch<const J: usize>(a: &LegLinks<J>, b: &LegLinks<J>, length: f6
     lines.any(|one| (b.lines().skip(1)).any(|other| gap(one, other) < thick))
 }
 
-/// The distance between two stretches (Ericson, *Real-Time Collision Detection*, 2004, §5.1.9): mm.
+/// Returns the distance of two segments (Ericson, *Real-Time Collision Detection*, 2004, §5.1.9),
+/// mm.
 fn gap([from, to]: [Vector; 2], [other_from, other_to]: [Vector; 2]) -> f64 {
     let (along, other, apart) = (to - from, other_to - other_from, from - other_from);
     let (a, e, f) = (

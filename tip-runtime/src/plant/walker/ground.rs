@@ -15,33 +15,36 @@ use crate::model;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{Floor, Scene};
 
-/// What carries the legs, whatever their number.
+/// The interface between legs and ground, independent of the number of legs.
 pub(super) trait Carrier {
-    /// What every foot carries: N.
+    /// Returns the load of every foot, N.
     fn loads(&self) -> &[f64];
-    /// The direction of gravity in the robot's frame.
+    /// Returns the direction of gravity in the robot's frame.
     fn down(&self) -> Vector;
-    /// Whether nothing moves while the legs do not.
+    /// Returns true if nothing moves while the legs do not.
     fn is_at_rest(&self) -> bool;
-    /// The body without legs: kg; and that times its centre in the robot's frame: kg·mm.
+    /// Returns the mass of the body without legs (kg), and that times its centre in the robot's
+    /// frame (kg·mm).
     fn body_mass(&self) -> (f64, Vector);
-    /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
+    /// Returns the positions of the feet in the robot's frame, to be written before
+    /// [`settle`](Self::settle).
     fn feet(&mut self) -> &mut [Vector];
-    /// Lets the body come to rest on its contacts within `dt` s, and takes stance feet along.
+    /// Lets the body come to rest on its contacts within `dt` s, and keeps stance feet in place.
     fn settle(&mut self, mass: Mass, dt: f64);
-    /// Whether the body is on its way down, without hold.
+    /// Returns true if the body is on its way down, without hold.
     fn sinks(&self) -> bool;
-    /// Judges what the robot did in the last `dt` s.
+    /// Judges the last `dt` s for unmodelled effects.
     fn judge(&mut self, dt: f64);
-    /// How high a point of the robot's frame is above the floor: mm. Of a robot that is bolted down everything is.
+    /// Returns the height of a point of the robot's frame above the floor, mm; infinite for a robot
+    /// that is bolted down.
     fn height(&self, point: Vector) -> f64;
-    /// Whether there is anything but the floor.
+    /// Returns true if there are blocks.
     fn has_blocks(&self) -> bool;
-    /// Whether a stretch of the robot's frame is in a block.
+    /// Returns true if a segment of the robot's frame is in a block.
     fn stops(&self, stretch: [Vector; 2]) -> bool;
-    /// Whether the body is in a block.
+    /// Returns true if the body is in a block.
     fn strikes(&self) -> bool;
-    /// A cycle is over, in which the legs did this.
+    /// Ends a cycle with these events of the legs.
     fn close(&mut self, oddities: &Oddities);
 }
 
@@ -52,9 +55,9 @@ pub(super) struct Ground<const L: usize> {
     pub(super) obstacles: Obstacles,
     /// The direction of gravity in the floor's frame.
     gravity: Vector,
-    /// The same in the robot's frame, as the body lies now.
+    /// The direction of gravity in the robot's frame.
     down: Vector,
-    /// The body as its model has it, if there is one.
+    /// The body of the model, if there is one.
     model: Option<model::Body>,
     pub(super) mass: Mass,
     pub(super) body: Body,
@@ -66,12 +69,12 @@ pub(super) struct Ground<const L: usize> {
     pub(super) falls: FallWatch,
     pub(super) doubts: Doubts,
     sinking: Sinking,
-    /// Writings so far.
+    /// Number of cycles so far.
     pub(super) cycle: u64,
 }
 
 impl<const L: usize> Ground<L> {
-    /// A level floor under a body that has not settled yet.
+    /// Returns a level floor under a body that has not settled yet.
     // Out of line, or it would be copied for each number of joints.
     #[inline(never)]
     pub(super) fn new(model: Option<model::Body>) -> Self {
@@ -96,7 +99,7 @@ impl<const L: usize> Ground<L> {
         }
     }
 
-    /// Another floor, on which the body is placed again.
+    /// Replaces the floor and places the body again.
     pub(super) fn replace(&mut self, floor: Floor) {
         self.floor = floor;
         self.gravity = floor.gravity();
@@ -105,12 +108,12 @@ impl<const L: usize> Ground<L> {
         self.sinking = Sinking::NONE;
     }
 
-    /// Whether there is a body that moves.
+    /// Returns true if there is a body that moves.
     pub(super) const fn is_loose(&self) -> bool {
         self.model.is_some()
     }
 
-    /// What has been measured so far counts from here.
+    /// Restarts all measurements.
     pub(super) fn begin(&mut self) {
         self.start = Start::at(&self.floor, &self.body);
         self.falls.least = self.falls.margin;
@@ -118,7 +121,7 @@ impl<const L: usize> Ground<L> {
         self.judge(0.0);
     }
 
-    /// The points that can touch the floor, if there is a body.
+    /// Returns the points that can touch the floor, if there is a body.
     fn points(&self) -> Option<Contacts<Vector, L>> {
         let body = self.model.as_ref()?;
         Some(Contacts::of(body, self.feet))

@@ -1,5 +1,5 @@
-//! The legs of a walking robot: joints that follow their commands under load, and the links that they
-//! turn.
+//! The legs of a walking robot without mass: joints that follow their commands under load, and
+//! their links.
 
 use super::Vector;
 use super::crossing::{sinks, strikes, touch};
@@ -14,7 +14,7 @@ use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
 
-/// The longest time that is simulated in one piece: ms.
+/// The longest time step, ms.
 const LONGEST_STEP: f64 = 20.0;
 
 /// One leg.
@@ -23,22 +23,22 @@ pub(super) struct LegPlant<const J: usize> {
     model: Leg<J>,
     pub(super) servos: [Servo; J],
     pub(super) links: LegLinks<J>,
-    /// From base to foot along the links: mm.
+    /// Length along the links from base to foot, mm.
     length: f64,
     path: Path,
 }
 
-/// All legs: an array of them, or a slice, over which all logic is.
+/// All legs: an array of them, or a slice, which holds all logic.
 #[derive(Clone, Debug)]
 pub(super) struct Legs<S: ?Sized> {
     pub(super) dynamics: ServoDynamics,
-    /// Whether a leg is where another one is, or the floor.
+    /// True if a leg is inside another one, or the floor.
     pub(super) crosses: bool,
     pub(super) each: S,
 }
 
 impl<const J: usize> LegPlant<J> {
-    /// In its initial posture.
+    /// Returns a leg in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &Leg<J>) -> Self {
@@ -53,7 +53,7 @@ impl<const J: usize> LegPlant<J> {
         }
     }
 
-    /// What is odd about a cycle with these commands: it crosses nothing yet.
+    /// Returns the events of a cycle with these commands, without collisions.
     fn oddities(&mut self, commands: &[JointCommand; J], speed: f64) -> Oddities {
         Oddities {
             crosses: false,
@@ -62,8 +62,9 @@ impl<const J: usize> LegPlant<J> {
         }
     }
 
-    /// Moves every joint under the load of its foot (N) and gravity; whether any turned. Joints that gave way under a body
-    /// that `sinks` do not push their foot back before it has come down.
+    /// Moves every joint under the load of its foot (N) and gravity; returns true if any turned.
+    /// Joints that gave way under a body that `sinks` do not push their foot back before it has
+    /// come down.
     fn drive(
         &mut self,
         commands: &[JointCommand; J],
@@ -106,7 +107,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         }
     }
 
-    /// One control cycle of `period` ms.
+    /// Simulates a control cycle of `period` ms.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn advance(
@@ -131,7 +132,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.close(&oddities);
     }
 
-    /// Whether a joint is below the floor, a leg or the body in a block, or a leg in another one.
+    /// Returns true if a joint is below the floor, a leg or the body in a block, or a leg in
+    /// another one.
     fn cross(&self, ground: &dyn Carrier) -> bool {
         let strikes = |leg: &LegPlant<J>| strikes(&leg.links, ground);
         if ground.has_blocks() && (ground.strikes() || self.each.iter().any(strikes)) {
@@ -151,7 +153,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         false
     }
 
-    /// What the legs did that none with mass would.
+    /// Returns the events of a cycle that no robot with mass shows.
     fn oddities(
         &mut self,
         commands: &[[JointCommand; J]],
@@ -171,7 +173,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         legs.fold(none, Oddities::and)
     }
 
-    /// Moves every joint for `dt` s under the load that it had; whether any turned.
+    /// Moves every joint for `dt` s under its previous load; returns true if any turned.
     fn drive(&mut self, commands: &[[JointCommand; J]], dt: f64, ground: &mut dyn Carrier) -> bool {
         let gravity = (ground.down(), ground.sinks());
         let stride = self.dynamics.within(dt);
@@ -181,7 +183,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         })
     }
 
-    /// Places every leg whose joints have turned, and lets the body come to rest on them within `dt` s.
+    /// Places every leg whose joints have turned, and lets the body come to rest on them within
+    /// `dt` s.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn settle(&mut self, ground: &mut dyn Carrier, dt: f64) {
@@ -196,7 +199,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.settle(mass, dt);
     }
 
-    /// What the sensors read.
+    /// Measures joints and soles.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>, ground: &dyn Carrier) {
@@ -211,7 +214,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         }
     }
 
-    /// Adds up body (kg, kg·mm) and links.
+    /// Returns the mass of body (kg, kg·mm) and links.
     fn mass(&self, body: (f64, Vector)) -> Mass {
         let (mut mass, mut moment) = body;
         for leg in &self.each {
@@ -227,7 +230,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 }
 
-/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
 #[inline(never)]
 pub(super) fn fill_joints<const J: usize>(
     legs: &[LegPlant<J>],

@@ -1,10 +1,11 @@
-//! Blocks: a robot without mass goes through them, which is noticed.
+//! Blocks: a robot without mass goes through them, which is counted.
 
 use super::Vector;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{BLOCKS, Block};
 
-/// How far a joint may be below the floor, which gives way a little, and anything inside a block: mm.
+/// Tolerated depth of a joint below the floor, which gives way a little, and of anything inside a
+/// block, mm.
 pub(super) const SUNK: f64 = 1.0;
 
 /// The blocks of a scene.
@@ -12,7 +13,7 @@ pub(super) const SUNK: f64 = 1.0;
 pub(super) struct Obstacles(pub(super) [Option<Block>; BLOCKS]);
 
 impl Obstacles {
-    /// What of them is too deep inside to be a touch: mm.
+    /// Iterates over the parts of the blocks that are deeper inside than the tolerance, mm.
     fn cores(&self) -> impl Iterator<Item = Cuboid> + '_ {
         let skin = Vector::repeat(SUNK);
         self.0.iter().flatten().map(move |block| {
@@ -28,12 +29,13 @@ impl Obstacles {
         self.0.iter().all(Option::is_none)
     }
 
-    /// Whether a stretch is in one of them.
+    /// Returns true if a segment is in a block.
     pub(super) fn stop(&self, stretch: [Vector; 2]) -> bool {
         self.cores().any(|core| core.inside(stretch).is_some())
     }
 
-    /// Whether a body is in one of them, whose frame `to_body` and `to_world` lead to and from.
+    /// Returns true if a body is in a block; `to_body` and `to_world` transform to and from its
+    /// frame.
     pub(super) fn stop_body(
         &self,
         body: &Cuboid,

@@ -1,28 +1,28 @@
-//! Joints and feet against what they were commanded, for robots without mass and with it.
+//! Tracking of commands by joints and feet, for robots without mass and with it.
 
 use super::Vector;
 use super::links::LegLinks;
 use crate::hardware::JointCommand;
 use crate::model::Leg;
 
-/// A joint is commanded to turn faster than its servo can beyond so many times its speed: rounding aside.
+/// Factor of a servo's speed from which a joint is commanded to turn too fast, rounding aside.
 const FASTER: f64 = 1.0 + 1e-9;
 
-/// Greatest distance of a foot from its path that is not counted: mm.
+/// Greatest distance of a foot from its path that is not counted, mm.
 const STRAY: f64 = 10.0;
 
-/// Places that differ by less are the same, and lead nowhere: mm.
+/// Greatest distance of equal places, mm.
 const SAME: f64 = 1e-6;
 
 /// Commands that joints and feet could not follow, counted in control cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Following {
-    /// In how many cycles a joint was commanded to turn faster than its servo can.
+    /// Number of cycles in which a joint was commanded to turn faster than its servo can.
     pub hurries: u32,
-    /// In how many cycles a foot was more than 10 mm beside the path that was commanded.
+    /// Number of cycles in which a foot was more than 10 mm off its commanded path.
     pub strays: u32,
-    /// The farthest that a foot has been beside this path so far: mm.
+    /// The greatest distance of a foot from its path so far, mm.
     pub farthest_stray: f64,
 }
 
@@ -38,7 +38,7 @@ impl Following {
         self.hurries == 0 && self.strays == 0
     }
 
-    /// A cycle is over in which a foot was at most `stray` mm beside its path.
+    /// Counts a cycle in which a foot was at most `stray` mm off its path.
     pub(in crate::plant) fn count(&mut self, hurries: bool, stray: f64) {
         self.hurries += u32::from(hurries);
         self.strays += u32::from(stray > STRAY);
@@ -54,24 +54,24 @@ pub(in crate::plant) fn hurries(commands: &[JointCommand], speed: f64) -> bool {
     })
 }
 
-/// Where commands lead a foot.
+/// The commanded path of a foot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct Path {
-    /// The place to which the last command leads the foot: mm; not a number before the first one.
+    /// The end of the path, mm; not a number before the first command.
     place: Vector,
-    /// In which direction the foot was led there; zero if in none.
+    /// The direction of the path; zero if there is none.
     along: Vector,
 }
 
 impl Path {
-    /// Nothing was commanded yet.
+    /// The path before the first command.
     pub(in crate::plant) const NONE: Self = Path {
         place: Vector::new(f64::NAN, f64::NAN, f64::NAN),
         along: Vector::new(0.0, 0.0, 0.0),
     };
 
-    /// How far `foot` (mm) is beside the line along which it was led last: mm. A foot that only follows late is on it.
-    /// Torques lead along no path.
+    /// Returns the distance of `foot` (mm) from the line of its last path, mm. A foot that only
+    /// lags is on it. Torques define no path.
     pub(super) fn stray<const J: usize>(
         &mut self,
         leg: &Leg<J>,
@@ -95,7 +95,7 @@ impl Path {
         (off - self.along * self.along.dot(&off)).norm()
     }
 
-    /// Returns the same for a foot at joint angles (deg).
+    /// Returns [`stray`](Self::stray) for a foot at joint angles (deg).
     pub(in crate::plant) fn stray_at<const J: usize>(
         &mut self,
         leg: &Leg<J>,
@@ -106,14 +106,14 @@ impl Path {
     }
 }
 
-/// Returns the place of the foot at joint angles (deg): mm.
+/// Returns the position of the foot at joint angles (deg), mm.
 fn reached<const J: usize>(leg: &Leg<J>, angles: [f64; J]) -> Vector {
     let mut links = LegLinks::NOWHERE;
     links.place(leg, angles);
     links.foot
 }
 
-/// The angles of commands that are all angles.
+/// Returns the angles of commands, if all are angles.
 fn angles<const J: usize>(commands: &[JointCommand; J]) -> Option<[f64; J]> {
     let mut angles = [0.0; J];
     for (angle, command) in angles.iter_mut().zip(commands) {

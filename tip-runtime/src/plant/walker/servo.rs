@@ -1,22 +1,22 @@
-//! A joint's motor and its position loop.
+//! A joint's servo without inertia: its motor and its position loop.
 
 use crate::hardware::JointCommand;
 use crate::model::Joint;
 
-/// How far beyond its outer limit a joint meets its mechanical stop: deg.
+/// Angle beyond its outer limit at which a joint meets its mechanical stop, deg.
 const STOP: f64 = 2.0;
 
-/// How all joints follow their commands.
+/// The dynamics of all joints' position loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ServoDynamics {
     /// Time constant of the position loop: ms.
     pub lag: f64,
-    /// The fastest that a joint turns: deg/s.
+    /// The greatest speed of a joint, deg/s.
     pub speed: f64,
 }
 
 impl Default for ServoDynamics {
-    /// 15 ms and 360 deg/s.
+    /// Returns 15 ms and 360 deg/s.
     fn default() -> Self {
         ServoDynamics {
             lag: 15.0,
@@ -26,7 +26,7 @@ impl Default for ServoDynamics {
 }
 
 impl ServoDynamics {
-    /// What joints may do within `dt` s.
+    /// Returns the limits of a step of `dt` s.
     pub(super) fn within(&self, dt: f64) -> Stride {
         Stride {
             share: 1.0 - libm::exp(-1000.0 * dt / self.lag),
@@ -35,37 +35,37 @@ impl ServoDynamics {
     }
 }
 
-/// What any joint may do in a piece of time.
+/// The motion of any joint in a time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stride {
-    /// What fraction of the distance to its command it moves.
+    /// The share of the distance to its command.
     share: f64,
-    /// deg.
+    /// The greatest turn, deg.
     farthest: f64,
 }
 
-/// What the world does to a joint.
+/// The load of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JointLoad {
-    /// N·m.
+    /// Torque, N·m.
     pub(super) torque: f64,
-    /// By how much the torque opposes a turn: N·m/rad.
+    /// Decrease of the torque with a turn, N·m/rad.
     pub(super) stiffness: f64,
 }
 
-/// One joint.
+/// The servo of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Servo {
     /// deg.
     pub(super) angle: f64,
-    /// What the motor gives: N·m.
+    /// The motor's torque, N·m.
     pub(super) torque: f64,
-    /// Whether the load won when it last moved.
+    /// True if the load exceeded the motor at the last motion.
     pub(super) gave_way: bool,
 }
 
 impl Servo {
-    /// At rest at an angle.
+    /// Returns a joint at rest at an angle (deg).
     pub(super) const fn at(angle: f64) -> Self {
         Servo {
             angle,
@@ -74,7 +74,7 @@ impl Servo {
         }
     }
 
-    /// Moves under a load.
+    /// Moves the joint under a load.
     pub(super) fn advance(
         &mut self,
         joint: &Joint,
@@ -115,7 +115,7 @@ impl Servo {
     }
 }
 
-/// As [`f64::clamp`], which would panic where the limits of a model are nonsense.
+/// Limits a value like [`f64::clamp`], which would panic where the limits of a model are invalid.
 fn within(value: f64, least: f64, most: f64) -> f64 {
     if value > most {
         most
@@ -133,7 +133,7 @@ mod tests {
 
     const KNEE: Joint = titan8::MODEL.legs[0].joints[2];
 
-    /// A torque that no turn changes.
+    /// Returns a load that no turn changes.
     const fn free(torque: f64) -> JointLoad {
         JointLoad {
             torque,
@@ -141,7 +141,7 @@ mod tests {
         }
     }
 
-    /// Of an ordinary servo, in 20 ms.
+    /// Returns the limits of an ordinary servo in 20 ms.
     fn stride() -> Stride {
         ServoDynamics::default().within(0.02)
     }

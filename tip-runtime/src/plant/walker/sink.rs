@@ -1,4 +1,4 @@
-//! A body that loses its hold sinks no faster than it would fall.
+//! The descent of a body that loses its hold: no faster than free fall.
 
 use super::Vector;
 use super::body::Body;
@@ -9,14 +9,14 @@ use super::support::{self, Support};
 /// Halvings of a share or a height.
 const HALVINGS: u32 = 40;
 
-/// Heights that differ by less are the same: mm.
+/// Greatest difference of equal heights, mm.
 const ROUNDING: f64 = 1e-9;
 
-/// How fast the body sinks, where it sinks fastest: mm/s.
+/// The descent of the body: the speed of its fastest point, mm/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sinking {
     speed: f64,
-    /// Whether nothing but gravity decides how fast.
+    /// True if nothing but gravity determines the speed.
     pub(super) is_free: bool,
 }
 
@@ -27,8 +27,8 @@ impl Sinking {
         is_free: false,
     };
 
-    /// The rest, or as much of the way to it as the middle and the corners of `body` fall in `dt` s; all of it if no
-    /// time passes. `weight` is in N.
+    /// Returns the rest, or as much of the way to it as the middle and the corners of `body` fall
+    /// in `dt` s; all of it if no time passes. `weight` is in N.
     pub(super) fn towards<const L: usize>(
         &mut self,
         rest: Support,
@@ -71,13 +71,13 @@ impl Sinking {
     }
 }
 
-/// The middle and the lower corners of the body, in the robot frame.
+/// Iterates over the middle and the lower corners of the body, in the robot frame.
 fn places<const L: usize>(points: &Contacts<Vector, L>) -> impl Iterator<Item = &Vector> {
     const MIDDLE: Vector = Vector::new(0.0, 0.0, 0.0);
     points.belly.iter().chain(core::iter::once(&MIDDLE))
 }
 
-/// How far the body sinks to a rest, where it sinks farthest: mm.
+/// Returns the greatest descent of a point of the body to a rest, mm.
 fn sunk<const L: usize>(points: &Contacts<Vector, L>, body: &Body, rest: &Support) -> f64 {
     places(points).fold(f64::NEG_INFINITY, |most, place| {
         let before = body.normal.dot(place) + body.height;
@@ -85,7 +85,8 @@ fn sunk<const L: usize>(points: &Contacts<Vector, L>, body: &Body, rest: &Suppor
     })
 }
 
-/// The least height of a body that lies so, if no place of it has sunk by more than `farthest`: mm.
+/// Returns the least height of a body in an attitude, if no point of it has sunk by more than
+/// `farthest`, mm.
 fn fallen<const L: usize>(
     points: &Contacts<Vector, L>,
     body: &Body,
@@ -98,7 +99,7 @@ fn fallen<const L: usize>(
     })
 }
 
-/// How high a body that lies so is above the floor when its contacts carry `weight` (N): mm.
+/// Returns the height of a body in an attitude whose contacts carry `weight` (N), mm.
 fn carried<const L: usize>(points: &Contacts<Vector, L>, normal: Vector, weight: f64) -> f64 {
     let lowest = points.iter().map(|point| normal.dot(point));
     let touching = -lowest.fold(f64::INFINITY, f64::min);
@@ -115,7 +116,7 @@ fn carried<const L: usize>(points: &Contacts<Vector, L>, normal: Vector, weight:
     high
 }
 
-/// A direction on the way from one to another.
+/// Returns a direction between two others.
 fn between(from: Vector, to: Vector, share: f64) -> Vector {
     let mixed = from + (to - from) * share;
     mixed / mixed.norm()

@@ -1,32 +1,32 @@
-//! How far the body has come.
+//! Odometry: the travel of the body.
 
 use super::body::Body;
 use crate::model::Point;
 use crate::scene::Floor;
 use core::f64::consts::{PI, TAU};
 
-/// How far a body has come from where it began.
+/// The travel of a body from its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Travel {
-    /// To the right of how it stood at first: mm.
+    /// To the right of its initial attitude, mm.
     pub x: f64,
     /// Forward: mm.
     pub y: f64,
     /// Up: mm.
     pub z: f64,
-    /// To the left, about the floor's normal: deg. Whole turns count.
+    /// Turn to the left, about the floor's normal, deg. Whole turns count.
     pub turn: f64,
 }
 
 impl Travel {
-    /// Along x, y and z: mm; to the left: deg.
+    /// Returns a travel along x, y and z (mm) with a turn to the left (deg).
     pub const fn new([x, y, z]: Point, turn: f64) -> Self {
         Travel { x, y, z, turn }
     }
 }
 
-/// Where the body began, and how often it has turned round since.
+/// The start of the body, and the number of its revolutions since.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Start {
     position: Point,
@@ -36,7 +36,7 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// Here.
+    /// Starts at the current pose.
     pub(super) fn at(floor: &Floor, body: &Body) -> Self {
         Start {
             position: floor.position(body),
@@ -45,7 +45,7 @@ impl Start {
         }
     }
 
-    /// The heading, which is kept within half a turn, has changed.
+    /// Records a change of the heading, which is kept within half a turn.
     pub(super) fn turned(&mut self, from: f64, to: f64) {
         if to - from > PI {
             self.revolutions -= 1.0;
@@ -54,7 +54,7 @@ impl Start {
         }
     }
 
-    /// How far it is from here to where the body is now.
+    /// Returns the travel from the start to the current pose.
     pub(super) fn travel(&self, floor: &Floor, body: &Body) -> Travel {
         let ([x, y, z], [x0, y0, z0]) = (floor.position(body), self.position);
         let turn = body.heading - self.heading + self.revolutions * TAU;

@@ -32,7 +32,7 @@ fn bar_graphs_go_on_and_off() {
     assert_eq!(bench.robot.graphs.len(), 2);
 }
 
-/// Knows 30, which sets a flag, and counts cycles.
+/// A handler of SPECIAL 30, which sets a flag, that counts cycles.
 #[derive(Default)]
 struct Own {
     cycles: f64,
