@@ -30,7 +30,6 @@
 //! assert_eq!(keys.collect::<Vec<_>>(), [None, None, None, Some(b'F'), None]);
 //! ```
 
-mod bars;
 #[cfg(feature = "std")]
 mod log_files;
 #[cfg(feature = "std")]
@@ -38,7 +37,6 @@ mod scripted;
 #[cfg(feature = "terminal")]
 mod terminal;
 
-pub use bars::Bars;
 #[cfg(feature = "std")]
 pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]
@@ -48,7 +46,7 @@ pub use terminal::{Terminal, TerminalState};
 
 use crate::emergency::Report;
 use crate::record::{Dump, Sample};
-use core::fmt::Display;
+use core::fmt::{self, Display};
 
 /// The operator's console. Every method has a default that does nothing: `()` is a console.
 ///
@@ -136,4 +134,36 @@ impl<C: Console + ?Sized> Console for &mut C {
 #[cfg(feature = "std")]
 impl<C: Console + ?Sized> Console for std::boxed::Box<C> {
     forward!();
+}
+
+/// The bars of a graph, each as a share of the full height: −1…1. `Display` writes one character
+/// for each bar, as high as the bar is long, whatever its sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bars<'a>(pub &'a [f64]);
+
+const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+impl fmt::Display for Bars<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for share in self.0 {
+            let steps = libm::round(libm::fabs(*share).min(1.0) * (HEIGHTS.len() - 1) as f64);
+            let height = HEIGHTS.get(steps as usize).unwrap_or(&'▁');
+            write!(f, "{height}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::Bars;
+    use std::string::ToString;
+
+    // clauses: 7.48
+    #[test]
+    fn a_bar_is_as_high_as_its_share() {
+        assert_eq!(Bars(&[0.0, 0.5, -0.5, 1.0, -9.0]).to_string(), "▁▅▅██");
+        assert_eq!(Bars(&[0.07, 0.08, f64::NAN]).to_string(), "▁▂█");
+        assert_eq!(Bars(&[]).to_string(), "");
+    }
 }

@@ -24,15 +24,14 @@
 //! ```
 
 mod chain;
-mod closed;
+mod closed_form;
 mod frames;
 mod inverse;
+mod planar;
 mod resolved_rate;
 mod roll_pitch_pitch;
 mod search;
 mod statics;
-mod two_joints;
-mod two_links;
 mod yaw_pitch_pitch;
 
 pub use chain::Chain;

@@ -11,14 +11,14 @@
 //! # Ok::<(), tip_runtime::fault::Fault>(())
 //! ```
 
+mod format;
 mod scalar;
-mod shown;
 
+pub use format::FormattedNumber;
+#[doc(hidden)]
+pub use format::{Message, Part};
 #[doc(hidden)]
 pub use scalar::{Scalar, get_each};
-pub use shown::Shown;
-#[doc(hidden)]
-pub use shown::{Message, Part};
 
 use crate::fault::Fault;
 

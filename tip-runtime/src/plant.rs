@@ -21,7 +21,7 @@
 mod cuboid;
 pub mod dynamic;
 pub mod hand;
-mod override_sensors;
+mod sensors;
 pub mod walker;
 
 pub use crate::analog::volts_of_load;
@@ -30,7 +30,9 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use walker::{Fall, Following, Foot, Pose, ServoDynamics, SimulatedPlant, Travel, Unmodelled};
+pub use walker::{
+    Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
+};
 
 use crate::command::Port;
 use crate::hardware::{Hardware, HardwareFault};
@@ -56,7 +58,7 @@ pub struct Motion {
     /// The greatest slip of a foot in one stance so far, mm.
     pub slip: f64,
     /// Commands that joints and feet could not follow.
-    pub following: Following,
+    pub tracking_errors: TrackingErrors,
     /// Counts of the effects that the simulation leaves out; `None` if it leaves nothing out.
     pub unmodelled: Option<Unmodelled>,
 }

@@ -62,7 +62,7 @@ struct Escaping<'a, 'f> {
 impl Write for Escaping<'_, '_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         let keeps = self.keeps;
-        let escapes = |c: char| acts(c) && !keeps.contains(c);
+        let escapes = |c: char| is_control(c) && !keeps.contains(c);
         for part in text.split_inclusive(escapes) {
             match part.chars().next_back().filter(|last| escapes(*last)) {
                 Some(last) => {
@@ -79,7 +79,7 @@ impl Write for Escaping<'_, '_> {
 
 /// Returns true if a character is a control: of C0, DEL, of C1, or of Unicode's bidirectional
 /// algorithm (UAX #9, 2.1 to 2.6).
-pub fn acts(c: char) -> bool {
+pub fn is_control(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
 }
@@ -92,7 +92,7 @@ mod tests {
     use std::string::{String, ToString};
 
     /// Returns true for the same characters by code point, as the standards list it.
-    fn acts(c: char) -> bool {
+    fn is_control(c: char) -> bool {
         let number = u32::from(c);
         let is_control = number < 0x20 || (0x7F..0xA0).contains(&number);
         let directions = [
@@ -103,12 +103,12 @@ mod tests {
     }
 
     #[test]
-    fn what_acts_is_an_escape_and_all_else_stays() {
+    fn controls_are_escaped_and_all_else_stays() {
         for c in '\0'..=char::MAX {
             let text = format!("a{c}{c}b");
             let escape = format!("\\u{{{:x}}}", u32::from(c));
             let escaped = format!("a{escape}{escape}b");
-            let expected = |kept: &str| match acts(c) && !kept.contains(c) {
+            let expected = |kept: &str| match is_control(c) && !kept.contains(c) {
                 true => escaped.clone(),
                 false => text.clone(),
             };

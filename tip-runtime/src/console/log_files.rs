@@ -1,15 +1,15 @@
 //! The log files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written
 //! completely or not at all.
 
-mod claim;
+mod log_folder;
 
-pub use claim::LogError;
+pub use log_folder::LogError;
 
 use super::{Bars, Console};
 use crate::emergency::Report;
 use crate::record::{Dump, Sample, TitanLog};
-use claim::Claim;
 use core::fmt::Display;
+use log_folder::LogFolder;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::string::{String, ToString};
@@ -39,7 +39,7 @@ const FULL: &str = "# full, later ones are left out";
 #[derive(Debug)]
 pub struct LogFiles<C> {
     inner: C,
-    claim: Claim,
+    folder: LogFolder,
     log: TitanLog,
     variables: String,
     /// VARIABLES.LOG has reached its maximum size.
@@ -59,11 +59,11 @@ impl<C> LogFiles<C> {
     /// The folder cannot be created, or holds a file of the same name that belongs to another
     /// program or is not a log.
     pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
-        let claim = Claim::new(folder.into(), program);
-        claim.take(&Self::NAMES)?;
+        let folder = LogFolder::new(folder.into(), program);
+        folder.take(&Self::NAMES)?;
         Ok(LogFiles {
             inner,
-            claim,
+            folder,
             log: TitanLog::default(),
             variables: String::new(),
             is_full: false,
@@ -107,7 +107,7 @@ impl<C> LogFiles<C> {
             self.variables = text;
         }
         for name in core::mem::take(&mut self.earlier) {
-            let removed = self.claim.remove(name);
+            let removed = self.folder.remove(name);
             self.note(removed);
         }
     }
@@ -119,7 +119,7 @@ impl<C> LogFiles<C> {
 
     fn write(&mut self, name: &'static str, text: &str) {
         self.earlier.retain(|earlier| *earlier != name);
-        let written = self.claim.write(name, text);
+        let written = self.folder.write(name, text);
         self.note(written);
     }
 

@@ -22,15 +22,15 @@ pub struct Chain<const J: usize> {
 
 /// A chain under construction, joint by joint: the position of its end and the rotation of its last
 /// link.
-pub(super) struct Growing {
+pub(super) struct ChainBuilder {
     end: Vector3<f64>,
     turned: Rotation3<f64>,
 }
 
-impl Growing {
+impl ChainBuilder {
     /// Returns a chain without joints at `base` (mm).
     pub(super) fn at(base: Point) -> Self {
-        Growing {
+        ChainBuilder {
             end: Vector3::from(base),
             turned: Rotation3::identity(),
         }
@@ -38,7 +38,7 @@ impl Growing {
 
     /// Appends a joint at `angle` (deg) and its link; returns the position (mm) and axis of the
     /// joint.
-    pub(super) fn grow(&mut self, joint: &Joint, angle: f64) -> (Vector3<f64>, Vector3<f64>) {
+    pub(super) fn append(&mut self, joint: &Joint, angle: f64) -> (Vector3<f64>, Vector3<f64>) {
         let local = Unit::new_unchecked(Vector3::from(joint.axis));
         let at = (self.end, self.turned * local.into_inner());
         self.turned *= Rotation3::from_axis_angle(&local, angle * RADIANS_PER_DEGREE);
@@ -66,12 +66,12 @@ impl<const J: usize> Chain<J> {
             axes: [Vector3::zeros(); J],
             foot: Vector3::from(leg.base),
         };
-        let mut growing = Growing::at(leg.base);
+        let mut builder = ChainBuilder::at(leg.base);
         let slots = chain.places.iter_mut().zip(chain.axes.iter_mut());
         for ((place, axis), (joint, angle)) in slots.zip(leg.joints.iter().zip(angles)) {
-            (*place, *axis) = growing.grow(joint, *angle);
+            (*place, *axis) = builder.append(joint, *angle);
         }
-        chain.foot = growing.end;
+        chain.foot = builder.end;
         chain
     }
 

@@ -1,6 +1,6 @@
 //! The frames of a leg's links, for drawing, logging and export.
 
-use super::chain::Growing;
+use super::chain::ChainBuilder;
 use crate::model::{Joint, Point};
 
 /// The frame of a link: its origin is the joint that carries the link, and it turns with that
@@ -52,9 +52,9 @@ pub fn frames<'a>(
     joints: &'a [Joint],
     angles: &'a [f64],
 ) -> impl Iterator<Item = Frame> + 'a {
-    let mut chain = Growing::at(base);
+    let mut chain = ChainBuilder::at(base);
     joints.iter().zip(angles).map(move |(joint, angle)| {
-        let (place, _) = chain.grow(joint, *angle);
+        let (place, _) = chain.append(joint, *angle);
         Frame {
             at: place.into(),
             axes: chain.axes(),

@@ -1,6 +1,6 @@
 //! Inverse kinematics of a foot's position.
 
-use super::closed::ClosedLeg;
+use super::closed_form::ClosedFormLeg;
 use super::{LegPoint, resolve, search};
 use crate::model::{Inverse, Leg, Point};
 
@@ -66,8 +66,8 @@ fn closed<'a, const J: usize>(
     kind: Inverse,
     leg: &'a Leg<J>,
     from: &[f64; J],
-) -> Option<(ClosedLeg<'a>, [f64; 3])> {
-    let closed = ClosedLeg::new(kind, leg.base, &leg.joints)?;
+) -> Option<(ClosedFormLeg<'a>, [f64; 3])> {
+    let closed = ClosedFormLeg::new(kind, leg.base, &leg.joints)?;
     Some((closed, from.as_slice().try_into().ok()?))
 }
 

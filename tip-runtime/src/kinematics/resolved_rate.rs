@@ -15,8 +15,8 @@
 
 use super::Chain;
 use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
+use super::planar::two_joints;
 use super::statics::is_singular;
-use super::two_joints::two_joints;
 use crate::model::{Axes, Joint, Leg, Point, Range};
 use nalgebra::{SMatrix, SVector, Vector3};
 

@@ -4,7 +4,7 @@
 //! Along the parallel axes no joint but the first moves the foot. So it turns the foot's distance to its axis
 //! into that offset and a height, which is on either side; what is left are two links in a plane.
 
-use super::two_links::TwoLinks;
+use super::planar::TwoLinks;
 use super::{NEAR_AXIS, Solutions};
 use crate::model::{Joint, Point};
 use nalgebra::{Vector2, Vector3};

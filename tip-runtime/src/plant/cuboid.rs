@@ -114,8 +114,8 @@ impl Cuboid {
     /// Like [`inside`](Self::inside), for a segment whose ends are both outside, so that neither
     /// end touches by itself.
     #[inline]
-    pub(super) fn through(&self, stretch: [Vector; 2]) -> Option<[f64; 2]> {
-        self.inside(stretch)
+    pub(super) fn through(&self, segment: [Vector; 2]) -> Option<[f64; 2]> {
+        self.inside(segment)
             .filter(|[from, to]| *from > 0.0 && *to < 1.0)
     }
 }
@@ -138,7 +138,7 @@ mod tests {
     };
 
     #[test]
-    fn a_stretch_is_inside_where_its_points_are() {
+    fn a_segment_is_inside_where_its_points_are() {
         let v = Vector::new;
         let slant = [v(-1.0, 0.5, 0.25), v(3.0, 0.5, 0.75)];
         assert_eq!(UNIT.inside(slant), Some([0.25, 0.5]));

@@ -32,24 +32,24 @@
 //! assert_eq!(left.on_objects, [0.0; 3]);
 //! ```
 
-mod body;
 mod contact;
+mod contact_history;
+mod contact_model;
 mod finger;
-mod grip;
+mod grasped_object;
 mod motor;
 mod overlap;
-mod seam;
+mod rigid_body;
 mod slider;
-mod thing;
 
-use super::override_sensors::{LegInputs, Overrides};
+use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Grasp, Limbs, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Model, Point};
 use crate::scene::{OBJECTS, Scene};
-use grip::{FingerPlant, Grip};
+use contact_model::{ContactModel, FingerContacts};
 
 /// A vector in SI units.
 type Vector = nalgebra::Vector2<f64>;
@@ -104,7 +104,7 @@ pub struct ObjectState {
 /// for what is simulated.
 #[derive(Clone, Debug)]
 pub struct SimulatedHand<const L: usize, const J: usize> {
-    grip: Grip<[FingerPlant<J>; L]>,
+    contacts: ContactModel<[FingerContacts<J>; L]>,
     overrides: Overrides<[LegInputs<J>; L]>,
     lamps: [u32; 8],
 }
@@ -113,7 +113,7 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     /// Returns the hand in its initial posture over an empty, level floor.
     pub fn new(model: &Model<L, J>) -> Self {
         SimulatedHand {
-            grip: Grip::new(model),
+            contacts: ContactModel::new(model),
             overrides: Overrides::new(model),
             lamps: [0; 8],
         }
@@ -122,18 +122,21 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     /// Puts a floor and objects under the hand.
     #[must_use]
     pub fn with_scene(mut self, scene: &Scene) -> Self {
-        self.grip_mut().replace(scene);
+        self.contacts_mut().replace(scene);
         self
     }
 
-    fn grip_mut(&mut self) -> &mut Grip<[FingerPlant<J>]> {
-        &mut self.grip
+    fn contacts_mut(&mut self) -> &mut ContactModel<[FingerContacts<J>]> {
+        &mut self.contacts
     }
 
     /// Pulls finger `n`, counted from 1, at its tip with a force along x and y (N) from now on,
     /// like a hanging weight.
     pub fn pull(&mut self, n: u8, [x, y]: [f64; 2]) {
-        let finger = self.grip.fingers.get_mut(usize::from(n).wrapping_sub(1));
+        let finger = self
+            .contacts
+            .fingers
+            .get_mut(usize::from(n).wrapping_sub(1));
         if let Some(finger) = finger.filter(|_| x.is_finite() && y.is_finite()) {
             finger.pull = Vector::new(x, y);
         }
@@ -141,18 +144,18 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
 
     /// Returns the fingertips.
     pub fn fingertips(&self) -> [Fingertip; L] {
-        self.grip.fingers.each_ref().map(FingerPlant::tip)
+        self.contacts.fingers.each_ref().map(FingerContacts::tip)
     }
 
     /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
-        self.grip.fingers.each_ref().map(FingerPlant::angles)
+        self.contacts.fingers.each_ref().map(FingerContacts::angles)
     }
 
     /// Returns the motor torques, in the robot's torque unit.
     pub fn torques(&self) -> [[f64; J]; L] {
-        let unit = self.grip.torque_unit;
-        self.grip
+        let unit = self.contacts.torque_unit;
+        self.contacts
             .fingers
             .each_ref()
             .map(|finger| finger.torques(unit))
@@ -160,7 +163,7 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
 
     /// Returns the objects, in the order of the scene.
     pub fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
-        self.grip.objects()
+        self.contacts.objects()
     }
 
     /// Returns true if a lamp or relay is on.
@@ -189,7 +192,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         Some(Grasp {
             fingertips: self.fingertips(),
             objects: self.objects(),
-            slider: self.grip.slider(),
+            slider: self.contacts.slider(),
         })
     }
 }
@@ -197,10 +200,10 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
 impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         *into = Sensors::ZERO;
-        let grip: &Grip<[FingerPlant<J>]> = &self.grip;
+        let contacts: &ContactModel<[FingerContacts<J>]> = &self.contacts;
         let overrides: &Overrides<[LegInputs<J>]> = &self.overrides;
         let mut sensors = into.view_mut();
-        grip.measure(&mut sensors);
+        contacts.measure(&mut sensors);
         overrides.apply(&mut sensors);
         Ok(())
     }
@@ -213,20 +216,20 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
             period,
             ..
         } = outputs;
-        let before = self.grip.clone();
-        self.grip_mut().obey(joints, *slider, *period);
-        if self.grip_mut().is_sane() {
+        let before = self.contacts.clone();
+        self.contacts_mut().simulate(joints, *slider, *period);
+        if self.contacts_mut().is_sane() {
             return Ok(());
         }
-        self.grip = before;
+        self.contacts = before;
         Err(DIVERGED)
     }
 
     fn stop(&mut self, _why: &Fault) {
-        let before = self.grip.clone();
-        self.grip_mut().stop();
-        if !self.grip_mut().is_sane() {
-            self.grip = before;
+        let before = self.contacts.clone();
+        self.contacts_mut().stop();
+        if !self.contacts_mut().is_sane() {
+            self.contacts = before;
         }
     }
 }

@@ -17,42 +17,40 @@
 //! assert!(plant.margin() > 0.0, "its centre of mass is above what carries it");
 //! ```
 
-mod body;
-mod contacts;
 mod crossing;
+mod descent;
 pub(super) mod fall;
 mod floor;
 mod ground;
 mod legs;
 mod links;
-mod obstacles;
-pub(super) mod path;
+mod odometry;
 pub(super) mod polygon;
+mod pose;
 mod servo;
-mod sink;
 mod stance;
 mod support;
-mod travel;
+pub(super) mod tracking;
 mod unmodelled;
 
-pub use body::Pose;
 pub use fall::Fall;
-pub use path::Following;
+pub use odometry::Travel;
+pub use pose::Pose;
 pub use servo::ServoDynamics;
-pub use travel::Travel;
+pub use tracking::TrackingErrors;
 pub use unmodelled::Unmodelled;
 
-use super::override_sensors::{LegInputs, Overrides};
+use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Limbs, Motion, Plant, are_sane};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::{BLOCKS, Block, Floor};
+use floor::Obstacles;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
-use obstacles::Obstacles;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +97,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             lamps: [0; 8],
         };
         let legs: &mut Legs<[LegPlant<J>]> = &mut plant.legs;
-        legs.put(&model.legs);
+        legs.set_initial_postures(&model.legs);
         plant.settle();
         plant
     }
@@ -124,7 +122,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
     /// [counted](Self::unmodelled).
     #[must_use]
     pub fn with_friction(mut self, friction: f64) -> Self {
-        self.ground.doubts.friction = friction;
+        self.ground.unmodelled.friction = friction;
         self.ground.begin();
         self
     }
@@ -203,12 +201,12 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
 
     /// Returns the counts of effects that mass would have had.
     pub fn unmodelled(&self) -> Unmodelled {
-        self.ground.doubts.counted
+        self.ground.unmodelled.counted
     }
 
     /// Returns the counts of commands that joints and feet could not follow.
-    pub fn following(&self) -> Following {
-        self.ground.doubts.following
+    pub fn tracking_errors(&self) -> TrackingErrors {
+        self.ground.unmodelled.tracking_errors
     }
 
     /// Returns the travel of the body from its start.
@@ -294,7 +292,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             margin: self.margin(),
             least_margin: self.least_margin(),
             slip: self.worst_slip(),
-            following: self.following(),
+            tracking_errors: self.tracking_errors(),
             unmodelled: Some(self.unmodelled()),
         })
     }

@@ -1,6 +1,6 @@
 //! The trace: one JSON object a line.
 
-use super::{Cycle, Ending, Moved, Sink, state_hash};
+use super::{Cycle, Ending, MotionRecord, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
 use crate::program::{End, Program};
@@ -42,7 +42,7 @@ impl<W: Write> JsonLines<W> {
         }
     }
 
-    /// Leaves each record open for the keys that [`moved`](Self::moved) adds after the cycle.
+    /// Leaves each record open for the keys that [`motion`](Self::motion) adds after the cycle.
     #[must_use]
     pub fn with_motion(mut self) -> Self {
         self.with_motion = true;
@@ -51,9 +51,9 @@ impl<W: Write> JsonLines<W> {
 
     /// Ends the record of the last cycle with the robot's motion. Does nothing if the cycle has no
     /// record.
-    pub fn moved(&mut self, moved: &Moved<'_>) {
+    pub fn motion(&mut self, motion: &MotionRecord<'_>) {
         if self.is_open && self.result.is_ok() {
-            self.result = moved.write(&mut self.out);
+            self.result = motion.write(&mut self.out);
         }
         self.close();
     }

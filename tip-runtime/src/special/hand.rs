@@ -35,7 +35,7 @@
 //! #     fn reset(&mut self) { self.at = 0; }
 //! # }
 //!
-//! let specials = HandSpecials::beside(|call: Call, robot: &mut dyn Robot| match call.number {
+//! let specials = HandSpecials::with_user(|call: Call, robot: &mut dyn Robot| match call.number {
 //!     30 => {
 //!         robot.set_special_flag(9, true);
 //!         Ok(Poll::Done)
@@ -100,7 +100,7 @@ impl HandSpecials {
 impl<U> HandSpecials<U> {
     /// Returns the hand's commands, and those of `user` for every other number.
     #[must_use]
-    pub fn beside(user: U) -> Self {
+    pub fn with_user(user: U) -> Self {
         HandSpecials {
             lever: Lever::default(),
             closure: Closure::default(),

@@ -110,7 +110,7 @@ impl Robot {
     }
 
     /// Answers SPECIAL by native code of its owner; for a hand that is usually
-    /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
+    /// [`HandSpecials::with_user`](tip_runtime::special::hand::HandSpecials::with_user) it.
     #[must_use]
     pub fn with_special(mut self, special: impl Special + Clone + 'static) -> Self {
         self.special = Native::new(special);

@@ -12,18 +12,18 @@ const SHARE: f64 = 0.25;
 
 /// Stiffness and damping of every contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct ContactLaw {
     /// N/m.
     pub(super) stiffness: f64,
     /// N·s/m.
     pub(super) damping: f64,
 }
 
-impl Law {
+impl ContactLaw {
     /// Returns the law for a robot of a mass (kg) whose lightest foot has the effective mass `foot`
     /// (kg), in steps of `dt` s at most.
     pub(super) fn of(mass: f64, foot: f64, dt: f64) -> Self {
-        Law {
+        ContactLaw {
             stiffness: (mass * STIFFNESS).min(SHARE * foot / (dt * dt)),
             damping: (mass * DAMPING).min(SHARE * foot / dt),
         }
@@ -57,19 +57,19 @@ impl Touch {
 
     /// Returns the force (N) on a place that slides, without a stored bristle.
     #[inline]
-    pub(super) fn rub(self, velocity: Vector, law: &Law, dt: f64) -> Vector {
-        let mut bare = Grip::FREE;
+    pub(super) fn rub(self, velocity: Vector, law: &ContactLaw, dt: f64) -> Vector {
+        let mut bare = Bristle::FREE;
         bare.force(Some(self), velocity, law, dt)
     }
 }
 
 /// The deflection of a contact's bristle, in the world, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grip(Vector);
+pub(super) struct Bristle(Vector);
 
-impl Grip {
+impl Bristle {
     /// The bristle of a free point.
-    pub(super) const FREE: Self = Grip(Vector::new(0.0, 0.0, 0.0));
+    pub(super) const FREE: Self = Bristle(Vector::new(0.0, 0.0, 0.0));
 
     /// Returns the force (N) on a point that moves at `velocity` (m/s) for `dt` s; zero without a
     /// touch.
@@ -78,7 +78,7 @@ impl Grip {
         &mut self,
         touch: Option<Touch>,
         velocity: Vector,
-        law: &Law,
+        law: &ContactLaw,
         dt: f64,
     ) -> Vector {
         let Some(Touch {
@@ -87,7 +87,7 @@ impl Grip {
             friction,
         }) = touch
         else {
-            *self = Grip::FREE;
+            *self = Bristle::FREE;
             return Vector::zeros();
         };
         let away = velocity.dot(&normal);
@@ -116,7 +116,7 @@ fn within(vector: Vector, longest: f64) -> Vector {
 mod tests {
     use super::*;
 
-    const LAW: Law = Law {
+    const LAW: ContactLaw = ContactLaw {
         stiffness: 1e5,
         damping: 100.0,
     };
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn no_force_leaves_the_friction_cone_and_none_pulls() {
-        let mut grip = Grip::FREE;
+        let mut bristle = Bristle::FREE;
         for step in 0..10_000 {
             let time = f64::from(step) * 5e-4;
             let velocity = Vector::new(
@@ -143,7 +143,7 @@ mod tests {
             );
             let depth = 1e-3 * libm::sin(3.0 * time);
             let touch = on_floor(depth).filter(|touch| touch.depth > 0.0);
-            let force = grip.force(touch, velocity, &LAW, 5e-4);
+            let force = bristle.force(touch, velocity, &LAW, 5e-4);
             let normal = Vector::new(0.0, 0.6, 0.8);
             let push = force.dot(&normal);
             let across = (force - normal * push).norm();
@@ -155,19 +155,19 @@ mod tests {
     fn a_bristle_holds_until_friction_lets_go() {
         // 1 mm deep: 100 N, of which friction holds 50 N: 0.5 mm of the bristle.
         let slow = Vector::new(0.01, 0.0, 0.0);
-        let mut grip = Grip::FREE;
+        let mut bristle = Bristle::FREE;
         let forces: [f64; 2] = [100, 1000].map(|steps| {
             let mut last = 0.0;
             for _ in 0..steps {
-                last = grip.force(on_floor(1e-3), slow, &LAW, 5e-4).x;
+                last = bristle.force(on_floor(1e-3), slow, &LAW, 5e-4).x;
             }
             last
         });
         // 100 steps bend it by 0.5 mm; the damper's newton is beyond the cone.
         assert!((forces[0] + 50.0).abs() < 1e-6, "{forces:?}");
         assert!((forces[1] + 50.0).abs() < 1e-6, "{forces:?}");
-        assert!((grip.0.norm() - 0.5e-3).abs() < 1e-12);
-        grip.force(None, slow, &LAW, 5e-4);
-        assert_eq!(grip, Grip::FREE);
+        assert!((bristle.0.norm() - 0.5e-3).abs() < 1e-12);
+        bristle.force(None, slow, &LAW, 5e-4);
+        assert_eq!(bristle, Bristle::FREE);
     }
 }

@@ -6,17 +6,16 @@
 //! ever solved for the robot as a whole.
 
 use super::Vector;
-use super::contact::Grip;
-use super::factor::{Factor, dot};
-use super::foothold::Foothold;
-use super::frame::Frame;
-use super::links::{Walk, length};
+use super::cholesky::{CholeskyFactor, dot};
+use super::contact::Bristle;
+use super::foot_contact::FootContact;
+use super::links::{LinkWalk, length};
 use super::servo::{Control, Drives, Effort, Servo};
-use super::spatial::{Spatial, tensor};
-use super::world::{Share, World};
+use super::spatial::{Contribution, MovingFrame, Spatial, tensor};
+use super::terrain::StepContext;
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
-use crate::plant::walker::path::Path;
+use crate::plant::walker::tracking::Path;
 
 /// The motion of a joint and the momentum of all that it carries: a column of the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,10 +45,10 @@ pub(super) struct LegBody<const J: usize> {
     /// Generalised forces of gravity, velocities and contacts on the joints, N·m.
     bias: [f64; J],
     /// Bristles of the end of each link; the last one is the foot's.
-    grips: [Grip; J],
-    pub(super) foot: Foothold,
+    bristles: [Bristle; J],
+    pub(super) foot: FootContact,
     /// The saturated motors: bit j of joint j.
-    spent: u16,
+    saturated: u16,
     /// The joints that are commanded torques: bit j of joint j.
     by_torque: u16,
     path: Path,
@@ -69,9 +68,9 @@ impl<const J: usize> LegBody<J> {
                 momentum: Spatial::ZERO,
             }; J],
             bias: [0.0; J],
-            grips: [Grip::FREE; J],
-            foot: Foothold::NONE,
-            spent: 0,
+            bristles: [Bristle::FREE; J],
+            foot: FootContact::NONE,
+            saturated: 0,
             by_torque: 0,
             path: Path::NONE,
         }
@@ -83,11 +82,11 @@ impl<const J: usize> LegBody<J> {
         self.path.stray_at(&self.model, commands, angles)
     }
 
-    pub(super) fn obey(&mut self, commands: &[JointCommand; J], unit: f64) {
+    pub(super) fn command(&mut self, commands: &[JointCommand; J], unit: f64) {
         let before: [Control; J] = self.controls();
         let servos = self.servos.iter_mut().zip(before);
         for (j, ((servo, before), command)) in servos.zip(commands).enumerate() {
-            match servo.obey(before, *command, unit) {
+            match servo.command(before, *command, unit) {
                 Control::Torque => self.by_torque |= bit(j),
                 Control::Angle => self.by_torque &= !bit(j),
             }
@@ -95,9 +94,9 @@ impl<const J: usize> LegBody<J> {
     }
 
     /// Clears the contacts.
-    pub(super) const fn let_go(&mut self) {
-        self.grips = [Grip::FREE; J];
-        self.foot = Foothold::NONE;
+    pub(super) const fn clear_contacts(&mut self) {
+        self.bristles = [Bristle::FREE; J];
+        self.foot = FootContact::NONE;
     }
 
     /// Holds every joint.
@@ -121,43 +120,43 @@ impl<const J: usize> LegBody<J> {
 
     /// Updates the positions, contacts, masses and forces of the links; returns the leg's
     /// contribution to the body.
-    pub(super) fn place(&mut self, world: &World<'_>) -> Share {
-        let mut links = [Share::NONE; J];
-        let mut walk = Walk::from(world.frame, &self.model);
-        let blocks = world.terrain.filter(|terrain| terrain.has_blocks());
+    pub(super) fn place(&mut self, context: &StepContext<'_>) -> Contribution {
+        let mut links = [Contribution::NONE; J];
+        let mut walk = LinkWalk::from(context.frame, &self.model);
+        let blocks = context.terrain.filter(|terrain| terrain.has_blocks());
         let places = links.iter_mut().zip(&mut self.columns);
         let joints = self.model.joints.iter().zip(&self.servos);
-        for (((link, column), (joint, servo)), (j, grip)) in
-            places.zip(joints).zip((1..).zip(&mut self.grips))
+        for (((link, column), (joint, servo)), (j, bristle)) in
+            places.zip(joints).zip((1..).zip(&mut self.bristles))
         {
             (column.axis, column.place) = walk.turn(joint, servo);
             *link = walk.link(joint);
             let (end, velocity) = walk.end(joint);
-            let place = world.frame.position + end;
-            let touch = world.terrain.and_then(|terrain| terrain.touch(place));
+            let place = context.frame.position + end;
+            let touch = context.terrain.and_then(|terrain| terrain.touch(place));
             let bars = blocks.iter();
-            let bars = bars.flat_map(|terrain| terrain.bars(walk.rod(joint, world.frame)));
-            let mut bars = bars.map(|(at, touch)| (at - world.frame.position, touch));
+            let bars = bars.flat_map(|terrain| terrain.bars(walk.rod(joint, context.frame)));
+            let mut bars = bars.map(|(at, touch)| (at - context.frame.position, touch));
             // The bristle is the end's or, while that is free, of the first block that the link lies on.
             let lying = touch.is_none().then(|| bars.next()).flatten();
-            let (at, velocity, gripped) = match lying {
+            let (at, velocity, pressed) = match lying {
                 Some((at, touch)) => (at, walk.velocity(at), Some(touch)),
                 None => (end, velocity, touch),
             };
-            let force = grip.force(gripped, velocity, world.law, world.stride.dt);
+            let force = bristle.force(pressed, velocity, context.law, context.step.dt);
             link.force = link.force - Spatial::pushing(force, at);
             for (at, touch) in bars {
-                let force = touch.rub(walk.velocity(at), world.law, world.stride.dt);
+                let force = touch.rub(walk.velocity(at), context.law, context.step.dt);
                 link.force = link.force - Spatial::pushing(force, at);
             }
             if j == J {
                 // A link that lies on a block pushes elsewhere than with its foot.
                 let none = (Vector::zeros(), Vector::zeros());
                 let (force, normal) = touch.map_or(none, |touch| (force, touch.normal));
-                self.foot.at(place, force, normal, world.stride.dt);
+                self.foot.at(place, force, normal, context.step.dt);
             }
         }
-        let mut carried = Share::NONE;
+        let mut carried = Contribution::NONE;
         // By number: a reversed zip has a path that panics.
         for j in (0..J).rev() {
             let places = self.columns.get_mut(j).zip(self.bias.get_mut(j));
@@ -173,33 +172,33 @@ impl<const J: usize> LegBody<J> {
     /// Updates the torque of every motor; `left` steps of the cycle are left.
     pub(super) fn aim(
         &mut self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         commands: Option<&[JointCommand; J]>,
         left: f64,
     ) {
-        self.spent = 0;
+        self.saturated = 0;
         let controls = self.controls();
         let joints = self.servos.iter_mut().zip(&self.model.joints);
         for (j, ((servo, joint), control)) in joints.zip(controls).enumerate() {
             let command = commands.and_then(|commands| commands.get(j)).copied();
-            servo.aim(control, command, joint, world.drives, world.stride, left);
+            servo.aim(control, command, joint, context.drives, context.step, left);
         }
     }
 
     /// Returns the effort of the motor of joint `j`.
     #[inline]
-    fn motor(&self, j: usize, servo: &Servo, joint: &Joint, world: &World<'_>) -> Effort {
-        let (drives, dt) = (world.drives, world.stride.dt);
-        servo.motor(self.control(j), joint, drives, dt, self.is_spent(j))
+    fn motor(&self, j: usize, servo: &Servo, joint: &Joint, context: &StepContext<'_>) -> Effort {
+        let (drives, dt) = (context.drives, context.step.dt);
+        servo.motor(self.control(j), joint, drives, dt, self.is_saturated(j))
     }
 
-    fn is_spent(&self, j: usize) -> bool {
-        self.spent & bit(j) != 0
+    fn is_saturated(&self, j: usize) -> bool {
+        self.saturated & bit(j) != 0
     }
 
     /// Returns the joints' block of the equations of motion, factorised, and the torques on its
     /// right side, N·m.
-    fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, [f64; J]) {
+    fn block(&self, context: &StepContext<'_>) -> (Option<CholeskyFactor<J>>, [f64; J]) {
         let mut matrix = [[0.0; J]; J];
         let mut torques = [0.0; J];
         let motions = self.columns.each_ref().map(Column::motion);
@@ -209,8 +208,8 @@ impl<const J: usize> LegBody<J> {
         for (j, ((row, torque), ((column, bias), (servo, joint)))) in
             rows.zip(joints.zip(drives)).enumerate()
         {
-            let own = self.motor(j, servo, joint, world);
-            let passive = servo.passive(joint, world.drives, world.stride.dt);
+            let own = self.motor(j, servo, joint, context);
+            let passive = servo.passive(joint, context.drives, context.step.dt);
             *torque = own.torque + passive.torque - bias;
             for (entry, motion) in row.iter_mut().zip(&motions).take(j + 1) {
                 *entry = motion.dot(&column.momentum);
@@ -219,7 +218,7 @@ impl<const J: usize> LegBody<J> {
                 *entry += own.inertia + passive.inertia;
             }
         }
-        (Factor::of(matrix), torques)
+        (CholeskyFactor::of(matrix), torques)
     }
 
     /// Returns the joints' momentum for each motion of the body.
@@ -239,15 +238,17 @@ impl<const J: usize> LegBody<J> {
     /// counts.
     pub(super) fn eliminate(
         &self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         matrix: &mut [[f64; 6]; 6],
         forces: &mut [f64; 6],
     ) {
-        let (Some(factor), torques) = self.block(world) else {
+        let (Some(factor), torques) = self.block(context) else {
             return;
         };
-        let halves = self.coupling().map(|motion| factor.halve(motion));
-        let torques = factor.halve(torques);
+        let halves = self
+            .coupling()
+            .map(|motion| factor.forward_substitute(motion));
+        let torques = factor.forward_substitute(torques);
         let rows = matrix.iter_mut().zip(forces).zip(&halves).enumerate();
         for (i, ((row, force), half)) in rows {
             *force -= dot(half, &torques, J);
@@ -258,8 +259,8 @@ impl<const J: usize> LegBody<J> {
     }
 
     /// Returns the accelerations of the joints (rad/s²) for an acceleration of the body.
-    fn accelerations(&self, world: &World<'_>, body: &[f64; 6]) -> [f64; J] {
-        let (factor, mut torques) = self.block(world);
+    fn accelerations(&self, context: &StepContext<'_>, body: &[f64; 6]) -> [f64; J] {
+        let (factor, mut torques) = self.block(context);
         for (torque, column) in torques.iter_mut().zip(&self.columns) {
             for (momentum, acceleration) in column.momentum.entries().iter().zip(body) {
                 *torque -= momentum * acceleration;
@@ -272,48 +273,48 @@ impl<const J: usize> LegBody<J> {
     /// as saturated; returns true if any of them is new.
     pub(super) fn overload(
         &mut self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         body: &[f64; 6],
         accelerations: &mut [f64; J],
     ) -> bool {
-        *accelerations = self.accelerations(world, body);
-        let before = self.spent;
+        *accelerations = self.accelerations(context, body);
+        let before = self.saturated;
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
                 break;
             };
-            let own = self.motor(j, servo, joint, world);
+            let own = self.motor(j, servo, joint, context);
             if let Some(servo) = self.servos.get_mut(j)
                 && servo.overload(joint, own, *acceleration)
             {
-                self.spent |= bit(j);
+                self.saturated |= bit(j);
             }
         }
-        self.spent != before
+        self.saturated != before
     }
 
     /// Integrates the accelerations of the joints.
-    pub(super) fn advance(&mut self, world: &World<'_>, accelerations: &[f64; J]) {
+    pub(super) fn advance(&mut self, context: &StepContext<'_>, accelerations: &[f64; J]) {
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
                 break;
             };
-            let own = self.motor(j, servo, joint, world);
+            let own = self.motor(j, servo, joint, context);
             if let Some(servo) = self.servos.get_mut(j) {
-                servo.advance(joint, own, *acceleration, world.stride.dt);
+                servo.advance(joint, own, *acceleration, context.step.dt);
             }
         }
     }
 
     /// Returns both ends of the link after joint `j`, from the body's origin, m.
-    pub(super) fn link(&self, j: usize, frame: &Frame) -> Option<[Vector; 2]> {
+    pub(super) fn link(&self, j: usize, frame: &MovingFrame) -> Option<[Vector; 2]> {
         let start = self.columns.get(j)?.place;
         let next = self.columns.get(j + 1).map(|next| next.place);
         Some([start, next.unwrap_or(self.foot.place - frame.position)])
     }
 
     /// Returns the velocity of a point of the link after joint `j`, m/s.
-    pub(super) fn velocity(&self, j: usize, at: Vector, frame: &Frame) -> Vector {
+    pub(super) fn velocity(&self, j: usize, at: Vector, frame: &MovingFrame) -> Vector {
         let own = frame.velocity + frame.rate.cross(&at);
         let joints = self.columns.iter().zip(&self.servos).take(j + 1);
         joints.fold(own, |velocity, (column, servo)| {
@@ -332,11 +333,12 @@ impl<const J: usize> LegBody<J> {
 
     /// Returns twice the kinetic energy of the rotors, and of the links beyond that of the body's
     /// motion, J.
-    pub(super) fn vigour(&self, body: &Spatial, drives: &Drives) -> f64 {
-        let mut vigour = 0.0;
+    pub(super) fn double_kinetic_energy(&self, body: &Spatial, drives: &Drives) -> f64 {
+        let mut double_kinetic_energy = 0.0;
         for (j, (column, servo)) in self.columns.iter().zip(&self.servos).enumerate() {
             let rotor = (self.model.joints.get(j)).map_or(0.0, |joint| drives.rotor * joint.torque);
-            vigour += (rotor * servo.rate + 2.0 * column.momentum.dot(body)) * servo.rate;
+            double_kinetic_energy +=
+                (rotor * servo.rate + 2.0 * column.momentum.dot(body)) * servo.rate;
             for (i, (other, turned)) in self
                 .columns
                 .iter()
@@ -345,10 +347,11 @@ impl<const J: usize> LegBody<J> {
                 .take(j + 1)
             {
                 let both = if i == j { 1.0 } else { 2.0 };
-                vigour += both * other.motion().dot(&column.momentum) * turned.rate * servo.rate;
+                double_kinetic_energy +=
+                    both * other.motion().dot(&column.momentum) * turned.rate * servo.rate;
             }
         }
-        vigour
+        double_kinetic_energy
     }
 
     /// Returns the momentum of the joints' rates.

@@ -1,10 +1,9 @@
 //! Kinematics and inertia of a leg's links, from base to foot.
 
 use super::Vector;
-use super::frame::Frame;
 use super::servo::Servo;
-use super::spatial::{Inertia, Spatial, placed, spread};
-use super::world::{GRAVITY, Share};
+use super::spatial::{Contribution, Inertia, MovingFrame, Spatial, placed, spread};
+use super::terrain::GRAVITY;
 use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
 
@@ -15,7 +14,7 @@ pub(super) fn length(joint: &Joint) -> Vector {
 }
 
 /// A walk along a leg from its base to its foot. Positions are from the body's origin.
-pub(super) struct Walk {
+pub(super) struct LinkWalk {
     /// Position of the joint or of the link's end, m.
     at: Vector,
     /// m/s.
@@ -31,9 +30,9 @@ pub(super) struct Walk {
     gravity: Vector,
 }
 
-impl Walk {
-    pub(super) fn from<const J: usize>(frame: &Frame, leg: &Leg<J>) -> Self {
-        let mut walk = Walk {
+impl LinkWalk {
+    pub(super) fn from<const J: usize>(frame: &MovingFrame, leg: &Leg<J>) -> Self {
+        let mut walk = LinkWalk {
             at: Vector::zeros(),
             velocity: frame.velocity,
             acceleration: Vector::zeros(),
@@ -73,7 +72,7 @@ impl Walk {
     /// Returns the contribution of the link after the joint: a uniform rod unless the model gives
     /// its inertia.
     #[inline]
-    pub(super) fn link(&self, joint: &Joint) -> Share {
+    pub(super) fn link(&self, joint: &Joint) -> Contribution {
         let (arm, own) = match &joint.spread {
             None => {
                 let link = self.rotation * length(joint);
@@ -84,7 +83,7 @@ impl Walk {
         let centre = self.at + arm;
         let force = (self.acceleration_at(arm) - self.gravity) * joint.mass;
         let moment = own * self.turning + self.rate.cross(&(own * self.rate));
-        Share {
+        Contribution {
             inertia: Inertia::new(joint.mass, centre, own),
             force: Spatial {
                 angular: moment + centre.cross(&force),
@@ -95,7 +94,7 @@ impl Walk {
 
     /// Returns the link whose end has been reached, in the world, m.
     #[inline]
-    pub(super) fn rod(&self, joint: &Joint, frame: &Frame) -> [Vector; 2] {
+    pub(super) fn rod(&self, joint: &Joint, frame: &MovingFrame) -> [Vector; 2] {
         let end = frame.position + self.at;
         [end - self.rotation * length(joint), end]
     }

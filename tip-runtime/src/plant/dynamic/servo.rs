@@ -50,7 +50,7 @@ pub(super) enum Control {
 
 /// A time step, and the motion of set points in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
+pub(super) struct TimeStep {
     /// s.
     pub(super) dt: f64,
     /// The share of the distance to the command that a set point moves.
@@ -59,10 +59,10 @@ pub(super) struct Stride {
     speed: f64,
 }
 
-impl Stride {
+impl TimeStep {
     /// Returns a step of `dt` s.
     pub(super) fn of(dt: f64, servos: &ServoDynamics) -> Self {
-        Stride {
+        TimeStep {
             dt,
             share: 1.0 - libm::exp(-1000.0 * dt / servos.lag),
             speed: servos.speed.to_radians(),
@@ -109,7 +109,7 @@ impl Servo {
 
     /// Takes a command and returns the new control mode; `unit` is the number of the robot's torque
     /// units in one N·m. A command that is not a number changes nothing.
-    pub(super) fn obey(&mut self, before: Control, command: JointCommand, unit: f64) -> Control {
+    pub(super) fn command(&mut self, before: Control, command: JointCommand, unit: f64) -> Control {
         match command {
             JointCommand::Torque(torque) if (torque / unit).is_finite() => {
                 self.order = torque / unit;
@@ -139,7 +139,7 @@ impl Servo {
     }
 
     /// Moves the set point by one of `left` steps of a cycle, and updates the torque of the motor.
-    /// The command is the one [obeyed](Self::obey) before; without it the joint is held.
+    /// [`command`](Self::command) has taken the command before; without one the joint is held.
     #[inline]
     pub(super) fn aim(
         &mut self,
@@ -147,10 +147,10 @@ impl Servo {
         command: Option<JointCommand>,
         joint: &Joint,
         drives: &Drives,
-        stride: &Stride,
+        step: &TimeStep,
         left: f64,
     ) {
-        let Stride { dt, share, speed } = *stride;
+        let TimeStep { dt, share, speed } = *step;
         self.torque = match control {
             Control::Angle => {
                 self.order += (self.goal(command) - self.order) / left;
@@ -181,7 +181,7 @@ impl Servo {
     }
 
     /// Returns the effort of the motor, after [`aim`](Self::aim); limited to its greatest torque if
-    /// it is `spent`.
+    /// it is `saturated`.
     #[inline]
     pub(super) fn motor(
         &self,
@@ -189,16 +189,16 @@ impl Servo {
         joint: &Joint,
         drives: &Drives,
         dt: f64,
-        spent: bool,
+        saturated: bool,
     ) -> Effort {
         let inertia = match control {
-            Control::Angle if !spent => {
+            Control::Angle if !saturated => {
                 dt * (drives.damping + dt * drives.stiffness) * joint.torque
             }
             _ => 0.0,
         };
         Effort {
-            torque: if spent {
+            torque: if saturated {
                 within(self.torque, joint.torque)
             } else {
                 self.torque
@@ -265,17 +265,17 @@ mod tests {
     #[test]
     fn an_angle_after_a_torque_begins_where_the_joint_is() {
         let mut servo = Servo::at(10.0);
-        let torque = servo.obey(Control::Angle, JointCommand::Torque(5.0), 1.0);
+        let torque = servo.command(Control::Angle, JointCommand::Torque(5.0), 1.0);
         assert_eq!((torque, servo.order), (Control::Torque, 5.0));
         // A command that is not a number leaves the torque.
         let nonsense = JointCommand::Torque(f64::NAN);
-        assert_eq!(servo.obey(torque, nonsense, 1.0), Control::Torque);
+        assert_eq!(servo.command(torque, nonsense, 1.0), Control::Torque);
         assert_eq!(servo.order, 5.0);
         let angle = JointCommand::Angle {
             angle: 30.0,
             rate: 0.0,
         };
-        assert_eq!(servo.obey(torque, angle, 1.0), Control::Angle);
+        assert_eq!(servo.command(torque, angle, 1.0), Control::Angle);
         assert_eq!(servo.order, 10_f64.to_radians());
         assert_eq!(servo.goal(Some(angle)), 30_f64.to_radians());
         assert_eq!(servo.goal(None), servo.order);

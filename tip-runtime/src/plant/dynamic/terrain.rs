@@ -1,10 +1,15 @@
 //! The surroundings of a robot with mass: the floor and the blocks on it.
 
 use super::Vector;
-use super::contact::Touch;
+use super::contact::{ContactLaw, Touch};
+use super::servo::{Drives, TimeStep};
+use super::spatial::MovingFrame;
 use crate::plant::cuboid::{Cuboid, middle};
 use crate::scene::{BLOCKS, Block, Scene};
 use nalgebra::Rotation3;
+
+/// Standard gravity: m/s² (3rd CGPM, 1901).
+pub(super) const GRAVITY: f64 = 9.80665;
 
 /// A height above all blocks, m.
 const SKY: f64 = 1e4;
@@ -91,12 +96,12 @@ impl Terrain {
     }
 
     /// Returns the rise of a segment that clears the top of every block, m.
-    pub(super) fn rise(&self, stretch: [Vector; 2]) -> f64 {
+    pub(super) fn rise(&self, segment: [Vector; 2]) -> f64 {
         let rises = self.blocks().filter_map(|mut block| {
             let top = block.high.z;
             block.high.z = SKY;
-            let over = block.inside(stretch)?;
-            let [start, end] = stretch;
+            let over = block.inside(segment)?;
+            let [start, end] = segment;
             let lowest = over.map(|part| start.z + (end.z - start.z) * part);
             Some(top - lowest[0].min(lowest[1]))
         });
@@ -113,4 +118,15 @@ impl Terrain {
             friction: self.friction,
         })
     }
+}
+
+/// The frame of the body, its surroundings, the motors, and the time step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepContext<'a> {
+    pub(super) frame: &'a MovingFrame,
+    pub(super) drives: &'a Drives,
+    pub(super) law: &'a ContactLaw,
+    /// The terrain; `None` around a robot that is bolted down.
+    pub(super) terrain: Option<&'a Terrain>,
+    pub(super) step: &'a TimeStep,
 }

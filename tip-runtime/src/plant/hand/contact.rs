@@ -9,7 +9,7 @@ use super::Vector;
 
 /// Stiffness and damping of a contact, along its normal and across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct ContactLaw {
     /// N/m.
     stiffness: f64,
     /// N·s/m.
@@ -29,9 +29,9 @@ const STIFFNESS: f64 = 5000.0;
 /// Damping for a mass of `HEAVY`, N·s/m.
 const DAMPING: f64 = 15.0;
 
-impl Law {
+impl ContactLaw {
     /// The law of fingers on the floor, and on heavy bodies.
-    pub(super) const FINGER: Self = Law {
+    pub(super) const FINGER: Self = ContactLaw {
         stiffness: STIFFNESS,
         damping: DAMPING,
     };
@@ -40,7 +40,7 @@ impl Law {
     /// damping ratio on one contact is the same: 0.24.
     pub(super) fn of(mass: f64) -> Self {
         let share = (mass / HEAVY).min(HEAVIEST);
-        Law {
+        ContactLaw {
             stiffness: STIFFNESS * share.max(1.0),
             damping: DAMPING * share.max(libm::sqrt(share)),
         }
@@ -79,7 +79,7 @@ impl Bristle {
         &mut self,
         overlap: Option<Overlap>,
         velocity: impl FnOnce(Vector) -> Vector,
-        Law { stiffness, damping }: Law,
+        ContactLaw { stiffness, damping }: ContactLaw,
         friction: f64,
         dt: f64,
     ) -> Option<Push> {

@@ -2,10 +2,10 @@
 //! the first.
 
 use super::Vector;
-use super::body::Body;
 use super::contact::Overlap;
+use super::contact_history::ContactHistory;
 use super::finger::{Link, across};
-use super::seam::Seam;
+use super::rigid_body::RigidBody;
 
 /// Greatest distance of a link and a body that meet, or pass each other, within a step, m. That is
 /// 20 m/s in the longest step.
@@ -46,12 +46,14 @@ impl Surface {
 pub(super) fn of_link(
     link: &Link,
     is_first: bool,
-    body: &Body,
-    seam: &mut Seam,
+    body: &RigidBody,
+    history: &mut ContactHistory,
 ) -> Option<[Option<Overlap>; 5]> {
     let near = body.reach + SWEEP;
     let apart = near + link.half;
-    if *seam == Seam::UNKNOWN && (body.centre - link.middle()).norm_squared() > apart * apart {
+    if *history == ContactHistory::UNKNOWN
+        && (body.centre - link.middle()).norm_squared() > apart * apart
+    {
         return None;
     }
     let along = link.end - link.start;
@@ -62,13 +64,13 @@ pub(super) fn of_link(
     let is_far = from.norm_squared() > near * near;
     let side = libm::copysign(1.0, along.perp(&away));
     let is_beside = share > 0.0 && share < 1.0;
-    if is_far && !(is_beside && seam.is_other(side)) {
-        *seam = Seam::UNKNOWN;
+    if is_far && !(is_beside && history.is_other(side)) {
+        *history = ContactHistory::UNKNOWN;
         return None;
     }
     if !body.is_box() {
         let (out, depth) = body.way_out(nearest);
-        let (out, depth) = match seam.is_through(side, is_beside) {
+        let (out, depth) = match history.is_through(side, is_beside) {
             true => (-out, 2.0 * body.reach - depth),
             false => (out, depth),
         };
@@ -76,25 +78,25 @@ pub(super) fn of_link(
         let touch = overlap(nearest, out, depth).filter(|_| own);
         return Some([touch, None, None, None, None]);
     }
-    let (out, depth) = body.way_back(link.end, &mut seam.face);
+    let (out, depth) = body.way_back(link.end, &mut history.face);
     if depth > 0.0 {
-        seam.side = side;
+        history.side = side;
         return Some([overlap(link.end, out, depth), None, None, None, None]);
     }
     let passes = body
         .crossing(link.start, link.end)
         .is_some_and(|(enters, leaves)| enters > 0.0 && leaves < 1.0);
-    let is_through = seam.is_through(side, passes || is_beside);
+    let is_through = history.is_through(side, passes || is_beside);
     if !(passes || is_through) {
         return Some([None; 5]);
     }
-    let [a, b, c, d] = poking(link, along, seam.side, body);
+    let [a, b, c, d] = poking(link, along, history.side, body);
     Some([None, a, b, c, d])
 }
 
 /// Returns the corners of a box that poke through a link from a side of it: +1 is where a quarter
 /// turn from the link points.
-fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap>; 4] {
+fn poking(link: &Link, along: Vector, side: f64, body: &RigidBody) -> [Option<Overlap>; 4] {
     let normal = across(along) / along.norm();
     let away = normal * -side;
     body.corners()
@@ -102,7 +104,7 @@ fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap
 }
 
 /// Returns the places where two bodies can touch: of boxes the corners of each, otherwise one.
-pub(super) fn of_bodies(first: &Body, second: &Body) -> [Option<Overlap>; 8] {
+pub(super) fn of_bodies(first: &RigidBody, second: &RigidBody) -> [Option<Overlap>; 8] {
     let apart = first.centre - second.centre;
     let reach = first.reach + second.reach;
     let mut places = [None; 8];

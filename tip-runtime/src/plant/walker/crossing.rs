@@ -1,21 +1,24 @@
 //! Collisions of legs with other legs, blocks or the floor.
 
 use super::Vector;
-use super::ground::Carrier;
+use super::floor::SINK_TOLERANCE;
+use super::ground::GroundInterface;
 use super::links::LegLinks;
-use super::obstacles::SUNK;
 
 /// Thickness of a leg, as a share of its length.
 const THICK: f64 = 0.04;
 
 /// Returns true if a joint of a leg is below the floor.
-pub(super) fn sinks<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
-    (leg.places().skip(1)).any(|joint| ground.height(joint) < -SUNK)
+pub(super) fn is_below_floor<const J: usize>(
+    leg: &LegLinks<J>,
+    ground: &dyn GroundInterface,
+) -> bool {
+    (leg.places().skip(1)).any(|joint| ground.height(joint) < -SINK_TOLERANCE)
 }
 
 /// Returns true if a leg is in a block.
-pub(super) fn strikes<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
-    leg.lines().any(|line| ground.stops(line))
+pub(super) fn is_in_block<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterface) -> bool {
+    leg.lines().any(|line| ground.is_segment_in_block(line))
 }
 
 /// Returns true if a leg goes through another one, both of this length (mm). Their first links are
@@ -57,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stretches_are_as_far_apart_as_their_nearest_points() {
+    fn segments_are_as_far_apart_as_their_nearest_points() {
         let at = |x: f64, y: f64, z: f64| Vector::new(x, y, z);
         let flat = [at(0.0, 0.0, 0.0), at(10.0, 0.0, 0.0)];
         // Over the middle, beyond an end, alongside, and a point.

@@ -1,8 +1,8 @@
 //! Fall detection: one definition for robots without mass and with it.
 
 use super::Vector;
-use super::contacts::Contacts;
 use super::polygon;
+use super::support::Contacts;
 
 /// Distance of the centre of mass outside the polygon from which the body tips, mm.
 pub(super) const TIPPING: f64 = 1.0;
@@ -84,7 +84,7 @@ impl FallCounter {
     }
 
     /// Updates the counter at the end of a cycle. A fall lasts until the robot has got up.
-    pub(in crate::plant) fn look(&mut self, posture: &Posture, cycle: u64) {
+    pub(in crate::plant) fn update(&mut self, posture: &Posture, cycle: u64) {
         let Posture {
             lies, uprightness, ..
         } = *posture;
@@ -177,7 +177,7 @@ impl<const L: usize> Polygon<L> {
 
 /// A monitor of the centre of mass over the support polygon.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FallWatch {
+pub(super) struct SupportMonitor {
     /// Height above the lowest foot up to which feet count as standing, mm.
     pub(super) lift: f64,
     pub(super) margin: f64,
@@ -186,9 +186,9 @@ pub(super) struct FallWatch {
     pub(super) falls: FallCounter,
 }
 
-impl FallWatch {
+impl SupportMonitor {
     pub(super) const fn new() -> Self {
-        FallWatch {
+        SupportMonitor {
             lift: 20.0,
             margin: 0.0,
             least: f64::INFINITY,
@@ -197,7 +197,7 @@ impl FallWatch {
     }
 
     /// Updates the monitor. `down` is the direction of gravity, `normal` that of the floor.
-    pub(super) fn watch<const L: usize>(
+    pub(super) fn update<const L: usize>(
         &mut self,
         polygon: &Polygon<L>,
         centre: Vector,
@@ -217,6 +217,6 @@ impl FallWatch {
             is_up: !lies,
             margin: on_feet,
         };
-        self.falls.look(&posture, cycle);
+        self.falls.update(&posture, cycle);
     }
 }

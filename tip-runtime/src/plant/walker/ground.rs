@@ -1,22 +1,22 @@
 //! The body on its contacts with the floor.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
-use super::fall::{FallWatch, Polygon};
+use super::descent::Descent;
+use super::fall::{Polygon, SupportMonitor};
+use super::floor::Obstacles;
 use super::links::{GRAVITY, Mass};
-use super::obstacles::Obstacles;
-use super::sink::Sinking;
+use super::odometry::Odometer;
+use super::pose::FloorPose;
 use super::stance::Stance;
+use super::support::Contacts;
 use super::support::{self, Load, Support};
-use super::travel::Start;
-use super::unmodelled::{Doubts, Oddities};
+use super::unmodelled::{CycleEvents, UnmodelledCounter};
 use crate::model;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{Floor, Scene};
 
 /// The interface between legs and ground, independent of the number of legs.
-pub(super) trait Carrier {
+pub(super) trait GroundInterface {
     /// Returns the load of every foot, N.
     fn loads(&self) -> &[f64];
     /// Returns the direction of gravity in the robot's frame.
@@ -32,7 +32,7 @@ pub(super) trait Carrier {
     /// Lets the body come to rest on its contacts within `dt` s, and keeps stance feet in place.
     fn settle(&mut self, mass: Mass, dt: f64);
     /// Returns true if the body is on its way down, without hold.
-    fn sinks(&self) -> bool;
+    fn has_lost_hold(&self) -> bool;
     /// Judges the last `dt` s for unmodelled effects.
     fn judge(&mut self, dt: f64);
     /// Returns the height of a point of the robot's frame above the floor, mm; infinite for a robot
@@ -41,11 +41,11 @@ pub(super) trait Carrier {
     /// Returns true if there are blocks.
     fn has_blocks(&self) -> bool;
     /// Returns true if a segment of the robot's frame is in a block.
-    fn stops(&self, stretch: [Vector; 2]) -> bool;
+    fn is_segment_in_block(&self, segment: [Vector; 2]) -> bool;
     /// Returns true if the body is in a block.
-    fn strikes(&self) -> bool;
+    fn is_in_block(&self) -> bool;
     /// Ends a cycle with these events of the legs.
-    fn close(&mut self, oddities: &Oddities);
+    fn close(&mut self, events: &CycleEvents);
 }
 
 /// The body of a robot of `L` legs, and the floor under it.
@@ -60,15 +60,15 @@ pub(super) struct Ground<const L: usize> {
     /// The body of the model, if there is one.
     model: Option<model::Body>,
     pub(super) mass: Mass,
-    pub(super) body: Body,
-    pub(super) start: Start,
+    pub(super) body: FloorPose,
+    pub(super) start: Odometer,
     at_rest: bool,
     feet: [Vector; L],
     pub(super) loads: Contacts<f64, L>,
     pub(super) stance: Stance<L>,
-    pub(super) falls: FallWatch,
-    pub(super) doubts: Doubts,
-    sinking: Sinking,
+    pub(super) falls: SupportMonitor,
+    pub(super) unmodelled: UnmodelledCounter,
+    descent: Descent,
     /// Number of cycles so far.
     pub(super) cycle: u64,
 }
@@ -78,7 +78,7 @@ impl<const L: usize> Ground<L> {
     // Out of line, or it would be copied for each number of joints.
     #[inline(never)]
     pub(super) fn new(model: Option<model::Body>) -> Self {
-        let body = Body::standing(model.as_ref());
+        let body = FloorPose::standing(model.as_ref());
         Ground {
             floor: Floor::LEVEL,
             obstacles: Obstacles(Scene::EMPTY.blocks),
@@ -87,14 +87,14 @@ impl<const L: usize> Ground<L> {
             model,
             mass: Mass::NONE,
             body,
-            start: Start::at(&Floor::LEVEL, &body),
+            start: Odometer::at(&Floor::LEVEL, &body),
             at_rest: false,
             feet: [Vector::zeros(); L],
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
-            falls: FallWatch::new(),
-            doubts: Doubts::new(Scene::EMPTY.friction),
-            sinking: Sinking::NONE,
+            falls: SupportMonitor::new(),
+            unmodelled: UnmodelledCounter::new(Scene::EMPTY.friction),
+            descent: Descent::NONE,
             cycle: 0,
         }
     }
@@ -103,9 +103,9 @@ impl<const L: usize> Ground<L> {
     pub(super) fn replace(&mut self, floor: Floor) {
         self.floor = floor;
         self.gravity = floor.gravity();
-        self.body = Body::standing(self.model.as_ref());
+        self.body = FloorPose::standing(self.model.as_ref());
         self.stance = Stance::new();
-        self.sinking = Sinking::NONE;
+        self.descent = Descent::NONE;
     }
 
     /// Returns true if there is a body that moves.
@@ -115,9 +115,9 @@ impl<const L: usize> Ground<L> {
 
     /// Restarts all measurements.
     pub(super) fn begin(&mut self) {
-        self.start = Start::at(&self.floor, &self.body);
+        self.start = Odometer::at(&self.floor, &self.body);
         self.falls.least = self.falls.margin;
-        self.doubts.begin();
+        self.unmodelled.begin();
         self.judge(0.0);
     }
 
@@ -128,7 +128,7 @@ impl<const L: usize> Ground<L> {
     }
 }
 
-impl<const L: usize> Carrier for Ground<L> {
+impl<const L: usize> GroundInterface for Ground<L> {
     fn loads(&self) -> &[f64] {
         &self.loads.feet
     }
@@ -172,20 +172,20 @@ impl<const L: usize> Carrier for Ground<L> {
             height,
             found,
         } = self
-            .sinking
+            .descent
             .towards(rest, &points, mass.weight, &self.body, dt);
         self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
         let heading = self.body.heading;
-        let pull = self.doubts.friction * GRAVITY * 1000.0;
-        let pull = self.sinking.is_free.then_some(pull);
+        let pull = self.unmodelled.friction * GRAVITY * 1000.0;
+        let pull = self.descent.is_free.then_some(pull);
         let rotation = (self.stance).follow(&points, &self.loads, &mut self.body, (pull, dt));
         self.start.turned(heading, self.body.heading);
         self.down = rotation.inverse() * self.gravity;
         let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         self.falls
-            .watch(&polygon, mass.centre, (self.down, normal), self.cycle);
+            .update(&polygon, mass.centre, (self.down, normal), self.cycle);
     }
 
     fn judge(&mut self, dt: f64) {
@@ -193,10 +193,10 @@ impl<const L: usize> Carrier for Ground<L> {
             return;
         };
         let rotation = self.body.rotation();
-        self.doubts.moved(self.body.point(self.mass.centre), dt);
+        self.unmodelled.moved(self.body.point(self.mass.centre), dt);
         let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         let is_carried = self.loads.iter().any(|load| *load > 0.0);
-        self.doubts.judge(
+        self.unmodelled.judge(
             &polygon,
             self.mass.centre,
             (self.gravity, is_carried),
@@ -205,8 +205,8 @@ impl<const L: usize> Carrier for Ground<L> {
         );
     }
 
-    fn sinks(&self) -> bool {
-        self.sinking.is_free
+    fn has_lost_hold(&self) -> bool {
+        self.descent.is_free
     }
 
     fn height(&self, point: Vector) -> f64 {
@@ -221,14 +221,14 @@ impl<const L: usize> Carrier for Ground<L> {
         self.is_loose() && !self.obstacles.is_empty()
     }
 
-    fn stops(&self, stretch: [Vector; 2]) -> bool {
-        let ends = stretch.map(|end| self.floor.outer(&self.body, end));
-        self.obstacles.stop(ends)
+    fn is_segment_in_block(&self, segment: [Vector; 2]) -> bool {
+        let ends = segment.map(|end| self.floor.outer(&self.body, end));
+        self.obstacles.hits_segment(ends)
     }
 
-    fn strikes(&self) -> bool {
+    fn is_in_block(&self) -> bool {
         self.model.is_some_and(|body| {
-            self.obstacles.stop_body(
+            self.obstacles.hits_body(
                 &Cuboid::of_body(&body, 1.0),
                 |point| self.floor.inner(&self.body, point),
                 |point| self.floor.outer(&self.body, point),
@@ -236,7 +236,7 @@ impl<const L: usize> Carrier for Ground<L> {
         })
     }
 
-    fn close(&mut self, oddities: &Oddities) {
-        self.doubts.close(oddities);
+    fn close(&mut self, events: &CycleEvents) {
+        self.unmodelled.close(events);
     }
 }

@@ -10,7 +10,7 @@ pub(in crate::plant) fn margin(
     if inside.is_finite() && inside > 0.0 {
         inside
     } else {
-        -distance_to_stretches(hull, inner)
+        -distance_to_segments(hull, inner)
     }
 }
 
@@ -32,7 +32,7 @@ fn height_over_edges(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 
 }
 
 /// Returns the distance of `inner` from the nearest segment between any two points.
-fn distance_to_stretches(points: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+fn distance_to_segments(points: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
     let mut least = f64::INFINITY;
     for from in points.clone() {
         for to in points.clone() {

@@ -27,8 +27,8 @@ impl Default for ServoDynamics {
 
 impl ServoDynamics {
     /// Returns the limits of a step of `dt` s.
-    pub(super) fn within(&self, dt: f64) -> Stride {
-        Stride {
+    pub(super) fn within(&self, dt: f64) -> StepLimits {
+        StepLimits {
             share: 1.0 - libm::exp(-1000.0 * dt / self.lag),
             farthest: self.speed * dt,
         }
@@ -37,7 +37,7 @@ impl ServoDynamics {
 
 /// The motion of any joint in a time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
+pub(super) struct StepLimits {
     /// The share of the distance to its command.
     share: f64,
     /// The greatest turn, deg.
@@ -83,7 +83,7 @@ impl Servo {
             torque: load,
             stiffness,
         }: JointLoad,
-        Stride { share, farthest }: Stride,
+        StepLimits { share, farthest }: StepLimits,
     ) {
         let strongest = joint.torque;
         self.gave_way =
@@ -108,9 +108,9 @@ impl Servo {
             }
         };
         if turn.is_finite() {
-            let stops = (joint.outer.min - STOP, joint.outer.max + STOP);
+            let is_segment_in_block = (joint.outer.min - STOP, joint.outer.max + STOP);
             let angle = self.angle + within(turn, -farthest, farthest);
-            self.angle = within(angle, stops.0, stops.1);
+            self.angle = within(angle, is_segment_in_block.0, is_segment_in_block.1);
         }
     }
 }
@@ -142,14 +142,14 @@ mod tests {
     }
 
     /// Returns the limits of an ordinary servo in 20 ms.
-    fn stride() -> Stride {
+    fn step() -> StepLimits {
         ServoDynamics::default().within(0.02)
     }
 
     fn advanced(command: JointCommand, load: f64, cycles: u32) -> Servo {
         let mut servo = Servo::at(90.0);
         for _ in 0..cycles {
-            servo.advance(&KNEE, command, free(load), stride());
+            servo.advance(&KNEE, command, free(load), step());
         }
         servo
     }
@@ -168,8 +168,8 @@ mod tests {
             speed: 1e9,
         };
         let mut servo = Servo::at(90.0);
-        let stride = dynamics.within(0.02);
-        servo.advance(&KNEE, JointCommand::at(80.0), free(0.0), stride);
+        let step = dynamics.within(0.02);
+        servo.advance(&KNEE, JointCommand::at(80.0), free(0.0), step);
         assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
     }
 
@@ -209,7 +209,7 @@ mod tests {
                 torque,
                 stiffness: STIFFNESS,
             };
-            servo.advance(&KNEE, JointCommand::Torque(10.0), load, stride());
+            servo.advance(&KNEE, JointCommand::Torque(10.0), load, step());
             assert!(servo.angle - 90.0 >= depth, "it bounces");
             depth = servo.angle - 90.0;
         }

@@ -1,8 +1,8 @@
 //! The stance: the body moves so that its stance feet stay in place.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
+use super::pose::FloorPose;
+use super::support::Contacts;
 use nalgebra::{Rotation3, Vector2};
 
 /// Feet and belly on the floor.
@@ -48,10 +48,10 @@ impl<const L: usize> Stance<L> {
         &mut self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
-        body: &mut Body,
+        body: &mut FloorPose,
         (pull, dt): (Option<f64>, f64),
     ) -> Rotation3<f64> {
-        let levelling = Body::levelling(body.normal);
+        let levelling = FloorPose::levelling(body.normal);
         let stays = self.stays(points, loads, &levelling);
         let from = Vector2::new(body.x, body.y);
         fit(stays.iter().flatten(), body);
@@ -79,11 +79,11 @@ impl<const L: usize> Stance<L> {
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         levelling: &Rotation3<f64>,
-    ) -> Contacts<Option<Pair>, L> {
+    ) -> Contacts<Option<ContactPair>, L> {
         let (mut weights, mut places) = (loads.iter(), self.places.iter());
         points.map(|point| {
             let (weight, place) = (*weights.next()?, (*places.next()?)?);
-            (weight > 0.0).then(|| Pair {
+            (weight > 0.0).then(|| ContactPair {
                 own: (levelling * point).xy(),
                 place,
                 weight,
@@ -95,7 +95,7 @@ impl<const L: usize> Stance<L> {
         &mut self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
-        body: &Body,
+        body: &FloorPose,
         rotation: &Rotation3<f64>,
     ) {
         let here = Vector2::new(body.x, body.y);
@@ -128,7 +128,7 @@ impl<const L: usize> Stance<L> {
 }
 
 /// A contact that persists.
-struct Pair {
+struct ContactPair {
     /// Position from the body's origin, levelled, without heading, mm.
     own: Vector2<f64>,
     /// Previous position on the floor, mm.
@@ -144,10 +144,10 @@ const POINT: f64 = 1e-6;
 /// Moves the body by the planar rigid motion of weighted least squares (Kabsch, Acta Cryst. A32,
 /// 1976, in two dimensions). Without contacts the body keeps place and heading, with one contact
 /// its heading.
-fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
+fn fit<'a>(pairs: impl Iterator<Item = &'a ContactPair> + Clone, body: &mut FloorPose) {
     let mut total = 0.0;
     let (mut own_centre, mut place_centre) = (Vector2::zeros(), Vector2::zeros());
-    for Pair { own, place, weight } in pairs.clone() {
+    for ContactPair { own, place, weight } in pairs.clone() {
         total += weight;
         own_centre += own * *weight;
         place_centre += place * *weight;
@@ -158,7 +158,7 @@ fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
     own_centre /= total;
     place_centre /= total;
     let (mut along, mut across) = (0.0, 0.0);
-    for Pair { own, place, weight } in pairs {
+    for ContactPair { own, place, weight } in pairs {
         let (own, place) = (own - own_centre, place - place_centre);
         along += weight * own.dot(&place);
         across += weight * own.perp(&place);

@@ -6,8 +6,8 @@
 //! Numerical Optimization, 2006, ch. 3). For large tilts the frame is turned and it is done again.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
+use super::pose::FloorPose;
+use crate::model;
 use nalgebra::{Cholesky, Matrix3, U3, Vector3};
 
 /// Stiffness of a foot with its leg, and of the belly, N/mm.
@@ -52,7 +52,7 @@ pub(super) struct Support {
 pub(super) fn rest<const L: usize>(
     points: &Contacts<Vector, L>,
     load: &Load,
-    body: &Body,
+    body: &FloorPose,
 ) -> Support {
     let mut support = Support {
         normal: body.normal,
@@ -61,7 +61,7 @@ pub(super) fn rest<const L: usize>(
     };
     let pull = pull(load, body.heading);
     for _ in 0..TURNS {
-        let levelling = Body::levelling(support.normal);
+        let levelling = FloorPose::levelling(support.normal);
         let problem = Problem {
             points: points.map(|point| levelling * point),
             centre: levelling * load.centre,
@@ -232,4 +232,57 @@ fn energy<const L: usize>(
         let depth = (-height).max(0.0);
         energy + STIFFNESS / 2.0 * depth * depth
     })
+}
+
+/// A value for each foot and for each corner of the belly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Contacts<T, const L: usize> {
+    pub(super) feet: [T; L],
+    pub(super) belly: [T; 4],
+}
+
+impl<T, const L: usize> Contacts<T, L> {
+    pub(super) const fn new(feet: [T; L], belly: [T; 4]) -> Self {
+        Contacts { feet, belly }
+    }
+
+    /// Iterates over all contacts, feet first.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
+        self.feet.iter().chain(&self.belly)
+    }
+
+    /// Calls `f` with both values of each contact, feet first.
+    pub(super) fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
+        for (one, other) in self.feet.iter().zip(&other.feet) {
+            f(one, other);
+        }
+        for (one, other) in self.belly.iter().zip(&other.belly) {
+            f(one, other);
+        }
+    }
+}
+
+impl<T: Copy, const L: usize> Contacts<T, L> {
+    pub(super) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Contacts<U, L> {
+        Contacts {
+            feet: self.feet.map(&mut f),
+            belly: self.belly.map(&mut f),
+        }
+    }
+}
+
+impl<const L: usize> Contacts<Vector, L> {
+    /// Returns the points that can touch the floor, in the robot frame.
+    pub(super) fn of(body: &model::Body, feet: [Vector; L]) -> Self {
+        let (x, y, z) = (body.x, body.y, body.z.min);
+        Contacts {
+            feet,
+            belly: [
+                Vector::new(x.min, y.min, z),
+                Vector::new(x.max, y.min, z),
+                Vector::new(x.max, y.max, z),
+                Vector::new(x.min, y.max, z),
+            ],
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
 use super::links::GRAVITY;
-use super::path::Following;
+use super::tracking::TrackingErrors;
 
 /// The shortest time over which accelerations are taken, s. Over a shorter one, feet that come to
 /// carry load would look like impacts.
@@ -43,17 +43,17 @@ impl Unmodelled {
 
 /// The counted events of a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Oddities {
+pub(super) struct CycleEvents {
     pub(super) crosses: bool,
     pub(super) hurries: bool,
     /// The greatest distance of a foot from its path, mm.
     pub(super) stray: f64,
 }
 
-impl Oddities {
+impl CycleEvents {
     /// Merges the events of two legs.
     pub(super) fn and(self, other: Self) -> Self {
-        Oddities {
+        CycleEvents {
             crosses: self.crosses || other.crosses,
             hurries: self.hurries || other.hurries,
             stray: self.stray.max(other.stray),
@@ -63,11 +63,11 @@ impl Oddities {
 
 /// A counter of unmodelled effects.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Doubts {
+pub(super) struct UnmodelledCounter {
     /// The coefficient of Coulomb friction of the floor.
     pub(super) friction: f64,
     pub(super) counted: Unmodelled,
-    pub(super) following: Following,
+    pub(super) tracking_errors: TrackingErrors,
     /// The last two positions of the centre of mass in the floor's frame (mm), the later one first.
     places: [Option<Vector>; 2],
     /// Time since the later position, s.
@@ -78,9 +78,9 @@ pub(super) struct Doubts {
     slides: bool,
 }
 
-impl Doubts {
+impl UnmodelledCounter {
     pub(super) const fn new(friction: f64) -> Self {
-        Doubts {
+        UnmodelledCounter {
             friction,
             counted: Unmodelled {
                 zmp_margin: 0.0,
@@ -89,7 +89,7 @@ impl Doubts {
                 slides: 0,
                 crossings: 0,
             },
-            following: Following::NONE,
+            tracking_errors: TrackingErrors::NONE,
             places: [None; 2],
             since: 0.0,
             acceleration: Vector::new(0.0, 0.0, 0.0),
@@ -137,16 +137,16 @@ impl Doubts {
 
     /// Resets the counts.
     pub(super) fn begin(&mut self) {
-        *self = Doubts::new(self.friction);
+        *self = UnmodelledCounter::new(self.friction);
     }
 
     /// Ends a cycle with these events.
-    pub(super) fn close(&mut self, oddities: &Oddities) {
+    pub(super) fn close(&mut self, events: &CycleEvents) {
         let counted = &mut self.counted;
         counted.tips += u32::from(self.tips);
         counted.slides += u32::from(self.slides);
-        counted.crossings += u32::from(oddities.crosses);
-        self.following.count(oddities.hurries, oddities.stray);
+        counted.crossings += u32::from(events.crosses);
+        self.tracking_errors.count(events.hurries, events.stray);
         (self.tips, self.slides) = (false, false);
     }
 }

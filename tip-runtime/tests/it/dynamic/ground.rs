@@ -432,7 +432,7 @@ fn what_could_not_be_followed_is_counted_as_without_mass() {
     let mut heavy = titan();
     let mut light = SimulatedPlant::new(&titan8::MODEL);
     go(&mut heavy, standing(250.0));
-    let follows = |motion: Option<Motion>| motion.expect("it walks").following;
+    let follows = |motion: Option<Motion>| motion.expect("it walks").tracking_errors;
     assert!(follows(heavy.motion()).is_empty(), "{heavy:?}");
     // A foot outwards and forwards, faster than its yaw can turn: 500 deg/s for ten cycles.
     let mut angles = standing(250.0);

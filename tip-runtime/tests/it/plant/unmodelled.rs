@@ -255,10 +255,10 @@ fn joints_that_are_to_turn_faster_than_their_servos_are_counted() {
     };
     rig.command(turning(360.0), 20.0);
     rig.command(turning(-360.0), 20.0);
-    assert_eq!(rig.plant.following().hurries, 0);
+    assert_eq!(rig.plant.tracking_errors().hurries, 0);
     rig.command(turning(-361.0), 20.0);
     rig.command(turning(859.0), 20.0);
-    assert_eq!(rig.plant.following().hurries, 2);
+    assert_eq!(rig.plant.tracking_errors().hurries, 2);
 }
 
 #[test]
@@ -274,7 +274,7 @@ fn a_foot_beside_its_line_is_counted() {
             feet[1] = [391.0 - gone, 201.0 + gone, -180.0];
             rig.tell(&feet);
         }
-        rig.plant.following()
+        rig.plant.tracking_errors()
     };
     let fast = slanting(360.0);
     assert_eq!(fast.strays, 0, "{fast:?}");

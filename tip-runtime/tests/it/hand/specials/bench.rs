@@ -59,19 +59,19 @@ pub(crate) struct Bench<U = ()> {
 
 impl Bench {
     pub(crate) fn new() -> Self {
-        Self::beside(())
+        Self::with_user(())
     }
 }
 
 impl<U: Special> Bench<U> {
-    pub(crate) fn beside(user: U) -> Self {
+    pub(crate) fn with_user(user: U) -> Self {
         Bench {
             robot: Ideal {
                 hand: Hand::new(),
                 flags: [false; 10],
                 graphs: Vec::new(),
             },
-            special: HandSpecials::beside(user),
+            special: HandSpecials::with_user(user),
         }
     }
 

@@ -5,7 +5,7 @@ use core::fmt::{self, Write};
 
 /// The motion of a simulated robot in a cycle. Joints come leg by leg.
 #[derive(Clone, Copy, Debug)]
-pub struct Moved<'a> {
+pub struct MotionRecord<'a> {
     /// Pose of the body; `None` for a robot that stays where it is.
     pub pose: Option<Pose>,
     /// Motion of the body, if known.
@@ -18,7 +18,7 @@ pub struct Moved<'a> {
     pub loads: &'a [f64],
 }
 
-impl Moved<'_> {
+impl MotionRecord<'_> {
     /// Writes the keys `pose`, `angles`, `loads`, `margin` and `falls`, each after a comma; then `zmp`, and `tips`,
     /// `slides`, `crossings`, `hurries` and `strays` once they are above 0.
     pub(super) fn write(&self, out: &mut impl Write) -> fmt::Result {
@@ -45,7 +45,7 @@ impl Moved<'_> {
             write!(out, r#","margin":{},"falls":{falls}"#, Number(*margin))?;
         }
         let Some(Motion {
-            following,
+            tracking_errors,
             unmodelled,
             ..
         }) = self.motion
@@ -65,7 +65,10 @@ impl Moved<'_> {
         }
         counts(
             out,
-            [("hurries", following.hurries), ("strays", following.strays)],
+            [
+                ("hurries", tracking_errors.hurries),
+                ("strays", tracking_errors.strays),
+            ],
         )
     }
 }

@@ -6,7 +6,7 @@
 )]
 
 use crate::printable::Printable;
-use crate::record::WholeFile;
+use crate::record::AtomicFile;
 use core::fmt;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
@@ -45,14 +45,14 @@ impl core::error::Error for LogError {}
 
 /// A folder and the program whose files it holds.
 #[derive(Debug)]
-pub(super) struct Claim {
+pub(super) struct LogFolder {
     folder: PathBuf,
     program: String,
 }
 
-impl Claim {
+impl LogFolder {
     pub(super) fn new(folder: PathBuf, program: &str) -> Self {
-        Claim {
+        LogFolder {
             folder,
             program: Printable::line(program).to_string(),
         }
@@ -69,7 +69,7 @@ impl Claim {
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), LogError> {
         let path = self.folder.join(name);
         let replace = || {
-            let mut file = WholeFile::create(&path)?;
+            let mut file = AtomicFile::create(&path)?;
             writeln!(file, "{}", self.heading(name))?;
             file.write_all(text.as_bytes())?;
             file.commit()

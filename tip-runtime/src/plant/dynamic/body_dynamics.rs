@@ -1,68 +1,67 @@
 //! The dynamics of the body: a floating box, or a frame that is bolted down.
 
 use super::Vector;
-use super::bump::bumps;
-use super::contact::{Grip, Touch};
-use super::frame::Frame;
-use super::spatial::{Inertia, Spatial, placed};
-use super::world::{GRAVITY, Share, World};
+use super::contact::{Bristle, Touch};
+use super::edge_contact::for_each_edge_contact;
+use super::spatial::{Contribution, Inertia, MovingFrame, Spatial, placed};
+use super::terrain::{GRAVITY, StepContext};
 use crate::model::{Body, Range};
 use crate::plant::cuboid::Cuboid;
 use nalgebra::{Matrix3, Rotation3};
 
 /// The body.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Trunk {
+pub(super) struct BodyDynamics {
     /// `None` if it is bolted down.
     pub(super) model: Option<Body>,
-    pub(super) frame: Frame,
+    pub(super) frame: MovingFrame,
     /// Bristles of the corners.
-    grips: [Grip; 8],
+    bristles: [Bristle; 8],
     /// The load of each corner, N.
     pub(super) loads: [f64; 8],
     /// The load of blocks under sides and edges, N.
-    pub(super) propped: f64,
-    pub(super) push: Push,
+    pub(super) edge_load: f64,
+    pub(super) push: ExternalForce,
 }
 
 /// A force on the body's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Push {
+pub(super) struct ExternalForce {
     /// The force in the world, N.
     pub(super) force: Vector,
     /// Number of remaining cycles.
     pub(super) cycles: u32,
 }
 
-impl Push {
-    const NONE: Self = Push {
+impl ExternalForce {
+    const NONE: Self = ExternalForce {
         force: Vector::new(0.0, 0.0, 0.0),
         cycles: 0,
     };
 
     /// Counts a cycle.
-    pub(super) const fn tire(&mut self) {
+    pub(super) const fn count_cycle(&mut self) {
         match self.cycles.checked_sub(1) {
             Some(left @ 1..) => self.cycles = left,
-            _ => *self = Push::NONE,
+            _ => *self = ExternalForce::NONE,
         }
     }
 }
 
-impl Trunk {
+impl BodyDynamics {
     pub(super) fn new(model: Option<Body>) -> Self {
-        Trunk {
+        BodyDynamics {
             model,
-            frame: Frame {
+            frame: MovingFrame {
                 position: Vector::zeros(),
                 rotation: Rotation3::identity(),
                 velocity: Vector::zeros(),
                 rate: Vector::zeros(),
             },
-            grips: [Grip::FREE; 8],
+            bristles: [Bristle::FREE; 8],
             loads: [0.0; 8],
-            propped: 0.0,
-            push: Push::NONE,
+            edge_load: 0.0,
+            push: ExternalForce::NONE,
         }
     }
 
@@ -82,11 +81,11 @@ impl Trunk {
     }
 
     /// Updates contacts and forces; returns the body's inertia and the forces on it.
-    pub(super) fn place(&mut self, world: &World<'_>) -> Share {
+    pub(super) fn place(&mut self, context: &StepContext<'_>) -> Contribution {
         let Some(body) = self.model else {
-            return Share::NONE;
+            return Contribution::NONE;
         };
-        let Frame { rotation, rate, .. } = self.frame;
+        let MovingFrame { rotation, rate, .. } = self.frame;
         let weight = Vector::new(0.0, 0.0, GRAVITY * body.mass);
         let (centre, own, mut force) = match &body.spread {
             None => {
@@ -111,38 +110,38 @@ impl Trunk {
         force.linear -= self.push.force;
         let extent = self.extent();
         let corners = self.corners().map(|corner| rotation * corner);
-        let before = self.grips;
-        let mut push = |grip: &mut Grip, arm: Vector, touch: Option<Touch>| {
+        let before = self.bristles;
+        let mut push = |bristle: &mut Bristle, arm: Vector, touch: Option<Touch>| {
             let velocity = self.frame.velocity + rate.cross(&arm);
-            let push = grip.force(touch, velocity, world.law, world.stride.dt);
+            let push = bristle.force(touch, velocity, context.law, context.step.dt);
             force = force - Spatial::pushing(push, arm);
             touch.map_or(0.0, |touch| touch.load(push))
         };
         let mut spare = [const { None }; 8];
-        let contacts = self.grips.iter_mut().zip(&mut self.loads).zip(before);
-        for ((((grip, load), before), arm), spare) in contacts.zip(corners).zip(&mut spare) {
+        let contacts = self.bristles.iter_mut().zip(&mut self.loads).zip(before);
+        for ((((bristle, load), before), arm), spare) in contacts.zip(corners).zip(&mut spare) {
             let touch =
-                (world.terrain).and_then(|terrain| terrain.touch(self.frame.position + arm));
-            *load = push(grip, arm, touch);
-            *spare = touch.is_none().then_some((grip, before));
+                (context.terrain).and_then(|terrain| terrain.touch(self.frame.position + arm));
+            *load = push(bristle, arm, touch);
+            *spare = touch.is_none().then_some((bristle, before));
         }
         // Bristles of corners that touch nothing serve where the body meets blocks between its corners.
         let mut spare = spare.into_iter().flatten();
-        self.propped = 0.0;
-        if let Some((extent, terrain)) = extent.zip(world.terrain) {
-            bumps(&extent, &self.frame, terrain, |arm, touch| {
-                let mut bare = Grip::FREE;
-                let grip = match spare.next() {
-                    Some((grip, before)) => {
-                        *grip = before;
-                        grip
+        self.edge_load = 0.0;
+        if let Some((extent, terrain)) = extent.zip(context.terrain) {
+            for_each_edge_contact(&extent, &self.frame, terrain, |arm, touch| {
+                let mut bare = Bristle::FREE;
+                let bristle = match spare.next() {
+                    Some((bristle, before)) => {
+                        *bristle = before;
+                        bristle
                     }
                     None => &mut bare,
                 };
-                self.propped += push(grip, arm, Some(touch));
+                self.edge_load += push(bristle, arm, Some(touch));
             });
         }
-        Share {
+        Contribution {
             inertia: Inertia::new(body.mass, centre, own),
             force,
         }

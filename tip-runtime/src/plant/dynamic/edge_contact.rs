@@ -2,7 +2,7 @@
 
 use super::Vector;
 use super::contact::Touch;
-use super::frame::Frame;
+use super::spatial::MovingFrame;
 use super::terrain::Terrain;
 use crate::plant::cuboid::{Cuboid, middle};
 
@@ -12,9 +12,9 @@ const CLIMB: f64 = 1e4;
 /// Calls `meet` for each place where an edge of the body passes through a block, or an edge of a
 /// block through the body: the midpoint of the part inside, from the body's origin (m). Corners of
 /// the body are handled elsewhere.
-pub(super) fn bumps(
+pub(super) fn for_each_edge_contact(
     extent: &Cuboid,
-    frame: &Frame,
+    frame: &MovingFrame,
     terrain: &Terrain,
     mut meet: impl FnMut(Vector, Touch),
 ) {
@@ -53,7 +53,7 @@ pub(super) fn bumps(
 }
 
 /// Returns the rise of the body that clears the top of every block, m.
-pub(super) fn climb(extent: &Cuboid, frame: &Frame, terrain: &Terrain) -> f64 {
+pub(super) fn rise_over_blocks(extent: &Cuboid, frame: &MovingFrame, terrain: &Terrain) -> f64 {
     let edges = extent.edges();
     let edges = edges.map(|edge| terrain.rise(edge.map(|corner| frame.point(corner))));
     let rise = edges.into_iter().fold(0.0, f64::max);

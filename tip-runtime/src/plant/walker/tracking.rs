@@ -17,7 +17,7 @@ const SAME: f64 = 1e-6;
 /// Commands that joints and feet could not follow, counted in control cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Following {
+pub struct TrackingErrors {
     /// Number of cycles in which a joint was commanded to turn faster than its servo can.
     pub hurries: u32,
     /// Number of cycles in which a foot was more than 10 mm off its commanded path.
@@ -26,8 +26,8 @@ pub struct Following {
     pub farthest_stray: f64,
 }
 
-impl Following {
-    pub(in crate::plant) const NONE: Self = Following {
+impl TrackingErrors {
+    pub(in crate::plant) const NONE: Self = TrackingErrors {
         hurries: 0,
         strays: 0,
         farthest_stray: 0.0,

@@ -2,11 +2,11 @@
 //! between them.
 
 use super::Vector;
-use super::contact::{Bristle, Law, Push};
+use super::contact::{Bristle, ContactLaw, Push};
 use super::finger::Finger;
+use super::grasped_object::{GraspedObject, LinkContact, Palm};
 use super::overlap::Surface;
 use super::slider::SliderServo;
-use super::thing::{Join, Palm, Thing};
 use super::{Fingertip, ObjectState};
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
@@ -26,14 +26,14 @@ const LONGEST: f64 = 1000.0;
 
 /// One finger and its contacts.
 #[derive(Clone, Debug)]
-pub(super) struct FingerPlant<const J: usize> {
+pub(super) struct FingerContacts<const J: usize> {
     finger: Finger<J>,
     /// Position along z, mm.
     z: f64,
     /// Friction of joints and tip on the floor.
-    treads: [Bristle; J],
+    floor_bristles: [Bristle; J],
     /// Contacts of the links with each object.
-    grasps: [[Join; J]; OBJECTS],
+    link_contacts: [[LinkContact; J]; OBJECTS],
     /// External force on the fingertip, N.
     pub(super) pull: Vector,
     /// Forces of the floor, and of the objects, on the last link, N.
@@ -44,14 +44,14 @@ pub(super) struct FingerPlant<const J: usize> {
 
 /// A hand and its surroundings: with an array of fingers, or a slice, which holds all logic.
 #[derive(Clone, Debug)]
-pub(super) struct Grip<S: ?Sized> {
+pub(super) struct ContactModel<S: ?Sized> {
     scene: Scene,
     /// Number of the robot's torque units in one N·m.
     pub(super) torque_unit: f64,
     slider: SliderServo,
     /// The palm; `None` for a hand without fingers.
     palm: Option<Palm>,
-    things: [Option<Thing>; OBJECTS],
+    objects: [Option<GraspedObject>; OBJECTS],
     /// The longest step that the fingers and objects allow, s.
     step: f64,
     /// Period of the last cycle, ms.
@@ -60,13 +60,13 @@ pub(super) struct Grip<S: ?Sized> {
     pub(super) fingers: S,
 }
 
-impl<const J: usize> FingerPlant<J> {
+impl<const J: usize> FingerContacts<J> {
     fn new(leg: &Leg<J>) -> Self {
-        FingerPlant {
+        FingerContacts {
             finger: Finger::new(leg),
             z: leg.base[2],
-            treads: [Bristle::default(); J],
-            grasps: [[Join::NONE; J]; OBJECTS],
+            floor_bristles: [Bristle::default(); J],
+            link_contacts: [[LinkContact::NONE; J]; OBJECTS],
             pull: Vector::zeros(),
             on_last: [Vector::zeros(); 2],
             greatest: 0.0,
@@ -95,14 +95,14 @@ impl<const J: usize> FingerPlant<J> {
     }
 
     /// Applies the contacts of joints and tip with the floor.
-    fn meet_floor(&mut self, floor: &Surface, dt: f64) {
-        for (m, tread) in self.treads.iter_mut().enumerate() {
+    fn press_floor(&mut self, floor: &Surface, dt: f64) {
+        for (m, bristle) in self.floor_bristles.iter_mut().enumerate() {
             let Some(&link) = self.finger.links().get(m) else {
                 continue;
             };
             let velocity = |at| link.velocity_at(at) - floor.velocity;
             let place = floor.overlap(link.end);
-            let push = tread.press(place, velocity, Law::FINGER, floor.friction, dt);
+            let push = bristle.press(place, velocity, ContactLaw::FINGER, floor.friction, dt);
             if let Some(Push { at, force }) = push {
                 self.finger.push(m, at, force);
                 if m + 1 == J {
@@ -114,35 +114,35 @@ impl<const J: usize> FingerPlant<J> {
     }
 
     /// Applies the contacts with the object at a place in the scene.
-    fn meet(&mut self, place: usize, thing: &mut Thing, dt: f64) {
-        if let Some(joins) = self.grasps.get_mut(place) {
+    fn press_object(&mut self, place: usize, object: &mut GraspedObject, dt: f64) {
+        if let Some(contacts) = self.link_contacts.get_mut(place) {
             let [_, on_last] = &mut self.on_last;
-            *on_last += thing.meet_finger(joins, &mut self.finger, dt);
+            *on_last += object.press_finger(contacts, &mut self.finger, dt);
         }
     }
 }
 
-impl<const L: usize, const J: usize> Grip<[FingerPlant<J>; L]> {
+impl<const L: usize, const J: usize> ContactModel<[FingerContacts<J>; L]> {
     /// Returns the hand in its initial posture over an empty, level floor.
     pub(super) fn new(model: &Model<L, J>) -> Self {
-        let mut grip = Grip {
+        let mut contacts = ContactModel {
             scene: Scene::EMPTY,
             torque_unit: Whole::of(model).torque_unit(),
             slider: SliderServo::new(model.slider.as_ref()),
             palm: Palm::between(model.legs.iter().map(|leg| leg.base)),
-            things: [None; OBJECTS],
+            objects: [None; OBJECTS],
             step: STEP,
             period: model.standards.period,
             stopped: false,
-            fingers: model.legs.each_ref().map(FingerPlant::new),
+            fingers: model.legs.each_ref().map(FingerContacts::new),
         };
-        let slice: &mut Grip<[FingerPlant<J>]> = &mut grip;
+        let slice: &mut ContactModel<[FingerContacts<J>]> = &mut contacts;
         slice.step = slice.longest_step();
-        grip
+        contacts
     }
 }
 
-impl<S: ?Sized> Grip<S> {
+impl<S: ?Sized> ContactModel<S> {
     fn floor(&self) -> Surface {
         self.slider.floor(&self.scene.floor, self.scene.friction)
     }
@@ -155,44 +155,43 @@ impl<S: ?Sized> Grip<S> {
     /// Returns the objects, in the order of the scene.
     pub(super) fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
         let floor = self.floor();
-        self.things.map(|thing| {
-            let thing = thing?;
-            let body = &thing.body;
+        self.objects.map(|object| {
+            let object = object?;
+            let body = &object.body;
             Some(ObjectState {
                 position: in_space(body.centre * 1000.0),
                 angle: body.angle.to_degrees(),
                 velocity: in_space(body.velocity * 1000.0),
                 spin: body.spin.to_degrees(),
-                clearance: thing.clearance(&floor) * 1000.0,
-                highest: thing.highest * 1000.0,
-                on_floor: thing.on_floor,
-                at_palm: thing.at_palm,
+                clearance: object.clearance(&floor) * 1000.0,
+                highest: object.highest * 1000.0,
+                on_floor: object.on_floor,
+                at_palm: object.at_palm,
             })
         })
     }
 }
 
-impl<const J: usize> Grip<[FingerPlant<J>]> {
+impl<const J: usize> ContactModel<[FingerContacts<J>]> {
     /// Replaces floor and objects and clears the contacts.
     pub(super) fn replace(&mut self, scene: &Scene) {
         self.scene = *scene;
         let floor = self.floor();
         let objects = scene.objects.each_ref();
-        self.things = objects.map(|object| Some(Thing::new(object.as_ref()?, &floor)));
+        self.objects = objects.map(|object| Some(GraspedObject::new(object.as_ref()?, &floor)));
         for finger in &mut self.fingers {
-            finger.grasps = [[Join::NONE; J]; OBJECTS];
+            finger.link_contacts = [[LinkContact::NONE; J]; OBJECTS];
         }
         self.step = self.longest_step();
     }
 
     /// Returns a step in which no contact swings too far, s.
     fn longest_step(&self) -> f64 {
-        let of_fingers = self
-            .fingers
-            .iter()
-            .map(|FingerPlant { finger, .. }| Law::FINGER.frequency(finger.lightest()) / 3.0);
-        let things = self.things.iter().flatten();
-        let frequencies = of_fingers.chain(things.map(|thing| thing.body.frequency()));
+        let of_fingers = self.fingers.iter().map(|FingerContacts { finger, .. }| {
+            ContactLaw::FINGER.frequency(finger.lightest()) / 3.0
+        });
+        let objects = self.objects.iter().flatten();
+        let frequencies = of_fingers.chain(objects.map(|object| object.body.frequency()));
         frequencies.fold(STEP, |step, frequency| step.min(SWING / frequency))
     }
 
@@ -203,21 +202,21 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
             *angles = finger.angles();
             *torques = finger.torques(self.torque_unit);
         }
-        let touched = self.things.iter().flatten().any(|thing| thing.at_palm);
+        let touched = self.objects.iter().flatten().any(|object| object.at_palm);
         let volts = f64::from(u8::from(touched));
         sensors.inputs.set(Port::Antenna, volts);
         *sensors.slider = self.slider.position;
     }
 
     /// Simulates a control cycle of `period` ms with commands. Without a period nothing moves.
-    pub(super) fn obey(&mut self, commands: &[[JointCommand; J]], slider: Point, period: f64) {
+    pub(super) fn simulate(&mut self, commands: &[[JointCommand; J]], slider: Point, period: f64) {
         self.stopped = false;
         if !(period > 0.0 && period.is_finite()) {
             return;
         }
         self.period = period;
         let seconds = period / 1000.0;
-        for (FingerPlant { finger, .. }, commands) in self.fingers.iter_mut().zip(commands) {
+        for (FingerContacts { finger, .. }, commands) in self.fingers.iter_mut().zip(commands) {
             let joints = finger.motors.iter_mut().zip(finger.angles);
             for ((motor, angle), command) in joints.zip(commands) {
                 motor.command(*command, self.torque_unit, angle, seconds);
@@ -229,8 +228,8 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
 
     /// Returns true if all positions and speeds are valid.
     pub(super) fn is_sane(&self) -> bool {
-        let things = self.things.iter().flatten().map(|thing| &thing.body);
-        let things = things.flat_map(|body| {
+        let objects = self.objects.iter().flatten().map(|object| &object.body);
+        let objects = objects.flat_map(|body| {
             let ([x, y], [u, v]) = (body.centre.into(), body.velocity.into());
             [x, y, u, v, body.angle, body.spin]
         });
@@ -239,14 +238,14 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
             let torques = finger.motors.iter().map(|motor| motor.torque);
             finger.angles.iter().copied().chain(torques)
         });
-        are_sane(things.chain(fingers))
+        are_sane(objects.chain(fingers))
     }
 
     /// Simulates a control cycle of an emergency.
     pub(super) fn stop(&mut self) {
         if !self.stopped {
             self.stopped = true;
-            for FingerPlant { finger, .. } in &mut self.fingers {
+            for FingerContacts { finger, .. } in &mut self.fingers {
                 for (motor, angle) in finger.motors.iter_mut().zip(finger.angles) {
                     motor.hold(angle);
                 }
@@ -271,39 +270,39 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         }
         self.kick(dt);
         self.arrive(dt / 2.0);
-        self.watch();
+        self.update_extremes();
     }
 
     /// Updates the extremes at the end of a cycle.
-    fn watch(&mut self) {
+    fn update_extremes(&mut self) {
         for finger in &mut self.fingers {
             let [floor, objects] = finger.on_last;
             finger.greatest = finger.greatest.max((floor + objects).norm());
         }
         let floor = self.floor();
-        for thing in self.things.iter_mut().flatten() {
-            thing.highest = thing.highest.max(thing.clearance(&floor));
+        for object in self.objects.iter_mut().flatten() {
+            object.highest = object.highest.max(object.clearance(&floor));
         }
     }
 
     /// Moves all bodies for `time` s at their velocities, to the middle of a step of `dt` s.
     fn drift(&mut self, time: f64, dt: f64) {
-        for FingerPlant { finger, .. } in &mut self.fingers {
+        for FingerContacts { finger, .. } in &mut self.fingers {
             finger.drift(time, dt);
         }
-        for thing in self.things.iter_mut().flatten() {
-            thing.body.drift(time, dt);
+        for object in self.objects.iter_mut().flatten() {
+            object.body.drift(time, dt);
         }
         self.slider.advance(time);
     }
 
     /// Moves all bodies for `time` s at their velocities, to the end of a cycle.
     fn arrive(&mut self, time: f64) {
-        for FingerPlant { finger, .. } in &mut self.fingers {
+        for FingerContacts { finger, .. } in &mut self.fingers {
             finger.arrive(time);
         }
-        for thing in self.things.iter_mut().flatten() {
-            thing.body.arrive(time);
+        for object in self.objects.iter_mut().flatten() {
+            object.body.arrive(time);
         }
         self.slider.advance(time);
     }
@@ -314,37 +313,37 @@ impl<const J: usize> Grip<[FingerPlant<J>]> {
         let floor = self.floor();
         for finger in &mut self.fingers {
             finger.on_last = [Vector::zeros(); 2];
-            finger.meet_floor(&floor, dt);
+            finger.press_floor(&floor, dt);
         }
-        self.meet_objects(&floor, dt);
-        for FingerPlant { finger, pull, .. } in &mut self.fingers {
+        self.press_objects(&floor, dt);
+        for FingerContacts { finger, pull, .. } in &mut self.fingers {
             finger.push(J.wrapping_sub(1), finger.tip(), *pull);
             finger.kick(dt);
         }
-        for thing in self.things.iter_mut().flatten() {
-            thing.body.kick(dt);
+        for object in self.objects.iter_mut().flatten() {
+            object.body.kick(dt);
         }
     }
 
     /// Applies the contacts of objects with the floor, the palm, the fingers and each other.
-    fn meet_objects(&mut self, floor: &Surface, dt: f64) {
-        for (place, thing) in self.things.iter_mut().enumerate() {
-            let Some(thing) = thing else {
+    fn press_objects(&mut self, floor: &Surface, dt: f64) {
+        for (place, object) in self.objects.iter_mut().enumerate() {
+            let Some(object) = object else {
                 continue;
             };
-            thing.meet_floor(floor, dt);
+            object.press_floor(floor, dt);
             if let Some(palm) = &self.palm {
-                thing.meet_palm(palm, dt);
+                object.press_palm(palm, dt);
             }
             for finger in &mut self.fingers {
-                finger.meet(place, thing, dt);
+                finger.press_object(place, object, dt);
             }
         }
-        let mut rest = self.things.as_mut_slice();
+        let mut rest = self.objects.as_mut_slice();
         while let Some((first, others)) = rest.split_first_mut() {
             for (n, other) in others.iter_mut().enumerate() {
-                if let (Some(thing), Some(other)) = (first.as_mut(), other) {
-                    thing.meet(n, other, dt);
+                if let (Some(object), Some(other)) = (first.as_mut(), other) {
+                    object.press_object(n, other, dt);
                 }
             }
             rest = others;

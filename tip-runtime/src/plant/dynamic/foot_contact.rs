@@ -8,7 +8,7 @@ const BOUNCE: f64 = 20e-3;
 
 /// The contact of a foot with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Foothold {
+pub(super) struct FootContact {
     /// Position in the world, m.
     pub(super) place: Vector,
     /// Force along the ground's normal, N.
@@ -24,9 +24,9 @@ pub(super) struct Foothold {
     pub(super) slip: f64,
 }
 
-impl Foothold {
+impl FootContact {
     /// The contact of a foot that has not been placed yet.
-    pub(super) const NONE: Self = Foothold {
+    pub(super) const NONE: Self = FootContact {
         place: Vector::new(0.0, 0.0, 0.0),
         load: 0.0,
         force: Vector::new(0.0, 0.0, 0.0),
@@ -62,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_foot_that_bounces_goes_on_slipping_and_one_that_steps_does_not() {
-        let mut foot = Foothold::NONE;
+        let mut foot = FootContact::NONE;
         let at = |x| Vector::new(x, 0.0, 0.0);
         let up = |z| Vector::new(0.0, 0.0, z);
         foot.at(at(1.0), up(5.0), up(1.0), 1e-3);

@@ -38,7 +38,7 @@ impl Pose {
 
 /// The pose of the body in the floor's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Body {
+pub(super) struct FloorPose {
     /// The floor's normal in the robot frame.
     pub(super) normal: Vector,
     /// Height of the origin above the floor, mm.
@@ -50,11 +50,11 @@ pub(super) struct Body {
     pub(super) heading: f64,
 }
 
-impl Body {
+impl FloorPose {
     /// Returns a level body over the floor's origin: with its belly on the floor, or bolted down
     /// there.
     pub(super) fn standing(body: Option<&model::Body>) -> Self {
-        Body {
+        FloorPose {
             normal: Vector::z(),
             height: body.map_or(0.0, |body| -body.z.min),
             x: 0.0,

@@ -1,9 +1,9 @@
 //! A rigid body in the plane: the motion of an object.
 
 use super::Vector;
-use super::contact::{HEAVY, Law};
+use super::contact::{ContactLaw, HEAVY};
+use super::contact_history::Face;
 use super::finger::{across, rotated};
-use super::seam::Face;
 use crate::scene::{Object, Shape};
 
 /// Acceleration of free fall, m/s².
@@ -20,7 +20,7 @@ enum Outline {
 
 /// A rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Body {
+pub(super) struct RigidBody {
     outline: Outline,
     /// Greatest distance of a point from the centre, m.
     pub(super) reach: f64,
@@ -31,9 +31,9 @@ pub(super) struct Body {
     /// The coefficient of Coulomb friction of the surface.
     pub(super) friction: f64,
     /// Contact law with floor and palm.
-    pub(super) law: Law,
+    pub(super) law: ContactLaw,
     /// Contact law with fingers.
-    pub(super) held: Law,
+    pub(super) law_with_fingers: ContactLaw,
     /// Centre, m.
     pub(super) centre: Vector,
     /// rad.
@@ -58,7 +58,7 @@ pub(super) struct Body {
     torque: f64,
 }
 
-impl Body {
+impl RigidBody {
     /// Returns a body at rest, with its centre at y = 0 if it has no position of its own.
     pub(super) fn new(object: &Object) -> Self {
         let mass = object.mass;
@@ -73,14 +73,14 @@ impl Body {
                 (Outline::Box(half), half.norm(), inertia)
             }
         };
-        let mut body = Body {
+        let mut body = RigidBody {
             outline,
             reach,
             mass,
             inertia,
             friction: object.friction,
-            law: Law::of(mass),
-            held: Law::of(mass.min(HEAVY)),
+            law: ContactLaw::of(mass),
+            law_with_fingers: ContactLaw::of(mass.min(HEAVY)),
             centre: Vector::new(object.x, object.y.unwrap_or(0.0)) / 1000.0,
             angle: object.angle.to_radians(),
             velocity: Vector::zeros(),
@@ -146,7 +146,7 @@ impl Body {
     }
 
     /// Returns the contact law with another body: that of the lighter one.
-    pub(super) fn law_with(&self, other: &Self) -> Law {
+    pub(super) fn law_with(&self, other: &Self) -> ContactLaw {
         let lighter = if self.mass < other.mass { self } else { other };
         lighter.law
     }

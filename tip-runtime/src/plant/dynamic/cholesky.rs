@@ -2,9 +2,9 @@
 
 /// The lower triangle of a matrix's Cholesky factor, row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Factor<const N: usize>([[f64; N]; N]);
+pub(super) struct CholeskyFactor<const N: usize>([[f64; N]; N]);
 
-impl<const N: usize> Factor<N> {
+impl<const N: usize> CholeskyFactor<N> {
     /// Factorises a matrix, of which only the lower triangle is read; `None` if it is not positive
     /// definite.
     pub(super) fn of(mut rows: [[f64; N]; N]) -> Option<Self> {
@@ -24,11 +24,11 @@ impl<const N: usize> Factor<N> {
             }
             *own = libm::sqrt(square);
         }
-        Some(Factor(rows))
+        Some(CholeskyFactor(rows))
     }
 
     /// Solves the lower triangular system: the forward substitution of `right`.
-    pub(super) fn halve(&self, mut right: [f64; N]) -> [f64; N] {
+    pub(super) fn forward_substitute(&self, mut right: [f64; N]) -> [f64; N] {
         for (i, row) in self.0.iter().enumerate() {
             let known = dot(row, &right, i);
             if let (Some(own), Some(pivot)) = (right.get_mut(i), row.get(i)) {
@@ -40,7 +40,7 @@ impl<const N: usize> Factor<N> {
 
     /// Solves the whole system.
     pub(super) fn solve(&self, right: [f64; N]) -> [f64; N] {
-        let mut half = self.halve(right);
+        let mut half = self.forward_substitute(right);
         for (i, row) in self.0.iter().enumerate().rev() {
             let below = self.0.iter().zip(&half).skip(i + 1);
             let known: f64 = below
@@ -68,12 +68,12 @@ mod tests {
     fn a_solution_solves() {
         let matrix = [[4.0, 9.9, 9.9], [2.0, 5.0, 9.9], [-2.0, 1.0, 6.0]];
         let full = [[4.0, 2.0, -2.0], [2.0, 5.0, 1.0], [-2.0, 1.0, 6.0]];
-        let factor = Factor::of(matrix).expect("positive definite");
+        let factor = CholeskyFactor::of(matrix).expect("positive definite");
         let solved = factor.solve([1.0, -2.0, 3.0]);
         for (row, right) in full.iter().zip([1.0, -2.0, 3.0]) {
             assert!((dot(row, &solved, 3) - right).abs() < 1e-12);
         }
-        assert_eq!(Factor::of([[0.0]]), None);
-        assert_eq!(Factor::of([[1.0, 0.0], [2.0, 1.0]]), None);
+        assert_eq!(CholeskyFactor::of([[0.0]]), None);
+        assert_eq!(CholeskyFactor::of([[1.0, 0.0], [2.0, 1.0]]), None);
     }
 }

@@ -2,9 +2,9 @@
 //! proportion to their length.
 
 use super::Vector;
-use super::contact::Law;
-use super::frame::Frame;
+use super::contact::ContactLaw;
 use super::leg::LegBody;
+use super::spatial::MovingFrame;
 use crate::command::MAX;
 
 /// Radius of a link, as a share of its length.
@@ -14,7 +14,7 @@ const FRICTION: f64 = 0.5;
 
 /// Returns the share of their thickness that links have, so that none touch in this posture: 1 if
 /// they are far enough apart.
-pub(super) fn clearance<const J: usize>(legs: &[LegBody<J>], frame: &Frame) -> f64 {
+pub(super) fn clearance<const J: usize>(legs: &[LegBody<J>], frame: &MovingFrame) -> f64 {
     let mut clearance = 1.0_f64;
     for (number, leg) in legs.iter().enumerate() {
         for other in legs.iter().take(number) {
@@ -30,10 +30,10 @@ pub(super) fn clearance<const J: usize>(legs: &[LegBody<J>], frame: &Frame) -> f
 }
 
 /// Pushes legs apart that meet.
-pub(super) fn clash<const J: usize>(
+pub(super) fn push_legs_apart<const J: usize>(
     legs: &mut [LegBody<J>],
-    frame: &Frame,
-    law: &Law,
+    frame: &MovingFrame,
+    law: &ContactLaw,
     clearance: f64,
 ) {
     let mut boxes = [[Vector::zeros(); 2]; MAX];
@@ -50,7 +50,7 @@ pub(super) fn clash<const J: usize>(
         for (other, theirs) in before.iter_mut().zip(&boxes) {
             if are_near(own, theirs) {
                 for (j, i) in pairs::<J>() {
-                    meet((&mut *leg, j), (&mut *other, i), frame, law, clearance);
+                    collide((&mut *leg, j), (&mut *other, i), frame, law, clearance);
                 }
             }
         }
@@ -66,11 +66,11 @@ fn pairs<const J: usize>() -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// Pushes two links apart, if they meet.
-fn meet<const J: usize>(
+fn collide<const J: usize>(
     (leg, j): (&mut LegBody<J>, usize),
     (other, i): (&mut LegBody<J>, usize),
-    frame: &Frame,
-    law: &Law,
+    frame: &MovingFrame,
+    law: &ContactLaw,
     clearance: f64,
 ) {
     let Some((one, two)) = leg.link(j, frame).zip(other.link(i, frame)) else {
@@ -106,7 +106,7 @@ fn are_near([low, high]: &[Vector; 2], [least, most]: &[Vector; 2]) -> bool {
 }
 
 /// Returns the box around a leg, m.
-fn around<const J: usize>(leg: &LegBody<J>, frame: &Frame) -> [Vector; 2] {
+fn around<const J: usize>(leg: &LegBody<J>, frame: &MovingFrame) -> [Vector; 2] {
     let ends = (0..J).filter_map(|j| leg.link(j, frame));
     let mut least = Vector::repeat(f64::INFINITY);
     let mut most = -least;
@@ -145,9 +145,9 @@ fn nearest([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> [Vector; 2] {
 
 /// Returns the fraction, limited to 0…1.
 #[inline]
-fn part(of: f64, whole: f64) -> f64 {
-    if whole > 0.0 && of > 0.0 {
-        (of / whole).min(1.0)
+fn part(of: f64, total: f64) -> f64 {
+    if total > 0.0 && of > 0.0 {
+        (of / total).min(1.0)
     } else {
         0.0
     }

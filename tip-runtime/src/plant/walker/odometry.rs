@@ -1,6 +1,6 @@
 //! Odometry: the travel of the body.
 
-use super::body::Body;
+use super::pose::FloorPose;
 use crate::model::Point;
 use crate::scene::Floor;
 use core::f64::consts::{PI, TAU};
@@ -28,17 +28,17 @@ impl Travel {
 
 /// The start of the body, and the number of its revolutions since.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Start {
+pub(super) struct Odometer {
     position: Point,
     /// rad.
     heading: f64,
     revolutions: f64,
 }
 
-impl Start {
+impl Odometer {
     /// Starts at the current pose.
-    pub(super) fn at(floor: &Floor, body: &Body) -> Self {
-        Start {
+    pub(super) fn at(floor: &Floor, body: &FloorPose) -> Self {
+        Odometer {
             position: floor.position(body),
             heading: body.heading,
             revolutions: 0.0,
@@ -55,7 +55,7 @@ impl Start {
     }
 
     /// Returns the travel from the start to the current pose.
-    pub(super) fn travel(&self, floor: &Floor, body: &Body) -> Travel {
+    pub(super) fn travel(&self, floor: &Floor, body: &FloorPose) -> Travel {
         let ([x, y, z], [x0, y0, z0]) = (floor.position(body), self.position);
         let turn = body.heading - self.heading + self.revolutions * TAU;
         Travel {
@@ -74,8 +74,8 @@ mod tests {
     #[test]
     fn whole_turns_count_in_both_senses() {
         for sense in [1.0, -1.0] {
-            let mut body = Body::standing(None);
-            let mut start = Start::at(&Floor::LEVEL, &body);
+            let mut body = FloorPose::standing(None);
+            let mut start = Odometer::at(&Floor::LEVEL, &body);
             // Two turns and a quarter, in steps of 30 degrees.
             for step in 1..=27 {
                 let angle = sense * f64::from(step) * PI / 6.0;

@@ -1,6 +1,6 @@
 //! Selection among the solutions of a closed form.
 
-use super::chain::Growing;
+use super::chain::ChainBuilder;
 use super::{ROUNDING, Solutions, roll_pitch_pitch, yaw_pitch_pitch};
 use crate::model::{Inverse, Joint, Point, Range};
 
@@ -10,20 +10,20 @@ const LEAP: f64 = 6.0;
 
 /// A leg of three joints with a closed-form inverse.
 #[derive(Clone, Copy)]
-pub(super) struct ClosedLeg<'a> {
+pub(super) struct ClosedFormLeg<'a> {
     kind: Inverse,
     base: Point,
     joints: [&'a Joint; 3],
 }
 
-impl<'a> ClosedLeg<'a> {
+impl<'a> ClosedFormLeg<'a> {
     /// Returns `None` if the leg does not have three joints.
     pub(super) fn new(kind: Inverse, base: Point, joints: &'a [Joint]) -> Option<Self> {
         let [first, second, third] = joints else {
             return None;
         };
         let joints = [first, second, third];
-        Some(ClosedLeg { kind, base, joints })
+        Some(ClosedFormLeg { kind, base, joints })
     }
 
     /// Returns all solutions that put the foot at `foot` (mm), whatever the limits. A joint that
@@ -96,11 +96,11 @@ impl<'a> ClosedLeg<'a> {
     fn branch(&self, angles: &[f64; 3]) -> Branch {
         let [first, second, third] = self.joints;
         let [roll, thigh, knee] = angles;
-        let mut growing = Growing::at(self.base);
-        let (hip, along) = growing.grow(first, *roll);
-        let (upper, across) = growing.grow(second, *thigh);
-        let (lower, _) = growing.grow(third, *knee);
-        let foot = growing.end();
+        let mut builder = ChainBuilder::at(self.base);
+        let (hip, along) = builder.append(first, *roll);
+        let (upper, across) = builder.append(second, *thigh);
+        let (lower, _) = builder.append(third, *knee);
+        let foot = builder.end();
         let side = along.cross(&across).dot(&(foot - hip));
         let bend = across.dot(&(lower - upper).cross(&(foot - lower)));
         let size = (lower - upper).norm() + (foot - lower).norm() + (upper - hip).norm();

@@ -1,10 +1,10 @@
 //! The fall detector of a robot with mass; it measures travel, slip and margin as well.
 
 use super::Vector;
-use super::foothold::Foothold;
-use super::frame::Frame;
+use super::body_dynamics::BodyDynamics;
+use super::foot_contact::FootContact;
+use super::spatial::MovingFrame;
 use super::terrain::Terrain;
-use super::trunk::Trunk;
 use crate::plant::Travel;
 use crate::plant::walker::fall::{FallCounter, Posture, TILTED};
 use crate::plant::walker::polygon;
@@ -24,7 +24,7 @@ const LIFTED: f64 = 0.02;
 
 /// The measurements so far.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch {
+pub(super) struct FallDetector {
     /// Start of the body, m.
     start: Vector,
     /// Heading to the left, about the floor's normal, rad.
@@ -47,9 +47,9 @@ pub(super) struct Watch {
     pub(super) cycle: u64,
 }
 
-impl Watch {
-    pub(super) fn new(frame: &Frame, terrain: &Terrain) -> Self {
-        Watch {
+impl FallDetector {
+    pub(super) fn new(frame: &MovingFrame, terrain: &Terrain) -> Self {
+        FallDetector {
             start: frame.position,
             heading: heading(frame, terrain),
             turned: 0.0,
@@ -75,24 +75,24 @@ impl Watch {
 
     /// Updates the measurements at the end of a cycle of `period` ms; `centre` is the centre of
     /// mass from the body's origin.
-    pub(super) fn look<'a>(
+    pub(super) fn update<'a>(
         &mut self,
         period: f64,
-        trunk: &Trunk,
+        base: &BodyDynamics,
         terrain: &Terrain,
         centre: Vector,
-        feet: impl Iterator<Item = &'a Foothold> + Clone,
+        feet: impl Iterator<Item = &'a FootContact> + Clone,
     ) {
-        self.turn(&trunk.frame, terrain);
-        let over = flat(trunk.frame.position + centre);
+        self.turn(&base.frame, terrain);
+        let over = flat(base.frame.position + centre);
         let carrying = feet.filter(|foot| foot.load > 0.0);
         let lowest = carrying.clone().map(|foot| foot.place.z);
         let lowest = lowest.fold(f64::INFINITY, f64::min);
         let standing = carrying.clone().map(|foot| flat(foot.place));
-        let corners = trunk.corners().into_iter().zip(trunk.loads);
+        let corners = base.corners().into_iter().zip(base.loads);
         let corners = corners.filter(|(_, load)| *load > 0.0);
-        let corners = corners.map(|(corner, _)| flat(trunk.frame.point(corner)));
-        let lies = trunk.propped > 0.0 || corners.clone().next().is_some();
+        let corners = corners.map(|(corner, _)| flat(base.frame.point(corner)));
+        let lies = base.edge_load > 0.0 || corners.clone().next().is_some();
         let on_feet = polygon::margin(standing.clone(), over);
         let stands = standing.clone().next().is_some() && !lies;
         let carriers = standing.chain(corners);
@@ -101,10 +101,10 @@ impl Watch {
             self.margin = polygon::margin(carriers, over);
             self.least = self.least.min(self.margin);
         }
-        let height = (trunk.frame.position.z + centre.z - lowest) * 1000.0;
-        let uprightness = (trunk.frame.rotation * Vector::z()).dot(&terrain.normal);
+        let height = (base.frame.position.z + centre.z - lowest) * 1000.0;
+        let uprightness = (base.frame.rotation * Vector::z()).dot(&terrain.normal);
         let support = if uprightness < TILTED {
-            polygon::margin(standing_below(trunk, terrain, carrying), over)
+            polygon::margin(standing_below(base, terrain, carrying), over)
         } else {
             self.margin
         };
@@ -127,11 +127,11 @@ impl Watch {
             is_up: self.stood >= UP,
             margin: self.margin,
         };
-        self.falls.look(&posture, self.cycle);
+        self.falls.update(&posture, self.cycle);
     }
 
     /// Updates the heading, which is kept within half a turn.
-    fn turn(&mut self, frame: &Frame, terrain: &Terrain) {
+    fn turn(&mut self, frame: &MovingFrame, terrain: &Terrain) {
         let heading = heading(frame, terrain);
         let turn = heading - self.heading;
         let turn = if turn > PI {
@@ -146,7 +146,7 @@ impl Watch {
     }
 
     /// Returns the travel of the body.
-    pub(super) fn travel(&self, frame: &Frame) -> Travel {
+    pub(super) fn travel(&self, frame: &MovingFrame) -> Travel {
         let come = (frame.position - self.start) * 1000.0;
         Travel {
             x: come.x,
@@ -160,19 +160,19 @@ impl Watch {
 /// Returns the feet under a tilted body that its program has not lifted. The height of a foot is measured along the body's z
 /// axis and from the ground under that foot, so that a body parallel to the floor stands on all its feet.
 fn standing_below<'a>(
-    trunk: &Trunk,
+    base: &BodyDynamics,
     terrain: &Terrain,
-    feet: impl Iterator<Item = &'a Foothold> + Clone,
+    feet: impl Iterator<Item = &'a FootContact> + Clone,
 ) -> impl Iterator<Item = [f64; 2]> + Clone {
-    let (up, normal) = (trunk.frame.rotation * Vector::z(), terrain.normal);
-    let lift = move |foot: &Foothold| (up - normal).dot(&foot.place);
+    let (up, normal) = (base.frame.rotation * Vector::z(), terrain.normal);
+    let lift = move |foot: &FootContact| (up - normal).dot(&foot.place);
     let lowest = feet.clone().map(lift).fold(f64::INFINITY, f64::min);
     feet.filter(move |foot| lift(foot) <= lowest + LIFTED)
         .map(|foot| flat(foot.place))
 }
 
 /// Returns the heading of the robot's y axis along the floor, from the world's y axis, rad.
-fn heading(frame: &Frame, terrain: &Terrain) -> f64 {
+fn heading(frame: &MovingFrame, terrain: &Terrain) -> f64 {
     let forward = terrain.tilt().inverse() * (frame.rotation * Vector::y());
     libm::atan2(-forward.x, forward.y)
 }

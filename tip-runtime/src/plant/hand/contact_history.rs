@@ -22,7 +22,7 @@ impl Face {
 
 /// The contact history of a link and a body that are near each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seam {
+pub(super) struct ContactHistory {
     /// The side of the link on which the body is, or was before it came through: +1 where a quarter
     /// turn from the link points, −1 on the other side, 0 if unknown.
     pub(super) side: f64,
@@ -30,9 +30,9 @@ pub(super) struct Seam {
     pub(super) face: Option<Face>,
 }
 
-impl Seam {
+impl ContactHistory {
     /// The history of a pair that has not been near each other.
-    pub(super) const UNKNOWN: Self = Seam {
+    pub(super) const UNKNOWN: Self = ContactHistory {
         side: 0.0,
         face: None,
     };
@@ -60,11 +60,11 @@ mod tests {
 
     #[test]
     fn a_body_comes_through_a_link_but_not_round_its_end() {
-        let mut seam = Seam::UNKNOWN;
-        assert!(!seam.is_through(1.0, true));
-        assert!(seam.is_through(-1.0, true) && seam.is_through(-1.0, true));
-        assert!(!seam.is_through(1.0, true), "it is back");
-        assert!(!seam.is_through(-1.0, false), "it went round");
-        assert!(!seam.is_through(-1.0, true));
+        let mut history = ContactHistory::UNKNOWN;
+        assert!(!history.is_through(1.0, true));
+        assert!(history.is_through(-1.0, true) && history.is_through(-1.0, true));
+        assert!(!history.is_through(1.0, true), "it is back");
+        assert!(!history.is_through(-1.0, false), "it went round");
+        assert!(!history.is_through(-1.0, true));
     }
 }

@@ -1,9 +1,9 @@
 //! The descent of a body that loses its hold: no faster than free fall.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
 use super::links::GRAVITY;
+use super::pose::FloorPose;
+use super::support::Contacts;
 use super::support::{self, Support};
 
 /// Halvings of a share or a height.
@@ -14,15 +14,15 @@ const ROUNDING: f64 = 1e-9;
 
 /// The descent of the body: the speed of its fastest point, mm/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sinking {
+pub(super) struct Descent {
     speed: f64,
     /// True if nothing but gravity determines the speed.
     pub(super) is_free: bool,
 }
 
-impl Sinking {
+impl Descent {
     /// At rest.
-    pub(super) const NONE: Self = Sinking {
+    pub(super) const NONE: Self = Descent {
         speed: 0.0,
         is_free: false,
     };
@@ -34,7 +34,7 @@ impl Sinking {
         rest: Support,
         points: &Contacts<Vector, L>,
         weight: f64,
-        body: &Body,
+        body: &FloorPose,
         dt: f64,
     ) -> Support {
         if dt <= 0.0 {
@@ -78,7 +78,7 @@ fn places<const L: usize>(points: &Contacts<Vector, L>) -> impl Iterator<Item = 
 }
 
 /// Returns the greatest descent of a point of the body to a rest, mm.
-fn sunk<const L: usize>(points: &Contacts<Vector, L>, body: &Body, rest: &Support) -> f64 {
+fn sunk<const L: usize>(points: &Contacts<Vector, L>, body: &FloorPose, rest: &Support) -> f64 {
     places(points).fold(f64::NEG_INFINITY, |most, place| {
         let before = body.normal.dot(place) + body.height;
         most.max(before - rest.normal.dot(place) - rest.height)
@@ -89,7 +89,7 @@ fn sunk<const L: usize>(points: &Contacts<Vector, L>, body: &Body, rest: &Suppor
 /// `farthest`, mm.
 fn fallen<const L: usize>(
     points: &Contacts<Vector, L>,
-    body: &Body,
+    body: &FloorPose,
     normal: Vector,
     farthest: f64,
 ) -> f64 {

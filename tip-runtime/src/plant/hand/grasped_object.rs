@@ -1,11 +1,11 @@
 //! A grasped object: a body with its contacts.
 
 use super::Vector;
-use super::body::Body;
 use super::contact::{Bristle, Push};
+use super::contact_history::ContactHistory;
 use super::finger::Finger;
 use super::overlap::{Surface, of_bodies, of_link};
-use super::seam::Seam;
+use super::rigid_body::RigidBody;
 use crate::model::{Point, Range};
 use crate::scene::{OBJECTS, Object};
 
@@ -17,24 +17,24 @@ const THICKNESS: f64 = 0.02;
 
 /// The contacts of a link with a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Join {
+pub(super) struct LinkContact {
     /// Friction of the possible places of contact.
     bristles: [Bristle; 5],
-    seam: Seam,
+    history: ContactHistory,
 }
 
-impl Join {
+impl LinkContact {
     /// The contacts of a pair that has not been near each other.
-    pub(super) const NONE: Self = Join {
+    pub(super) const NONE: Self = LinkContact {
         bristles: [Bristle::NONE; 5],
-        seam: Seam::UNKNOWN,
+        history: ContactHistory::UNKNOWN,
     };
 }
 
 /// A body with the friction of its contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Thing {
-    pub(super) body: Body,
+pub(super) struct GraspedObject {
+    pub(super) body: RigidBody,
     floor: [Bristle; 4],
     palm: [Bristle; 4],
     /// Contacts with the objects after it in the scene.
@@ -45,17 +45,17 @@ pub(super) struct Thing {
     pub(super) highest: f64,
 }
 
-impl Thing {
+impl GraspedObject {
     /// Returns an object at rest. One without a position of its own stands on the floor.
     pub(super) fn new(object: &Object, floor: &Surface) -> Self {
-        let mut body = Body::new(object);
+        let mut body = RigidBody::new(object);
         if object.y.is_none() {
             let low = |low: f64, point: &Vector| low.min(floor.height(*point));
             let lowest = body.feelers(-floor.normal);
             let lowest = lowest.iter().flatten().fold(f64::INFINITY, low);
             body.centre.y -= lowest / floor.normal.y;
         }
-        let mut thing = Thing {
+        let mut object = GraspedObject {
             body,
             floor: [Bristle::default(); 4],
             palm: [Bristle::default(); 4],
@@ -64,8 +64,8 @@ impl Thing {
             at_palm: false,
             highest: 0.0,
         };
-        thing.highest = thing.clearance(floor);
-        thing
+        object.highest = object.clearance(floor);
+        object
     }
 
     /// Returns the height of the lowest point above the floor, m.
@@ -76,35 +76,35 @@ impl Thing {
     }
 
     /// Applies the contact with the floor.
-    pub(super) fn meet_floor(&mut self, floor: &Surface, dt: f64) {
+    pub(super) fn press_floor(&mut self, floor: &Surface, dt: f64) {
         self.on_floor = press(&mut self.body, &mut self.floor, floor, |_| true, dt);
     }
 
     /// Applies the contact with the palm.
-    pub(super) fn meet_palm(&mut self, palm: &Palm, dt: f64) {
+    pub(super) fn press_palm(&mut self, palm: &Palm, dt: f64) {
         let is_there = |point| palm.is_at(point);
         self.at_palm = press(&mut self.body, &mut self.palm, &palm.surface, is_there, dt);
     }
 
     /// Applies the contacts with a finger, which are `joins`; returns the force on the finger's
     /// last link, N.
-    pub(super) fn meet_finger<const J: usize>(
+    pub(super) fn press_finger<const J: usize>(
         &mut self,
-        joins: &mut [Join; J],
+        contacts: &mut [LinkContact; J],
         finger: &mut Finger<J>,
         dt: f64,
     ) -> Vector {
-        let Body {
+        let RigidBody {
             friction,
-            held: law,
+            law_with_fingers: law,
             ..
         } = self.body;
         let mut on_last = Vector::zeros();
-        for (m, Join { bristles, seam }) in joins.iter_mut().enumerate() {
+        for (m, LinkContact { bristles, history }) in contacts.iter_mut().enumerate() {
             let Some(link) = finger.links().get(m) else {
                 continue;
             };
-            let Some(places) = of_link(link, m == 0, &self.body, seam) else {
+            let Some(places) = of_link(link, m == 0, &self.body, history) else {
                 *bristles = [Bristle::default(); 5];
                 continue;
             };
@@ -126,7 +126,7 @@ impl Thing {
     }
 
     /// Applies the contact with another object, the `n`th after it.
-    pub(super) fn meet(&mut self, n: usize, other: &mut Self, dt: f64) {
+    pub(super) fn press_object(&mut self, n: usize, other: &mut Self, dt: f64) {
         let friction = self.body.friction.min(other.body.friction);
         let law = self.body.law_with(&other.body);
         let places = of_bodies(&self.body, &other.body);
@@ -178,7 +178,7 @@ impl Palm {
 /// Applies the contact of a body with a surface where `is_there` is true; returns true if they
 /// touch.
 fn press(
-    body: &mut Body,
+    body: &mut RigidBody,
     bristles: &mut [Bristle; 4],
     surface: &Surface,
     is_there: impl Fn(Vector) -> bool,

@@ -17,14 +17,14 @@ const SHIFT: u32 = 32;
 /// A value in the format of MESSAGE: truncated without decimals, otherwise rounded (T.I.P. 3.1
 /// §7-9-4).
 #[derive(Clone, Copy, Debug)]
-pub struct Shown {
+pub struct FormattedNumber {
     /// The value.
     pub value: f64,
     /// Digits after the point, 0…7.
     pub decimals: u8,
 }
 
-impl fmt::Display for Shown {
+impl fmt::Display for FormattedNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.decimals == 0 {
             // Adding zero turns −0 into 0.
@@ -54,7 +54,7 @@ impl fmt::Display for Message<'_> {
         for part in self.0 {
             match *part {
                 Part::Text(text) => f.write_str(text)?,
-                Part::Number(value, decimals) => Shown { value, decimals }.fmt(f)?,
+                Part::Number(value, decimals) => FormattedNumber { value, decimals }.fmt(f)?,
             }
         }
         Ok(())
@@ -176,7 +176,7 @@ mod tests {
     use std::string::{String, ToString};
 
     fn shown(value: f64, decimals: u8) -> String {
-        Shown { value, decimals }.to_string()
+        FormattedNumber { value, decimals }.to_string()
     }
 
     #[test]

@@ -17,7 +17,7 @@ use tempfile::{Builder, NamedTempFile};
 /// part, the content is copied into the file. Only a crash in this last step can leave the file incomplete, with the part
 /// beside it.
 #[derive(Debug)]
-pub struct WholeFile(Target);
+pub struct AtomicFile(Target);
 
 #[derive(Debug)]
 enum Target {
@@ -30,7 +30,7 @@ enum Target {
     },
 }
 
-impl WholeFile {
+impl AtomicFile {
     /// Begins a file; its folder has to exist. The call never blocks: a pipe without a reader is
     /// refused.
     ///
@@ -38,7 +38,7 @@ impl WholeFile {
     /// The folder cannot be written, or `path` is a folder, a read-only file, or a pipe that nobody reads.
     pub fn create(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
-            Ok(found) if !found.is_file() => Ok(WholeFile(Target::Straight(open(path)?))),
+            Ok(found) if !found.is_file() => Ok(AtomicFile(Target::Straight(open(path)?))),
             // To rename asks the folder for leave only.
             Ok(found) if found.permissions().readonly() => {
                 Err(io::ErrorKind::PermissionDenied.into())
@@ -67,7 +67,7 @@ impl WholeFile {
             true => None,
             false => Some(File::options().write(true).open(&place)?),
         };
-        Ok(WholeFile(Target::Part { file, place, kept }))
+        Ok(AtomicFile(Target::Part { file, place, kept }))
     }
 
     /// Returns the path of the temporary file, unless the file is written directly: a process that
@@ -189,7 +189,7 @@ fn open(path: &Path) -> io::Result<File> {
     File::options().write(true).open(path)
 }
 
-impl Write for WholeFile {
+impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.0 {
             Target::Straight(file) => file.write(bytes),

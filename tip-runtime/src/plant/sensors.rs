@@ -1,9 +1,11 @@
-//! Sensor inputs that are set from outside.
+//! Sensor readings of plants: inputs that are set from outside, and noise.
 
-use crate::analog::{self, Wire};
+use crate::analog::{self, Connection};
 use crate::command::Port;
 use crate::hardware::{Inputs, SensorsMut};
 use crate::model::{Leg, Model, Range};
+use crate::plant::Noise;
+use core::f64::consts::TAU;
 
 /// Overrides of the robot's inputs and of the potentiometers of its legs: an array of legs, or a
 /// slice.
@@ -43,7 +45,7 @@ impl<const L: usize, const J: usize> Overrides<[LegInputs<J>; L]> {
             legs: [LegInputs::new(Leg::BLANK); L],
         };
         let view: &mut Overrides<[LegInputs<J>]> = &mut overrides;
-        view.put(&model.legs);
+        view.copy_ranges(&model.legs);
         overrides
     }
 }
@@ -52,7 +54,7 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     /// Copies the ranges of the potentiometers from the legs.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    fn put(&mut self, legs: &[Leg<J>]) {
+    fn copy_ranges(&mut self, legs: &[Leg<J>]) {
         for (inputs, leg) in self.legs.iter_mut().zip(legs) {
             *inputs = LegInputs::new(leg);
         }
@@ -62,10 +64,10 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
     pub(super) fn set(&mut self, port: Port, volts: f64) -> bool {
         let index = |number: u8| usize::from(number).wrapping_sub(1);
         match port {
-            Port::Channel(channel) => match analog::wire(channel, self.legs.len(), J) {
-                Some(Wire::Joint(leg, joint)) => self.set_joint(leg, joint, volts),
-                Some(Wire::Input(port)) => self.set_input(port, volts),
-                Some(Wire::Open) | None => false,
+            Port::Channel(channel) => match analog::connection(channel, self.legs.len(), J) {
+                Some(Connection::Joint(leg, joint)) => self.set_joint(leg, joint, volts),
+                Some(Connection::Input(port)) => self.set_input(port, volts),
+                Some(Connection::Open) | None => false,
             },
             Port::Joint(leg, joint) => self.set_joint(index(leg), index(joint), volts),
             port => self.set_input(port, volts),
@@ -101,5 +103,52 @@ impl<const J: usize> Overrides<[LegInputs<J>]> {
             }
         }
         sensors.inputs.replace(&self.inputs);
+    }
+}
+
+/// A source of noise: random numbers by SplitMix64 (Steele, Lea and Flood, *Fast Splittable
+/// Pseudorandom Number Generators*, 2014).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SensorNoise {
+    noise: Noise,
+    state: u64,
+}
+
+impl SensorNoise {
+    pub(super) const fn of(noise: Noise) -> Self {
+        SensorNoise {
+            noise,
+            state: noise.seed,
+        }
+    }
+
+    /// Adds noise to the readings of joints and soles.
+    pub(super) fn apply<const J: usize>(&mut self, sensors: &mut SensorsMut<'_, J>) {
+        let Noise { angle, volts, .. } = self.noise;
+        for read in sensors.angles.iter_mut().flatten() {
+            *read += angle * self.normal();
+        }
+        for (leg, _) in (1..).zip(sensors.angles.iter()) {
+            let error = volts * self.normal();
+            if let Some(read) = sensors.inputs.get_mut(Port::Paw(leg)) {
+                *read += error;
+            }
+        }
+    }
+
+    /// Returns a number of the standard normal distribution (Box and Muller, 1958).
+    fn normal(&mut self) -> f64 {
+        let (radius, angle) = (1.0 - self.uniform(), self.uniform());
+        libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(TAU * angle)
+    }
+
+    /// Returns a number from 0 up to, but not including, 1.
+    fn uniform(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = self.state;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^= mixed >> 31;
+        (mixed >> 11) as f64 / (1_u64 << 53) as f64
     }
 }

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tip_runtime::record::WholeFile;
+use tip_runtime::record::AtomicFile;
 
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
@@ -17,7 +17,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn write(path: &Path, text: &str) -> std::io::Result<()> {
-    let mut file = WholeFile::create(path)?;
+    let mut file = AtomicFile::create(path)?;
     file.write_all(text.as_bytes())?;
     file.commit()
 }
@@ -57,14 +57,14 @@ fn a_name_of_the_greatest_length_can_be_written() {
         assert_eq!(fs::read_to_string(&path).expect("it is there"), text);
     }
     let longer = path.with_file_name("n".repeat(256));
-    let refused = WholeFile::create(&longer).expect_err("no name is so long");
+    let refused = AtomicFile::create(&longer).expect_err("no name is so long");
     assert_eq!(refused.kind(), std::io::ErrorKind::InvalidFilename);
 }
 
 #[test]
 fn a_folder_that_is_missing_is_the_systems_error() {
     let path = folder("missing").join("no/file");
-    let error = WholeFile::create(&path).expect_err("there is no folder");
+    let error = AtomicFile::create(&path).expect_err("there is no folder");
     // ENOENT.
     assert_eq!(error.raw_os_error(), Some(2));
 }
@@ -73,7 +73,7 @@ fn a_folder_that_is_missing_is_the_systems_error() {
 fn no_two_files_share_a_part_and_none_is_left() {
     let folder = folder("parts");
     let path = folder.join("one");
-    let files = [(); 8].map(|()| WholeFile::create(&path).expect("the folder is writable"));
+    let files = [(); 8].map(|()| AtomicFile::create(&path).expect("the folder is writable"));
     let mut parts: Vec<_> = files
         .iter()
         .map(|file| file.part().map(Path::to_owned))
@@ -95,7 +95,7 @@ fn a_pipe_without_a_reader_is_refused_at_once_and_one_with_a_reader_is_written()
     let pipe = folder("pipe").join("pipe");
     let made = Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo starts").success());
-    let refused = WholeFile::create(&pipe).expect_err("nobody reads it");
+    let refused = AtomicFile::create(&pipe).expect_err("nobody reads it");
     // ENXIO.
     assert_eq!(refused.raw_os_error(), Some(6));
     let reader = std::thread::spawn({
@@ -103,7 +103,7 @@ fn a_pipe_without_a_reader_is_refused_at_once_and_one_with_a_reader_is_written()
         move || fs::read_to_string(pipe)
     });
     let mut file = loop {
-        match WholeFile::create(&pipe) {
+        match AtomicFile::create(&pipe) {
             Ok(file) => break file,
             Err(_) => std::thread::yield_now(),
         }
