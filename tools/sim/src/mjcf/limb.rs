@@ -4,7 +4,7 @@ use super::parts::Parts;
 use super::{SKIN, metres, quaternion};
 use crate::body::{Anatomy, Beginning, Limb};
 use crate::urdf::frame::{self, BASE, BODY};
-use crate::urdf::shape::rod_moments;
+use crate::urdf::rod_moments;
 use crate::urdf::xml::vector;
 use std::f64::consts::FRAC_1_SQRT_2;
 use tip_runtime::model::{Body, Joint};

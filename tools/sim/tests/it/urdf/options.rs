@@ -1,15 +1,15 @@
 //! Which chains become legs, in which order, and where they end.
 
 use crate::urdf::robots::{Joint, PLAIN, TIP, fixed, quadruped, revolute, urdf};
-use tip_sim::urdf::{Choices, Foot, Import, Up, import_with};
+use tip_sim::urdf::{Foot, Import, ImportOptions, Up, import_with};
 
 fn words(words: &[&str]) -> Vec<String> {
     words.iter().copied().map(str::to_owned).collect()
 }
 
 /// Of feet, chains to skip, and chains in order.
-fn choices([feet, skip, order]: [&[&str]; 3]) -> Choices {
-    Choices {
+fn options([feet, skip, order]: [&[&str]; 3]) -> ImportOptions {
+    ImportOptions {
         feet: feet.iter().copied().map(Foot::from).collect(),
         skip: words(skip),
         order: words(order),
@@ -20,13 +20,13 @@ fn choices([feet, skip, order]: [&[&str]; 3]) -> Choices {
 
 #[track_caller]
 fn taken(joints: &[Joint], chosen: [&[&str]; 3]) -> Import {
-    let import = import_with("test.urdf", &urdf(joints), &choices(chosen));
+    let import = import_with("test.urdf", &urdf(joints), &options(chosen));
     import.unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[track_caller]
 fn refused(joints: &[Joint], chosen: [&[&str]; 3], parts: &[&str]) {
-    let import = import_with("test.urdf", &urdf(joints), &choices(chosen));
+    let import = import_with("test.urdf", &urdf(joints), &options(chosen));
     let error = import.expect_err("it is refused").to_string();
     for part in parts {
         assert!(error.contains(part), "{error}: {part}");
@@ -165,11 +165,11 @@ fn a_foot_that_is_chosen_ends_its_chain() {
 fn footless(feet: &[Foot]) -> Result<Import, String> {
     let mut joints = quadruped();
     joints.retain(|joint| !joint.child.starts_with('e'));
-    let choices = Choices {
+    let options = ImportOptions {
         feet: feet.to_vec(),
-        ..Choices::default()
+        ..ImportOptions::default()
     };
-    import_with("test.urdf", &urdf(&joints), &choices).map_err(|error| error.to_string())
+    import_with("test.urdf", &urdf(&joints), &options).map_err(|error| error.to_string())
 }
 
 #[test]
@@ -227,7 +227,7 @@ const LEGS: [[&str; 3]; 6] = [
     ["f", "fl", "ff"],
 ];
 
-/// The first joints of the legs in their order, and the lines of the report that say which order that is.
+/// Returns the first joints of the legs in their order, and the lines of the report on the order.
 fn ordered(places: &[[f64; 2]]) -> (String, Vec<String>) {
     let legs = LEGS.into_iter().zip(places);
     let joints = legs.flat_map(|(name, [x, y])| placed(name, [*x, *y, 0.0], [0.0, 0.0, -0.2]));
@@ -352,11 +352,11 @@ fn a_robot_that_lies_on_its_side_is_refused_until_it_is_said_what_is_up() {
             ]
         });
         let joints: Vec<Joint> = legs.collect();
-        let choices = Choices {
+        let options = ImportOptions {
             up,
-            ..Choices::default()
+            ..ImportOptions::default()
         };
-        import_with("test.urdf", &urdf(&joints), &choices).map_err(|error| error.to_string())
+        import_with("test.urdf", &urdf(&joints), &options).map_err(|error| error.to_string())
     };
     let kinematics = |import: Result<Import, String>| -> Vec<String> {
         let toml = import.unwrap_or_else(|error| panic!("{error}")).toml;

@@ -1,11 +1,11 @@
-//! Figures that stand in files for want of better ones.
+//! Placeholders in files: figures that no robot has.
 
 use crate::urdf::robots::{PLAIN, TIP, fixed, revolute, urdf};
 use crate::urdf::{imported, told};
 
 const LIMIT: &str = "lower=\"-1.5\" upper=\"2\" effort=\"7\" velocity=\"3\"";
 
-/// A robot of one joint `a` and link `one`, whose limits are others.
+/// Returns a robot of one joint `a` and link `one` with the given limits.
 fn leg(limit: &str) -> String {
     let text = urdf(&[
         revolute("a", "base", "one", PLAIN),
@@ -14,7 +14,7 @@ fn leg(limit: &str) -> String {
     text.replace(LIMIT, limit)
 }
 
-/// What the report doubts.
+/// Returns the doubtful lines of the report.
 fn doubts(text: &str) -> Vec<String> {
     let said = told(&imported(text).0);
     let doubts = said.lines().filter(|line| line.starts_with("doubtful: "));
@@ -65,7 +65,7 @@ fn limits_of_half_a_turn_on_both_sides_are_doubted() {
     }
 }
 
-/// What the description has of `limits`, and what the report says of them.
+/// Returns `limits` of the description, and the report on them.
 fn limited(version: &str, ends: &str) -> (Option<String>, Vec<String>) {
     let text = leg(&format!("{ends} effort=\"7\" velocity=\"3\""));
     let text = text.replace("<robot ", &format!("<robot version=\"{version}\" "));
