@@ -1,5 +1,5 @@
-//! The analogue inputs of the control box: which channel is what, and how volts follow from angles
-//! and forces.
+//! The analogue inputs of the control box: the use of each A/D channel, and the conversions between
+//! volts, angles and forces.
 
 use crate::command::Port;
 use crate::model::Range;
@@ -19,45 +19,46 @@ const PAW: f64 = 5.0;
 /// The full load of a sole's pressure sensor: N.
 const PAW_FULL: f64 = 200.0;
 
-/// What is wired to a channel of the A/D board.
+/// The connection of a channel of the A/D board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wire {
+pub(crate) enum Connection {
     /// A joint: leg and joint, from 0.
     Joint(usize, usize),
     /// An input with a name.
     Input(Port),
-    /// Nothing.
+    /// No connection.
     Open,
 }
 
-/// What is wired to `channel` of a robot of `legs` × `joints`; `None` past the board's last one.
-pub(crate) fn wire(channel: u8, legs: usize, joints: usize) -> Option<Wire> {
+/// Returns the connection of `channel` on a robot of `legs` × `joints`; `None` past the board's
+/// last channel.
+pub(crate) fn connection(channel: u8, legs: usize, joints: usize) -> Option<Connection> {
     if channel >= CHANNELS {
         return None;
     }
     if let Some(knob) = channel.checked_sub(FIRST_KNOB) {
-        return Some(Wire::Input(Port::Knob(knob + 1)));
+        return Some(Connection::Input(Port::Knob(knob + 1)));
     }
     let index = usize::from(channel);
     match index.checked_div(joints) {
-        Some(leg) if leg < legs => Some(Wire::Joint(leg, index - leg * joints)),
-        _ => Some(Wire::Open),
+        Some(leg) if leg < legs => Some(Connection::Joint(leg, index - leg * joints)),
+        _ => Some(Connection::Open),
     }
 }
 
-/// Volts of a potentiometer that covers `range` degrees.
+/// Returns the voltage of a potentiometer that covers `range` (deg) at `angle` (deg), V.
 pub(crate) fn volts_of_angle(range: Range, angle: f64) -> f64 {
     let middle = (range.min + range.max) / 2.0;
     POTENTIOMETER * (angle - middle) / (range.max - middle)
 }
 
-/// The angle in degrees at which a potentiometer gives `volts`.
+/// Returns the angle at which a potentiometer that covers `range` (deg) gives `volts` (V), deg.
 pub(crate) fn angle_of_volts(range: Range, volts: f64) -> f64 {
     let middle = (range.min + range.max) / 2.0;
     middle + volts / POTENTIOMETER * (range.max - middle)
 }
 
-/// Volts of a sole's pressure sensor under `load` N.
+/// Returns the voltage of a sole's pressure sensor under `load` (N), V.
 pub fn volts_of_load(load: f64) -> f64 {
     (PAW * load / PAW_FULL).clamp(0.0, PAW)
 }
@@ -69,14 +70,14 @@ mod tests {
     // clauses: 7.32
     #[test]
     fn the_board_has_joints_first_and_knobs_last() {
-        assert_eq!(wire(0, 4, 3), Some(Wire::Joint(0, 0)));
-        assert_eq!(wire(11, 4, 3), Some(Wire::Joint(3, 2)));
-        assert_eq!(wire(12, 4, 3), Some(Wire::Open));
-        assert_eq!(wire(13, 4, 3), Some(Wire::Input(Port::Knob(1))));
-        assert_eq!(wire(15, 4, 3), Some(Wire::Input(Port::Knob(3))));
-        assert_eq!(wire(16, 4, 3), None);
+        assert_eq!(connection(0, 4, 3), Some(Connection::Joint(0, 0)));
+        assert_eq!(connection(11, 4, 3), Some(Connection::Joint(3, 2)));
+        assert_eq!(connection(12, 4, 3), Some(Connection::Open));
+        assert_eq!(connection(13, 4, 3), Some(Connection::Input(Port::Knob(1))));
+        assert_eq!(connection(15, 4, 3), Some(Connection::Input(Port::Knob(3))));
+        assert_eq!(connection(16, 4, 3), None);
         // A robot of many joints does not push the knobs off their channels.
-        assert_eq!(wire(13, 9, 9), Some(Wire::Input(Port::Knob(1))));
+        assert_eq!(connection(13, 9, 9), Some(Connection::Input(Port::Knob(1))));
     }
 
     #[test]

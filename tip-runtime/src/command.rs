@@ -1,6 +1,7 @@
-//! What a step can ask of a robot: commands, targets, values, inputs and event flags.
+//! The vocabulary of robot commands: commands, targets, values, inputs and event flags.
 //!
-//! What a trace prints is spelled here and nowhere else: `Display` writes a word of the language, `FromStr` reads it.
+//! Each word is spelled here and nowhere else: `Display` writes a word of the language, `FromStr`
+//! reads it.
 //!
 //! ```
 //! use tip_runtime::command::{Flag, Op, Port, Target, Value};
@@ -29,19 +30,19 @@ use core::fmt;
 /// The most legs, and the most joints on a leg, that the language can name (`F1…F9`, `J11…J99`).
 pub const MAX: usize = 9;
 
-/// `R`: the value after it counts from where things are.
+/// `R`: the value after it is relative to the current state.
 pub const RELATIVE: &str = "R";
 
-/// `A`: the value after it is taken as it is.
+/// `A`: the value after it is absolute.
 pub const ABSOLUTE: &str = "A";
 
 /// `HS`: the motion is not limited in its acceleration.
 pub const FAST: &str = "HS";
 
-/// `CHAR_A` and the like: what the names of the language's constants begin with.
+/// `CHAR_`: the prefix of the names of the language's constants.
 pub const CONSTANT: &str = "CHAR_";
 
-/// A text that names nothing of the kind that was asked for.
+/// The error for a text that names nothing of the requested kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownWord;
 
@@ -56,16 +57,17 @@ impl core::error::Error for UnknownWord {}
 /// One evaluated operand of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number as it is; in a command that counts from the target, one that does.
+    /// A number without a prefix; relative to the target in commands whose numbers are.
     Absolute(f64),
     /// A number after `R`.
     Relative(f64),
-    /// A number after `A` in a command whose other numbers count from the target: it is taken as it is.
+    /// A number after `A` in a command whose other numbers are relative to the target: an absolute
+    /// value.
     Fixed(f64),
 }
 
 impl Value {
-    /// The number as the operand gave it.
+    /// Returns the number as the operand gave it.
     pub const fn number(self) -> f64 {
         match self {
             Value::Absolute(number) | Value::Relative(number) | Value::Fixed(number) => number,
@@ -85,17 +87,17 @@ impl fmt::Display for Value {
 /// A command with its operands evaluated. A struct operand is given as its members.
 #[derive(Clone, Copy, Debug)]
 pub struct Command<'a> {
-    /// Which command.
+    /// The command word.
     pub op: Op,
     /// `HS`: without acceleration limit.
     pub hs: bool,
-    /// What it acts on.
+    /// The target of the command.
     pub target: Target,
     /// Its operands in order; omitted ones are absent.
     pub values: &'a [Value],
 }
 
-/// Whether a command is done; a pending one is asked again in the next cycle.
+/// The state of a command; a pending one is polled again in the next cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poll {
     /// The program goes on to the next step.
@@ -104,7 +106,7 @@ pub enum Poll {
     Pending,
 }
 
-/// What a teaching command measures.
+/// The quantity that a teaching command measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Teach {
     /// Position of a foot or joint: X, Y, Z in mm.

@@ -1,4 +1,5 @@
-//! Where a program meets people: keyboard, message line, logs, emergency report.
+//! The interface between a program and its operator: keyboard, message line, logs, emergency
+//! report.
 //!
 //! ```
 //! use std::fmt::Display;
@@ -29,7 +30,6 @@
 //! assert_eq!(keys.collect::<Vec<_>>(), [None, None, None, Some(b'F'), None]);
 //! ```
 
-mod bars;
 #[cfg(feature = "std")]
 mod log_files;
 #[cfg(feature = "std")]
@@ -37,7 +37,6 @@ mod scripted;
 #[cfg(feature = "terminal")]
 mod terminal;
 
-pub use bars::Bars;
 #[cfg(feature = "std")]
 pub use log_files::{LogError, LogFiles};
 #[cfg(feature = "std")]
@@ -47,52 +46,53 @@ pub use terminal::{Terminal, TerminalState};
 
 use crate::emergency::Report;
 use crate::record::{Dump, Sample};
-use core::fmt::Display;
+use core::fmt::{self, Display};
 
-/// A console. Every method has a default that does nothing: `()` is a console.
+/// The operator's console. Every method has a default that does nothing: `()` is a console.
 ///
 /// Texts arrive as [`Display`] so that a console that shows nothing formats nothing.
 pub trait Console {
-    /// The next byte that was typed and not yet handed over, if any. Asked in every cycle until it
-    /// gives `None`; `cycle` counts the program's cycles from 0.
+    /// Returns the next byte that was typed and not yet handed over, if any. Called in every cycle
+    /// until it returns `None`; `cycle` counts the program's cycles from 0.
     fn key(&mut self, cycle: u64) -> Option<u8> {
         let _ = cycle;
         None
     }
 
-    /// Shows one line in place of the one before; an empty one clears it (MESSAGE).
+    /// Shows one line in place of the previous one; an empty line clears it (MESSAGE).
     fn message(&mut self, text: &dyn Display) {
         let _ = text;
     }
 
-    /// Shows as little as possible from now on, or everything again (SILENT_ON, SILENT_OFF).
+    /// Reduces the output to a minimum, or restores it (SILENT_ON, SILENT_OFF).
     fn silent(&mut self, on: bool) {
         let _ = on;
     }
 
-    /// Draws a bar graph (from 0) in place of the one before it; without bars it goes away. Asked ten
-    /// times in a second of the robot's time while the graph is shown.
+    /// Draws a bar graph (from 0) in place of the previous one; without bars the graph is removed.
+    /// Called ten times a second of the robot's time while the graph is shown.
     fn bars(&mut self, graph: u8, bars: Bars<'_>) {
         let _ = (graph, bars);
     }
 
-    /// One row of TITAN.LOG (LOG_START, LOG_ONE_SHOT).
+    /// Records one row of TITAN.LOG (LOG_START, LOG_ONE_SHOT).
     fn sample(&mut self, sample: &Sample<'_>) {
         let _ = sample;
     }
 
-    /// The text of OUTPUT_VARIABLES, which only a console that shows it has to format: the floats of `core::fmt` have panic
-    /// paths.
+    /// Takes the text of OUTPUT_VARIABLES. Only a console that shows it should format it: the
+    /// floats of `core::fmt` have panic paths.
     fn variables(&mut self, dump: &Dump<'_>) {
         let _ = dump;
     }
 
-    /// The emergency stop, reported once.
+    /// Reports the emergency stop, once.
     fn emergency(&mut self, report: &Report<'_>) {
         let _ = report;
     }
 
-    /// The program is over, by END, EXIT or emergency stop: time to write what was collected.
+    /// Reports the end of the program by END, EXIT or emergency stop. Collected output is written
+    /// here.
     fn ended(&mut self) {}
 }
 
@@ -134,4 +134,36 @@ impl<C: Console + ?Sized> Console for &mut C {
 #[cfg(feature = "std")]
 impl<C: Console + ?Sized> Console for std::boxed::Box<C> {
     forward!();
+}
+
+/// The bars of a graph, each as a share of the full height: −1…1. `Display` writes one character
+/// for each bar, as high as the bar is long, whatever its sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bars<'a>(pub &'a [f64]);
+
+const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+impl fmt::Display for Bars<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for share in self.0 {
+            let steps = libm::round(libm::fabs(*share).min(1.0) * (HEIGHTS.len() - 1) as f64);
+            let height = HEIGHTS.get(steps as usize).unwrap_or(&'▁');
+            write!(f, "{height}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::Bars;
+    use std::string::ToString;
+
+    // clauses: 7.48
+    #[test]
+    fn a_bar_is_as_high_as_its_share() {
+        assert_eq!(Bars(&[0.0, 0.5, -0.5, 1.0, -9.0]).to_string(), "▁▅▅██");
+        assert_eq!(Bars(&[0.07, 0.08, f64::NAN]).to_string(), "▁▂█");
+        assert_eq!(Bars(&[]).to_string(), "");
+    }
 }

@@ -1,14 +1,14 @@
-//! What ended a program by emergency stop, and how that is reported.
+//! Emergency stops: their cause and their report.
 
 use crate::fault::Fault;
 use crate::printable::Printable;
 use crate::program::Program;
 use core::fmt;
 
-/// An emergency stop. Shown, it is the classical one-liner `TIP_ERR:<message> (<kind>)`.
+/// An emergency stop. `Display` writes the classical one-liner `TIP_ERR:<message> (<kind>)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Emergency {
-    /// What happened.
+    /// The cause.
     pub fault: Fault,
     /// The step that ran, or would have run, in that cycle.
     pub step: u32,
@@ -22,24 +22,25 @@ impl fmt::Display for Emergency {
     }
 }
 
-/// An emergency stop with its place in the program. Shown, it is the text of EMG.log: the classical
-/// one-liner, then `program`, `title`, `step`, `line`, `cycle` and, if one is to blame, `variable`,
-/// one per line with a tab after the word. What the program says is [`Printable`].
+/// An emergency stop with its place in the program. `Display` writes the text of EMG.log: the
+/// classical one-liner, then `program`, `title`, `step`, `line`, `cycle` and, if one caused it,
+/// `variable`, one per line with a tab after the word. Texts of the program are shown as
+/// [`Printable`].
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
-    /// What happened.
+    /// The emergency stop.
     pub emergency: Emergency,
-    /// The program as it was left.
+    /// The program in the state of the emergency.
     pub program: &'a dyn Program,
 }
 
 impl Report<'_> {
-    /// The source line, from 1.
+    /// Returns the source line, from 1.
     pub fn line(&self) -> u32 {
         self.program.line(self.emergency.step)
     }
 
-    /// The variable that was read before it was assigned.
+    /// Returns the variable that was read before it was assigned.
     pub fn variable(&self) -> Option<&str> {
         match self.emergency.fault {
             Fault::Unassigned(index) => self.program.scalar(index as usize).map(|(name, _)| name),

@@ -1,4 +1,4 @@
-//! Every runtime error. `Display` gives the classical message of the language (T.I.P. 3.1 §9-3).
+//! Runtime errors. `Display` writes the classical message of the language (T.I.P. 3.1 §9-3).
 //!
 //! ```
 //! use tip_runtime::command::Target;
@@ -26,7 +26,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The classical name: `RuntimeError` and so on.
+    /// Returns the classical name: `RuntimeError` and so on.
     pub const fn name(self) -> &'static str {
         match self {
             Kind::Preprocess => "PreprocessError",
@@ -43,7 +43,7 @@ impl fmt::Display for Kind {
     }
 }
 
-/// What ended a program by emergency stop.
+/// The cause of an emergency stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Fault {
@@ -63,11 +63,11 @@ pub enum Fault {
     JointLimit(u8, u8),
     /// The target, or the path to it, leaves the reachable space.
     OutOfReach(Target),
-    /// An input reads nonsense.
+    /// An input reads an invalid value.
     Sensor(Port),
-    /// The sensor of the slider reads nonsense.
+    /// The sensor of the slider reads an invalid value.
     SliderSensor,
-    /// A joint sensor reads nonsense (leg and joint, from 1).
+    /// A joint sensor reads an invalid value (leg and joint, from 1).
     JointSensor(u8, u8),
     /// The robot's hardware failed to read or to write.
     Hardware(&'static str),
@@ -76,7 +76,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The class the fault belongs to.
+    /// Returns the class of the fault.
     pub const fn kind(&self) -> Kind {
         match self {
             Fault::Domain

@@ -17,7 +17,7 @@ use crate::ops;
 
 macro_rules! functions {
     ($( $variant:ident $leaf:ident, )*) => {
-        /// A function of one number; the leaf arithmetic of [`ops`](crate::ops) says what it is.
+        /// A function of one number; the leaf arithmetic of [`ops`](crate::ops) defines it.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Function {
@@ -28,15 +28,15 @@ macro_rules! functions {
             /// Every function, in the order of the language's reference.
             pub const ALL: &'static [Function] = &[$( Function::$variant, )*];
 
-            /// The name of its leaf in `ops`.
+            /// Returns the name of the function's leaf in `ops`.
             pub const fn leaf(self) -> &'static str {
                 match self { $( Function::$variant => stringify!($leaf), )* }
             }
 
-            /// Its value.
+            /// Returns the function's value.
             ///
             /// # Errors
-            /// `Domain` where it has none, or where the value is not finite.
+            /// `Domain` where the function has no value, or the value is not finite.
             #[cfg(feature = "ops")]
             #[inline]
             pub fn call(self, operand: f64) -> Result<f64, ops::Domain> {

@@ -24,15 +24,14 @@
 //! ```
 
 mod chain;
-mod closed;
+mod closed_form;
 mod frames;
 mod inverse;
+mod planar;
 mod resolved_rate;
 mod roll_pitch_pitch;
 mod search;
 mod statics;
-mod two_joints;
-mod two_links;
 mod yaw_pitch_pitch;
 
 pub use chain::Chain;
@@ -46,13 +45,14 @@ pub(crate) use search::starts;
 
 use crate::model::Leg;
 
-/// Whether every angle lies within its joint's working limits, rounding aside.
+/// Returns true if every angle (deg) lies within its joint's working limits, rounding aside.
 #[must_use]
 pub fn within_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> bool {
     first_beyond_limits(leg, angles).is_none()
 }
 
-/// The first joint (from 0) whose angle lies beyond its working limits, rounding aside.
+/// Returns the first joint (from 0) whose angle (deg) lies beyond its working limits, rounding
+/// aside.
 #[must_use]
 pub fn first_beyond_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> Option<usize> {
     leg.joints
@@ -61,11 +61,12 @@ pub fn first_beyond_limits<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> O
         .position(|(joint, angle)| !joint.limits.widened(ROUNDING).contains(*angle))
 }
 
-/// Angles that differ by less than this come from rounding: deg.
+/// Greatest difference of angles that rounding explains, deg.
 pub(crate) const ROUNDING: f64 = 1e-6;
 
-/// The joint angles that a closed form finds for a leg of three joints (deg), the preferred ones first.
+/// The solutions of a closed form for a leg of three joints (deg), the preferred ones first.
 type Solutions = [Option<[f64; 3]>; 4];
 
-/// The greatest distance of a foot from its first axis at which it counts as on it, as a share of the leg's length.
+/// Greatest distance of a foot from its first axis at which it counts as on it, as a share of the
+/// leg's length.
 const NEAR_AXIS: f64 = 1e-10;

@@ -11,19 +11,19 @@
 //! # Ok::<(), tip_runtime::fault::Fault>(())
 //! ```
 
+mod format;
 mod scalar;
-mod shown;
 
+pub use format::FormattedNumber;
+#[doc(hidden)]
+pub use format::{Message, Part};
 #[doc(hidden)]
 pub use scalar::{Scalar, get_each};
-pub use shown::Shown;
-#[doc(hidden)]
-pub use shown::{Message, Part};
 
 use crate::fault::Fault;
 
-/// The only fault of arithmetic: an operand outside the domain of its operation, or a result that is not finite.
-/// It has no size, so that a compiled step returns and tests one bit.
+/// The only fault of arithmetic: an operand outside the domain of its operation, or a result that
+/// is not finite. The type is zero-sized, so that a compiled step returns and tests one bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Domain;
 
@@ -34,7 +34,7 @@ impl From<Domain> for Fault {
     }
 }
 
-/// Accepts only finite results.
+/// Returns a finite value unchanged.
 ///
 /// # Errors
 /// `Domain` for NaN and infinities.
@@ -86,7 +86,7 @@ member_by_member!(/** `a - b`, member by member */ sub_each sub);
 member_by_member!(/** `a * b`, member by member */ mul_each mul);
 member_by_member!(/** `a / b`, member by member */ div_each div);
 
-/// `INT`: the largest whole number not above `a`.
+/// `INT`: returns the largest whole number not above `a`.
 ///
 /// # Errors
 /// None; the shape is that of every function.
@@ -95,7 +95,7 @@ pub fn int(a: f64) -> Result<f64, Domain> {
     finite(libm::floor(a))
 }
 
-/// `ABS`.
+/// `ABS`: returns the absolute value.
 ///
 /// # Errors
 /// None; the shape is that of every function.
@@ -104,7 +104,7 @@ pub fn abs(a: f64) -> Result<f64, Domain> {
     finite(libm::fabs(a))
 }
 
-/// `SQRT`.
+/// `SQRT`: returns the square root.
 ///
 /// # Errors
 /// `Domain` below zero.
@@ -116,7 +116,7 @@ pub fn sqrt(a: f64) -> Result<f64, Domain> {
 const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
 const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
-/// `DEG2RAD`.
+/// `DEG2RAD`: converts degrees to radians.
 ///
 /// # Errors
 /// None; the shape is that of every function.
@@ -125,7 +125,7 @@ pub fn deg2rad(a: f64) -> Result<f64, Domain> {
     finite(a * RADIANS_PER_DEGREE)
 }
 
-/// `RAD2DEG`.
+/// `RAD2DEG`: converts radians to degrees.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -134,7 +134,7 @@ pub fn rad2deg(a: f64) -> Result<f64, Domain> {
     finite(a * DEGREES_PER_RADIAN)
 }
 
-/// `SIN` of degrees.
+/// `SIN`: returns the sine of an angle in degrees.
 ///
 /// # Errors
 /// None; the shape is that of every function.
@@ -143,7 +143,7 @@ pub fn sin(a: f64) -> Result<f64, Domain> {
     finite(libm::sin(a * RADIANS_PER_DEGREE))
 }
 
-/// `COS` of degrees.
+/// `COS`: returns the cosine of an angle in degrees.
 ///
 /// # Errors
 /// None; the shape is that of every function.
@@ -152,7 +152,7 @@ pub fn cos(a: f64) -> Result<f64, Domain> {
     finite(libm::cos(a * RADIANS_PER_DEGREE))
 }
 
-/// `TAN` of degrees.
+/// `TAN`: returns the tangent of an angle in degrees.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -161,7 +161,7 @@ pub fn tan(a: f64) -> Result<f64, Domain> {
     finite(libm::tan(a * RADIANS_PER_DEGREE))
 }
 
-/// `ASIN` in degrees.
+/// `ASIN`: returns the arc sine in degrees.
 ///
 /// # Errors
 /// `Domain` outside −1…1.
@@ -170,7 +170,7 @@ pub fn asin(a: f64) -> Result<f64, Domain> {
     finite(libm::asin(a) * DEGREES_PER_RADIAN)
 }
 
-/// `ACOS` in degrees.
+/// `ACOS`: returns the arc cosine in degrees.
 ///
 /// # Errors
 /// `Domain` outside −1…1.
@@ -179,7 +179,8 @@ pub fn acos(a: f64) -> Result<f64, Domain> {
     finite(libm::acos(a) * DEGREES_PER_RADIAN)
 }
 
-/// `ATAN` in degrees; the language gives it the domain of `ASIN` (T.I.P. 3.1 §5-2-2).
+/// `ATAN`: returns the arc tangent in degrees; the language gives it the domain of `ASIN` (T.I.P.
+/// 3.1 §5-2-2).
 ///
 /// # Errors
 /// `Domain` outside −1…1.
@@ -192,7 +193,7 @@ pub fn atan(a: f64) -> Result<f64, Domain> {
     }
 }
 
-/// `ATAN2 a b` in degrees, −180…180.
+/// `ATAN2 a b`: returns the angle in degrees, −180…180.
 ///
 /// # Errors
 /// `Domain` if both are zero.
@@ -204,7 +205,8 @@ pub fn atan2(a: f64, b: f64) -> Result<f64, Domain> {
     finite(libm::atan2(a, b) * DEGREES_PER_RADIAN)
 }
 
-/// `NORM`: the root of the sum of squares, also where the squares alone are beyond the largest number.
+/// `NORM`: returns the root of the sum of squares, also where the squares alone exceed the largest
+/// number.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -218,7 +220,7 @@ pub fn norm<const N: usize>(a: [f64; N]) -> Result<f64, Domain> {
     finite(root_of_squares(a.map(|a| a * SMALLER)) / SMALLER)
 }
 
-/// 2^−600: the largest number times this has a square.
+/// 2^−600, a scale at which the square of the largest number is finite.
 const SMALLER: f64 = f64::from_bits((1023 - 600) << 52);
 
 fn root_of_squares<const N: usize>(a: [f64; N]) -> f64 {
@@ -229,7 +231,7 @@ fn root_of_squares<const N: usize>(a: [f64; N]) -> f64 {
     libm::sqrt(sum)
 }
 
-/// `UNIT_VECT`.
+/// `UNIT_VECT`: returns the unit vector.
 ///
 /// # Errors
 /// `Domain` for a vector without length.
@@ -239,7 +241,7 @@ pub fn unit_vect(a: [f64; 3]) -> Result<[f64; 3], Domain> {
     div_each(a, [length; 3])
 }
 
-/// `ROT_X`: turns `p` about the robot's x axis by degrees, right-handed.
+/// `ROT_X`: rotates `p` about the robot's x axis by an angle in degrees, right-handed.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -249,7 +251,7 @@ pub fn rot_x([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Domain> {
     Ok([x, y, z])
 }
 
-/// `ROT_Y`: turns `p` about the robot's y axis by degrees, right-handed.
+/// `ROT_Y`: rotates `p` about the robot's y axis by an angle in degrees, right-handed.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -259,7 +261,7 @@ pub fn rot_y([x, y, z]: [f64; 3], angle: f64) -> Result<[f64; 3], Domain> {
     Ok([x, y, z])
 }
 
-/// `ROT_Z`: turns `p` about the robot's z axis by degrees, right-handed.
+/// `ROT_Z`: rotates `p` about the robot's z axis by an angle in degrees, right-handed.
 ///
 /// # Errors
 /// `Domain` if the result is not finite.
@@ -274,7 +276,7 @@ fn turn(a: f64, b: f64, angle: f64) -> Result<(f64, f64), Domain> {
     Ok((finite(a * cos - b * sin)?, finite(a * sin + b * cos)?))
 }
 
-/// The loop test of FOR and NEXT (T.I.P. 3.1 §7-6-4).
+/// Returns true if a FOR or NEXT loop continues (T.I.P. 3.1 §7-6-4).
 ///
 /// # Errors
 /// `Domain` for a step of zero.

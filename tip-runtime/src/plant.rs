@@ -1,4 +1,4 @@
-//! Simulated hardware: a robot and what it stands on or holds, deterministic to the bit.
+//! Simulated hardware: a robot with its floor, obstacles and objects, deterministic to the bit.
 //!
 //! ```
 //! use tip_runtime::command::Port;
@@ -21,7 +21,7 @@
 mod cuboid;
 pub mod dynamic;
 pub mod hand;
-mod override_sensors;
+mod sensors;
 pub mod walker;
 
 pub use crate::analog::volts_of_load;
@@ -30,94 +30,98 @@ pub use crate::scene::{
 };
 pub use dynamic::{Drives, DynamicPlant};
 pub use hand::{Fingertip, ObjectState, SimulatedHand};
-pub use walker::{Fall, Following, Foot, Pose, ServoDynamics, SimulatedPlant, Travel, Unmodelled};
+pub use walker::{
+    Fall, Foot, Pose, ServoDynamics, SimulatedPlant, TrackingErrors, Travel, Unmodelled,
+};
 
 use crate::command::Port;
 use crate::hardware::{Hardware, HardwareFault};
 use crate::model::Point;
 
-/// How the body of a simulated robot moves.
+/// The motion of a simulated robot's body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Motion {
-    /// Where the body is in the world.
+    /// Pose of the body in the world.
     pub pose: Pose,
-    /// How far it has come from where it began.
+    /// Travel of the body from its start.
     pub travel: Travel,
-    /// Number of falls so far: its body came down, or its support was lost.
+    /// Number of falls so far: the body came down, or lost its support.
     pub falls: u32,
-    /// Number of these falls that left the body upright. One without mass would have fallen; one with mass caught itself.
+    /// Number of these falls that left the body upright. A robot without mass would have fallen;
+    /// one with mass caught itself.
     pub upright_falls: u32,
-    /// How far inside the support polygon the centre of mass is: mm; negative outside.
+    /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
-    /// The least that this margin has been so far: mm.
+    /// The least margin so far, mm.
     pub least_margin: f64,
-    /// The farthest that any foot has slipped on one stance so far: mm.
+    /// The greatest slip of a foot in one stance so far, mm.
     pub slip: f64,
     /// Commands that joints and feet could not follow.
-    pub following: Following,
-    /// What the simulation leaves out, counted; none if it leaves nothing out.
+    pub tracking_errors: TrackingErrors,
+    /// Counts of the effects that the simulation leaves out; `None` if it leaves nothing out.
     pub unmodelled: Option<Unmodelled>,
 }
 
-/// The legs or fingers of a simulated robot as they are, whatever its sensors say.
+/// The true state of a simulated robot's legs or fingers, whatever its sensors read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Limbs<const L: usize, const J: usize> {
-    /// Of each joint: deg.
+    /// Joint angles, deg.
     pub angles: [[f64; J]; L],
-    /// How much of the robot each foot carries, or how hard each fingertip pushes: N. None if it is bolted down.
+    /// The load of each foot or the contact force of each fingertip, N; `None` if the robot is
+    /// bolted down.
     pub loads: Option<[f64; L]>,
-    /// With what force the ground pushes each foot, friction included, in the world: N. None where only loads are known; those of a
-    /// hand are in [`Grasp`].
+    /// The force of the ground on each foot, friction included, in the world, N; `None` where only
+    /// loads are known. Those of a hand are in [`Grasp`].
     pub forces: Option<[[f64; 3]; L]>,
-    /// What each motor gives: in the robot's torque unit, in N·m if it has none.
+    /// Motor torques, in the robot's torque unit, or in N·m if it has none.
     pub torques: [[f64; J]; L],
 }
 
-/// What a simulated hand does to the things around it.
+/// The contacts of a simulated hand with its surroundings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Grasp<const L: usize> {
-    /// The ends of its fingers.
+    /// The fingertips.
     pub fingertips: [Fingertip; L],
     /// The objects, in the order of the scene.
     pub objects: [Option<ObjectState>; OBJECTS],
-    /// Where the slider is that carries the floor: mm.
+    /// Position of the slider that carries the floor, mm.
     pub slider: Point,
 }
 
-/// Normally distributed errors of sensors, the same in every run that begins with the same seed.
+/// Normally distributed errors of sensors, equal in every run with the same seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// The standard deviation of each joint angle: deg.
+    /// Standard deviation of each joint angle, deg.
     pub angle: f64,
-    /// That of each sole's reading: V.
+    /// Standard deviation of each sole's reading, V.
     pub volts: f64,
-    /// Where its random numbers begin.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
-/// The fault of a plant whose numbers have grown beyond all bounds. It stays as it was before.
+/// The fault of a plant whose state has diverged. The plant keeps its last valid state.
 const DIVERGED: HardwareFault =
     HardwareFault("the simulation diverged: a force or a mass is too great for its time steps");
 
-/// How far beyond its outer limits a joint meets its mechanical stops: deg.
+/// Angle beyond its outer limit at which a joint meets its mechanical stop, deg.
 const STOP: f64 = 2.0;
 
-/// What turns a joint in a step: `torque - inertia × acceleration`.
+/// The effort on a joint in a step: `torque - inertia × acceleration`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Effort {
     /// N·m.
     torque: f64,
-    /// What stands for how the torque changes in the step: kg·m².
+    /// Inertia that represents the change of the torque in the step, kg·m².
     inertia: f64,
 }
 
-/// Positions, speeds and torques beyond this are no robot's, in any unit of this module.
+/// The bound of positions, speeds and torques of a valid state, in any unit of this module.
 const BOUND: f64 = 1e9;
 
-/// Returns true if numbers are what a robot's can be.
+/// Returns true if all values are within the bound.
 fn are_sane(mut values: impl Iterator<Item = f64>) -> bool {
     values.all(|value| libm::fabs(value) < BOUND)
 }
@@ -127,7 +131,7 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
     /// Returns true if the robot has this input.
     fn has_input(&self, port: Port) -> bool;
 
-    /// Makes an input read `volts` from now on; `false` if the robot lacks it.
+    /// Makes an input read `volts` from now on; returns `false` if the robot lacks it.
     fn set_sensor(&mut self, port: Port, volts: f64) -> bool;
 
     /// Returns true if a force can move the body.
@@ -140,35 +144,35 @@ pub trait Plant<const L: usize, const J: usize>: Hardware<L, J> {
         false
     }
 
-    /// Pushes the body at its origin with a force in the world (N) for so many control cycles from now on; `false` if
-    /// no force moves it. One push takes the place of the one before.
+    /// Pushes the body at its origin with a force in the world (N) for `cycles` control cycles from
+    /// now on; returns `false` if no force moves it. A push replaces the previous one.
     fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
         let _ = (force, cycles);
         false
     }
 
-    /// Lets sensors read with noise from now on; `false` if this plant has none.
+    /// Adds noise to the sensors from now on; returns `false` if this plant has none.
     fn set_noise(&mut self, noise: Noise) -> bool {
         let _ = noise;
         false
     }
 
-    /// How the body moves; `None` for a robot that stays where it is.
+    /// Returns the motion of the body; `None` for a robot that stays where it is.
     fn motion(&self) -> Option<Motion> {
         None
     }
 
-    /// When it first fell, if it did.
+    /// Returns the first fall, if any.
     fn first_fall(&self) -> Option<Fall> {
         None
     }
 
-    /// Its legs or fingers; `None` where nothing but joints is simulated.
+    /// Returns the state of the legs or fingers; `None` where nothing but joints is simulated.
     fn limbs(&self) -> Option<Limbs<L, J>> {
         None
     }
 
-    /// What it grasps; `None` for a robot that is not a hand.
+    /// Returns the contacts of a hand; `None` for other robots.
     fn grasp(&self) -> Option<Grasp<L>> {
         None
     }

@@ -1,4 +1,5 @@
-//! Texts of others on a terminal or in a log, where a control character could act and a line end could forge a line.
+//! Untrusted texts, made safe for a terminal or a log, where a control character could act and a
+//! line end could forge a line.
 //!
 //! ```
 //! use tip_runtime::printable::Printable;
@@ -10,11 +11,12 @@
 
 use core::fmt::{self, Display, Write};
 
-/// A text whose control characters and marks of direction are shown as escapes, `\u{1b}`; a tab stays.
+/// A text whose control characters and marks of direction are shown as escapes, `\u{1b}`; a tab
+/// stays.
 ///
-/// What a program, a robot's description or a file name says is shown through it wherever people read it: C0, DEL and C1
-/// move the cursor or recolour what others said, and marks of direction show letters in another order than they are
-/// in. It allocates nothing.
+/// All texts of a program, a robot's description or a file name are shown through it: C0, DEL and
+/// C1 move the cursor or recolour other text, and marks of direction change the order in which
+/// letters are shown. Formatting allocates nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Printable<T> {
     text: T,
@@ -22,12 +24,12 @@ pub struct Printable<T> {
 }
 
 impl<T: Display> Printable<T> {
-    /// A text on one line: a line end is an escape as well.
+    /// Wraps a text of one line: a line end is escaped as well.
     pub const fn line(text: T) -> Self {
         Printable { text, keeps: "\t" }
     }
 
-    /// A text of several lines.
+    /// Wraps a text of several lines.
     pub const fn lines(text: T) -> Self {
         Printable {
             text,
@@ -35,7 +37,7 @@ impl<T: Display> Printable<T> {
         }
     }
 
-    /// What MESSAGE shows: `\a` rings the bell (T.I.P. 3.1 §7-9-4).
+    /// Wraps the text of MESSAGE: `\a` rings the bell (T.I.P. 3.1 §7-9-4).
     pub const fn message(text: T) -> Self {
         Printable {
             text,
@@ -51,7 +53,7 @@ impl<T: Display> Display for Printable<T> {
     }
 }
 
-/// Escapes what is written to it.
+/// A writer that escapes its input.
 struct Escaping<'a, 'f> {
     out: &'a mut fmt::Formatter<'f>,
     keeps: &'static str,
@@ -60,7 +62,7 @@ struct Escaping<'a, 'f> {
 impl Write for Escaping<'_, '_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         let keeps = self.keeps;
-        let escapes = |c: char| acts(c) && !keeps.contains(c);
+        let escapes = |c: char| is_control(c) && !keeps.contains(c);
         for part in text.split_inclusive(escapes) {
             match part.chars().next_back().filter(|last| escapes(*last)) {
                 Some(last) => {
@@ -75,8 +77,9 @@ impl Write for Escaping<'_, '_> {
     }
 }
 
-/// Whether a character is a control: of C0, DEL, of C1, or of Unicode's bidirectional algorithm (UAX #9, 2.1 to 2.6).
-pub fn acts(c: char) -> bool {
+/// Returns true if a character is a control: of C0, DEL, of C1, or of Unicode's bidirectional
+/// algorithm (UAX #9, 2.1 to 2.6).
+pub fn is_control(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
 }
@@ -88,8 +91,8 @@ mod tests {
     use std::format;
     use std::string::{String, ToString};
 
-    /// By number, as the standards list them.
-    fn acts(c: char) -> bool {
+    /// Returns true for the same characters by code point, as the standards list it.
+    fn is_control(c: char) -> bool {
         let number = u32::from(c);
         let is_control = number < 0x20 || (0x7F..0xA0).contains(&number);
         let directions = [
@@ -100,12 +103,12 @@ mod tests {
     }
 
     #[test]
-    fn what_acts_is_an_escape_and_all_else_stays() {
+    fn controls_are_escaped_and_all_else_stays() {
         for c in '\0'..=char::MAX {
             let text = format!("a{c}{c}b");
             let escape = format!("\\u{{{:x}}}", u32::from(c));
             let escaped = format!("a{escape}{escape}b");
-            let expected = |kept: &str| match acts(c) && !kept.contains(c) {
+            let expected = |kept: &str| match is_control(c) && !kept.contains(c) {
                 true => escaped.clone(),
                 false => text.clone(),
             };

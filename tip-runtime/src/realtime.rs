@@ -1,4 +1,4 @@
-//! Running a machine in real time.
+//! Pacing of a machine by the wall clock.
 //!
 //! ```
 //! use std::time::{Duration, Instant};
@@ -21,11 +21,11 @@ use crate::special::Special;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Keeps cycles on a grid of time and counts those that ran over.
+/// Keeps cycles on a time grid and counts overruns.
 ///
-/// Deadlines are absolute: a cycle is due one period after the deadline of the one before, whenever that
-/// woke up. One that runs over gives up the deadlines that it missed, so that cycles are late, never
-/// hurried, and stay on the grid.
+/// Deadlines are absolute: a cycle is due one period after the deadline of the previous one,
+/// whenever that woke up. A cycle that overruns gives up the deadlines that it missed, so that
+/// cycles are late, never hurried, and stay on the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct Pacer {
     due: Instant,
@@ -35,7 +35,7 @@ pub struct Pacer {
 }
 
 impl Pacer {
-    /// The first cycle starts now.
+    /// Starts the first cycle now.
     pub fn start() -> Self {
         Self::from(Instant::now())
     }
@@ -49,19 +49,19 @@ impl Pacer {
         }
     }
 
-    /// Waits until a cycle of `period` ms is over. No period is longer than a day, and without one, as below 0, no cycle
-    /// waits.
+    /// Waits until a cycle of `period` ms is over. Periods are at most a day; a period of 0 or less
+    /// does not wait.
     pub fn wait(&mut self, period: f64) {
         let due = self.due(period);
         sleep(due.saturating_duration_since(Instant::now()));
     }
 
-    /// Counts a cycle of `period` ms, and says when it is over: for hosts that wait in their own way.
+    /// Counts a cycle of `period` ms and returns its end, for hosts that wait in their own way.
     pub fn due(&mut self, period: f64) -> Instant {
         self.next(period, Instant::now())
     }
 
-    /// When the cycle that ended `now` is over.
+    /// Returns the end of the cycle that ended `now`.
     fn next(&mut self, period: f64, now: Instant) -> Instant {
         let period = duration(period);
         self.cycles += 1;
@@ -80,35 +80,36 @@ impl Pacer {
         self.due
     }
 
-    /// Cycles so far.
+    /// Returns the number of cycles so far.
     pub const fn cycles(&self) -> u64 {
         self.cycles
     }
 
-    /// Cycles that took longer than their period.
+    /// Returns the number of cycles that took longer than their period.
     pub const fn overruns(&self) -> u64 {
         self.overruns
     }
 
-    /// By how much the worst of them was late.
+    /// Returns the greatest lateness of a cycle.
     pub const fn worst(&self) -> Duration {
         self.worst
     }
 }
 
-/// The longest period. No clock holds the end of one that is much longer.
+/// The longest period. No clock can represent the end of a much longer one.
 const LONGEST: Duration = Duration::from_secs(24 * 60 * 60);
 
-/// Returns a period of so many ms: nothing for one below 0 or not a number, a day for one that is longer.
+/// Converts a period in ms: 0 for one below 0 or not a number, a day for a longer one.
 fn duration(period: f64) -> Duration {
     let seconds = (period / 1000.0).clamp(0.0, LONGEST.as_secs_f64());
     Duration::try_from_secs_f64(seconds).unwrap_or(Duration::ZERO)
 }
 
-/// Runs a machine in real time until `stop` says so: asked after each cycle what became of the program.
+/// Runs a machine in real time until `stop` returns true; it is called after each cycle with the
+/// state of the program.
 ///
-/// A robot has to be held after END as well, and to be stopped again and again in an emergency: the servo
-/// loop outlives the program. On a simulated robot `|status| !status.is_running()` will do.
+/// A robot has to be held after END as well, and stopped repeatedly in an emergency: the servo loop
+/// outlives the program. For a simulated robot, `|status| !status.is_running()` is enough.
 pub fn run_realtime<P, H, C, S, const L: usize, const J: usize>(
     machine: &mut Machine<'_, P, H, C, S, L, J>,
     mut stop: impl FnMut(Status) -> bool,

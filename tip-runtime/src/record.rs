@@ -1,4 +1,4 @@
-//! What is written down about a run: the trace, TITAN.LOG, the dump of variables.
+//! The records of a run: the trace, TITAN.LOG, the dump of variables.
 //!
 //! ```
 //! use tip_runtime::hardware::JointCommand;
@@ -19,39 +19,34 @@
 //! # let _ = Ending::Limit;
 //! ```
 
-mod dump;
-mod ending;
+#[cfg(feature = "std")]
+mod atomic_file;
 #[cfg(feature = "std")]
 mod json_lines;
 #[cfg(feature = "std")]
-mod moved;
-mod sample;
-mod state_hash;
+mod motion;
 #[cfg(feature = "std")]
 mod stream;
 #[cfg(feature = "std")]
 mod titan_log;
-#[cfg(feature = "std")]
-mod whole_file;
 
-pub use dump::Dump;
-pub use ending::Ending;
+#[cfg(feature = "std")]
+pub use atomic_file::AtomicFile;
 #[cfg(feature = "std")]
 pub use json_lines::JsonLines;
 #[cfg(feature = "std")]
-pub use moved::Moved;
-pub use sample::Sample;
-pub use state_hash::state_hash;
+pub use motion::MotionRecord;
 #[cfg(feature = "std")]
 pub use stream::Stream;
 #[cfg(feature = "std")]
 pub use titan_log::TitanLog;
-#[cfg(feature = "std")]
-pub use whole_file::WholeFile;
 
 use crate::command::Command;
-use crate::program::Program;
-use core::fmt::Display;
+use crate::emergency::Emergency;
+use crate::hardware::JointCommand;
+use crate::printable::Printable;
+use crate::program::{End, Program};
+use core::fmt::{self, Display};
 
 /// One control cycle whose step ran to its end without a fault.
 #[derive(Clone, Copy)]
@@ -63,36 +58,151 @@ pub struct Cycle<'a> {
     pub next: Option<u32>,
     /// The program after the step, for its variables.
     pub program: &'a dyn Program,
-    /// Its number, its time, and what was measured and sent.
+    /// The cycle's number and time, with its measurements and commands.
     pub sample: Sample<'a>,
 }
 
-/// Takes notes of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
-/// and [`cycle`](Self::cycle) after it, with what the step did in between; the failing cycle of an
+/// A recorder of a run, cycle by cycle. In each cycle [`begin`](Self::begin) comes before the step
+/// and [`cycle`](Self::cycle) after it, with the other calls in between; the failing cycle of an
 /// emergency has no [`cycle`](Self::cycle).
 pub trait Sink {
-    /// A step is about to run.
+    /// Records that a step is about to run.
     fn begin(&mut self, program: &dyn Program) {
         let _ = program;
     }
 
-    /// A robot command was accepted: reported in the first cycle of the command only.
+    /// Records an accepted robot command: called in the first cycle of the command only.
     fn command(&mut self, command: &Command<'_>) {
         let _ = command;
     }
 
-    /// A message was shown; an empty one cleared the line.
+    /// Records a message; an empty one cleared the line.
     fn say(&mut self, text: &dyn Display) {
         let _ = text;
     }
 
-    /// A lamp was switched.
+    /// Records the switching of a lamp.
     fn lamp(&mut self, device: u8, on: bool) {
         let _ = (device, on);
     }
 
-    /// The cycle is over.
+    /// Records the end of a cycle.
     fn cycle(&mut self, cycle: &Cycle<'_>) {
         let _ = cycle;
+    }
+}
+
+/// The end of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// The program ended itself.
+    Program(End),
+    /// Someone pressed Ctrl-C.
+    Interrupted,
+    /// The requested number of cycles was reached.
+    Limit,
+    /// Emergency stop.
+    Emergency(Emergency),
+}
+
+/// The measurements and commands of a cycle: a row of TITAN.LOG. Joints come leg by leg.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample<'a> {
+    /// The program's cycle, from 0.
+    pub cycle: u64,
+    /// Time at which the sensors were sampled, from the program's start, ms.
+    pub time: f64,
+    /// Number of joints of each leg.
+    pub joints_per_leg: usize,
+    /// Measured angles, deg.
+    pub angles: &'a [f64],
+    /// Commands sent, deg, or the robot's torque unit.
+    pub commands: &'a [JointCommand],
+    /// Measured torques in the robot's torque unit; empty for a robot without torque sensors.
+    pub torques: &'a [f64],
+    /// `PAW1…`: V.
+    pub paws: &'a [f64],
+    /// `VR1…`: V.
+    pub knobs: &'a [f64],
+    /// `ANTENNA`: V.
+    pub antenna: f64,
+}
+
+/// The scalars of a program, one a line in declaration order: name, tab, value; `unassigned` in
+/// place of a missing value. A heading `# cycle N, step N, line N` goes before.
+#[derive(Clone, Copy)]
+pub struct Dump<'a> {
+    /// The program.
+    pub program: &'a dyn Program,
+    /// The cycle of the request.
+    pub cycle: u64,
+    /// The step of the request.
+    pub step: u32,
+}
+
+impl fmt::Display for Dump<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Dump {
+            program,
+            cycle,
+            step,
+        } = self;
+        let line = program.line(*step);
+        writeln!(f, "# cycle {cycle}, step {step}, line {line}")?;
+        for index in 0.. {
+            let Some((name, value)) = program.scalar(index) else {
+                break;
+            };
+            let name = Printable::line(name);
+            match value {
+                Some(value) => writeln!(f, "{name}\t{value:?}")?,
+                None => writeln!(f, "{name}\tunassigned")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The offset basis of FNV-1a.
+const OFFSET: u64 = 0xCBF2_9CE4_8422_2325;
+/// The prime of FNV-1a.
+const PRIME: u64 = 0x0000_0100_0000_01B3;
+
+/// Returns the 64-bit FNV-1a hash over the bits (little endian) of each joint's command and
+/// measured angle, joint by joint (Fowler, Noll and Vo's hash: IETF draft-eastlake-fnv).
+pub fn state_hash(commands: &[JointCommand], angles: &[f64]) -> u64 {
+    commands
+        .iter()
+        .zip(angles)
+        .flat_map(|(command, angle)| [command.value(), *angle])
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .fold(OFFSET, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(PRIME)
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_hashes_to_the_offset_basis() {
+        assert_eq!(state_hash(&[], &[]), 0xCBF2_9CE4_8422_2325);
+    }
+
+    #[test]
+    fn zeros_only_multiply() {
+        // XOR with a zero byte changes nothing: sixteen multiplications remain.
+        let expected = (0..16).fold(OFFSET, |hash, _| hash.wrapping_mul(PRIME));
+        assert_eq!(state_hash(&[JointCommand::at(0.0)], &[0.0]), expected);
+    }
+
+    #[test]
+    fn a_last_bit_a_sign_of_zero_and_the_order_count() {
+        let one = [JointCommand::at(1.0)];
+        let hash = state_hash(&one, &[2.0]);
+        assert_ne!(hash, state_hash(&one, &[2.0_f64.next_up()]));
+        assert_ne!(hash, state_hash(&[JointCommand::at(2.0)], &[1.0]));
+        assert_ne!(state_hash(&one, &[0.0]), state_hash(&one, &[-0.0]));
     }
 }

@@ -1,4 +1,4 @@
-//! The robots that a program can be compiled for by name, as types.
+//! The named robots that a program can be compiled for, as types.
 //!
 //! ```
 //! use tip_runtime::robot::{For, Hand, Titan8};
@@ -25,11 +25,12 @@ pub enum Titan8 {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Hand {}
 
-/// The generic robot when no description is given.
+/// The generic robot, for programs without a description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Generic {}
 
-/// A program that was checked for the robot `R`. Generated code implements it, unless the robot is a described one.
+/// A program that was checked for the robot `R`. Generated code implements it, unless the robot is
+/// described in a file.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` was not compiled for a robot with a name",
     note = "for a described robot there is `Machine::simulated_on`, which takes its model"

@@ -1,4 +1,4 @@
-//! What surrounds a simulated robot: a floor, and objects to grasp.
+//! The surroundings of a simulated robot: a floor, blocks, and objects to grasp.
 //!
 //! ```
 //! use tip_runtime::scene::{Object, Scene, SceneError, Shape};
@@ -21,16 +21,16 @@
 
 use core::fmt;
 
-/// How many blocks a scene has room for.
+/// Maximum number of blocks in a scene.
 pub const BLOCKS: usize = 8;
 
-/// How many objects a scene has room for.
+/// Maximum number of objects in a scene.
 pub const OBJECTS: usize = 4;
 
-/// Lighter objects would need too many time steps: kg.
+/// Minimum mass of an object, kg. Lighter objects would need too many time steps.
 const LIGHTEST: f64 = 0.001;
 
-/// Smaller objects would slip through contacts: mm.
+/// Minimum size of an object, mm. Smaller objects would slip through contacts.
 const SMALLEST: f64 = 2.0;
 
 /// The outline of an object in the x–y plane; along z it is as wide as the hand. A cylinder that
@@ -60,25 +60,25 @@ pub struct Object {
     pub mass: f64,
     /// The coefficient of Coulomb friction; where two things touch the smaller one counts.
     pub friction: f64,
-    /// Where its centre is at first: mm.
+    /// Initial x of its centre, mm.
     pub x: f64,
-    /// Where its centre is at first: mm; `None` where it stands on the floor.
+    /// Initial y of its centre, mm; `None` for an object that stands on the floor.
     pub y: Option<f64>,
-    /// How far it is turned at first: deg.
+    /// Initial angle, deg.
     pub angle: f64,
 }
 
 /// A plane on which the robot stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Floor {
-    /// Above the world's origin: mm.
+    /// Height above the world's origin, mm.
     pub height: f64,
     /// Rise for each mm along x and along y.
     pub slope: [f64; 2],
 }
 
 impl Floor {
-    /// Level, at height 0.
+    /// A level floor at height 0.
     pub const LEVEL: Self = Floor {
         height: 0.0,
         slope: [0.0, 0.0],
@@ -88,25 +88,25 @@ impl Floor {
 /// A box that stands on the floor and never moves, for robots with mass: a step, or an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
-    /// From where to where it goes along x: mm.
+    /// Extent along x, mm.
     pub x: [f64; 2],
-    /// The same along y: mm.
+    /// Extent along y, mm.
     pub y: [f64; 2],
-    /// Where its upper side is, above the world's origin: mm.
+    /// Height of its upper side above the world's origin, mm.
     pub height: f64,
 }
 
-/// How a walking robot is simulated. A hand has mass either way.
+/// The kind of simulation of a walking robot. A hand has mass either way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Simulation {
-    /// It rests wherever it is: [`SimulatedPlant`](crate::plant::SimulatedPlant).
+    /// Without mass: [`SimulatedPlant`](crate::plant::SimulatedPlant).
     QuasiStatic,
-    /// It has mass: [`DynamicPlant`](crate::plant::DynamicPlant).
+    /// With mass: [`DynamicPlant`](crate::plant::DynamicPlant).
     Dynamic,
 }
 
 impl Simulation {
-    /// All of them, as scenes and `--plant` write them.
+    /// The names of all kinds, as scenes and `--plant` write them.
     pub const NAMES: [(&str, Self); 2] = [
         ("quasi-static", Simulation::QuasiStatic),
         ("dynamic", Simulation::Dynamic),
@@ -116,16 +116,16 @@ impl Simulation {
 /// A floor and up to [`OBJECTS`] objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scene {
-    /// How a walking robot is simulated; `None` leaves it open: quasi-static.
+    /// The kind of simulation of a walking robot; `None` leaves it open: quasi-static.
     pub plant: Option<Simulation>,
-    /// What a walking robot stands on. Under a hand the slider carries it: its height counts from
+    /// The floor of a walking robot. Under a hand, the slider carries it: its height counts from
     /// the slider's, and it rises along x only.
     pub floor: Floor,
     /// The floor's coefficient of Coulomb friction.
     pub friction: f64,
     /// The objects.
     pub objects: [Option<Object>; OBJECTS],
-    /// What a robot with mass steps on, or bumps into.
+    /// Obstacles for a robot with mass.
     pub blocks: [Option<Block>; BLOCKS],
 }
 
@@ -139,8 +139,8 @@ impl Scene {
         blocks: [None; BLOCKS],
     };
 
-    /// A cylinder that stands upright under the middle of the palm: 200 mm across, 60 mm high, 0.6 kg,
-    /// as rough as rubber (1.5).
+    /// A cylinder that stands upright under the middle of the palm: 200 mm across, 60 mm high, 0.6
+    /// kg, as rough as rubber (1.5).
     ///
     /// Fingers in their initial posture nearly touch it. Equal torques in all joints push a fingertip
     /// along a line that is parallel to the straight finger above it, 50 deg upwards, and only so
@@ -164,15 +164,15 @@ impl Scene {
     /// The scenes that have a name.
     pub const NAMES: &'static [&'static str] = &["cylinder"];
 
-    /// The scene with this name, as `--scene` takes it.
+    /// Returns the scene of a name of `--scene`.
     pub fn by_name(name: &str) -> Option<Self> {
         (Scene::NAMES.contains(&name)).then_some(Scene::CYLINDER)
     }
 
-    /// Puts one more block into the scene.
+    /// Adds a block to the scene.
     ///
     /// # Errors
-    /// What is wrong with it, or that no room is left.
+    /// The block is invalid, or the scene is full.
     pub fn with_block(mut self, block: Block) -> Result<Self, SceneError> {
         let Block { x, y, height } = block;
         if !x
@@ -191,10 +191,10 @@ impl Scene {
         Ok(self)
     }
 
-    /// Puts one more object into the scene.
+    /// Adds an object to the scene.
     ///
     /// # Errors
-    /// What is wrong with it, or that no room is left.
+    /// The object is invalid, or the scene is full.
     pub fn with_object(mut self, object: Object) -> Result<Self, SceneError> {
         object.check()?;
         let place = self.objects.iter_mut().find(|place| place.is_none());
@@ -204,10 +204,10 @@ impl Scene {
 }
 
 impl Object {
-    /// Whether it can be simulated.
+    /// Checks that the scene can be simulated.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The first invalid part of the scene.
     pub fn check(&self) -> Result<(), SceneError> {
         let sizes = match self.shape {
             Shape::Disc { radius } => [radius, radius],
@@ -235,12 +235,12 @@ impl Default for Scene {
     }
 }
 
-/// Why an object cannot be in a scene.
+/// The reason why a scene or a part of it is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneError {
-    /// There are [`OBJECTS`] already.
+    /// The scene already has [`OBJECTS`] objects.
     Full,
-    /// There are [`BLOCKS`] already.
+    /// The scene already has [`BLOCKS`] blocks.
     Blocks,
     /// It is too small, or its size is not a number.
     Size,

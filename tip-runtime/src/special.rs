@@ -1,8 +1,8 @@
 //! Native code for the command SPECIAL (T.I.P. 3.1 §7-10-11).
 //!
-//! A program says `SPECIAL 14 TIMES`; what that means is up to whoever builds the machine. This
-//! handler blinks a lamp: it takes an argument and several cycles, and sets a flag that the
-//! program can ask for with `IF SPECIAL_FLAG0`.
+//! A program contains `SPECIAL 14 TIMES`; its meaning is defined by the host that builds the
+//! machine. This handler blinks a lamp: it takes an argument and several cycles, and sets a flag
+//! that the program can test with `IF SPECIAL_FLAG0`.
 //!
 //! ```
 //! use tip_runtime::command::{Command, Op, Poll, Target, Value};
@@ -58,11 +58,11 @@ use crate::program::Robot;
 /// One evaluation of a SPECIAL command. The step is evaluated once a cycle until it is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Call {
-    /// Which command: 0…255.
+    /// The command's number, 0…255.
     pub number: u8,
     /// Its two arguments, `None` where omitted.
     pub arguments: [Option<f64>; 2],
-    /// This is the first evaluation of the step.
+    /// True in the first evaluation of the step.
     pub first: bool,
 }
 
@@ -70,16 +70,16 @@ pub struct Call {
 ///
 /// Any `FnMut(Call, &mut dyn Robot) -> Result<Poll, Fault>` is one; `()` has none.
 pub trait Special {
-    /// Carries out `call`: [`Poll::Pending`] to be called again in the next cycle with `first`
-    /// false, [`Poll::Done`] when the step is over.
+    /// Carries out `call`: returns [`Poll::Pending`] to be called again in the next cycle with
+    /// `first` false, [`Poll::Done`] when the step is over.
     ///
     /// # Errors
     /// `Domain` for a number that is not known, or any other fault. A handler that fails must not
     /// have commanded the robot in the same cycle.
     fn poll(&mut self, call: Call, robot: &mut dyn Robot) -> Result<Poll, Fault>;
 
-    /// Goes on with what a command began and other steps do not wait for. Called in every cycle of a
-    /// running program, after its step.
+    /// Continues motions that a command began and other steps do not wait for. Called in every
+    /// cycle of a running program, after its step.
     ///
     /// # Errors
     /// The fault: an emergency stop, found at the start of the next cycle.

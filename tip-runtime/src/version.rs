@@ -1,9 +1,10 @@
-//! The lock between generated code and this crate.
+//! The version check between generated code and this crate.
 
-/// The shape of generated code that this runtime understands.
+/// The format version of generated code that this runtime accepts.
 pub const FORMAT: u32 = 5;
 
-/// Fails the build when code was generated for another runtime; generated code calls it in a constant.
+/// Fails the build if code was generated for another runtime; generated code calls it in a
+/// constant.
 pub const fn require(format: u32) {
     assert!(
         format == FORMAT,

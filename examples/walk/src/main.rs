@@ -15,7 +15,7 @@ use tip_runtime::machine::Machine;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::SimulatedPlant;
 use tip_runtime::realtime::run_realtime;
-use tip_runtime::record::WholeFile;
+use tip_runtime::record::AtomicFile;
 use walk::Walk;
 use walk::options::{HELP, Options};
 use walking::exit::exit;
@@ -65,15 +65,15 @@ fn walk(options: &Options) -> Result<bool, Box<dyn Error>> {
     Ok(outcome.is_good())
 }
 
-fn create(path: &Path) -> Result<BufWriter<WholeFile>, String> {
-    let file = WholeFile::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
+fn create(path: &Path) -> Result<BufWriter<AtomicFile>, String> {
+    let file = AtomicFile::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
     Ok(BufWriter::new(file))
 }
 
 /// Prints where the body is now and then, and keeps the trace.
 struct Progress {
     due: f64,
-    trace: Option<BufWriter<WholeFile>>,
+    trace: Option<BufWriter<AtomicFile>>,
     failure: Option<io::Error>,
 }
 

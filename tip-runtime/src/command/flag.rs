@@ -7,7 +7,7 @@ use core::str::FromStr;
 /// An event flag of a condition (T.I.P. 3.1 §6-2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Flag {
-    /// Someone asked the program to stop at the next good moment.
+    /// A stop of the program at the next good moment was requested.
     HaltRequest,
     /// The keyboard buffer is not empty.
     KbHit,
@@ -22,7 +22,7 @@ pub enum Flag {
 }
 
 impl Flag {
-    /// The word that names it, or what that word begins with: a target or a digit follows.
+    /// Returns the flag's word, or its prefix where a target or a digit follows.
     pub const fn stem(self) -> &'static str {
         match self {
             Flag::HaltRequest => "HALT_REQUEST",
@@ -34,7 +34,7 @@ impl Flag {
         }
     }
 
-    /// What its word may begin with as well.
+    /// Returns the alternative prefix of the flag's word.
     pub const fn other_stem(self) -> Option<&'static str> {
         match self {
             Flag::Inpos(_) => Some("IN_POS_"),
@@ -42,7 +42,7 @@ impl Flag {
         }
     }
 
-    /// The target that it awaits.
+    /// Returns the target whose arrival the flag signals.
     pub const fn target(self) -> Option<Target> {
         match self {
             Flag::Inpos(target) | Flag::Near(target) => Some(target),
@@ -65,7 +65,8 @@ impl fmt::Display for Flag {
 impl FromStr for Flag {
     type Err = UnknownWord;
 
-    /// Reads a name in capital letters, in either spelling. The slider is not awaited: it has no arrival.
+    /// Parses a name in capital letters, in either spelling. The slider is refused: it has no
+    /// arrival.
     fn from_str(word: &str) -> Result<Self, UnknownWord> {
         let behind = |of: Flag| {
             let other = || word.strip_prefix(of.other_stem()?);

@@ -16,12 +16,12 @@ macro_rules! ops {
             /// Every command, in the order of the language's reference.
             pub const ALL: &'static [Op] = &[$( Op::$variant, )*];
 
-            /// The command's name in the language.
+            /// Returns the command's name in the language.
             pub const fn name(self) -> &'static str {
                 match self { $( Op::$variant => $name, )* }
             }
 
-            /// Whether a trace shows the command under `cmd`.
+            /// Returns true if a trace shows the command under `cmd`.
             pub const fn is_traced(self) -> bool {
                 match self { $( Op::$variant => $traced, )* }
             }
@@ -113,7 +113,7 @@ impl fmt::Display for Op {
 impl FromStr for Op {
     type Err = UnknownWord;
 
-    /// Reads a name in capital letters.
+    /// Parses a name in capital letters.
     fn from_str(word: &str) -> Result<Self, UnknownWord> {
         let named = Op::ALL.iter().find(|op| op.name() == word);
         named.copied().ok_or(UnknownWord)

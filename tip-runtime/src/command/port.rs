@@ -5,10 +5,10 @@ use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
 
-/// How many potentiometers the control box has.
+/// Number of potentiometers of the control box.
 pub const KNOBS: usize = 3;
 
-/// How many soles have a pressure sensor with a name.
+/// Number of soles whose pressure sensor has a name.
 const PAWS: u8 = 4;
 
 /// An analogue input, read in volts.
@@ -27,7 +27,7 @@ pub enum Port {
 }
 
 impl Port {
-    /// The word that names it, or what that word begins with; a channel has only its number.
+    /// Returns the input's word, or its prefix where digits follow; a channel has only its number.
     pub const fn stem(self) -> &'static str {
         match self {
             Port::Channel(_) => "",
@@ -38,7 +38,7 @@ impl Port {
         }
     }
 
-    /// The joint whose potentiometer it is.
+    /// Returns the joint of a joint potentiometer.
     pub const fn joint(self) -> Option<Target> {
         match self {
             Port::Joint(leg, joint) => Some(Target::Joint(leg, joint)),
@@ -46,10 +46,10 @@ impl Port {
         }
     }
 
-    /// How many inputs a robot may have that are neither channels nor joints.
+    /// Maximum number of inputs of a robot that are neither channels nor joints.
     pub const INPUTS: usize = Port::Antenna.places().end;
 
-    /// The places of a kind's inputs among these; `self` says which kind. Those of a channel or joint are none.
+    /// Returns the index range of all inputs of the kind of `self`; empty for channels and joints.
     pub const fn places(self) -> Range<usize> {
         let (first, count) = match self {
             Port::Channel(_) | Port::Joint(..) => (0, 0),
@@ -63,7 +63,8 @@ impl Port {
         }
     }
 
-    /// Its own place there; `None` for a channel, a joint, or a number that no robot has.
+    /// Returns the index of this input; `None` for a channel, a joint, or a number that no robot
+    /// has.
     pub fn place(self) -> Option<usize> {
         let number = match self {
             Port::Channel(_) | Port::Joint(..) => return None,
@@ -73,7 +74,7 @@ impl Port {
         self.places().nth(usize::from(number).checked_sub(1)?)
     }
 
-    /// The inputs that a kind has a word for, joints aside; `self` says which kind.
+    /// Iterates over the named inputs of the kind of `self`, except joints.
     pub fn named(self) -> impl Iterator<Item = Port> {
         let count = match self {
             Port::Channel(_) | Port::Joint(..) => 0,
@@ -105,7 +106,7 @@ impl fmt::Display for Port {
 impl FromStr for Port {
     type Err = UnknownWord;
 
-    /// Reads a name in capital letters. A channel has none: its number alone does not say what it counts.
+    /// Parses a name in capital letters. Channels are refused: a bare number names no input.
     fn from_str(word: &str) -> Result<Self, UnknownWord> {
         let numbered = |kind: Port, last: u8| match word.strip_prefix(kind.stem())?.as_bytes() {
             [digit @ b'1'..=b'9'] if digit - b'0' <= last => Some(digit - b'0'),

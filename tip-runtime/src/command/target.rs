@@ -1,13 +1,13 @@
-//! What commands act on.
+//! The targets of commands.
 
 use super::UnknownWord;
 use core::fmt;
 use core::str::FromStr;
 
-/// What a command acts on. Legs and joints count from 1, as in the language.
+/// The target of a command. Legs and joints count from 1, as in the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
-    /// The command has no target.
+    /// No target.
     None,
     /// `ALL`.
     All,
@@ -20,7 +20,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// The word that names it, or what that word begins with: digits follow `F` and `J`.
+    /// Returns the target's word, or its prefix: digits follow `F` and `J`.
     pub const fn stem(self) -> &'static str {
         match self {
             Target::None => "",
@@ -46,7 +46,7 @@ impl fmt::Display for Target {
 impl FromStr for Target {
     type Err = UnknownWord;
 
-    /// Reads a name in capital letters, of any leg and joint that the language can name.
+    /// Parses a name in capital letters, of any leg and joint that the language can name.
     fn from_str(word: &str) -> Result<Self, UnknownWord> {
         let digits = |of: Target| word.strip_prefix(of.stem()).map(str::as_bytes);
         match (digits(Target::Foot(1)), digits(Target::Joint(1, 1))) {

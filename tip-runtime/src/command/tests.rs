@@ -1,4 +1,4 @@
-//! The words of the vocabulary, written and read.
+//! Round trips of the vocabulary between values and words.
 
 extern crate std;
 
@@ -7,7 +7,7 @@ use core::fmt::{Debug, Display};
 use core::str::FromStr;
 use std::string::ToString;
 
-/// What prints as `word`, and is read from it.
+/// Asserts that `thing` prints as `word` and is parsed from it.
 fn is_spelled<T: Copy + Debug + Display + FromStr + PartialEq>(thing: T, word: &str) {
     assert_eq!(thing.to_string(), word);
     assert_eq!(word.parse::<T>().ok(), Some(thing), "{word}");

@@ -1,14 +1,15 @@
-//! The files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written completely or not at all.
+//! The log files of a run: TITAN.LOG, EMG.log, VARIABLES.LOG and WARNING.LOG, each written
+//! completely or not at all.
 
-mod claim;
+mod log_folder;
 
-pub use claim::LogError;
+pub use log_folder::LogError;
 
 use super::{Bars, Console};
 use crate::emergency::Report;
 use crate::record::{Dump, Sample, TitanLog};
-use claim::Claim;
 use core::fmt::Display;
+use log_folder::LogFolder;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::string::{String, ToString};
@@ -18,32 +19,32 @@ use std::vec::Vec;
 const TITAN_LOG: &str = "TITAN.LOG";
 /// The report of an emergency stop.
 const EMERGENCY_LOG: &str = "EMG.log";
-/// Every text of OUTPUT_VARIABLES, one after the other.
+/// The texts of OUTPUT_VARIABLES, in order.
 const VARIABLES_LOG: &str = "VARIABLES.LOG";
-/// What the compiler warned of.
+/// The compiler's warnings.
 const WARNING_LOG: &str = "WARNING.LOG";
 
-/// From so many bytes on VARIABLES.LOG takes no more.
+/// Maximum size of VARIABLES.LOG, bytes.
 const MOST: usize = 16 << 20;
-/// What then ends it.
+/// The last line of a VARIABLES.LOG that reached its maximum size.
 const FULL: &str = "# full, later ones are left out";
 
-/// Writes the files of a run into one folder; keys and messages are the inner console's affair.
+/// Writes the log files of a run into one folder; forwards keys and messages to the inner console.
 ///
-/// Files appear only when there is something to write, and never half written. Each begins with a
-/// line that names its program; a file that does not name this program is never replaced.
-/// TITAN.LOG and VARIABLES.LOG are written when the program is over; VARIABLES.LOG takes no more from 16 MiB on. What an earlier run of the same
-/// program left stays until this one has something in its place, or is over without; where the new
-/// file cannot be written, the earlier one stays.
+/// A file appears only when there is something to write, and never half written. Each begins with a
+/// line that names its program; a file that does not name this program is never replaced. TITAN.LOG
+/// and VARIABLES.LOG are written at the end of the program; VARIABLES.LOG grows to at most 16 MiB.
+/// Files of an earlier run of the same program stay until this run replaces them or ends without
+/// needing them; where a new file cannot be written, the earlier one stays.
 #[derive(Debug)]
 pub struct LogFiles<C> {
     inner: C,
-    claim: Claim,
+    folder: LogFolder,
     log: TitanLog,
     variables: String,
-    /// No more variables are kept.
+    /// VARIABLES.LOG has reached its maximum size.
     is_full: bool,
-    /// Files that may be of an earlier run.
+    /// Files that may be left from an earlier run.
     earlier: Vec<&'static str>,
     failed: Option<LogError>,
 }
@@ -52,17 +53,17 @@ impl<C> LogFiles<C> {
     /// The names of the files.
     pub const NAMES: [&'static str; 4] = [WARNING_LOG, TITAN_LOG, VARIABLES_LOG, EMERGENCY_LOG];
 
-    /// Takes `folder`, which is made if it is missing, for the files of `program`.
+    /// Takes `folder` for the files of `program`, and creates it if it is missing.
     ///
     /// # Errors
-    /// A file of another program, or one that is not a log at all, is in the way. Or the folder
-    /// cannot be made.
+    /// The folder cannot be created, or holds a file of the same name that belongs to another
+    /// program or is not a log.
     pub fn claim(folder: impl Into<PathBuf>, program: &str, inner: C) -> Result<Self, LogError> {
-        let claim = Claim::new(folder.into(), program);
-        claim.take(&Self::NAMES)?;
+        let folder = LogFolder::new(folder.into(), program);
+        folder.take(&Self::NAMES)?;
         Ok(LogFiles {
             inner,
-            claim,
+            folder,
             log: TitanLog::default(),
             variables: String::new(),
             is_full: false,
@@ -78,12 +79,12 @@ impl<C> LogFiles<C> {
         self
     }
 
-    /// The console inside.
+    /// Returns the inner console.
     pub fn inner(&self) -> &C {
         &self.inner
     }
 
-    /// The console inside.
+    /// Returns the inner console.
     pub fn inner_mut(&mut self) -> &mut C {
         &mut self.inner
     }
@@ -93,8 +94,8 @@ impl<C> LogFiles<C> {
         self.write(WARNING_LOG, text);
     }
 
-    /// Writes what was collected so far, and removes what an earlier run left next to it: for a host that
-    /// ends a run before the program does.
+    /// Writes what was collected so far, and removes files that an earlier run left. For a host
+    /// that ends a run before the program does.
     pub fn flush(&mut self) {
         if !self.log.is_empty() {
             let text = self.log.to_string();
@@ -106,19 +107,19 @@ impl<C> LogFiles<C> {
             self.variables = text;
         }
         for name in core::mem::take(&mut self.earlier) {
-            let removed = self.claim.remove(name);
+            let removed = self.folder.remove(name);
             self.note(removed);
         }
     }
 
-    /// The first file that could not be written, and why.
+    /// Returns the first file that could not be written, with the reason.
     pub fn take_error(&mut self) -> Option<LogError> {
         self.failed.take()
     }
 
     fn write(&mut self, name: &'static str, text: &str) {
         self.earlier.retain(|earlier| *earlier != name);
-        let written = self.claim.write(name, text);
+        let written = self.folder.write(name, text);
         self.note(written);
     }
 

@@ -1,4 +1,4 @@
-//! Keys typed by a script, and a console that remembers what it was shown.
+//! A console whose keys come from a script, and one that records what it is shown.
 
 use super::{Bars, Console};
 use crate::emergency::Report;
@@ -10,7 +10,7 @@ use std::vec::Vec;
 /// The byte of the ESC key: a halt request.
 const ESCAPE: u8 = 0x1B;
 
-/// Types keys at given cycles; everything else is left to the inner console.
+/// A console that types keys at given cycles and forwards everything else to the inner console.
 #[derive(Clone, Debug, Default)]
 pub struct Scripted<C = Transcript> {
     keys: Vec<(u64, u8)>,
@@ -19,15 +19,15 @@ pub struct Scripted<C = Transcript> {
 }
 
 impl Scripted {
-    /// Types each byte of `keys` before the step of its cycle and remembers what is shown.
-    /// Several bytes for one cycle keep their order.
+    /// Types each byte of `keys` before the step of its cycle and records what is shown. Several
+    /// bytes for one cycle keep their order.
     pub fn new(keys: Vec<(u64, u8)>) -> Self {
         Self::around(keys, Transcript::default())
     }
 }
 
 impl<C> Scripted<C> {
-    /// Types each byte of `keys` before the step of its cycle, ahead of what `inner` has to give.
+    /// Types each byte of `keys` before the step of its cycle, ahead of the keys of `inner`.
     pub fn around(mut keys: Vec<(u64, u8)>, inner: C) -> Self {
         keys.sort_by_key(|(cycle, _)| *cycle);
         Scripted {
@@ -45,12 +45,12 @@ impl<C> Scripted<C> {
         self
     }
 
-    /// The console inside.
+    /// Returns the inner console.
     pub fn inner(&self) -> &C {
         &self.inner
     }
 
-    /// The console inside.
+    /// Returns the inner console.
     pub fn inner_mut(&mut self) -> &mut C {
         &mut self.inner
     }
@@ -96,7 +96,7 @@ impl<C: Console> Console for Scripted<C> {
     }
 }
 
-/// Remembers everything that was reported to it, in order of arrival.
+/// A console that records everything that is reported to it, in order of arrival.
 #[derive(Clone, Debug, Default)]
 pub struct Transcript {
     /// The messages; an empty one cleared the line.
@@ -109,7 +109,7 @@ pub struct Transcript {
     pub variables: Vec<String>,
     /// The text of EMG.log.
     pub emergency: Option<String>,
-    /// How often the program's end was reported.
+    /// Number of times that the program's end was reported.
     pub ended: u32,
 }
 

@@ -1,4 +1,4 @@
-//! A terminal: keys as they are pressed, bar graphs and the message on one line.
+//! A terminal console: keys as they are pressed, bar graphs and the message on one line.
 
 #[cfg_attr(unix, path = "terminal/unix.rs")]
 #[cfg_attr(not(unix), path = "terminal/none.rs")]
@@ -13,11 +13,11 @@ use core::fmt::Display;
 use std::io::{self, IsTerminal, Read, Stdout, Write};
 use std::string::{String, ToString};
 
-/// What Ctrl-C sends.
+/// The byte of Ctrl-C.
 const CONTROL_C: u8 = 0x03;
-/// Goes to the start of the line and clears it.
+/// The escape sequence that moves to the start of the line and clears it.
 const CLEAR: &str = "\r\x1b[2K";
-/// What the RETURN key sends: software emergency stop.
+/// The byte of the RETURN key: software emergency stop.
 const RETURN: u8 = 0x0D;
 
 /// The terminal of standard input, showing messages on an output.
@@ -51,7 +51,8 @@ impl Default for Terminal {
 }
 
 impl<W: Write> Terminal<W> {
-    /// Shows messages on `output`, each in place of the one before if that is possible.
+    /// Shows messages on `output`, each in place of the previous one if `rewrites` says that this
+    /// is possible.
     pub fn on(output: W, rewrites: bool) -> Self {
         Terminal {
             line: MessageLine {
@@ -67,14 +68,14 @@ impl<W: Write> Terminal<W> {
         }
     }
 
-    /// Ctrl-C only makes [`interrupted`](Self::interrupted) true; the host decides what follows.
+    /// Makes Ctrl-C only set [`interrupted`](Self::interrupted); the host decides what follows.
     #[must_use]
     pub fn report_interrupts(mut self) -> Self {
         self.stops_on_interrupt = false;
         self
     }
 
-    /// Ctrl-C was pressed.
+    /// Returns true if Ctrl-C was pressed.
     pub fn interrupted(&self) -> bool {
         self.interrupted
     }
@@ -127,7 +128,7 @@ struct MessageLine<W> {
     /// The output is a terminal, whose line can be overwritten.
     rewrites: bool,
     silent: bool,
-    /// Shown only where the line can be overwritten.
+    /// Bar graphs, shown only where the line can be overwritten.
     graphs: [String; 2],
     text: String,
 }
@@ -180,14 +181,14 @@ impl<W: Write> MessageLine<W> {
         self.silent = on;
     }
 
-    /// Several lines, shown even under SILENT_ON.
+    /// Prints several lines, even under SILENT_ON.
     fn report(&mut self, text: &dyn Display) {
         let start = if self.rewrites { CLEAR } else { "" };
         let _ = write!(self.output, "{start}{text}");
         let _ = self.output.flush();
     }
 
-    /// Leaves the last message where it is.
+    /// Moves to the next line, so that the last message stays.
     fn close(&mut self) {
         if self.rewrites && !self.silent {
             let _ = writeln!(self.output);

@@ -1,4 +1,4 @@
-//! Where the joints of a leg are, and how they move its foot.
+//! Forward kinematics: positions and axes of a leg's joints, and the Jacobians of its points.
 
 use super::LegPoint;
 use crate::model::{Axes, Joint, Leg, Point};
@@ -6,13 +6,13 @@ use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
 pub(super) const RADIANS_PER_DEGREE: f64 = core::f64::consts::PI / 180.0;
 
-/// The damping that is always there, against the trace of `J Jᵀ`.
+/// The minimum damping, as a share of the trace of `J Jᵀ`.
 const LEAST_DAMPING: f64 = 1e-12;
 
-/// How much of a velocity may be missed for numerical reasons.
+/// The share of a velocity that may be missed for numerical reasons.
 const MISSED: f64 = 1e-6;
 
-/// A leg in one posture: the place and axis of each joint, and the foot.
+/// A leg in one posture: the position and axis of each joint, and the foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chain<const J: usize> {
     places: [Vector3<f64>; J],
@@ -20,23 +20,25 @@ pub struct Chain<const J: usize> {
     foot: Vector3<f64>,
 }
 
-/// A chain that grows joint by joint: where it ends, and how the last link is turned.
-pub(super) struct Growing {
+/// A chain under construction, joint by joint: the position of its end and the rotation of its last
+/// link.
+pub(super) struct ChainBuilder {
     end: Vector3<f64>,
     turned: Rotation3<f64>,
 }
 
-impl Growing {
-    /// Before its first joint, which is at `base`: mm.
+impl ChainBuilder {
+    /// Returns a chain without joints at `base` (mm).
     pub(super) fn at(base: Point) -> Self {
-        Growing {
+        ChainBuilder {
             end: Vector3::from(base),
             turned: Rotation3::identity(),
         }
     }
 
-    /// Goes on by a joint at `angle` (deg) and its link; the place and axis of the joint.
-    pub(super) fn grow(&mut self, joint: &Joint, angle: f64) -> (Vector3<f64>, Vector3<f64>) {
+    /// Appends a joint at `angle` (deg) and its link; returns the position (mm) and axis of the
+    /// joint.
+    pub(super) fn append(&mut self, joint: &Joint, angle: f64) -> (Vector3<f64>, Vector3<f64>) {
         let local = Unit::new_unchecked(Vector3::from(joint.axis));
         let at = (self.end, self.turned * local.into_inner());
         self.turned *= Rotation3::from_axis_angle(&local, angle * RADIANS_PER_DEGREE);
@@ -44,19 +46,19 @@ impl Growing {
         at
     }
 
-    /// Where it ends: mm.
+    /// Returns the position of the end, mm.
     pub(super) fn end(&self) -> Vector3<f64> {
         self.end
     }
 
-    /// The axes of the last link: its x, y and z.
+    /// Returns the x, y and z axes of the last link.
     pub(super) fn axes(&self) -> [[f64; 3]; 3] {
         (*self.turned.matrix()).into()
     }
 }
 
 impl<const J: usize> Chain<J> {
-    /// Forward kinematics of `leg` at `angles` (deg).
+    /// Calculates the forward kinematics of `leg` at `angles` (deg).
     #[must_use]
     pub fn new(leg: &Leg<J>, angles: &[f64; J]) -> Self {
         let mut chain = Chain {
@@ -64,39 +66,39 @@ impl<const J: usize> Chain<J> {
             axes: [Vector3::zeros(); J],
             foot: Vector3::from(leg.base),
         };
-        let mut growing = Growing::at(leg.base);
+        let mut builder = ChainBuilder::at(leg.base);
         let slots = chain.places.iter_mut().zip(chain.axes.iter_mut());
         for ((place, axis), (joint, angle)) in slots.zip(leg.joints.iter().zip(angles)) {
-            (*place, *axis) = growing.grow(joint, *angle);
+            (*place, *axis) = builder.append(joint, *angle);
         }
-        chain.foot = growing.end;
+        chain.foot = builder.end;
         chain
     }
 
-    /// The foot's position: mm.
+    /// Returns the position of the foot, mm.
     #[must_use]
     pub fn foot(&self) -> Point {
         self.foot.into()
     }
 
-    /// The position of joint `m`, counted from 0: mm.
+    /// Returns the position of joint `m`, counted from 0, mm.
     #[must_use]
     pub fn joint(&self, m: usize) -> Option<Point> {
         self.places.get(m).map(|place| (*place).into())
     }
 
-    /// The position of every joint from base to foot: mm.
+    /// Iterates over the positions of the joints from base to foot, mm.
     pub fn joints(&self) -> impl Iterator<Item = Point> + '_ {
         self.places.iter().map(|place| (*place).into())
     }
 
-    /// Velocity of the foot for each joint's angular velocity, joint by joint: mm/rad.
+    /// Returns the velocity of the foot for each joint's angular velocity, joint by joint, mm/rad.
     #[must_use]
     pub fn foot_jacobian(&self) -> [[f64; 3]; J] {
         self.jacobian(self.foot, J).into()
     }
 
-    /// The position of a point: mm.
+    /// Returns the position of a point, mm.
     #[must_use]
     pub fn point(&self, point: LegPoint) -> Option<Point> {
         match point {
@@ -105,14 +107,14 @@ impl<const J: usize> Chain<J> {
         }
     }
 
-    /// Velocity of a point for each joint's angular velocity, joint by joint: mm/rad. The place of a
-    /// joint is moved by those before it only; for the others it is zero.
+    /// Returns the velocity of a point for each joint's angular velocity, joint by joint, mm/rad.
+    /// Only the joints before it move the place of a joint; the entries of the others are zero.
     #[must_use]
     pub fn point_jacobian(&self, point: LegPoint) -> Option<[[f64; 3]; J]> {
         Some(self.jacobian_of(point)?.into())
     }
 
-    /// The same as a matrix.
+    /// Returns the Jacobian of a point as a matrix, mm/rad.
     pub(super) fn jacobian_of(&self, point: LegPoint) -> Option<SMatrix<f64, 3, J>> {
         match point {
             LegPoint::Tip => Some(self.jacobian(self.foot, J)),
@@ -120,7 +122,7 @@ impl<const J: usize> Chain<J> {
         }
     }
 
-    /// The foot's velocity (mm/s) at joint rates (deg/s).
+    /// Returns the foot's velocity (mm/s) at joint rates (deg/s).
     #[must_use]
     pub fn foot_velocity(&self, rates: &[f64; J]) -> [f64; 3] {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
@@ -140,22 +142,22 @@ impl<const J: usize> Chain<J> {
         jacobian
     }
 
-    /// A point's velocity (mm/s) at joint rates (deg/s).
+    /// Returns a point's velocity (mm/s) at joint rates (deg/s).
     #[must_use]
     pub fn point_velocity(&self, point: LegPoint, rates: &[f64; J]) -> Option<[f64; 3]> {
         let rates = SVector::<f64, J>::from(*rates) * RADIANS_PER_DEGREE;
         Some((self.jacobian_of(point)? * rates).into())
     }
 
-    /// The least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None` where
-    /// the foot cannot move that way.
+    /// Returns the least joint rates (deg/s) that give the foot a velocity (mm/s), `J# v`; `None`
+    /// where the foot cannot move that way.
     #[must_use]
     pub fn joint_rates(&self, velocity: [f64; 3]) -> Option<[f64; J]> {
         self.point_rates(LegPoint::Tip, velocity, [true; 3])
     }
 
-    /// The least joint rates (deg/s) that give a point a velocity (mm/s) along the axes that count;
-    /// `None` where it cannot move that way.
+    /// Returns the least joint rates (deg/s) that give a point a velocity (mm/s) along the axes
+    /// that count; `None` where it cannot move that way.
     #[must_use]
     pub fn point_rates(&self, point: LegPoint, velocity: [f64; 3], axes: Axes) -> Option<[f64; J]> {
         let jacobian = rows_that_count(self.jacobian_of(point)?, axes);
@@ -174,7 +176,7 @@ impl<const J: usize> Chain<J> {
     }
 }
 
-/// A Jacobian that moves nothing along the axes that do not count.
+/// Zeroes the rows of a Jacobian for the axes that do not count.
 pub(super) fn rows_that_count<const J: usize>(
     mut jacobian: SMatrix<f64, 3, J>,
     axes: Axes,
@@ -189,9 +191,9 @@ pub(super) fn rows_that_count<const J: usize>(
     jacobian
 }
 
-/// `Jᵀ (J Jᵀ + λ)⁻¹ v`: the least joint motion that gives the motion `v`, or comes near where the
-/// joints cannot. Beside `damping` (mm²), λ has what keeps the matrix regular where a chain has too
-/// few joints, or has lost a direction.
+/// Returns `Jᵀ (J Jᵀ + λ)⁻¹ v`: the least joint motion that gives the motion `v`, or comes near it
+/// where the joints cannot. λ is `damping` (mm²) plus a term that keeps the matrix regular where a
+/// chain has too few joints or has lost a direction.
 pub(super) fn least_norm<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     motion: &Vector3<f64>,

@@ -1,20 +1,20 @@
-//! The frames of a leg's links, for whoever draws it, logs it or writes it in another form.
+//! The frames of a leg's links, for drawing, logging and export.
 
-use super::chain::Growing;
+use super::chain::ChainBuilder;
 use crate::model::{Joint, Point};
 
-/// The frame of a link: its origin is the joint that carries the link, and it turns with that joint. While all joints
-/// are at 0 it is parallel to the robot frame.
+/// The frame of a link: its origin is the joint that carries the link, and it turns with that
+/// joint. While all joints are at 0 it is parallel to the robot frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Its origin in the robot frame: mm.
+    /// Origin in the robot frame, mm.
     pub at: Point,
-    /// Its x, y and z axis in the robot frame: unit vectors.
+    /// The x, y and z axes in the robot frame, unit vectors.
     pub axes: [[f64; 3]; 3],
 }
 
 impl Frame {
-    /// A place of the link, given in this frame (mm), in the robot frame: mm.
+    /// Transforms a point of this frame (mm) into the robot frame, mm.
     #[must_use]
     pub fn point(&self, inner: Point) -> Point {
         let [x, y, z] = self.at;
@@ -22,7 +22,7 @@ impl Frame {
         [x + along_x, y + along_y, z + along_z]
     }
 
-    /// A direction of the link, given in this frame, in the robot frame.
+    /// Transforms a direction of this frame into the robot frame.
     #[must_use]
     pub fn direction(&self, [a, b, c]: [f64; 3]) -> [f64; 3] {
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = self.axes;
@@ -34,8 +34,8 @@ impl Frame {
     }
 }
 
-/// The frame of each link of a leg with its first joint at `base` (mm), at these angles (deg), from base to foot. The foot
-/// is where the `link` of the last joint leads in the last frame.
+/// Iterates over the frames of a leg's links, from base to foot; the first joint is at `base` (mm),
+/// the angles are in deg. In the last frame, the `link` of the last joint leads to the foot.
 ///
 /// ```
 /// use tip_runtime::kinematics::frames;
@@ -52,9 +52,9 @@ pub fn frames<'a>(
     joints: &'a [Joint],
     angles: &'a [f64],
 ) -> impl Iterator<Item = Frame> + 'a {
-    let mut chain = Growing::at(base);
+    let mut chain = ChainBuilder::at(base);
     joints.iter().zip(angles).map(move |(joint, angle)| {
-        let (place, _) = chain.grow(joint, *angle);
+        let (place, _) = chain.append(joint, *angle);
         Frame {
             at: place.into(),
             axes: chain.axes(),

@@ -1,13 +1,14 @@
-//! Joint angles from a foot's position.
+//! Inverse kinematics of a foot's position.
 
-use super::closed::ClosedLeg;
+use super::closed_form::ClosedFormLeg;
 use super::{LegPoint, resolve, search};
 use crate::model::{Inverse, Leg, Point};
 
-/// The joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do not reach it. Of several
-/// within the limits of the joints, a closed form takes those nearest to the initial posture; if there are none, the
-/// ones of its first solution, for whoever wants to say which joint would have to turn too far. Least squares keep
-/// within the limits. See [`within_limits`](super::within_limits) for these.
+/// Returns the joint angles (deg) that put the foot of `leg` at `foot` (mm); `None` if the links do
+/// not reach it. Of several solutions within the limits, a closed form takes the one nearest to the
+/// initial posture; if there is none, it returns its first solution, so that the caller can name
+/// the joint that would have to turn too far. Least squares keep within the limits. See
+/// [`within_limits`](super::within_limits).
 #[must_use]
 pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<[f64; J]> {
     if !kind.is_closed() {
@@ -18,8 +19,8 @@ pub fn inverse<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Opti
     sized(closed.nearest(&initial, foot).or(first)?)
 }
 
-/// The joint angles (deg) within the limits that put the foot of `leg` at `foot` (mm); of several those nearest to the
-/// angles `from`. `None` if there are none.
+/// Returns the joint angles (deg) within the limits that put the foot of `leg` at `foot` (mm), the
+/// ones nearest to the angles `from`; `None` if there are none.
 ///
 /// ```
 /// use tip_runtime::kinematics::{Chain, inverse_from};
@@ -46,7 +47,8 @@ pub fn inverse_from<const J: usize>(
     sized(closed.nearest(&from, foot)?)
 }
 
-/// As [`inverse_from`], for the next place of a foot on its path: a closed form leaves out no postures between.
+/// Like [`inverse_from`], for the next position of a foot on its path: a closed form skips no
+/// postures.
 pub(crate) fn inverse_next<const J: usize>(
     kind: Inverse,
     leg: &Leg<J>,
@@ -64,12 +66,12 @@ fn closed<'a, const J: usize>(
     kind: Inverse,
     leg: &'a Leg<J>,
     from: &[f64; J],
-) -> Option<(ClosedLeg<'a>, [f64; 3])> {
-    let closed = ClosedLeg::new(kind, leg.base, &leg.joints)?;
+) -> Option<(ClosedFormLeg<'a>, [f64; 3])> {
+    let closed = ClosedFormLeg::new(kind, leg.base, &leg.joints)?;
     Some((closed, from.as_slice().try_into().ok()?))
 }
 
-/// Three angles are all that a leg with a closed form has.
+/// Converts the three angles of a closed form.
 fn sized<const J: usize>(angles: [f64; 3]) -> Option<[f64; J]> {
     angles.as_slice().try_into().ok()
 }

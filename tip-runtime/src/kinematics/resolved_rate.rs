@@ -1,4 +1,4 @@
-//! Joint angles of any chain from the position of one of its points, found by resolved rate.
+//! Inverse kinematics of any chain and any of its points by resolved rate.
 //!
 //! Joints turn by `J# e`, the least turn that closes the gap `e` (Whitney, *Resolved Motion Rate
 //! Control of Manipulators and Human Prostheses*, 1969), again and again until it is closed. A
@@ -15,8 +15,8 @@
 
 use super::Chain;
 use super::chain::{RADIANS_PER_DEGREE, least_norm, rows_that_count};
+use super::planar::two_joints;
 use super::statics::is_singular;
-use super::two_joints::two_joints;
 use crate::model::{Axes, Joint, Leg, Point, Range};
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -30,7 +30,8 @@ pub enum LegPoint {
 }
 
 impl LegPoint {
-    /// How many joints of a leg of `joints`, from its base, move it.
+    /// Returns the number of joints of a leg of `joints`, counted from its base, that move the
+    /// point.
     #[must_use]
     pub const fn moved_by(self, joints: usize) -> usize {
         match self {
@@ -43,35 +44,35 @@ impl LegPoint {
 /// The axes that count where every joint turns about z.
 const PLANE: Axes = [true, true, false];
 
-/// A gap that counts as closed: mm.
+/// The greatest gap that counts as closed, mm.
 const CLOSED: f64 = 1e-9;
 
-/// A gap that is left over by rounding where a leg is stretched out: mm.
+/// The gap that rounding leaves where a leg is stretched out, mm.
 const LEFT_OVER: f64 = 1e-6;
 
-/// The most turns that are tried.
+/// Maximum number of iterations.
 const TURNS: usize = 60;
 
-/// The most turns that are tried over a piece of a path.
+/// Maximum number of iterations for a piece of a path.
 const TURNS_OF_PIECE: usize = 10;
 
-/// The farthest that one turn goes: deg.
+/// Maximum turn of one iteration, deg.
 const FARTHEST: f64 = 15.0;
 
-/// A Jacobian whose Gram determinant is smaller than this, against that of a sphere of the same
-/// trace, belongs to a leg that is straight, or as good as straight.
+/// The ratio of Gram determinants, against that of a sphere of the same trace, below which a leg
+/// counts as straight.
 const STRAIGHT: f64 = 1e-5;
 
-/// How far the joints of a straight leg bend at least to the side of their posture: deg. The gap itself
-/// bends them to neither side, or to either.
+/// Minimum bend of the joints of a straight leg towards the side of their posture, deg. The gap
+/// itself bends them to neither side, or to either.
 const LEAST_BEND: f64 = 0.5;
 
-/// The share of the way to its posture that a leg with joints to spare takes at a time.
+/// The share of the way to its posture that a leg with redundant joints takes in one iteration.
 const LEANING: f64 = 0.5;
 
-/// The joint angles (deg) near `from` that put `point` of `leg` at `target` (mm) along the axes that
-/// count; `None` if no angles within the limits are found. A joint that is beyond its limits already
-/// may stay there.
+/// Returns the joint angles (deg) near `from` that put `point` of `leg` at `target` (mm) along the
+/// axes that count; `None` if no angles within the limits are found. A joint that is already beyond
+/// its limits may stay there.
 #[must_use]
 pub fn resolve<const J: usize>(
     leg: &Leg<J>,
@@ -84,8 +85,8 @@ pub fn resolve<const J: usize>(
     (left <= LEFT_OVER).then_some(angles)
 }
 
-/// As [`resolve`], with the joints to spare turning towards `posture` (deg). The third joint of a planar
-/// leg has none to spare; a closed form keeps the side to which joint 2 is bent.
+/// Like [`resolve`], with redundant joints turning towards `posture` (deg). The third joint of a
+/// planar leg is not redundant; a closed form keeps the side to which joint 2 is bent.
 #[must_use]
 pub fn resolve_towards<const J: usize>(
     leg: &Leg<J>,
@@ -98,7 +99,7 @@ pub fn resolve_towards<const J: usize>(
     lean_within(TURNS, leg, from, point, target, axes, posture)
 }
 
-/// As [`resolve_towards`], for a target so near that few turns are enough.
+/// Like [`resolve_towards`], for a target so near that few iterations are enough.
 pub(crate) fn resolve_piece<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
@@ -126,7 +127,7 @@ fn lean_within<const J: usize>(
     (left <= LEFT_OVER).then_some(angles)
 }
 
-/// As [`resolve`], but as near to the target as the leg comes from there.
+/// Like [`resolve`], but returns the nearest approach if the target is out of reach.
 #[must_use]
 pub fn nearest<const J: usize>(
     leg: &Leg<J>,
@@ -138,7 +139,7 @@ pub fn nearest<const J: usize>(
     approach(leg, from, point, target, axes, None, TURNS).map(|(angles, _)| angles)
 }
 
-/// Whether a leg is straight, or as good as straight, and has joints to spare for its point: its
+/// Returns true if a leg is straight, or nearly so, and has redundant joints for its point: its
 /// posture does not show then to which side it bends.
 pub(crate) fn is_straight<const J: usize>(
     leg: &Leg<J>,
@@ -152,8 +153,8 @@ pub(crate) fn is_straight<const J: usize>(
     spare.is_some_and(|jacobian| is_singular(&rows_that_count(jacobian, axes), axes, STRAIGHT))
 }
 
-/// The angles (deg) that put a point as near to its target as it comes, and the gap that is left (mm).
-/// The first of `most` turns leans towards a posture, if there is one.
+/// Returns the angles (deg) that put a point as near to its target as possible, and the remaining
+/// gap (mm). The first of at most `most` iterations leans towards a posture, if there is one.
 fn approach<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
@@ -186,7 +187,7 @@ fn approach<const J: usize>(
     Some((angles, left.norm()))
 }
 
-/// How far joints would turn towards a posture: deg.
+/// Returns the turns of the joints towards a posture, deg.
 fn lean<const J: usize>(angles: &[f64; J], posture: &[f64; J]) -> [f64; J] {
     let mut lean = *posture;
     for (lean, angle) in lean.iter_mut().zip(angles) {
@@ -210,7 +211,7 @@ fn gap<const J: usize>(
     Some(gap)
 }
 
-/// Makes the largest part at least [`LEAST_BEND`], unless all are zero.
+/// Scales the largest part up to [`LEAST_BEND`], unless all are zero.
 fn bend<const J: usize>(lean: &mut [f64; J]) {
     let largest = largest(lean);
     if largest > 0.0 && largest < LEAST_BEND {
@@ -226,7 +227,7 @@ fn largest<const J: usize>(turns: &[f64; J]) -> f64 {
         .fold(0.0_f64, |most, t| most.max(libm::fabs(*t)))
 }
 
-/// `n + Jᵀ (J Jᵀ + λ)⁻¹ (e − J n)` of the joints that are free, with `n` how far they lean: deg.
+/// Returns `n + Jᵀ (J Jᵀ + λ)⁻¹ (e − J n)` of the joints that are free, with the lean `n`, deg.
 fn turns<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     free: &[bool; J],
@@ -248,7 +249,7 @@ fn turns<const J: usize>(
     turns.iter().all(|turn| turn.is_finite()).then_some(turns)
 }
 
-/// Adds the turns, all shortened alike if one goes too far.
+/// Adds the turns to the angles, all shortened alike if one is too long.
 fn turn<const J: usize>(angles: &mut [f64; J], turns: &[f64; J]) {
     let largest = largest(turns);
     let share = (FARTHEST / largest).min(1.0);
@@ -257,7 +258,7 @@ fn turn<const J: usize>(angles: &mut [f64; J], turns: &[f64; J]) {
     }
 }
 
-/// The turns of the joints that are not at their limits, or turn away from them.
+/// Returns the turns of the joints that are not at their limits, or turn away from them.
 fn turns_within_limits<const J: usize>(
     leg: &Leg<J>,
     from: &[f64; J],
@@ -290,7 +291,7 @@ fn clamp<const J: usize>(leg: &Leg<J>, from: &[f64; J], angles: &mut [f64; J]) {
     }
 }
 
-/// How far a joint at `from` may go.
+/// Returns the range in which a joint at `from` may turn.
 fn limits(joint: &Joint, from: f64) -> Range {
     Range::new(joint.limits.min.min(from), joint.limits.max.max(from))
 }

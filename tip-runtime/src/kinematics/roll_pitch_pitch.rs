@@ -4,18 +4,19 @@
 //! Along the parallel axes no joint but the first moves the foot. So it turns the foot's distance to its axis
 //! into that offset and a height, which is on either side; what is left are two links in a plane.
 
-use super::two_links::TwoLinks;
+use super::planar::TwoLinks;
 use super::{NEAR_AXIS, Solutions};
 use crate::model::{Joint, Point};
 use nalgebra::{Vector2, Vector3};
 
 const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
-/// How much nearer to the first axis than the offset rounding alone can put a foot, as a share of the leg's square.
+/// Tolerance for a foot that rounding puts nearer to the first axis than the offset, as a share of
+/// the leg's squared length.
 const INSIDE: f64 = 1e-12;
 
-/// The angles (deg) that put a foot at `foot` (mm). On the first axis, where any roll may do, it stays at
-/// `roll_now`.
+/// Returns the angles (deg) that put a foot at `foot` (mm). On the first axis, where any roll is
+/// possible, the roll stays at `roll_now`.
 pub(super) fn solutions(base: Point, joints: [&Joint; 3], foot: Point, roll_now: f64) -> Solutions {
     let [roll, thigh, knee] = joints;
     let (along, across) = (Vector3::from(roll.axis), Vector3::from(thigh.axis));
@@ -63,16 +64,17 @@ pub(super) fn solutions(base: Point, joints: [&Joint; 3], foot: Point, roll_now:
 
 /// The axes of the leg while its first joint is at 0.
 struct Frame {
-    /// The first joint's.
+    /// The axis of the first joint.
     along: Vector3<f64>,
-    /// Those of the other two.
+    /// The axes of the other two joints.
     across: Vector3<f64>,
-    /// At right angles to both.
+    /// The normal of both.
     height: Vector3<f64>,
 }
 
 impl Frame {
-    /// A vector in the plane in which the last two joints turn; a positive turn about `across` is to the left.
+    /// Projects a vector onto the plane in which the last two joints turn; a positive turn about
+    /// `across` is to the left.
     fn plane(&self, vector: &Vector3<f64>) -> Vector2<f64> {
         Vector2::new(self.height.dot(vector), self.along.dot(vector))
     }

@@ -1,23 +1,23 @@
-//! Joint angles for a target, wherever a leg may be now.
+//! Global search for joint angles, independent of the current posture.
 //!
-//! Damped least squares go downhill: within the limits of the joints they may end in a hollow from
-//! which the target cannot be reached. Then they start again, from postures that are spread evenly
-//! over the limits (multiples of the square roots of primes, modulo 1: Richtmyer, *The Evaluation of
-//! Definite Integrals, and a Quasi-Monte-Carlo Method*, 1951).
+//! Damped least squares go downhill: within the limits of the joints they may end in a local
+//! minimum from which the target cannot be reached. The search then starts again, from postures
+//! that are spread evenly over the limits (multiples of the square roots of primes, modulo 1:
+//! Richtmyer, *The Evaluation of Definite Integrals, and a Quasi-Monte-Carlo Method*, 1951).
 
 use super::{LegPoint, resolve};
 use crate::command::MAX;
 use crate::model::{Axes, Leg, Point};
 
-/// Postures to start from, besides the initial one. Of the reachable targets of random chains these
-/// are enough for 99.9 %.
+/// Number of start postures besides the initial one. They are enough for 99.9 % of the reachable
+/// targets of random chains.
 const STARTS: u8 = 15;
 
-/// One for each joint.
+/// One prime for each joint.
 const PRIMES: [f64; MAX] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0];
 
-/// The joint angles (deg) that put `point` of `leg` at `target` (mm) along the axes that count, within
-/// the limits; `None` if none are found. The initial posture is tried first.
+/// Returns the joint angles (deg) that put `point` of `leg` at `target` (mm) along the axes that
+/// count, within the limits; `None` if none are found. The initial posture is tried first.
 #[must_use]
 pub fn search<const J: usize>(
     leg: &Leg<J>,
@@ -28,13 +28,13 @@ pub fn search<const J: usize>(
     starts(leg).find_map(|from| resolve(leg, &from, point, target, axes))
 }
 
-/// Postures that are spread over the limits, the initial one first.
+/// Iterates over start postures that are spread over the limits, the initial one first.
 pub(crate) fn starts<const J: usize>(leg: &Leg<J>) -> impl Iterator<Item = [f64; J]> + '_ {
     let spread = (0..STARTS).map(|number| start(leg, number));
     core::iter::once(leg.initial).chain(spread)
 }
 
-/// The posture of that number; 0 is the middle of the limits.
+/// Returns the start posture of a number; 0 is the middle of the limits.
 fn start<const J: usize>(leg: &Leg<J>, number: u8) -> [f64; J] {
     let mut angles = leg.initial;
     let joints = leg.joints.iter().zip(PRIMES);

@@ -8,21 +8,21 @@ use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 const MILLIMETRES_PER_METRE: f64 = 1000.0;
 
-/// A Jacobian whose Gram determinant is smaller than this, against that of a sphere of the same
-/// trace, has lost a direction.
+/// The ratio of Gram determinants, against that of a sphere of the same trace, below which a
+/// Jacobian has lost a direction.
 const SINGULAR: f64 = 1e-8;
 
 impl<const J: usize> Chain<J> {
-    /// The joint torques with which `point` pushes by `force`: `Jᵀ F`. `None` if there is no such
-    /// point.
+    /// Returns the joint torques with which `point` pushes by `force`: `Jᵀ F`. `None` if there is
+    /// no such point.
     #[must_use]
     pub fn torques_of_force(&self, point: LegPoint, force: [f64; 3]) -> Option<[f64; J]> {
         let torques = self.jacobian_of(point)?.transpose() * Vector3::from(force);
         Some((torques / MILLIMETRES_PER_METRE).into())
     }
 
-    /// The force with which `point` pushes at these joint torques, along the axes that count:
-    /// `(Jᵀ)# τ`. `None` where the posture is singular.
+    /// Returns the force with which `point` pushes at these joint torques, along the axes that
+    /// count: `(Jᵀ)# τ`. `None` where the posture is singular.
     #[must_use]
     pub fn force_of_torques(
         &self,
@@ -41,7 +41,7 @@ impl<const J: usize> Chain<J> {
     }
 }
 
-/// `(J Jᵀ)⁻¹ J τ` of the axes that count.
+/// Returns `(J Jᵀ)⁻¹ J τ` of the axes that count.
 fn of_enough_joints<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     torques: &SVector<f64, J>,
@@ -54,8 +54,8 @@ fn of_enough_joints<const J: usize>(
     Some((gram.try_inverse()? * (jacobian * torques)).into())
 }
 
-/// Whether the Gram determinant of the axes that count is smaller than `share` of that of a sphere of
-/// the same trace.
+/// Returns true if the Gram determinant of the axes that count is smaller than `share` of that of a
+/// sphere of the same trace.
 pub(super) fn is_singular<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     axes: Axes,
@@ -65,7 +65,7 @@ pub(super) fn is_singular<const J: usize>(
     gram.determinant() <= share * size * size * size
 }
 
-/// `J Jᵀ`, with the mean of the axes that count in place of those that do not; and that mean.
+/// Returns `J Jᵀ`, with the mean of the axes that count in place of the others, and that mean.
 fn filled_gram<const J: usize>(jacobian: &SMatrix<f64, 3, J>, axes: Axes) -> (Matrix3<f64>, f64) {
     let mut gram: Matrix3<f64> = jacobian * jacobian.transpose();
     let counting = axes.iter().filter(|counts| **counts).count();
@@ -78,7 +78,8 @@ fn filled_gram<const J: usize>(jacobian: &SMatrix<f64, 3, J>, axes: Axes) -> (Ma
     (gram, size)
 }
 
-/// `J (Jᵀ J)⁻¹ τ` of one joint, or two, that move the point: the least force that they feel so.
+/// Returns `J (Jᵀ J)⁻¹ τ` for one or two joints that move the point: the least force that balances
+/// them.
 fn of_few_joints<const J: usize>(
     jacobian: &SMatrix<f64, 3, J>,
     torques: &SVector<f64, J>,

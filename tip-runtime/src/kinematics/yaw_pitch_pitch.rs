@@ -1,7 +1,8 @@
 //! The closed form of a yaw followed by a thigh and a knee.
 //!
-//! The leg turns about the vertical until it points at the foot, or away from it; what is left is a triangle
-//! of thigh, shank and the line between their ends, with the knee above that line, or below it.
+//! The leg turns about the vertical until it points at the foot, or away from it; the remaining
+//! triangle is made of thigh, shank and the line between their ends, with the knee above or below
+//! that line.
 
 use super::{NEAR_AXIS, Solutions};
 use crate::model::{Joint, Point};
@@ -9,11 +10,11 @@ use nalgebra::Vector3;
 
 const DEGREES_PER_RADIAN: f64 = 180.0 / core::f64::consts::PI;
 
-/// How far beyond full stretch rounding alone can put a foot, as a cosine.
+/// Tolerance for a foot that rounding puts beyond full stretch, as a cosine.
 const STRETCH: f64 = 1e-12;
 
-/// The angles (deg) that put a foot at `foot` (mm): first those of a leg that points at it with its knee up. On
-/// the yaw axis, where any yaw will do, it stays at `yaw_now`.
+/// Returns the angles (deg) that put a foot at `foot` (mm): first those of a leg that points at it
+/// with its knee up. On the yaw axis, where any yaw is possible, the yaw stays at `yaw_now`.
 pub(super) fn solutions(base: Point, joints: [&Joint; 3], foot: Point, yaw_now: f64) -> Solutions {
     let [yaw, thigh, knee] = joints;
     let reach = Vector3::from(foot) - Vector3::from(base);
@@ -47,7 +48,8 @@ pub(super) fn solutions(base: Point, joints: [&Joint; 3], foot: Point, yaw_now: 
     ]
 }
 
-/// By how much a thigh is raised and a knee is flexed, to the side of `side`, for a foot so far out and up: deg.
+/// Returns the raise of the thigh and the flexion of the knee, to the side of `side`, for a foot at
+/// a distance and height, deg.
 fn triangle([l2, l3]: [f64; 2], [out, up]: [f64; 2], side: f64) -> Option<[f64; 2]> {
     let bend = (out * out + up * up - l2 * l2 - l3 * l3) / (2.0 * l2 * l3);
     if !(-1.0 - STRETCH..=1.0 + STRETCH).contains(&bend) {
@@ -66,7 +68,7 @@ fn length(joint: &Joint) -> f64 {
     Vector3::from(joint.link).norm()
 }
 
-/// The same direction within −180…180 deg as `angle`, of −360…360 deg.
+/// Returns the equivalent of an angle of −360…360 deg within −180…180 deg.
 fn half_turn(angle: f64) -> f64 {
     if angle > 180.0 {
         angle - 360.0

@@ -1,7 +1,7 @@
 //! The robot as steps and native code see it: motion goes to the controller, the rest is here.
 
 use super::io_state::IoState;
-use crate::analog::{self, Wire};
+use crate::analog::{self, Connection};
 use crate::command::{Command, Flag, MAX, Op, Poll, Port, Target, Teach};
 use crate::controller::ControllerView;
 use crate::fault::Fault;
@@ -36,10 +36,10 @@ impl<const J: usize> Devices<'_, '_, J> {
     }
 
     fn channel(&self, channel: u8) -> Result<f64, Fault> {
-        match analog::wire(channel, self.sensors.angles.len(), J).ok_or(Fault::Domain)? {
-            Wire::Joint(leg, joint) => self.joint(leg, joint),
-            Wire::Input(port) => self.input(port),
-            Wire::Open => Ok(0.0),
+        match analog::connection(channel, self.sensors.angles.len(), J).ok_or(Fault::Domain)? {
+            Connection::Joint(leg, joint) => self.joint(leg, joint),
+            Connection::Input(port) => self.input(port),
+            Connection::Open => Ok(0.0),
         }
     }
 

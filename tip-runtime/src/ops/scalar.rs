@@ -3,18 +3,18 @@
 use super::{Domain, add, for_test};
 use crate::fault::Fault;
 
-/// A VAR, or a member of a struct: a number, and whether anything was assigned yet.
+/// A VAR, or a member of a struct: a number that may be unassigned.
 ///
-/// Every value of the language is finite, so that one that is none marks what was never assigned: a
-/// scalar is as large as its number, and assigning one is a single store.
+/// Every value of the language is finite, so a NaN marks a scalar that was never assigned: a scalar
+/// is as large as its number, and assigning one is a single store.
 #[derive(Clone, Copy, Debug)]
 pub struct Scalar(f64);
 
 impl Scalar {
-    /// As every scalar begins: a quiet NaN that no calculation makes.
+    /// The initial value of every scalar: a quiet NaN that no calculation makes.
     pub const UNASSIGNED: Self = Scalar(f64::from_bits(0x7ff8_0000_0054_4950));
 
-    /// One that has a value.
+    /// Returns a scalar with a value.
     #[inline]
     pub const fn of(value: f64) -> Self {
         Scalar(value)
@@ -26,20 +26,20 @@ impl Scalar {
         self.0 = value;
     }
 
-    /// Assigns what was calculated.
+    /// Assigns the result of a calculation.
     ///
     /// # Errors
-    /// The fault that came instead of a value; the scalar stays as it was.
+    /// The fault of the calculation; the scalar stays unchanged.
     #[inline]
     pub fn assign(&mut self, value: Result<f64, Domain>) -> Result<(), Domain> {
         self.set(value?);
         Ok(())
     }
 
-    /// `FOR`: assigns the first value; answers whether the loop is entered.
+    /// `FOR`: assigns the first value; returns true if the loop is entered.
     ///
     /// # Errors
-    /// As [`for_test`]; the scalar stays as it was.
+    /// As [`for_test`]; the scalar stays unchanged.
     #[inline]
     pub fn begin(&mut self, from: f64, to: f64, by: f64) -> Result<bool, Domain> {
         let enters = for_test(from, to, by)?;
@@ -47,10 +47,10 @@ impl Scalar {
         Ok(enters)
     }
 
-    /// `NEXT`: assigns the value that follows `value`; answers whether the loop goes on.
+    /// `NEXT`: assigns the value that follows `value`; returns true if the loop continues.
     ///
     /// # Errors
-    /// As [`add`] and [`for_test`]; the scalar stays as it was.
+    /// As [`add`] and [`for_test`]; the scalar stays unchanged.
     #[inline]
     pub fn advance(&mut self, value: f64, by: f64, to: f64) -> Result<bool, Domain> {
         let value = add(value, by)?;
@@ -59,14 +59,14 @@ impl Scalar {
         Ok(repeats)
     }
 
-    /// Reads where the compiler has proved that a value was assigned: nothing is tested. Before the
-    /// first assignment it would be no number.
+    /// Returns the value where the compiler has proved an assignment: nothing is tested. Before the
+    /// first assignment the result is NaN.
     #[inline]
     pub const fn value(self) -> f64 {
         self.0
     }
 
-    /// Reads where nothing is proved; `index` is the scalar's place in
+    /// Returns the value where nothing is proved; `index` is the scalar's place in
     /// [`Program::scalar`](crate::program::Program::scalar).
     ///
     /// # Errors
@@ -79,7 +79,7 @@ impl Scalar {
         }
     }
 
-    /// The value, if there is one.
+    /// Returns the value, if one was assigned.
     #[inline]
     pub const fn assigned(self) -> Option<f64> {
         if self.0.to_bits() == Self::UNASSIGNED.0.to_bits() {
@@ -90,7 +90,7 @@ impl Scalar {
     }
 }
 
-/// Reads every member of a struct where nothing is proved, the first at `index`.
+/// Returns every member of a struct where nothing is proved, the first at `index`.
 ///
 /// # Errors
 /// `Unassigned` for the first member without a value.
@@ -119,7 +119,7 @@ mod tests {
         }
     }
 
-    /// The loop test of FOR and NEXT (T.I.P. 3.1 §7-6-4) sees the value that is assigned.
+    /// T.I.P. 3.1 §7-6-4: the loop test of FOR and NEXT uses the assigned value.
     #[test]
     fn a_loop_assigns_what_it_tests() {
         let mut scalar = Scalar::UNASSIGNED;
@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(scalar.value(), 6.0);
     }
 
-    /// What a robot of one's own may measure by mistake is a value all the same.
+    /// A custom robot may measure any NaN by mistake; it counts as a value.
     #[test]
     fn no_other_nan_counts_as_unassigned() {
         assert!(Scalar::of(f64::NAN).assigned().is_some());

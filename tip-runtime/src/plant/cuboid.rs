@@ -1,13 +1,13 @@
-//! Boxes, and stretches that cross them.
+//! Axis-aligned boxes, and line segments that cross them.
 
 use crate::model::Body;
 use crate::scene::Block;
 use nalgebra::Vector3;
 
-/// How far down blocks go: mm.
+/// Depth to which blocks reach down, mm.
 const DEEP: f64 = 1e7;
 
-/// A box along the axes of its frame, by two opposite corners. Whoever makes it chooses the unit.
+/// An axis-aligned box, by two opposite corners. The unit is the caller's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cuboid {
     pub(super) low: Vector,
@@ -15,7 +15,7 @@ pub(super) struct Cuboid {
 }
 
 impl Cuboid {
-    /// A block, in a unit of so many mm.
+    /// Returns a block, in a unit of `unit` mm.
     #[inline]
     pub(super) fn of_block(Block { x, y, height }: &Block, unit: f64) -> Self {
         Cuboid {
@@ -24,7 +24,7 @@ impl Cuboid {
         }
     }
 
-    /// A body in its own frame, in a unit of so many mm.
+    /// Returns a body in its own frame, in a unit of `unit` mm.
     #[inline]
     pub(super) fn of_body(Body { x, y, z, .. }: &Body, unit: f64) -> Self {
         Cuboid {
@@ -33,7 +33,7 @@ impl Cuboid {
         }
     }
 
-    /// Its corners, the lower four round about first.
+    /// Returns the corners: the lower four in order around the box, then the upper four.
     pub(super) fn corners(&self) -> [Vector; 8] {
         let (low, high) = (self.low, self.high);
         [
@@ -49,7 +49,7 @@ impl Cuboid {
         .map(Vector::from)
     }
 
-    /// Its edges, by both ends.
+    /// Returns the edges, by both ends.
     pub(super) fn edges(&self) -> [[Vector; 2]; 12] {
         let [a, b, c, d, e, f, g, h] = self.corners();
         [
@@ -68,7 +68,8 @@ impl Cuboid {
         ]
     }
 
-    /// How deep a point is inside, and where the nearest side faces; the upper side comes before others as near.
+    /// Returns the depth of a point inside and the normal of the nearest side; among equally near
+    /// sides the upper one comes first.
     #[inline]
     pub(super) fn depth(&self, point: Vector) -> Option<(f64, Vector)> {
         let (above, below) = (self.high - point, point - self.low);
@@ -89,8 +90,8 @@ impl Cuboid {
         (found.0 > 0.0).then_some(found)
     }
 
-    /// From where to where a stretch is inside, in parts of its length (Liang and Barsky, *ACM Transactions on Graphics*
-    /// 3, 1984).
+    /// Returns the part of a segment that is inside, as shares of its length (Liang and Barsky,
+    /// *ACM Transactions on Graphics* 3, 1984).
     #[inline]
     pub(super) fn inside(&self, [start, end]: [Vector; 2]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -110,15 +111,16 @@ impl Cuboid {
         (from < to).then_some([from, to])
     }
 
-    /// The same, where both ends are outside: what is inside then has no end that could touch by itself.
+    /// Like [`inside`](Self::inside), for a segment whose ends are both outside, so that neither
+    /// end touches by itself.
     #[inline]
-    pub(super) fn through(&self, stretch: [Vector; 2]) -> Option<[f64; 2]> {
-        self.inside(stretch)
+    pub(super) fn through(&self, segment: [Vector; 2]) -> Option<[f64; 2]> {
+        self.inside(segment)
             .filter(|[from, to]| *from > 0.0 && *to < 1.0)
     }
 }
 
-/// The middle of a part of a stretch.
+/// Returns the midpoint of a part of a segment.
 #[inline]
 pub(super) fn middle([start, end]: [Vector; 2], [from, to]: [f64; 2]) -> Vector {
     start + (end - start) * ((from + to) / 2.0)
@@ -136,7 +138,7 @@ mod tests {
     };
 
     #[test]
-    fn a_stretch_is_inside_where_its_points_are() {
+    fn a_segment_is_inside_where_its_points_are() {
         let v = Vector::new;
         let slant = [v(-1.0, 0.5, 0.25), v(3.0, 0.5, 0.75)];
         assert_eq!(UNIT.inside(slant), Some([0.25, 0.5]));

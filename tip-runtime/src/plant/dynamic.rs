@@ -1,11 +1,12 @@
-//! A walking robot with mass: links and body that swing, bounce, slide and tip over, deterministic to the bit.
+//! A walking robot with mass: links and body swing, bounce, slide and tip over, deterministic to
+//! the bit.
 //!
 //! The body floats, and every link is a uniform rod, the body a uniform box around its origin. Joints are position servos
 //! with a lag, a speed and a torque limit, or give the torque that they are commanded. Feet, joints and corners of the
 //! body touch the floor through springs and dampers, with Coulomb friction. Time goes on in steps of 0.5 ms or less,
 //! by the semi-implicit Euler method.
 //!
-//! Inside of this module everything is in m, kg, s, rad and N.
+//! Inside of this module all values are in m, kg, s, rad and N.
 //!
 //! ```
 //! use tip_runtime::model::titan8;
@@ -17,69 +18,62 @@
 //! assert!((on_feet + plant.belly_load() - 20.0 * 9.80665).abs() < 1e-6);
 //! ```
 
-mod bump;
-mod clash;
+mod body_dynamics;
+mod cholesky;
 mod contact;
-mod factor;
-mod foothold;
-mod frame;
+mod edge_contact;
+mod fall_detector;
+mod foot_contact;
 mod leg;
 mod links;
-mod noise;
-mod robot;
+mod multibody;
+mod self_collision;
 mod servo;
 mod spatial;
 mod terrain;
-#[cfg(test)]
-mod tests;
-mod trunk;
-mod watch;
-mod world;
 
 pub use servo::Drives;
 
-use super::override_sensors::{LegInputs, Overrides};
-use super::{DIVERGED, Fall, Following, Foot, Limbs, Motion, Noise, Plant, Pose, Travel};
+use super::sensors::{LegInputs, Overrides, SensorNoise};
+use super::{DIVERGED, Fall, Foot, Limbs, Motion, Noise, Plant, Pose, TrackingErrors, Travel};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::Scene;
-use contact::Law;
+use body_dynamics::{BodyDynamics, ExternalForce};
+use contact::ContactLaw;
+use fall_detector::FallDetector;
 use leg::LegBody;
+use multibody::Multibody;
 use nalgebra::Vector3;
-use noise::Disturbance;
-use robot::Robot;
 use spatial::{Inertia, Spatial};
-use terrain::Terrain;
-use trunk::{Push, Trunk};
-use watch::Watch;
-use world::GRAVITY;
+use terrain::{GRAVITY, Terrain};
 
-/// How a body moves.
+/// The velocity of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
-    /// Of its origin, in the world: mm/s.
+    /// Velocity of the origin, in the world, mm/s.
     pub velocity: [f64; 3],
-    /// Its turn, about the axes of the world: deg/s.
+    /// Angular velocity about the axes of the world, deg/s.
     pub rate: [f64; 3],
 }
 
-/// What a robot's motion and height are worth.
+/// The mechanical energy of a robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
-    /// Of body, links and rotors: J.
+    /// Kinetic energy of body, links and rotors, J.
     pub kinetic: f64,
-    /// Of all masses above the world's origin: J.
+    /// Potential energy of all masses above the world's origin, J.
     pub potential: f64,
 }
 
 /// The momentum of body and links, in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum {
-    /// N·s.
+    /// Linear momentum, N·s.
     pub linear: [f64; 3],
-    /// About the centre of mass: N·m·s.
+    /// Angular momentum about the centre of mass, N·m·s.
     pub angular: [f64; 3],
 }
 
@@ -89,30 +83,30 @@ pub struct Momentum {
 /// [module](self) for what is simulated.
 #[derive(Clone, Debug)]
 pub struct DynamicPlant<const L: usize, const J: usize> {
-    robot: Robot<[LegBody<J>; L]>,
+    robot: Multibody<[LegBody<J>; L]>,
     overrides: Overrides<[LegInputs<J>; L]>,
-    noise: Option<Disturbance>,
+    noise: Option<SensorNoise>,
     lamps: [u32; 8],
 }
 
 impl<const L: usize, const J: usize> DynamicPlant<L, J> {
-    /// The robot in its initial posture on a level floor.
+    /// Returns the robot in its initial posture on a level floor.
     pub fn new(model: &Model<L, J>) -> Self {
-        let trunk = Trunk::new(model.body);
+        let base = BodyDynamics::new(model.body);
         let terrain = Terrain::of(&Scene::EMPTY);
         let forces = model.forces.as_ref();
         let mut plant = DynamicPlant {
-            robot: Robot {
-                watch: Watch::new(&trunk.frame, &terrain),
-                trunk,
+            robot: Multibody {
+                detector: FallDetector::new(&base.frame, &terrain),
+                base,
                 terrain,
-                law: Law::of(1.0, 1.0, 1.0),
+                law: ContactLaw::of(1.0, 1.0, 1.0),
                 drives: Drives::default(),
                 unit: forces.map_or(1.0, |forces| forces.unit.per_newton_metre()),
                 period: model.standards.period,
                 clearance: 0.0,
-                following: Following::NONE,
-                whole: Inertia::NONE,
+                tracking_errors: TrackingErrors::NONE,
+                total: Inertia::NONE,
                 legs: [LegBody::new(Leg::BLANK); L],
             },
             overrides: Overrides::new(model),
@@ -120,7 +114,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
             lamps: [0; 8],
         };
         let robot = plant.robot_mut();
-        robot.put(&model.legs);
+        robot.set_initial_postures(&model.legs);
         robot.stand();
         plant
     }
@@ -133,7 +127,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Gives all joints other motors.
+    /// Replaces the motors of all joints.
     #[must_use]
     pub fn with_drives(mut self, drives: Drives) -> Self {
         self.robot.drives = drives;
@@ -141,26 +135,26 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Holds the robot so high above where it stands, before it is let go: mm.
+    /// Lifts the robot by `height` mm above its stand, before it is released.
     #[must_use]
     pub fn lifted(mut self, height: f64) -> Self {
-        self.robot.trunk.frame.position.z += height / 1000.0;
+        self.robot.base.frame.position.z += height / 1000.0;
         self.robot_mut().refresh();
         self
     }
 
-    /// Lets the body move. A robot that is bolted down stays where it is.
+    /// Sets the velocity of the body. A robot that is bolted down stays where it is.
     #[must_use]
     pub fn with_twist(mut self, twist: Twist) -> Self {
-        if self.robot.trunk.model.is_some() {
-            let frame = &mut self.robot.trunk.frame;
+        if self.robot.base.model.is_some() {
+            let frame = &mut self.robot.base.frame;
             frame.velocity = Vector::from(twist.velocity) / 1000.0;
             frame.rate = Vector::from(twist.rate.map(f64::to_radians));
         }
         self
     }
 
-    /// Lets the joints turn: deg/s.
+    /// Sets the angular velocities of the joints, deg/s.
     #[must_use]
     pub fn with_rates(mut self, rates: [[f64; J]; L]) -> Self {
         for (leg, rates) in self.robot.legs.iter_mut().zip(rates) {
@@ -171,22 +165,22 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         self
     }
 
-    /// Where the body is, in the world.
+    /// Returns the pose of the body in the world.
     pub fn body(&self) -> Pose {
-        let frame = &self.robot.trunk.frame;
+        let frame = &self.robot.base.frame;
         Pose::new((frame.position * 1000.0).into(), &frame.rotation)
     }
 
-    /// How the body moves.
+    /// Returns the velocity of the body.
     pub fn twist(&self) -> Twist {
-        let frame = &self.robot.trunk.frame;
+        let frame = &self.robot.base.frame;
         Twist {
             velocity: (frame.velocity * 1000.0).into(),
             rate: frame.rate.map(f64::to_degrees).into(),
         }
     }
 
-    /// The feet.
+    /// Returns the feet.
     pub fn feet(&self) -> [Foot; L] {
         let feet = self.robot.legs.each_ref().map(|leg| leg.foot);
         feet.map(|foot| Foot {
@@ -196,36 +190,36 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         })
     }
 
-    /// How much the body carries by itself: N.
+    /// Returns the load that the body carries by itself, N.
     pub fn belly_load(&self) -> f64 {
-        let trunk = &self.robot.trunk;
-        trunk.loads.iter().sum::<f64>() + trunk.propped
+        let base = &self.robot.base;
+        base.loads.iter().sum::<f64>() + base.edge_load
     }
 
-    /// The centre of mass in the world: mm.
+    /// Returns the centre of mass in the world, mm.
     pub fn centre_of_mass(&self) -> Point {
         let mut now = self.clone();
         now.robot_mut().refresh();
         now.centre().into()
     }
 
-    /// As it was when things were last placed: mm.
+    /// Returns the centre of mass at the last placement, mm.
     fn centre(&self) -> Vector {
-        (self.robot.trunk.frame.position + self.robot.whole.centre()) * 1000.0
+        (self.robot.base.frame.position + self.robot.total.centre()) * 1000.0
     }
 
-    /// Kinetic and potential energy.
+    /// Returns the kinetic and potential energy.
     pub fn energy(&self) -> Energy {
         let mut now = self.clone();
         let robot = now.robot_mut();
         robot.refresh();
         Energy {
-            kinetic: robot.vigour() / 2.0,
-            potential: robot.whole.mass() * GRAVITY * now.centre().z / 1000.0,
+            kinetic: robot.double_kinetic_energy() / 2.0,
+            potential: robot.total.mass() * GRAVITY * now.centre().z / 1000.0,
         }
     }
 
-    /// The momentum of body and links; rotors count in kinetic energy only.
+    /// Returns the momentum of body and links; rotors count in kinetic energy only.
     pub fn momentum(&self) -> Momentum {
         let mut now = self.clone();
         let robot = now.robot_mut();
@@ -233,16 +227,16 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         let Spatial { angular, linear } = robot.momentum();
         Momentum {
             linear: linear.into(),
-            angular: (angular - robot.whole.centre().cross(&linear)).into(),
+            angular: (angular - robot.total.centre().cross(&linear)).into(),
         }
     }
 
-    /// How far the body has come from where it began.
+    /// Returns the travel of the body from its start.
     pub fn travel(&self) -> Travel {
-        self.robot.watch.travel(&self.robot.trunk.frame)
+        self.robot.detector.travel(&self.robot.base.frame)
     }
 
-    /// Joint angles as they are, whatever the sensors say: deg.
+    /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut angles, |servo| {
@@ -251,7 +245,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         angles
     }
 
-    /// How fast the joints turn: deg/s.
+    /// Returns the angular velocities of the joints, deg/s.
     pub fn rates(&self) -> [[f64; J]; L] {
         let mut rates = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut rates, |servo| {
@@ -260,20 +254,20 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
         rates
     }
 
-    /// What the motors give: N·m.
+    /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
         leg::fill_joints(&self.robot.legs, &mut torques, |servo| servo.torque);
         torques
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.lamps.get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
     }
 
-    fn robot_mut(&mut self) -> &mut Robot<[LegBody<J>]> {
+    fn robot_mut(&mut self) -> &mut Multibody<[LegBody<J>]> {
         &mut self.robot
     }
 }
@@ -281,7 +275,7 @@ impl<const L: usize, const J: usize> DynamicPlant<L, J> {
 impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         *into = Sensors::ZERO;
-        let robot: &Robot<[LegBody<J>]> = &self.robot;
+        let robot: &Multibody<[LegBody<J>]> = &self.robot;
         let overrides: &Overrides<[LegInputs<J>]> = &self.overrides;
         let mut sensors = into.view_mut();
         robot.measure(&mut sensors);
@@ -296,7 +290,7 @@ impl<const L: usize, const J: usize> Hardware<L, J> for DynamicPlant<L, J> {
         self.lamps = outputs.lamps;
         self.robot.period = outputs.period;
         let before = self.robot.clone();
-        self.robot_mut().obey(&outputs.joints);
+        self.robot_mut().simulate(&outputs.joints);
         if self.robot_mut().is_sane() {
             return Ok(());
         }
@@ -325,7 +319,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn can_be_pushed(&self) -> bool {
-        self.robot.trunk.model.is_some()
+        self.robot.base.model.is_some()
     }
 
     fn can_have_noise(&self) -> bool {
@@ -333,7 +327,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn push(&mut self, force: [f64; 3], cycles: u32) -> bool {
-        self.robot.trunk.push = Push {
+        self.robot.base.push = ExternalForce {
             force: Vector::from(force),
             cycles,
         };
@@ -341,31 +335,31 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 
     fn set_noise(&mut self, noise: Noise) -> bool {
-        self.noise = Some(Disturbance::of(noise));
+        self.noise = Some(SensorNoise::of(noise));
         true
     }
 
     fn motion(&self) -> Option<Motion> {
-        let watch = &self.robot.watch;
-        self.robot.trunk.model.is_some().then(|| Motion {
+        let detector = &self.robot.detector;
+        self.robot.base.model.is_some().then(|| Motion {
             pose: self.body(),
             travel: self.travel(),
-            falls: watch.falls.count,
-            upright_falls: watch.falls.upright(),
-            margin: watch.margin,
-            least_margin: watch.least,
-            slip: watch.slip * 1000.0,
-            following: self.robot.following,
+            falls: detector.falls.count,
+            upright_falls: detector.falls.upright(),
+            margin: detector.margin,
+            least_margin: detector.least,
+            slip: detector.slip * 1000.0,
+            tracking_errors: self.robot.tracking_errors,
             unmodelled: None,
         })
     }
 
     fn first_fall(&self) -> Option<Fall> {
-        self.robot.watch.falls.first
+        self.robot.detector.falls.first
     }
 
     fn limbs(&self) -> Option<Limbs<L, J>> {
-        let is_loose = self.robot.trunk.model.is_some();
+        let is_loose = self.robot.base.model.is_some();
         let (mut loads, mut forces) = ([0.0; L], [[0.0; 3]; L]);
         leg::fill_feet(&self.robot.legs, &mut loads, &mut forces);
         Some(Limbs {
@@ -377,5 +371,33 @@ impl<const L: usize, const J: usize> Plant<L, J> for DynamicPlant<L, J> {
     }
 }
 
-/// In m, or without a unit.
+/// A vector in m, or without a unit.
 type Vector = Vector3<f64>;
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use std::println;
+
+    /// Returns the bytes that the largest robot moves by, without its model and its inputs.
+    fn working_memory() -> usize {
+        let model = size_of::<[Leg<9>; 9]>();
+        let inputs = size_of::<Overrides<[LegInputs<9>; 9]>>();
+        size_of::<DynamicPlant<9, 9>>() - model - inputs
+    }
+
+    #[test]
+    fn the_largest_robot_moves_in_sixteen_kilobytes() {
+        let sizes = [
+            size_of::<DynamicPlant<4, 3>>(),
+            size_of::<DynamicPlant<6, 3>>(),
+            size_of::<DynamicPlant<9, 9>>(),
+        ];
+        println!("4 x 3, 6 x 3, 9 x 9: {sizes:?} bytes");
+        let working = working_memory();
+        println!("without model and inputs, 9 x 9: {working} bytes");
+        assert!(working <= 16 * 1024, "{working}");
+    }
+}

@@ -1,19 +1,21 @@
 //! Simulated hardware: a hand of planar fingers, a floor on a slider, and objects to grasp.
 //!
-//! Fingers are chains of rigid links with motors, objects are rigid bodies in the x–y plane, y being
-//! the height. Where things overlap they push each other apart with springs, dampers and Coulomb
-//! friction. Motion advances in even steps of at most 0.5 ms, by the method of Störmer and Verlet
-//! (Hairer, Lubich and Wanner, *Geometric Numerical Integration*, 2006, ch. I.1): an error of second
-//! order. Steps are shorter over light objects, whose contacts swing faster.
+//! Fingers are chains of rigid links with motors, objects are rigid bodies in the x–y plane, y
+//! being the height. Where they overlap they push each other apart with springs, dampers and
+//! Coulomb friction. Motion advances in even steps of at most 0.5 ms, by the method of Störmer and
+//! Verlet (Hairer, Lubich and Wanner, *Geometric Numerical Integration*, 2006, ch. I.1), whose
+//! error is of second order. Steps are shorter over light objects, whose contacts swing faster.
 //!
 //! This is code of ours and not a physics engine on purpose. An engine such as rapier resolves
-//! contacts as constraints, whose forces depend on its solver's iterations; here what a torque sensor
-//! reads follows from stiffnesses that are written down. It needs `alloc`, half a minute and fifty
-//! crates to build; this runs without any of them, and gives the same bits on every machine.
+//! A physics engine is not used on purpose. An engine such as rapier resolves contacts as
+//! constraints, whose forces depend on its solver's iterations; here the reading of a torque sensor
+//! follows from documented stiffnesses. An engine needs `alloc`, half a minute and fifty crates to
+//! build; this module needs none of them, and gives the same bits on every machine.
 //!
 //! Links are lines and fingertips points, so that forces act exactly where kinematics has the
-//! fingertip. Fingers have no weight, since they are counterbalanced, and do not touch each other:
-//! those of one side are beside each other.
+//! Links are lines and fingertips points, so that forces act exactly where kinematics has the
+//! fingertip. Fingers have no weight, since they are counterbalanced, and do not collide with each
+//! other: the fingers of one side are at different z.
 //!
 //! ```
 //! use tip_runtime::model::hand;
@@ -30,44 +32,44 @@
 //! assert_eq!(left.on_objects, [0.0; 3]);
 //! ```
 
-mod body;
 mod contact;
+mod contact_history;
+mod contact_model;
 mod finger;
-mod grip;
+mod grasped_object;
 mod motor;
 mod overlap;
-mod seam;
+mod rigid_body;
 mod slider;
-mod thing;
 
-use super::override_sensors::{LegInputs, Overrides};
+use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Grasp, Limbs, Plant};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Model, Point};
 use crate::scene::{OBJECTS, Scene};
-use grip::{FingerPlant, Grip};
+use contact_model::{ContactModel, FingerContacts};
 
-/// In SI units.
+/// A vector in SI units.
 type Vector = nalgebra::Vector2<f64>;
 
-/// The end of a finger.
+/// A fingertip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fingertip {
-    /// Where it is: mm.
+    /// Position, mm.
     pub position: Point,
-    /// With what force the last link pushes the floor: N.
+    /// Force of the last link on the floor, N.
     pub on_floor: [f64; 3],
-    /// With what force the last link pushes objects: N.
+    /// Force of the last link on objects, N.
     pub on_objects: [f64; 3],
-    /// The greatest force with which it has pushed at the end of a cycle so far: N.
+    /// The greatest force at the end of a cycle so far, N.
     pub greatest: f64,
 }
 
 impl Fingertip {
-    /// How hard it pushes the floor and objects together: N.
+    /// Returns the force on floor and objects together, N.
     pub fn force(&self) -> f64 {
         let ([x, y, z], [u, v, w]) = (self.on_floor, self.on_objects);
         libm::hypot(libm::hypot(x + u, y + v), z + w)
@@ -78,40 +80,40 @@ impl Fingertip {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ObjectState {
-    /// Its centre: mm; z is 0.
+    /// Position of the centre, mm; z is 0.
     pub position: Point,
-    /// deg.
+    /// Angle, deg.
     pub angle: f64,
-    /// Of its centre: mm/s; along z 0.
+    /// Velocity of the centre, mm/s; 0 along z.
     pub velocity: [f64; 3],
-    /// deg/s.
+    /// Angular velocity, deg/s.
     pub spin: f64,
-    /// How far its lowest point is above the floor: mm.
+    /// Height of the lowest point above the floor, mm.
     pub clearance: f64,
-    /// The most that this has been at the end of a cycle so far: mm.
+    /// The greatest clearance at the end of a cycle so far, mm.
     pub highest: f64,
-    /// Whether it touches the floor.
+    /// True if the object touches the floor.
     pub on_floor: bool,
-    /// Whether it touches the palm.
+    /// True if the object touches the palm.
     pub at_palm: bool,
 }
 
 /// A hand of `L` fingers with `J` joints over a floor. All joints turn about z.
 ///
-/// The slider follows its command exactly, as fast as it can (1 m/s). See the [module](self) for
-/// what is simulated.
+/// The slider follows its command exactly, at its greatest speed (1 m/s). See the [module](self)
+/// for what is simulated.
 #[derive(Clone, Debug)]
 pub struct SimulatedHand<const L: usize, const J: usize> {
-    grip: Grip<[FingerPlant<J>; L]>,
+    contacts: ContactModel<[FingerContacts<J>; L]>,
     overrides: Overrides<[LegInputs<J>; L]>,
     lamps: [u32; 8],
 }
 
 impl<const L: usize, const J: usize> SimulatedHand<L, J> {
-    /// The hand in its initial posture over a level floor with nothing on it.
+    /// Returns the hand in its initial posture over an empty, level floor.
     pub fn new(model: &Model<L, J>) -> Self {
         SimulatedHand {
-            grip: Grip::new(model),
+            contacts: ContactModel::new(model),
             overrides: Overrides::new(model),
             lamps: [0; 8],
         }
@@ -120,48 +122,51 @@ impl<const L: usize, const J: usize> SimulatedHand<L, J> {
     /// Puts a floor and objects under the hand.
     #[must_use]
     pub fn with_scene(mut self, scene: &Scene) -> Self {
-        self.grip_mut().replace(scene);
+        self.contacts_mut().replace(scene);
         self
     }
 
-    fn grip_mut(&mut self) -> &mut Grip<[FingerPlant<J>]> {
-        &mut self.grip
+    fn contacts_mut(&mut self) -> &mut ContactModel<[FingerContacts<J>]> {
+        &mut self.contacts
     }
 
-    /// Pulls finger `n`, counted from 1, at its tip with a force along x and y (N) from now on, as a
-    /// weight would that hangs on it.
+    /// Pulls finger `n`, counted from 1, at its tip with a force along x and y (N) from now on,
+    /// like a hanging weight.
     pub fn pull(&mut self, n: u8, [x, y]: [f64; 2]) {
-        let finger = self.grip.fingers.get_mut(usize::from(n).wrapping_sub(1));
+        let finger = self
+            .contacts
+            .fingers
+            .get_mut(usize::from(n).wrapping_sub(1));
         if let Some(finger) = finger.filter(|_| x.is_finite() && y.is_finite()) {
             finger.pull = Vector::new(x, y);
         }
     }
 
-    /// The fingertips.
+    /// Returns the fingertips.
     pub fn fingertips(&self) -> [Fingertip; L] {
-        self.grip.fingers.each_ref().map(FingerPlant::tip)
+        self.contacts.fingers.each_ref().map(FingerContacts::tip)
     }
 
-    /// Joint angles as they are, whatever the sensors say: deg.
+    /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
-        self.grip.fingers.each_ref().map(FingerPlant::angles)
+        self.contacts.fingers.each_ref().map(FingerContacts::angles)
     }
 
-    /// What the motors give, in the robot's torque unit.
+    /// Returns the motor torques, in the robot's torque unit.
     pub fn torques(&self) -> [[f64; J]; L] {
-        let unit = self.grip.torque_unit;
-        self.grip
+        let unit = self.contacts.torque_unit;
+        self.contacts
             .fingers
             .each_ref()
             .map(|finger| finger.torques(unit))
     }
 
-    /// The objects, in the order of the scene.
+    /// Returns the objects, in the order of the scene.
     pub fn objects(&self) -> [Option<ObjectState>; OBJECTS] {
-        self.grip.objects()
+        self.contacts.objects()
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.lamps.get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
@@ -192,7 +197,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
         Some(Grasp {
             fingertips: self.fingertips(),
             objects: self.objects(),
-            slider: self.grip.slider(),
+            slider: self.contacts.slider(),
         })
     }
 }
@@ -200,10 +205,10 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedHand<L, J> {
 impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
     fn read(&mut self, into: &mut Sensors<L, J>) -> Result<(), HardwareFault> {
         *into = Sensors::ZERO;
-        let grip: &Grip<[FingerPlant<J>]> = &self.grip;
+        let contacts: &ContactModel<[FingerContacts<J>]> = &self.contacts;
         let overrides: &Overrides<[LegInputs<J>]> = &self.overrides;
         let mut sensors = into.view_mut();
-        grip.measure(&mut sensors);
+        contacts.measure(&mut sensors);
         overrides.apply(&mut sensors);
         Ok(())
     }
@@ -216,20 +221,20 @@ impl<const L: usize, const J: usize> Hardware<L, J> for SimulatedHand<L, J> {
             period,
             ..
         } = outputs;
-        let before = self.grip.clone();
-        self.grip_mut().obey(joints, *slider, *period);
-        if self.grip_mut().is_sane() {
+        let before = self.contacts.clone();
+        self.contacts_mut().simulate(joints, *slider, *period);
+        if self.contacts_mut().is_sane() {
             return Ok(());
         }
-        self.grip = before;
+        self.contacts = before;
         Err(DIVERGED)
     }
 
     fn stop(&mut self, _why: &Fault) {
-        let before = self.grip.clone();
-        self.grip_mut().stop();
-        if !self.grip_mut().is_sane() {
-            self.grip = before;
+        let before = self.contacts.clone();
+        self.contacts_mut().stop();
+        if !self.contacts_mut().is_sane() {
+            self.contacts = before;
         }
     }
 }

@@ -1,10 +1,10 @@
 //! A walking robot on a floor, quasi-static and deterministic.
 //!
-//! Joints are position servos with a lag, a speed and a torque limit. The body rests on whatever
-//! carries it, feet or belly, under gravity; it moves as its stance feet sweep. Nothing swings or
-//! bounces: inertia is left out on purpose, so that a run says what the motion program does and not
-//! how a particular robot vibrates. What falls does so no faster than gravity lets it. Where inertia,
-//! friction or contact would have mattered, that is counted: [`Unmodelled`].
+//! Joints are position servos with a lag, a speed and a torque limit. The body rests on its feet or
+//! its belly under gravity; it moves as its stance feet sweep. Nothing swings or bounces: inertia
+//! is left out on purpose, so that a run shows the effect of the motion program and not the
+//! vibrations of a particular robot. Falling bodies fall no faster than gravity accelerates them.
+//! Cycles in which inertia, friction or contact would have mattered are counted: [`Unmodelled`].
 //!
 //! ```
 //! use tip_runtime::model::titan8;
@@ -17,63 +17,61 @@
 //! assert!(plant.margin() > 0.0, "its centre of mass is above what carries it");
 //! ```
 
-mod body;
-mod contacts;
 mod crossing;
+mod descent;
 pub(super) mod fall;
 mod floor;
 mod ground;
 mod legs;
 mod links;
-mod obstacles;
-pub(super) mod path;
+mod odometry;
 pub(super) mod polygon;
+mod pose;
 mod servo;
-mod sink;
 mod stance;
 mod support;
-mod travel;
+pub(super) mod tracking;
 mod unmodelled;
 
-pub use body::Pose;
 pub use fall::Fall;
-pub use path::Following;
+pub use odometry::Travel;
+pub use pose::Pose;
 pub use servo::ServoDynamics;
-pub use travel::Travel;
+pub use tracking::TrackingErrors;
 pub use unmodelled::Unmodelled;
 
-use super::override_sensors::{LegInputs, Overrides};
+use super::sensors::{LegInputs, Overrides};
 use super::{DIVERGED, Limbs, Motion, Plant, are_sane};
 use crate::command::Port;
 use crate::fault::Fault;
 use crate::hardware::{Hardware, HardwareFault, Outputs, Sensors};
 use crate::model::{Leg, Model, Point};
 use crate::scene::{BLOCKS, Block, Floor};
+use floor::Obstacles;
 use ground::Ground;
 use legs::{LegPlant, Legs};
 use nalgebra::Vector3;
-use obstacles::Obstacles;
 
 /// One foot of a simulated robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Foot {
-    /// Where it is in the world: mm.
+    /// Position in the world, mm.
     pub position: Point,
-    /// How much of the robot it carries: N.
+    /// The part of the robot's weight on this foot, N.
     pub load: f64,
-    /// How far it has slipped along the floor since it touched down: mm; 0 in the air.
+    /// Slip along the floor since the touchdown, mm; 0 in the air.
     pub slip: f64,
 }
 
 impl Foot {
-    /// Whether it carries anything.
+    /// Returns true if the foot carries load.
     pub fn touches(&self) -> bool {
         self.load > 0.0
     }
 }
 
-/// A walking robot on a floor.
+/// A walking robot on a floor, without mass.
 ///
 /// The world frame has z up; the robot starts at its origin, heading along y, on its initial
 /// posture. See the [module](self) for what is simulated and what is not.
@@ -86,7 +84,7 @@ pub struct SimulatedPlant<const L: usize, const J: usize> {
 }
 
 impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
-    /// The robot in its initial posture on a level floor.
+    /// Returns the robot in its initial posture on a level floor.
     pub fn new(model: &Model<L, J>) -> Self {
         let mut plant = SimulatedPlant {
             legs: Legs {
@@ -99,7 +97,7 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
             lamps: [0; 8],
         };
         let legs: &mut Legs<[LegPlant<J>]> = &mut plant.legs;
-        legs.put(&model.legs);
+        legs.set_initial_postures(&model.legs);
         plant.settle();
         plant
     }
@@ -119,37 +117,38 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         self
     }
 
-    /// How rough the floor is: its coefficient of Coulomb friction, 0.5 by default. Feet stay where they are
-    /// nonetheless; cycles in which friction would not have held them are [counted](Self::unmodelled).
+    /// Sets the floor's coefficient of Coulomb friction, 0.5 by default. Feet stay where they are
+    /// nonetheless; cycles in which friction would not have held them are
+    /// [counted](Self::unmodelled).
     #[must_use]
     pub fn with_friction(mut self, friction: f64) -> Self {
-        self.ground.doubts.friction = friction;
+        self.ground.unmodelled.friction = friction;
         self.ground.begin();
         self
     }
 
-    /// Gives all joints other servos.
+    /// Replaces the servos of all joints.
     #[must_use]
     pub fn with_servos(mut self, dynamics: ServoDynamics) -> Self {
         self.legs.dynamics = dynamics;
         self
     }
 
-    /// Feet that are no more than `lift` mm above the lowest one, along the body's z axis, count as
-    /// standing when falls are watched (20 mm by default). A program that leans the body
-    /// on purpose needs more.
+    /// Sets the height above the lowest foot, along the body's z axis, up to which feet count as
+    /// standing in the detection of falls: `lift` mm, 20 mm by default. A program that leans the
+    /// body on purpose needs more.
     #[must_use]
     pub fn with_lift(mut self, lift: f64) -> Self {
         self.ground.falls.lift = lift;
         self
     }
 
-    /// Where the body is, in the world.
+    /// Returns the pose of the body in the world.
     pub fn body(&self) -> Pose {
         self.ground.floor.pose(&self.ground.body)
     }
 
-    /// The feet.
+    /// Returns the feet.
     pub fn feet(&self) -> [Foot; L] {
         let ground = &self.ground;
         let mut leg = 0..L;
@@ -163,79 +162,80 @@ impl<const L: usize, const J: usize> SimulatedPlant<L, J> {
         })
     }
 
-    /// Which feet carry anything.
+    /// Returns true for each foot that carries load.
     pub fn contacts(&self) -> [bool; L] {
         self.ground.loads.feet.map(|load| load > 0.0)
     }
 
-    /// The farthest that any foot has slipped on one stance so far: mm.
+    /// Returns the greatest slip of a foot in one stance so far, mm.
     pub fn worst_slip(&self) -> f64 {
         self.ground.stance.worst()
     }
 
-    /// How much the belly carries: N.
+    /// Returns the load of the belly, N.
     pub fn belly_load(&self) -> f64 {
         self.ground.loads.belly.iter().sum()
     }
 
-    /// The centre of mass in the world: mm.
+    /// Returns the centre of mass in the world, mm.
     pub fn centre_of_mass(&self) -> Point {
         let centre = self.ground.body.point(self.ground.mass.centre);
         self.ground.floor.point(centre)
     }
 
-    /// How far inside the support polygon the centre of mass is: mm; negative outside.
+    /// Returns the distance of the centre of mass from the edge of the support polygon, mm;
+    /// negative outside.
     pub fn margin(&self) -> f64 {
         self.ground.falls.margin
     }
 
-    /// Returns the number of falls; most of those without mass leave the body upright: it would fall.
+    /// Returns the number of falls; most of those without mass leave the body upright.
     pub fn falls(&self) -> u32 {
         self.ground.falls.falls.count
     }
 
-    /// The least that the margin has been so far: mm.
+    /// Returns the least margin so far, mm.
     pub fn least_margin(&self) -> f64 {
         self.ground.falls.least
     }
 
-    /// What the robot's mass would have changed.
+    /// Returns the counts of effects that mass would have had.
     pub fn unmodelled(&self) -> Unmodelled {
-        self.ground.doubts.counted
+        self.ground.unmodelled.counted
     }
 
-    /// Returns what joints and feet could not follow.
-    pub fn following(&self) -> Following {
-        self.ground.doubts.following
+    /// Returns the counts of commands that joints and feet could not follow.
+    pub fn tracking_errors(&self) -> TrackingErrors {
+        self.ground.unmodelled.tracking_errors
     }
 
-    /// How far the body has come from where it began.
+    /// Returns the travel of the body from its start.
     pub fn travel(&self) -> Travel {
         self.ground
             .start
             .travel(&self.ground.floor, &self.ground.body)
     }
 
-    /// The first of these falls.
+    /// Returns the first fall.
     pub fn first_fall(&self) -> Option<Fall> {
         self.ground.falls.falls.first
     }
 
-    /// Joint angles as they are, whatever the sensors say: deg.
+    /// Returns the true joint angles, whatever the sensors read, deg.
     pub fn angles(&self) -> [[f64; J]; L] {
         let mut angles = [[0.0; J]; L];
         legs::fill_joints(&self.legs.each, &mut angles, |servo| servo.angle);
         angles
     }
 
-    /// What the motors give: N·m.
+    /// Returns the motor torques, N·m.
     pub fn torques(&self) -> [[f64; J]; L] {
         let mut torques = [[0.0; J]; L];
         legs::fill_joints(&self.legs.each, &mut torques, |servo| servo.torque);
         torques
     }
 
-    /// Whether a lamp or relay is on.
+    /// Returns true if a lamp or relay is on.
     pub fn lamp(&self, device: u8) -> bool {
         let word = self.lamps.get(usize::from(device / 32));
         word.is_some_and(|word| word >> (device % 32) & 1 == 1)
@@ -297,7 +297,7 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
             margin: self.margin(),
             least_margin: self.least_margin(),
             slip: self.worst_slip(),
-            following: self.following(),
+            tracking_errors: self.tracking_errors(),
             unmodelled: Some(self.unmodelled()),
         })
     }
@@ -316,5 +316,5 @@ impl<const L: usize, const J: usize> Plant<L, J> for SimulatedPlant<L, J> {
     }
 }
 
-/// In mm, or without a unit.
+/// A vector in mm, or without a unit.
 type Vector = Vector3<f64>;

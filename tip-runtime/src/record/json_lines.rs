@@ -1,6 +1,6 @@
 //! The trace: one JSON object a line.
 
-use super::{Cycle, Ending, Moved, Sink, state_hash};
+use super::{Cycle, Ending, MotionRecord, Sink, state_hash};
 use crate::command::{Command, FAST, Target, Value};
 use crate::emergency::Emergency;
 use crate::program::{End, Program};
@@ -8,8 +8,8 @@ use core::fmt::{self, Display, Write};
 use std::string::String;
 use std::vec::Vec;
 
-/// Writes the trace of a run, one record for each cycle and a last one, in a form that two engines
-/// share byte for byte. Keys keep their order; one with nothing to say is left out. Numbers are in
+/// Writes the trace of a run, one record for each cycle and a final one, in a form that two engines
+/// share byte for byte. Keys keep their order; keys without content are left out. Numbers are in
 /// the shortest form that reads back to the same bits.
 #[derive(Clone, Debug)]
 pub struct JsonLines<W> {
@@ -17,7 +17,7 @@ pub struct JsonLines<W> {
     result: fmt::Result,
     with_state: bool,
     with_motion: bool,
-    /// The last record has no end yet.
+    /// The last record is not terminated yet.
     is_open: bool,
     /// Bits of every scalar before the step.
     scalars: Vec<Option<u64>>,
@@ -42,22 +42,23 @@ impl<W: Write> JsonLines<W> {
         }
     }
 
-    /// Leaves each record open for what [`moved`](Self::moved) adds after the cycle.
+    /// Leaves each record open for the keys that [`motion`](Self::motion) adds after the cycle.
     #[must_use]
     pub fn with_motion(mut self) -> Self {
         self.with_motion = true;
         self
     }
 
-    /// Ends the record of the last cycle with what the robot did in it. A cycle without a record has none to end.
-    pub fn moved(&mut self, moved: &Moved<'_>) {
+    /// Ends the record of the last cycle with the robot's motion. Does nothing if the cycle has no
+    /// record.
+    pub fn motion(&mut self, motion: &MotionRecord<'_>) {
         if self.is_open && self.result.is_ok() {
-            self.result = moved.write(&mut self.out);
+            self.result = motion.write(&mut self.out);
         }
         self.close();
     }
 
-    /// Ends a record that is open.
+    /// Terminates an open record.
     fn close(&mut self) {
         if core::mem::take(&mut self.is_open) && self.result.is_ok() {
             self.result = self.out.write_str("}\n");
@@ -71,7 +72,7 @@ impl<W: Write> JsonLines<W> {
         self.result = self.result.and(written);
     }
 
-    /// Whether everything was written so far.
+    /// Returns the state of the output.
     ///
     /// # Errors
     /// The writer refused; the records after that place are missing.
@@ -79,17 +80,17 @@ impl<W: Write> JsonLines<W> {
         self.result
     }
 
-    /// Where it writes to.
+    /// Returns the writer.
     pub fn get_ref(&self) -> &W {
         &self.out
     }
 
-    /// Where it writes to.
+    /// Returns the writer.
     pub fn get_mut(&mut self) -> &mut W {
         &mut self.out
     }
 
-    /// Gives back where it wrote to.
+    /// Returns the writer.
     pub fn into_inner(self) -> W {
         self.out
     }
@@ -138,7 +139,7 @@ impl<W: Write> JsonLines<W> {
         Ok(())
     }
 
-    /// The key `set`: what the step assigned, and not what the host did before it.
+    /// Writes the key `set`: the assignments of the step, without those of the host before it.
     fn changes(&mut self, program: &dyn Program) -> fmt::Result {
         let mut opening = r#","set":{"#;
         for (index, before) in self.scalars.iter().enumerate() {
@@ -199,7 +200,7 @@ impl<W: Write> Sink for JsonLines<W> {
     }
 }
 
-/// The members of `cmd`.
+/// Writes the members of `cmd`.
 fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     write!(out, r#""{}""#, command.op)?;
     if command.hs {
@@ -218,7 +219,7 @@ fn write_command(out: &mut String, command: &Command<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// A JSON string; characters beyond ASCII stay as they are (RFC 8259 §7).
+/// Writes a JSON string; characters beyond ASCII stay as they are (RFC 8259 §7).
 fn string(out: &mut impl Write, text: &dyn Display) -> fmt::Result {
     out.write_char('"')?;
     write!(Escaped(out), "{text}")?;

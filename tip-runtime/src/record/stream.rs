@@ -3,7 +3,8 @@
 use core::fmt;
 use std::io;
 
-/// Makes any [`io::Write`] a [`fmt::Write`] and keeps the error that `fmt::Write` cannot report.
+/// An adapter that makes any [`io::Write`] a [`fmt::Write`] and keeps the error that `fmt::Write`
+/// cannot report.
 #[derive(Debug)]
 pub struct Stream<W> {
     writer: W,
@@ -22,7 +23,7 @@ impl<W: io::Write> Stream<W> {
     /// Flushes, and returns the first error of all writing so far.
     ///
     /// # Errors
-    /// The first error of the writer; what came after it was not written.
+    /// The first error of the writer; output after it was not written.
     pub fn finish(&mut self) -> io::Result<()> {
         match self.error.take() {
             Some(error) => Err(error),
@@ -30,7 +31,7 @@ impl<W: io::Write> Stream<W> {
         }
     }
 
-    /// The writer.
+    /// Returns the writer.
     pub fn into_inner(self) -> W {
         self.writer
     }

@@ -5,25 +5,26 @@ use crate::command::{Port, Target};
 use core::fmt;
 use std::vec::Vec;
 
-/// Rows that are kept by default: 200 s at 20 ms.
+/// Default number of rows: 200 s at 20 ms.
 const ROWS: usize = 10_000;
 
 /// A bounded buffer of samples; when it is full, sampling stops (T.I.P. 3.1 §7-10-5).
 ///
-/// Shown, it is a table with one tab between columns and a heading line: `cycle`, `time` (ms),
+/// `Display` writes a table with one tab between columns and a heading line: `cycle`, `time` (ms),
 /// measured angles `J11…` (deg), commands sent `C11…` (deg, or the torque unit under torque
-/// control), measured torques `T11…` where the robot senses them, `PAW1…`, `VR1…VR3`, `ANTENNA` (V).
+/// control), measured torques `T11…` where the robot senses them, `PAW1…`, `VR1…VR3`, `ANTENNA`
+/// (V).
 #[derive(Clone, Debug)]
 pub struct TitanLog {
     rows: usize,
     capacity: usize,
     shape: Shape,
     cycles: Vec<u64>,
-    /// Row after row, without the cycle.
+    /// The values row by row, without the cycle.
     values: Vec<f64>,
 }
 
-/// How many columns of each sort there are.
+/// Number of columns of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Shape {
     joints_per_leg: usize,
@@ -44,7 +45,8 @@ impl Shape {
         }
     }
 
-    /// Numbers in a row: time and antenna, and two for each joint, besides the rest.
+    /// Returns the number of values in a row: time and antenna, and two for each joint, besides the
+    /// rest.
     const fn width(self) -> usize {
         2 + 2 * self.joints + self.torques + self.paws + self.knobs
     }
@@ -57,7 +59,7 @@ impl Default for TitanLog {
 }
 
 impl TitanLog {
-    /// Keeps at most `rows` rows. Memory is taken once, with the first row.
+    /// Keeps at most `rows` rows. Memory is allocated once, with the first row.
     pub const fn with_capacity(rows: usize) -> Self {
         TitanLog {
             rows: 0,
@@ -74,12 +76,12 @@ impl TitanLog {
         }
     }
 
-    /// Rows so far.
+    /// Returns the number of rows.
     pub const fn len(&self) -> usize {
         self.rows
     }
 
-    /// Nothing was sampled.
+    /// Returns true if nothing was sampled.
     pub const fn is_empty(&self) -> bool {
         self.rows == 0
     }
@@ -107,7 +109,7 @@ impl TitanLog {
         self.values.push(sample.antenna);
     }
 
-    /// Takes rows back, so that `rows` are left; nothing happens if there are fewer.
+    /// Truncates to `rows` rows; does nothing if there are fewer.
     pub fn truncate(&mut self, rows: usize) {
         if rows < self.rows {
             self.rows = rows;

@@ -1,7 +1,7 @@
 //! The SPECIAL commands of the Hiroshima Hand (T.I.P. 3.1 §8-2). Each takes one cycle.
 //!
-//! Commands of a user's own take the numbers that are left. `Written` is a program by hand that says `SPECIAL 30`, and
-//! ends by END if `SPECIAL_FLAG9` is set:
+//! Custom commands take the remaining numbers. `Written` is a hand-written program that consists of
+//! `SPECIAL 30`, and ends by END if `SPECIAL_FLAG9` is set:
 //!
 //! ```
 //! use tip_runtime::command::{Flag, Poll};
@@ -35,7 +35,7 @@
 //! #     fn reset(&mut self) { self.at = 0; }
 //! # }
 //!
-//! let specials = HandSpecials::beside(|call: Call, robot: &mut dyn Robot| match call.number {
+//! let specials = HandSpecials::with_user(|call: Call, robot: &mut dyn Robot| match call.number {
 //!     30 => {
 //!         robot.set_special_flag(9, true);
 //!         Ok(Poll::Done)
@@ -64,12 +64,12 @@ use lever::Lever;
 /// The numbers of the hand's own commands.
 pub const NUMBERS: &[u8] = &[1, 2, 5, 6, 10, 11, 12, 13, 14, 15, 16, 20];
 
-/// Of the hand.
+/// Number of fingers of the hand.
 const FINGERS: usize = 3;
-/// Of each finger.
+/// Number of joints of each finger.
 const JOINTS: usize = 3;
 
-/// The commands of the hand, in addition to those of a user.
+/// The SPECIAL commands of the hand, in addition to those of a user.
 ///
 /// | number | what |
 /// |---|---|
@@ -90,7 +90,7 @@ pub struct HandSpecials<U = ()> {
 }
 
 impl HandSpecials {
-    /// The hand's commands alone.
+    /// Returns the hand's commands alone.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -98,9 +98,9 @@ impl HandSpecials {
 }
 
 impl<U> HandSpecials<U> {
-    /// The hand's commands, and those of `user` for every other number.
+    /// Returns the hand's commands, and those of `user` for every other number.
     #[must_use]
-    pub fn beside(user: U) -> Self {
+    pub fn with_user(user: U) -> Self {
         HandSpecials {
             lever: Lever::default(),
             closure: Closure::default(),
@@ -133,7 +133,7 @@ impl<U: Special> Special for HandSpecials<U> {
     }
 }
 
-/// SPECIAL 20: a graph's number, then 1 for on or 0 for off.
+/// SPECIAL 20: takes a graph's number, then 1 for on or 0 for off.
 fn show_graph(arguments: [Option<f64>; 2], robot: &mut dyn Robot) -> Result<(), Fault> {
     let [Some(graph), Some(on)] = arguments else {
         return Err(Fault::Domain);
@@ -149,7 +149,7 @@ fn bit(value: f64) -> Result<bool, Fault> {
     }
 }
 
-/// A number that is neither negative nor endless.
+/// Refuses a number that is negative or infinite.
 fn not_negative(value: f64) -> Result<f64, Fault> {
     if value >= 0.0 && value.is_finite() {
         Ok(value)

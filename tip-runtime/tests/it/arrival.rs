@@ -9,7 +9,7 @@ const F2: Target = Target::Foot(2);
 const J11: Target = Target::Joint(1, 1);
 const J12: Target = Target::Joint(1, 2);
 
-/// A robot that takes commands but does not move.
+/// Returns a robot that takes commands but does not move.
 fn still() -> Rig {
     let mut rig = Rig::titan();
     rig.done(Op::SetVMax, Target::All, &[0.0]);

@@ -1,4 +1,4 @@
-//! The walker with mass: closed forms, conservation laws, and what is found by other means.
+//! The walker with mass: closed forms, conservation laws, and comparisons with other methods.
 
 mod flight;
 mod force;

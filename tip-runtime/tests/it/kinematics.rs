@@ -14,12 +14,13 @@ fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
-/// The side (−1 left) and the end (−1 rear) on which a leg stands.
+/// Returns the side (−1 left) and the end (−1 rear) on which a leg stands.
 fn corner(leg: &Leg<3>) -> (f64, f64) {
     (leg.base[0].signum(), leg.base[1].signum())
 }
 
-/// r = L1 + L2 cos J2 + L3 cos(J2 − J3), z = L2 sin J2 + L3 sin(J2 − J3); yaw turns forward.
+/// Returns r = L1 + L2 cos J2 + L3 cos(J2 − J3), z = L2 sin J2 + L3 sin(J2 − J3); yaw turns
+/// forward.
 fn closed_form(leg: &Leg<3>, [yaw, thigh, knee]: [f64; 3]) -> [f64; 3] {
     let (side, _) = corner(leg);
     let (thigh, shank) = (thigh.to_radians(), (thigh - knee).to_radians());

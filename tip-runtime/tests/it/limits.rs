@@ -1,4 +1,4 @@
-//! What a robot cannot do, and what it says then.
+//! The limits of a robot and their faults.
 
 use crate::rig::{Rig, distance};
 use tip_runtime::command::{Op, Target};
@@ -14,7 +14,7 @@ fn emg_off() -> Rig {
     rig
 }
 
-/// Cycles without a command until a cycle begins with a fault.
+/// Runs cycles without a command until a cycle begins with a fault.
 fn idle_to_fault(rig: &mut Rig) -> Fault {
     for _ in 0..2000 {
         if let Err(fault) = rig.tick() {
@@ -234,7 +234,7 @@ fn operands_whose_sum_is_not_finite_are_outside_the_domain() {
     assert!(distance(rig.foot(1), [-391.0, 201.0, -200.0]) < 400.0);
 }
 
-/// How far the commanded foot F1 is from the line between two places: mm.
+/// Returns the distance of the commanded foot F1 from the line between two places, mm.
 fn off_line(rig: &Rig, [from, to]: [[f64; 3]; 2]) -> f64 {
     let [along, off] = [to, rig.foot(1)].map(|at| [0, 1, 2].map(|i| at[i] - from[i]));
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -242,7 +242,7 @@ fn off_line(rig: &Rig, [from, to]: [[f64; 3]; 2]) -> f64 {
     distance(off, along.map(|part| part * share))
 }
 
-/// Folded over its hip: 16 mm in front of the yaw axis.
+/// Returns a leg folded over its hip: 16 mm in front of the yaw axis.
 fn folded() -> Rig {
     let mut rig = Rig::titan();
     rig.done(Op::PtpAngle, F1, &[0.0, -50.0, 110.0]);

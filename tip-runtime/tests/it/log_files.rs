@@ -99,7 +99,7 @@ fn a_pipe_in_the_place_of_a_log_is_refused_at_once() {
     assert_eq!(refused.path, folder.join("TITAN.LOG"));
 }
 
-/// A program of one variable, which tells of itself what it likes.
+/// A program of one variable with arbitrary texts about itself.
 struct Talker(String);
 
 impl Program for Talker {

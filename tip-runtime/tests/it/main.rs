@@ -2,6 +2,8 @@
 #![cfg(feature = "control")]
 
 mod arrival;
+#[cfg(all(unix, feature = "std"))]
+mod atomic_file;
 mod cycle;
 mod dynamic;
 mod generic;
@@ -24,5 +26,3 @@ mod robots;
 mod servo_loop;
 mod stops;
 mod tasks;
-#[cfg(all(unix, feature = "std"))]
-mod whole_file;

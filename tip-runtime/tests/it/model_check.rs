@@ -1,4 +1,4 @@
-//! Descriptions in Rust, and what is found wrong with them.
+//! Models written in Rust, and the errors that are found in them.
 
 use tip_runtime::model::{
     Body, Forces, Inverse, Joint, Leg, Model, PerVolt, Range, Slider, Spread, TorqueUnit, generic,
@@ -41,7 +41,7 @@ const PAIR: Model<2, 2> = Model {
     ..Model::generic("pair", [LEG, LEG])
 };
 
-/// What is wrong with the pair after a change.
+/// Returns the error of the pair after a change.
 fn wrong(change: impl Fn(&mut Model<2, 2>)) -> String {
     let mut model = PAIR;
     change(&mut model);

@@ -1,4 +1,4 @@
-//! What each command puts under control, joint by joint.
+//! The control mode that each command sets, joint by joint.
 
 use crate::rig::{Rig, distance};
 use tip_runtime::command::{Command, Op, Poll, Target, Value};
@@ -10,7 +10,7 @@ const J11: Target = Target::Joint(1, 1);
 const J12: Target = Target::Joint(1, 2);
 const J13: Target = Target::Joint(1, 3);
 
-/// Whether a target is under position or angle control: WAIT_NEAR refuses it otherwise.
+/// Returns true if a target is under position or angle control: WAIT_NEAR refuses it otherwise.
 fn is_controlled(rig: &Rig, target: Target) -> bool {
     let command = Command {
         op: Op::WaitNear,

@@ -6,7 +6,7 @@ use tip_runtime::command::{Op, Target};
 const F1: Target = Target::Foot(1);
 const J11: Target = Target::Joint(1, 1);
 
-/// Cycles until the commands of leg 1 stand still at `goal`.
+/// Returns the number of cycles until the commands of leg 1 stand still at `goal`.
 fn cycles_to(rig: &mut Rig, goal: [f64; 3]) -> usize {
     for cycle in 1..2000 {
         if distance(rig.foot(1), goal) < 1e-9 {

@@ -1,4 +1,4 @@
-//! Parameter commands, judged by what the robot does afterwards.
+//! Parameter commands, judged by the robot's motion afterwards.
 
 use crate::rig::{Rig, absolute, distance};
 use tip_runtime::command::{Command, Op, Poll, Target};
@@ -12,7 +12,7 @@ const J11: Target = Target::Joint(1, 1);
 const J12: Target = Target::Joint(1, 2);
 const J21: Target = Target::Joint(2, 1);
 
-/// How far a foot comes in the first cycle of a long move.
+/// Returns the distance that a foot moves in the first cycle of a long move.
 fn first_way(rig: &Rig, leg: u8, hs: bool) -> f64 {
     let (mut controller, before) = (rig.controller.clone(), rig.foot(leg.into()));
     let up = [before[0], before[1], before[2] + 100.0];
@@ -32,12 +32,12 @@ fn first_way(rig: &Rig, leg: u8, hs: bool) -> f64 {
     distance(moved.foot(leg.into()), before)
 }
 
-/// V_MAX of a foot: its way in one cycle at high speed.
+/// Returns V_MAX of a foot: its distance in one cycle at high speed.
 fn v_max(rig: &Rig, leg: u8) -> f64 {
     first_way(rig, leg, true) / 0.02
 }
 
-/// A_MAX of a foot: ½ a t² in the first cycle.
+/// Returns A_MAX of a foot, from the ½ a t² of the first cycle.
 fn a_max(rig: &Rig, leg: u8) -> f64 {
     first_way(rig, leg, false) / 0.0002
 }

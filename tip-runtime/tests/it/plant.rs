@@ -1,4 +1,4 @@
-//! The simulated plant against closed forms and invariants.
+//! The simulated plant, compared with closed forms and invariants.
 
 mod falls;
 mod gait;

@@ -10,7 +10,7 @@ const J11: Target = Target::Joint(1, 1);
 /// The sampling time: s.
 const DT: f64 = 0.02;
 
-/// The rates commanded: deg/s.
+/// Returns the commanded rates, deg/s.
 fn rates(rig: &Rig) -> [[f64; 3]; 4] {
     rig.controller.outputs().map(|leg| {
         leg.map(|command| match command {
@@ -20,8 +20,8 @@ fn rates(rig: &Rig) -> [[f64; 3]; 4] {
     })
 }
 
-/// How far a joint goes in `t` s of a 45 deg move at 90 deg/s and 360 deg/s²: 0.25 s up, 22.5 deg in
-/// 0.25 s, 0.25 s down.
+/// Returns the angle of a joint after `t` s of a 45 deg move at 90 deg/s and 360 deg/s²: 0.25 s up,
+/// 22.5 deg in 0.25 s, 0.25 s down.
 fn trapezium(t: f64) -> f64 {
     match t {
         t if t <= 0.25 => 180.0 * t * t,

@@ -1,4 +1,4 @@
-//! A controller on ideal servos: every joint is measured where it was commanded to be.
+//! A controller on ideal servos: every joint is measured at its command.
 
 use tip_runtime::command::{Command, Op, Poll, Port, Target, Value};
 use tip_runtime::controller::Controller;
@@ -10,7 +10,7 @@ use tip_runtime::model::{Model, generic, titan8};
 pub(crate) struct Rig {
     pub(crate) model: &'static Model<4, 3>,
     pub(crate) controller: Controller<'static, 4, 3>,
-    /// What the sensors read next, except for the angles of joints that follow their commands.
+    /// The next readings of the sensors, except the angles of joints that follow their commands.
     pub(crate) sensors: Sensors<4, 3>,
     /// Joints that stand still whatever they are commanded, where the sensors say.
     pub(crate) stuck: [[bool; 3]; 4],
@@ -34,24 +34,24 @@ impl Rig {
         }
     }
 
-    /// The joint angles that are commanded.
+    /// Returns the commanded joint angles, deg.
     pub(crate) fn commanded(&self) -> [[f64; 3]; 4] {
         self.controller
             .outputs()
             .map(|leg| leg.map(JointCommand::value))
     }
 
-    /// Where the commands put foot `n`.
+    /// Returns the commanded position of foot `n`, mm.
     pub(crate) fn foot(&self, n: usize) -> [f64; 3] {
         Chain::new(&self.model.legs[n - 1], &self.commanded()[n - 1]).foot()
     }
 
-    /// What the sole of foot `n` reads from now on: V.
+    /// Sets the reading of the sole of foot `n` from now on, V.
     pub(crate) fn sole(&mut self, n: usize, volts: f64) {
         assert!(self.sensors.inputs.set(Port::Paw(n as u8), volts));
     }
 
-    /// Phase 1: the sensors are read.
+    /// Reads the sensors: phase 1.
     pub(crate) fn sense(&mut self) -> Result<(), Fault> {
         for (leg, commands) in self.controller.outputs().iter().enumerate() {
             for (joint, command) in commands.iter().enumerate() {
@@ -66,7 +66,7 @@ impl Rig {
         self.controller.sense(&self.sensors)
     }
 
-    /// A whole cycle with a command in it.
+    /// Runs a cycle with a command.
     pub(crate) fn run(&mut self, op: Op, target: Target, values: &[Value]) -> Result<Poll, Fault> {
         self.run_with(&Command {
             op,
@@ -76,7 +76,7 @@ impl Rig {
         })
     }
 
-    /// A whole cycle with a command in it.
+    /// Runs a cycle with a command.
     pub(crate) fn run_with(&mut self, command: &Command<'_>) -> Result<Poll, Fault> {
         self.sense()?;
         let poll = self.controller.command(command)?;
@@ -84,12 +84,12 @@ impl Rig {
         Ok(poll)
     }
 
-    /// A whole cycle with a command that must be done at once.
+    /// Runs a cycle with a command that must be done immediately.
     pub(crate) fn done(&mut self, op: Op, target: Target, values: &[f64]) {
         assert_eq!(self.run(op, target, &absolute(values)), Ok(Poll::Done));
     }
 
-    /// A whole cycle with a command that must be done at once, at high speed.
+    /// Runs a cycle with a command that must be done immediately, at high speed.
     pub(crate) fn done_hs(&mut self, op: Op, target: Target, values: &[f64]) {
         let poll = self.run_with(&Command {
             op,
@@ -100,7 +100,7 @@ impl Rig {
         assert_eq!(poll, Ok(Poll::Done));
     }
 
-    /// The fault of a command in a cycle that begins well.
+    /// Returns the fault of a command in a cycle that begins well.
     pub(crate) fn fault(&mut self, op: Op, target: Target, values: &[f64]) -> Fault {
         self.sense().expect("sensors read well");
         let fault = self
@@ -116,21 +116,21 @@ impl Rig {
         fault
     }
 
-    /// Cycles without a command.
+    /// Runs cycles without a command.
     pub(crate) fn idle(&mut self, cycles: usize) {
         for _ in 0..cycles {
             self.tick().expect("nothing goes wrong");
         }
     }
 
-    /// One cycle without a command.
+    /// Runs a cycle without a command.
     pub(crate) fn tick(&mut self) -> Result<(), Fault> {
         self.sense()?;
         self.controller.advance();
         Ok(())
     }
 
-    /// Cycles that a command takes until it is done.
+    /// Returns the number of cycles until a command is done.
     pub(crate) fn cycles(&mut self, op: Op, target: Target, values: &[f64]) -> usize {
         let values = absolute(values);
         for cycle in 1..100_000 {
@@ -151,7 +151,7 @@ pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     libm::sqrt(squares.sum())
 }
 
-/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
 pub(crate) struct Dice(u64);
 
 impl Dice {

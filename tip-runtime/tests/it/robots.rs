@@ -1,4 +1,5 @@
-//! Robots of other shapes: the controller and the kinematics know no number of legs or joints.
+//! Robots of other shapes: controller and kinematics are independent of the numbers of legs and
+//! joints.
 
 use crate::rig::absolute;
 use tip_runtime::command::{Command, Op, Poll, Target};
@@ -8,7 +9,7 @@ use tip_runtime::hardware::{JointCommand, Sensors};
 use tip_runtime::kinematics::Chain;
 use tip_runtime::model::{Joint, Leg, Model, Range, titan8};
 
-/// `legs` on TITAN VIII's body.
+/// Returns `legs` on TITAN VIII's body.
 fn robot<const L: usize, const J: usize>(legs: [Leg<J>; L]) -> Model<L, J> {
     let titan = titan8::MODEL;
     Model {
@@ -27,7 +28,7 @@ fn robot<const L: usize, const J: usize>(legs: [Leg<J>; L]) -> Model<L, J> {
     }
 }
 
-/// A finger in the x–y plane: every joint turns about z, every link points along x.
+/// Returns a finger in the x–y plane: every joint turns about z, every link points along x.
 fn planar<const J: usize>(lengths: [f64; J]) -> Leg<J> {
     Leg {
         base: [10.0, 20.0, 30.0],

@@ -19,7 +19,7 @@ fn bench<H: Hardware<4, 3>>(steps: &[(Op, Target, &[f64])], hardware: H) -> Benc
     Machine::new(program, &titan8::MODEL, hardware, (), ()).expect("the same robot")
 }
 
-/// Counts what it is asked for; its sensors break in the fourth cycle if they are to.
+/// A robot that counts its calls; its sensors break in the fourth cycle if `breaks` is set.
 struct Counter {
     breaks: bool,
     reads: u32,

@@ -1,4 +1,4 @@
-//! Everything that brings the robot to rest.
+//! Commands and events that bring the robot to rest.
 
 use crate::rig::{self, Rig, distance};
 use tip_runtime::command::{Command, Op, Poll, Target};
@@ -9,7 +9,7 @@ const J11: Target = Target::Joint(1, 1);
 const J21: Target = Target::Joint(2, 1);
 const GOAL: [f64; 3] = [-391.0, 281.0, -160.0];
 
-/// Foot 1 moving for 11 cycles, J21 for 10.
+/// Returns foot 1 after 11 cycles of motion, J21 after 10.
 fn under_way() -> Rig {
     let mut rig = Rig::titan();
     rig.done(Op::Ptp, F1, &GOAL);
@@ -18,7 +18,7 @@ fn under_way() -> Rig {
     rig
 }
 
-/// Speed of foot 1 in the next cycle.
+/// Returns the speed of foot 1 in the next cycle.
 fn speed(rig: &mut Rig) -> f64 {
     let before = rig.foot(1);
     rig.idle(1);

@@ -120,7 +120,7 @@ fn standing_up_while_the_feet_may_hardly_brake_fails_for_want_of_reach() {
     }
 }
 
-/// Soles that feel the floor below `floor`.
+/// Sets the soles to feel the floor below `floor`.
 fn feel(rig: &mut Rig, floor: f64) {
     for leg in 1..=4 {
         let feels = rig.foot(leg)[2] <= floor;
@@ -128,7 +128,7 @@ fn feel(rig: &mut Rig, floor: f64) {
     }
 }
 
-/// Cycles until the search is done; `None` if it is not in 20 s.
+/// Returns the number of cycles until the search is done; `None` if it is not in 20 s.
 fn search(rig: &mut Rig, target: Target, way: f64, floor: f64) -> Option<usize> {
     for cycle in 1..1000 {
         feel(rig, floor);

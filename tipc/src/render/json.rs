@@ -5,7 +5,7 @@ use crate::message::Lang;
 use crate::robot::Robot;
 use crate::source::{Position, Source, Span, Unit};
 use std::fmt::Write;
-use tip_runtime::printable::acts;
+use tip_runtime::printable::is_control;
 
 /// An object on one line, without line end: `level`, `kind` (of errors), `message` (the classical one), `code`, `file`,
 /// `line`, `column` (both from 1, the column in characters) and, if there is any, `help`; then `reason`, `class` (the code
@@ -159,7 +159,7 @@ pub fn push_string(out: &mut String, text: &str) {
         match char {
             '"' | '\\' => out.extend(['\\', char]),
             // All that could act on a terminal is below 0x10000.
-            _ if acts(char) => {
+            _ if is_control(char) => {
                 let _ = write!(out, "\\u{:04x}", u32::from(char));
             }
             _ => out.push(char),

@@ -9,8 +9,8 @@ use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::thread;
 use std::time::Duration;
-use tip_runtime::printable::{Printable, acts};
-use tip_runtime::record::WholeFile;
+use tip_runtime::printable::{Printable, is_control};
+use tip_runtime::record::AtomicFile;
 use tipc::embed;
 use tipc::message::{Lang, Reading};
 
@@ -49,9 +49,9 @@ pub(super) fn update(path: &Path, read: &[u8], content: &[u8], lang: Lang) -> Re
 }
 
 /// Begins a file; at a pipe it waits for a reader, until a signal ends the process.
-pub(super) fn begin(path: &Path) -> io::Result<WholeFile> {
+pub(super) fn begin(path: &Path) -> io::Result<AtomicFile> {
     loop {
-        match WholeFile::create(path) {
+        match AtomicFile::create(path) {
             Err(error) if is_pipe(path) && error.raw_os_error() == Some(NO_READER) => {
                 thread::sleep(PAUSE);
             }
@@ -141,7 +141,7 @@ pub(super) fn escaped(text: &str) -> String {
         match char {
             '\n' => out.push(char),
             // Writing to a String cannot fail. All such characters are below 0x10000.
-            _ if acts(char) => drop(write!(out, "\\u{:04x}", u32::from(char))),
+            _ if is_control(char) => drop(write!(out, "\\u{:04x}", u32::from(char))),
             _ => out.push(char),
         }
     }

@@ -9,7 +9,7 @@ use clap::{CommandFactory, ValueEnum};
 use std::error::Error as _;
 use std::path::Path;
 use std::{env, fmt};
-use tip_runtime::printable::acts;
+use tip_runtime::printable::is_control;
 use tipc::message::Lang;
 use tipc::message::list::Each;
 
@@ -79,7 +79,7 @@ pub(super) fn report(error: &clap::Error) {
             complain(&format!("{}\n", Using::SeeHelp { command }.in_lang(lang)));
         }
     } else if error.use_stderr()
-        && env::args_os().any(|word| word.to_string_lossy().chars().any(acts))
+        && env::args_os().any(|word| word.to_string_lossy().chars().any(is_control))
     {
         // It repeats words of the command line, so that its colours have to go as well.
         complain(&error.render().to_string());

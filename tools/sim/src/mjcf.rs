@@ -1,8 +1,10 @@
-//! Robots as models of MuJoCo (MJCF), with their motors and what is around them.
+//! Export of robots as MuJoCo models (MJCF), with their motors and surroundings.
 //!
-//! Lengths are in m, angles in rad. The world is that of a run: z up, the robot begins at the origin, with x to its right
-//! and y ahead, where [`DynamicPlant`](tip_runtime::plant::DynamicPlant) has it. Masses, motors and contacts stand for those of our
-//! plants, so that the same commands lead to the same motion as far as two simulations agree.
+//! Lengths are in m, angles in rad. The world is that of a run: z up, the robot starts at the
+//! origin, with x to its right and y ahead, in the pose of
+//! [`DynamicPlant`](tip_runtime::plant::DynamicPlant). Masses, motors and contacts represent those
+//! of this project's plants, so that the same commands lead to the same motion as far as two
+//! simulations agree.
 //!
 //! ```
 //! use tip_runtime::plant::Scene;
@@ -26,10 +28,10 @@ use parts::Parts;
 use tip_runtime::model::Point;
 use tip_runtime::plant::Pose;
 
-/// How large whatever touches something is around a point or line of our plants: m.
+/// Radius of a contact shape around a point or line of the plants, m.
 const SKIN: f64 = 1e-3;
 
-/// A robot in its [scene](Robot::with_scene) as MJCF.
+/// Returns a robot in its [scene](Robot::with_scene) as MJCF.
 ///
 /// Joints, and the position motors that turn them, are called `J11` to `Jnm`, the bodies that they carry `link11` to `linknm`; feet
 /// or fingertips are the sites and touch sensors `F1` to `Fn`. The first keyframe, `initial`, is the initial posture.
@@ -62,12 +64,12 @@ pub fn export(robot: &Robot) -> String {
     parts.text(robot.name())
 }
 
-/// A point or vector in mm, in m.
+/// Converts a point or vector from mm to m.
 fn metres(of: Point) -> [f64; 3] {
     of.map(|mm| mm / 1000.0)
 }
 
-/// The attitude of a body: w, x, y, z.
+/// Returns the attitude of a body: w, x, y, z.
 fn quaternion(pose: &Pose) -> [f64; 4] {
     let half = |degrees: f64| libm::sincos(degrees.to_radians() / 2.0);
     let ((sy, cy), (sp, cp), (sr, cr)) = (half(pose.yaw), half(pose.pitch), half(pose.roll));

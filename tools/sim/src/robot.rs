@@ -128,7 +128,7 @@ impl Robot {
     }
 
     /// Answers SPECIAL by native code of its owner; for a hand that is usually
-    /// [`HandSpecials::beside`](tip_runtime::special::hand::HandSpecials::beside) it.
+    /// [`HandSpecials::with_user`](tip_runtime::special::hand::HandSpecials::with_user) it.
     #[must_use]
     pub fn with_special(mut self, special: impl Special + Clone + Send + 'static) -> Self {
         self.special = Box::new(special);

@@ -1,8 +1,9 @@
-//! Robots from URDF files, and as URDF files. [`import`] makes of each serial chain of revolute joints a leg of a
-//! description; [`export`] writes any robot.
+//! Robots from URDF files, and as URDF files. [`import`] makes a leg of a description of each
+//! serial chain of revolute joints; [`export`] writes any robot.
 //!
-//! What URDF says of the kinematics survives to the last digit that is written, and so do centres of mass and inertias that a body can
-//! have, and collision shapes other than meshes; what the language has no use for is dropped, and what it needs and URDF lacks is assumed. The report lists both.
+//! Kinematics survive to the last digit that is written, and so do centres of mass, inertias that a
+//! body can have, and collision shapes other than meshes. Properties that descriptions lack are
+//! dropped, and missing ones are assumed. The report lists both.
 //!
 //! ```
 //! let urdf = r#"<robot name="pendulum">
@@ -30,58 +31,45 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod body;
-mod chain;
-mod check;
-mod choices;
-mod collision;
-mod doubt;
+mod chains;
+mod describe;
 mod export;
-mod foot;
 pub mod frame;
-mod given;
-mod node;
-mod pose;
-mod read;
-mod robot;
-mod schema;
-pub(crate) mod shape;
+mod parse;
+mod rigid_links;
 mod stand;
+mod transform;
 mod tree;
-mod values;
-mod version;
-mod weight;
-mod write;
-mod xacro;
 pub mod xml;
 
-pub use choices::Choices;
+pub use chains::{Foot, ImportOptions};
 pub use export::export;
-pub use foot::Foot;
-pub use pose::Up;
+pub(crate) use export::{loadable, rod_moments};
+pub use transform::Up;
 pub use xml::decode;
 
 use crate::message::Importing;
-use chain::Chain;
-use pose::Pose;
+use chains::Chain;
+use describe::{InitialPosture, RobotParts};
 use std::fmt;
 use tip_runtime::command::MAX;
 use tipc::description::{self, Description};
 use tipc::message::list::{Faults, List};
-use tree::Tree;
-use values::printed;
-use write::{Found, Stands};
+use transform::Transform;
+use tree::LinkTree;
+use xml::printed;
 
-/// A description that was made of a URDF file.
+/// A description that was made from a URDF file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Import {
     /// The text of the description; [`tipc::description::parse`] takes it.
     pub toml: String,
-    /// What was assumed and what was dropped, a line each.
+    /// The assumptions and omissions, a line each.
     pub report: Vec<Importing>,
 }
 
-/// Why a URDF file is not a robot with legs; it names the link, the joint or the place, and says what to do.
+/// The reason why a URDF file is not a robot with legs; it names the link, the joint or the place,
+/// and a way out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportError(Importing);
 
@@ -98,76 +86,81 @@ impl ImportError {
         ImportError(message)
     }
 
-    /// What it says, as data; [`Importing::in_lang`] gives its text in a language.
+    /// Returns the reason as data; [`Importing::in_lang`] gives its text in a language.
     pub fn message(&self) -> &Importing {
         &self.0
     }
 }
 
-/// Makes a description of a URDF file's text. `source_name` is how the description calls the file.
+/// Makes a description from a URDF file's text. `source_name` is the name of the file in the
+/// description.
 ///
 /// # Errors
-/// Text that is not URDF, or nested too deep; joints that are not a tree; a leg that branches or has a joint that does not turn; legs
-/// that differ in their number of joints, or have too many.
+/// Text that is not URDF, or nested too deep; joints that are not a tree; a leg that branches or
+/// has a joint that does not turn; legs that differ in their number of joints, or have too many.
 pub fn import(source_name: &str, text: &str) -> Result<Import, ImportError> {
-    import_with(source_name, text, &Choices::default())
+    import_with(source_name, text, &ImportOptions::default())
 }
 
-/// The same, with what is chosen about the file's chains.
+/// Like [`import`], with options.
 ///
 /// # Errors
-/// As [`import`]; names of chains or feet that the file does not have, or that leave no leg; a height at which it cannot stand.
+/// As [`import`]; names of chains or feet that the file does not have, or that leave no leg; a
+/// height at which the robot cannot stand.
 pub fn import_with(
     source_name: &str,
     text: &str,
-    choices: &Choices,
+    options: &ImportOptions,
 ) -> Result<Import, ImportError> {
-    let file = read::robot(text)?;
-    let tree = Tree::new(&file)?;
-    let base = tree.rigid(tree.base(), Pose::of_root(choices.up.unwrap_or_default()));
+    let file = parse::robot(text)?;
+    let tree = LinkTree::new(&file)?;
+    let base = tree.rigid(
+        tree.base(),
+        Transform::of_root(options.up.unwrap_or_default()),
+    );
     let mut first_joints = tree.movable(&base);
-    first_joints.retain(|(joint, pose)| !body::is_slider(&tree, joint, *pose));
+    first_joints.retain(|(joint, pose)| !rigid_links::is_slider(&tree, joint, *pose));
     if first_joints.is_empty() {
         return Err(ImportError::new(Importing::NoTurningJoint {
             link: tree.base().to_owned(),
         }));
     }
-    let (first_joints, left_out) = choices.legs(&tree, first_joints)?;
+    let (first_joints, left_out) = options.legs(&tree, first_joints)?;
     let mut legs = first_joints
         .into_iter()
-        .map(|(joint, pose)| Chain::follow(&tree, joint, pose, &choices.feet))
+        .map(|(joint, pose)| Chain::follow(&tree, joint, pose, &options.feet))
         .collect::<Result<Vec<_>, _>>()?;
-    check_feet(&legs, &choices.feet)?;
+    check_feet(&legs, &options.feet)?;
     check_sizes(&legs)?;
-    let extents = body::extents(&base);
+    let extents = rigid_links::body_extents(&base);
     let is_bolted_down = tree.is_bolted_down();
     let walks = !is_bolted_down && (legs.len() >= 3 || extents.is_some());
-    if let (true, None, Some(up)) = (walks, choices.up, chain::on_its_side(&legs)) {
+    if let (true, None, Some(up)) = (walks, options.up, chains::on_its_side(&legs)) {
         return Err(ImportError::new(Importing::OnItsSide { up }));
     }
     let order =
-        (choices.order.is_empty() && legs.len() > 1).then(|| chain::order(&mut legs, walks));
-    let mut found = Found {
+        (options.order.is_empty() && legs.len() > 1).then(|| chains::order(&mut legs, walks));
+    let mut found = RobotParts {
         name: &file.name,
         walks,
         base: &base,
         extents,
-        slider: body::slider(&tree, &base),
+        slider: rigid_links::slider(&tree, &base),
         legs: &legs,
-        stands: Stands::Middle,
+        stands: InitialPosture::Middle,
     };
     let (mut import, robot) = described(source_name, &found)?;
-    if let Some(height) = choices.stand {
+    if let Some(height) = options.stand {
         if !walks {
             return Err(ImportError::new(Importing::StandIsForWalkers));
         }
         let postures = stand::postures(&robot, height)?;
-        found.stands = Stands::AsAsked { height, postures };
+        found.stands = InitialPosture::AsAsked { height, postures };
         (import, _) = described(source_name, &found)?;
     } else if walks && !stand::stays_up(&robot) {
         let stands = stand::heights(&robot).find_map(|height| {
             let postures = stand::postures(&robot, height).ok()?;
-            found.stands = Stands::Assumed { height, postures };
+            found.stands = InitialPosture::Assumed { height, postures };
             let (import, robot) = described(source_name, &found).ok()?;
             stand::stays_up(&robot).then_some(import)
         });
@@ -182,9 +175,12 @@ pub fn import_with(
     Ok(import)
 }
 
-/// The description of what was found, as text and as it is read.
-fn described(source_name: &str, found: &Found<'_>) -> Result<(Import, Description), ImportError> {
-    let (toml, report) = write::description(source_name, found);
+/// Returns the description as text and parsed.
+fn described(
+    source_name: &str,
+    found: &RobotParts<'_>,
+) -> Result<(Import, Description), ImportError> {
+    let (toml, report) = describe::description(source_name, found);
     match description::parse(source_name, toml.as_bytes()) {
         Ok(robot) => Ok((Import { toml, report }, robot)),
         Err(loaded) => {
@@ -199,7 +195,8 @@ fn described(source_name: &str, found: &Found<'_>) -> Result<(Import, Descriptio
     }
 }
 
-/// A line from the key on whose value is at `place`: lines are long, and long words are cut.
+/// Returns the line from the key on whose value is at `place`: lines are long, and long words are
+/// cut.
 fn rest_of_line(toml: &str, place: usize) -> &str {
     let (before, after) = toml.split_at_checked(place).unwrap_or((toml, ""));
     let line = before.rfind('\n').map_or(0, |end| end + 1);
@@ -211,7 +208,7 @@ fn rest_of_line(toml: &str, place: usize) -> &str {
     toml[start..end].trim()
 }
 
-/// Every foot that is named has to end a leg, and each leg has one.
+/// Checks that every named foot ends a leg, and that each is named once.
 fn check_feet(legs: &[Chain<'_>], feet: &[Foot]) -> Result<(), ImportError> {
     let ends = || legs.iter().map(|leg| leg.end.link.as_str());
     if let Some(foot) = feet.iter().find(|foot| ends().all(|end| end != foot.link)) {
@@ -229,7 +226,8 @@ fn check_feet(legs: &[Chain<'_>], feet: &[Foot]) -> Result<(), ImportError> {
     }
 }
 
-/// Every leg needs the same number of joints, and the language can name nine of each.
+/// Checks that all legs have the same number of joints, and that the language can name all legs and
+/// joints.
 fn check_sizes(legs: &[Chain<'_>]) -> Result<(), ImportError> {
     if legs.len() > MAX {
         return Err(ImportError::new(Importing::TooManyChains {

@@ -57,7 +57,7 @@ fn simulated(robot: tipc::Robot, plant: Plant) -> Robot {
     let native = Native::default();
     let named = Robot::named(robot.name()).expect("random programs are for robots with names");
     let robot = match robot {
-        tipc::Robot::Hand => named.with_special(HandSpecials::beside(native)),
+        tipc::Robot::Hand => named.with_special(HandSpecials::with_user(native)),
         _ => named.with_special(native),
     };
     robot.with_plant(plant)

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 use std::{env, fs, process, thread};
-use tip_runtime::record::WholeFile;
+use tip_runtime::record::AtomicFile;
 
 /// Writes a file by the name that the bytes are, up to the first slash, beside a file that is in everybody's way; given up
 /// first, then twice.
@@ -22,7 +22,7 @@ pub fn examine(bytes: &[u8]) {
     fs::write(&other, "other").expect("the folder is writable");
     let path = folder.join(OsStr::from_bytes(name));
     let is_other = path == other;
-    let Ok(given_up) = WholeFile::create(&path) else {
+    let Ok(given_up) = AtomicFile::create(&path) else {
         assert!(!path.exists() || is_other, "{path:?}");
         return clear(&folder);
     };
@@ -50,7 +50,7 @@ pub fn examine(bytes: &[u8]) {
 }
 
 fn write(path: &Path, text: &str) -> std::io::Result<()> {
-    let mut file = WholeFile::create(path)?;
+    let mut file = AtomicFile::create(path)?;
     file.write_all(text.as_bytes())?;
     file.commit()
 }

@@ -1,7 +1,7 @@
 //! Names of files and paths, in generated code, in what is reported, and in what a build script tells Cargo.
 
 use tip_lint::migrate;
-use tip_runtime::printable::acts;
+use tip_runtime::printable::is_control;
 use tipc::emit::{self, pretty};
 use tipc::message::Lang;
 use tipc::render::Style;
@@ -77,6 +77,6 @@ fn compiled(name: &str) {
 fn require_plain(text: &str, name: &str) {
     let found = text
         .chars()
-        .find(|char| acts(*char) && !matches!(char, '\n' | '\t'));
+        .find(|char| is_control(*char) && !matches!(char, '\n' | '\t'));
     assert_eq!(found, None, "{name:?}: {text:?}");
 }

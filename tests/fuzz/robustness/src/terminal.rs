@@ -1,7 +1,7 @@
 //! Output to a terminal: control characters are escaped, and other text is unchanged.
 
 use std::fmt::{self, Display, Formatter, Write};
-use tip_runtime::printable::{Printable, acts};
+use tip_runtime::printable::{Printable, is_control};
 
 /// Shows the text as one line, as several and as a message, whole and in pieces.
 ///
@@ -18,7 +18,7 @@ pub fn examine(bytes: &[u8]) {
 }
 
 fn shows(text: &str, keeps: &str, show: impl Fn(&dyn Display) -> String) {
-    let escaped = |char: &char| acts(*char) && !keeps.contains(*char);
+    let escaped = |char: &char| is_control(*char) && !keeps.contains(*char);
     let shown = show(&text);
     let mut expected = String::new();
     for char in text.chars() {

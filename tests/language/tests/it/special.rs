@@ -201,7 +201,7 @@ impl Special for Own {
 #[test]
 fn a_users_commands_stand_beside_those_of_the_hand() {
     fn check(program: impl Program + Clone + Send + 'static) {
-        let robot = simulated("hand").with_special(HandSpecials::beside(Own::default()));
+        let robot = simulated("hand").with_special(HandSpecials::with_user(Own::default()));
         let run = Run::new(program, robot).expect("it is for the hand");
         let mut run = run.with_trace(false).with_console(Canvas::default());
         run.to_end(Limit::NONE);

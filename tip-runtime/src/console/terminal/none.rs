@@ -1,16 +1,16 @@
 //! Standard input without line editing: not available on this system.
 
-/// How the terminal of standard input behaves: here it is never changed.
+/// The saved mode of the standard input's terminal: on this system it is never changed.
 #[derive(Debug)]
 pub struct TerminalState;
 
 impl TerminalState {
-    /// As it is now.
+    /// Returns the current mode.
     pub fn now() -> Self {
         TerminalState
     }
 
-    /// Nothing is to be restored.
+    /// Does nothing: there is nothing to restore.
     pub fn restore(&self) {}
 }
 

@@ -5,20 +5,21 @@ use rustix::termios::{
 };
 use std::io::{IsTerminal, stdin};
 
-/// How the terminal of standard input behaves: for a host that has to end a process at once, without dropping
-/// its [`Terminal`](super::Terminal).
+/// The saved mode of the standard input's terminal, for a host that has to end a process without
+/// dropping its [`Terminal`](super::Terminal).
 #[derive(Debug)]
 pub struct TerminalState(Option<Termios>);
 
 impl TerminalState {
-    /// As it is now. If standard input is not a terminal, or refuses, there is nothing to restore.
+    /// Returns the current mode. If standard input is not a terminal, or refuses, there is nothing
+    /// to restore.
     pub fn now() -> Self {
         let input = stdin();
         let state = input.is_terminal().then(|| tcgetattr(&input).ok());
         TerminalState(state.flatten())
     }
 
-    /// Lets it behave so again.
+    /// Restores the saved mode.
     pub fn restore(&self) {
         if let Some(state) = &self.0 {
             // Nothing is left to be done for a terminal that is gone.
@@ -27,12 +28,12 @@ impl TerminalState {
     }
 }
 
-/// Standard input without line editing; the former state comes back on drop.
+/// Standard input without line editing; dropping it restores the former mode.
 #[derive(Debug)]
 pub(super) struct Raw(TerminalState);
 
 impl Raw {
-    /// `None` if standard input is not a terminal, or refuses.
+    /// Switches line editing off; `None` if standard input is not a terminal, or refuses.
     pub(super) fn enter() -> Option<Self> {
         let former = TerminalState::now();
         let mut raw = former.0.clone()?;

@@ -1,50 +1,51 @@
-//! What things that touch do to each other: a spring and a damper along the normal, and across it a bristle that
-//! bends until friction lets go (Cundall and Strack, *Géotechnique* 29, 1979).
+//! The contact law of a robot with mass: a spring and a damper along the normal, and across it a
+//! bristle that bends until it slides (Cundall and Strack, *Géotechnique* 29, 1979).
 
 use super::Vector;
 
-/// Of each kg of the robot: N/m. TITAN VIII has 400 N/mm.
+/// Stiffness for each kg of the robot, N/m. TITAN VIII has 400 N/mm.
 const STIFFNESS: f64 = 2e4;
-/// Of each kg of the robot: N·s/m.
+/// Damping for each kg of the robot, N·s/m.
 const DAMPING: f64 = 20.0;
-/// How much of what would make a step unstable stiffness and damping may be.
+/// The share of the stability limit that stiffness and damping may reach.
 const SHARE: f64 = 0.25;
 
-/// How stiff every contact is.
+/// Stiffness and damping of every contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct ContactLaw {
     /// N/m.
     pub(super) stiffness: f64,
     /// N·s/m.
     pub(super) damping: f64,
 }
 
-impl Law {
-    /// For a robot of a mass (kg) whose lightest foot pushes back as `foot` (kg), in steps of `dt` s at most.
+impl ContactLaw {
+    /// Returns the law for a robot of a mass (kg) whose lightest foot has the effective mass `foot`
+    /// (kg), in steps of `dt` s at most.
     pub(super) fn of(mass: f64, foot: f64, dt: f64) -> Self {
-        Law {
+        ContactLaw {
             stiffness: (mass * STIFFNESS).min(SHARE * foot / (dt * dt)),
             damping: (mass * DAMPING).min(SHARE * foot / dt),
         }
     }
 }
 
-/// A point inside of something.
+/// A point inside of an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Touch {
-    /// How deep: m.
+    /// Penetration depth, m.
     pub(super) depth: f64,
-    /// Out of it: a unit vector.
+    /// Outward normal, a unit vector.
     pub(super) normal: Vector,
     /// The coefficient of Coulomb friction.
     pub(super) friction: f64,
 }
 
-/// What a touch faces upwards by at least to carry anything; a wall does not.
+/// Least upward component of the normal of a contact that carries load; a wall carries none.
 const CARRIES: f64 = 0.25;
 
 impl Touch {
-    /// What carries of a force on it: N.
+    /// Returns the part of a force that is load, N.
     #[inline]
     pub(super) fn load(&self, force: Vector) -> f64 {
         if self.normal.z > CARRIES {
@@ -54,29 +55,30 @@ impl Touch {
         }
     }
 
-    /// The force (N) on a place that rubs along: one whose bristle nobody keeps.
+    /// Returns the force (N) on a place that slides, without a stored bristle.
     #[inline]
-    pub(super) fn rub(self, velocity: Vector, law: &Law, dt: f64) -> Vector {
-        let mut bare = Grip::FREE;
+    pub(super) fn rub(self, velocity: Vector, law: &ContactLaw, dt: f64) -> Vector {
+        let mut bare = Bristle::FREE;
         bare.force(Some(self), velocity, law, dt)
     }
 }
 
-/// How far the bristle of a contact is bent, in the world: m.
+/// The deflection of a contact's bristle, in the world, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grip(Vector);
+pub(super) struct Bristle(Vector);
 
-impl Grip {
-    /// Of what touches nothing.
-    pub(super) const FREE: Self = Grip(Vector::new(0.0, 0.0, 0.0));
+impl Bristle {
+    /// The bristle of a free point.
+    pub(super) const FREE: Self = Bristle(Vector::new(0.0, 0.0, 0.0));
 
-    /// The force (N) on a point that moves at `velocity` (m/s) for `dt` s; without a touch none.
+    /// Returns the force (N) on a point that moves at `velocity` (m/s) for `dt` s; zero without a
+    /// touch.
     #[inline]
     pub(super) fn force(
         &mut self,
         touch: Option<Touch>,
         velocity: Vector,
-        law: &Law,
+        law: &ContactLaw,
         dt: f64,
     ) -> Vector {
         let Some(Touch {
@@ -85,7 +87,7 @@ impl Grip {
             friction,
         }) = touch
         else {
-            *self = Grip::FREE;
+            *self = Bristle::FREE;
             return Vector::zeros();
         };
         let away = velocity.dot(&normal);
@@ -99,7 +101,7 @@ impl Grip {
     }
 }
 
-/// The vector, or the part of it that is `longest`.
+/// Shortens a vector to `longest`.
 #[inline]
 fn within(vector: Vector, longest: f64) -> Vector {
     let length = vector.norm();
@@ -114,12 +116,12 @@ fn within(vector: Vector, longest: f64) -> Vector {
 mod tests {
     use super::*;
 
-    const LAW: Law = Law {
+    const LAW: ContactLaw = ContactLaw {
         stiffness: 1e5,
         damping: 100.0,
     };
 
-    /// Inside a floor with friction 0.5.
+    /// Returns a touch inside a floor with friction 0.5.
     fn on_floor(depth: f64) -> Option<Touch> {
         let normal = Vector::new(0.0, 0.6, 0.8);
         Some(Touch {
@@ -131,7 +133,7 @@ mod tests {
 
     #[test]
     fn no_force_leaves_the_friction_cone_and_none_pulls() {
-        let mut grip = Grip::FREE;
+        let mut bristle = Bristle::FREE;
         for step in 0..10_000 {
             let time = f64::from(step) * 5e-4;
             let velocity = Vector::new(
@@ -141,7 +143,7 @@ mod tests {
             );
             let depth = 1e-3 * libm::sin(3.0 * time);
             let touch = on_floor(depth).filter(|touch| touch.depth > 0.0);
-            let force = grip.force(touch, velocity, &LAW, 5e-4);
+            let force = bristle.force(touch, velocity, &LAW, 5e-4);
             let normal = Vector::new(0.0, 0.6, 0.8);
             let push = force.dot(&normal);
             let across = (force - normal * push).norm();
@@ -153,19 +155,19 @@ mod tests {
     fn a_bristle_holds_until_friction_lets_go() {
         // 1 mm deep: 100 N, of which friction holds 50 N: 0.5 mm of the bristle.
         let slow = Vector::new(0.01, 0.0, 0.0);
-        let mut grip = Grip::FREE;
+        let mut bristle = Bristle::FREE;
         let forces: [f64; 2] = [100, 1000].map(|steps| {
             let mut last = 0.0;
             for _ in 0..steps {
-                last = grip.force(on_floor(1e-3), slow, &LAW, 5e-4).x;
+                last = bristle.force(on_floor(1e-3), slow, &LAW, 5e-4).x;
             }
             last
         });
         // 100 steps bend it by 0.5 mm; the damper's newton is beyond the cone.
         assert!((forces[0] + 50.0).abs() < 1e-6, "{forces:?}");
         assert!((forces[1] + 50.0).abs() < 1e-6, "{forces:?}");
-        assert!((grip.0.norm() - 0.5e-3).abs() < 1e-12);
-        grip.force(None, slow, &LAW, 5e-4);
-        assert_eq!(grip, Grip::FREE);
+        assert!((bristle.0.norm() - 0.5e-3).abs() < 1e-12);
+        bristle.force(None, slow, &LAW, 5e-4);
+        assert_eq!(bristle, Bristle::FREE);
     }
 }

@@ -1,36 +1,36 @@
-//! A leg: links that weigh, joints that motors turn, and what touches the ground.
+//! The dynamics of a leg: links with mass, motors, and contacts with the ground.
 //!
-//! A leg meets the other ones at the body only. So the equations of motion have the form of an arrow: six rows of the
-//! body, and for each leg a block of its joints, which it shares with the body alone. Each leg is eliminated by itself
-//! (Schur's complement), and nothing larger than 6 × 6 is ever solved for the robot as a whole.
+//! A leg meets the others at the body only, so the equations of motion have the form of an arrow:
+//! six rows of the body, and for each leg a block of its joints, which it shares with the body
+//! alone. Each leg is eliminated by itself (Schur's complement), and nothing larger than 6 × 6 is
+//! ever solved for the robot as a whole.
 
 use super::Vector;
-use super::contact::Grip;
-use super::factor::{Factor, dot};
-use super::foothold::Foothold;
-use super::frame::Frame;
-use super::links::{Walk, length};
+use super::cholesky::{CholeskyFactor, dot};
+use super::contact::Bristle;
+use super::foot_contact::FootContact;
+use super::links::{LinkWalk, length};
 use super::servo::{Control, Drives, Servo};
-use super::spatial::{Spatial, tensor};
-use super::world::{Share, World};
+use super::spatial::{Contribution, MovingFrame, Spatial, tensor};
+use super::terrain::StepContext;
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Leg};
 use crate::plant::Effort;
-use crate::plant::walker::path::Path;
+use crate::plant::walker::tracking::Path;
 
-/// How a joint moves what it carries.
+/// The motion of a joint and the momentum of all that it carries: a column of the mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Column {
     /// The joint's axis, in the world.
     axis: Vector,
-    /// Where the joint is, from the body's origin: m.
+    /// Position of the joint from the body's origin, m.
     place: Vector,
-    /// Of all that it carries in that motion.
+    /// Momentum of all that the joint carries in that motion.
     momentum: Spatial,
 }
 
 impl Column {
-    /// At 1 rad/s.
+    /// Returns the motion at 1 rad/s.
     #[inline]
     fn motion(&self) -> Spatial {
         Spatial::turning(self.axis, self.place)
@@ -43,20 +43,20 @@ pub(super) struct LegBody<const J: usize> {
     pub(super) model: Leg<J>,
     pub(super) servos: [Servo; J],
     columns: [Column; J],
-    /// What keeps the joints turning at their rates, against gravity and contacts: N·m.
+    /// Generalised forces of gravity, velocities and contacts on the joints, N·m.
     bias: [f64; J],
-    /// Of the end of each link; the last one is the foot's.
-    grips: [Grip; J],
-    pub(super) foot: Foothold,
-    /// Whose motors give all that they can: bit j of joint j.
-    spent: u16,
-    /// Which joints are commanded torques.
+    /// Bristles of the end of each link; the last one is the foot's.
+    bristles: [Bristle; J],
+    pub(super) foot: FootContact,
+    /// The saturated motors: bit j of joint j.
+    saturated: u16,
+    /// The joints that are commanded torques: bit j of joint j.
     by_torque: u16,
     path: Path,
 }
 
 impl<const J: usize> LegBody<J> {
-    /// At rest in its initial posture.
+    /// Returns the leg at rest in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &Leg<J>) -> Self {
@@ -69,35 +69,35 @@ impl<const J: usize> LegBody<J> {
                 momentum: Spatial::ZERO,
             }; J],
             bias: [0.0; J],
-            grips: [Grip::FREE; J],
-            foot: Foothold::NONE,
-            spent: 0,
+            bristles: [Bristle::FREE; J],
+            foot: FootContact::NONE,
+            saturated: 0,
             by_torque: 0,
             path: Path::NONE,
         }
     }
 
-    /// Returns the distance of the foot from the path of its commands, mm.
+    /// Returns the distance of the foot from its commanded path, mm.
     pub(super) fn stray(&mut self, commands: &[JointCommand; J]) -> f64 {
         let angles = self.servos.map(|servo| servo.angle.to_degrees());
         self.path.stray_at(&self.model, commands, angles)
     }
 
-    pub(super) fn obey(&mut self, commands: &[JointCommand; J], unit: f64) {
+    pub(super) fn command(&mut self, commands: &[JointCommand; J], unit: f64) {
         let before: [Control; J] = self.controls();
         let servos = self.servos.iter_mut().zip(before);
         for (j, ((servo, before), command)) in servos.zip(commands).enumerate() {
-            match servo.obey(before, *command, unit) {
+            match servo.command(before, *command, unit) {
                 Control::Torque => self.by_torque |= bit(j),
                 Control::Angle => self.by_torque &= !bit(j),
             }
         }
     }
 
-    /// Forgets what it touched.
-    pub(super) const fn let_go(&mut self) {
-        self.grips = [Grip::FREE; J];
-        self.foot = Foothold::NONE;
+    /// Clears the contacts.
+    pub(super) const fn clear_contacts(&mut self) {
+        self.bristles = [Bristle::FREE; J];
+        self.foot = FootContact::NONE;
     }
 
     /// Holds every joint.
@@ -106,12 +106,12 @@ impl<const J: usize> LegBody<J> {
         self.servos.iter_mut().for_each(Servo::hold);
     }
 
-    /// What each joint is commanded by.
+    /// Returns the control mode of each joint.
     fn controls(&self) -> [Control; J] {
         core::array::from_fn(|j| self.control(j))
     }
 
-    /// What joint `j` is commanded by.
+    /// Returns the control mode of joint `j`.
     fn control(&self, j: usize) -> Control {
         match self.by_torque & bit(j) {
             0 => Control::Angle,
@@ -119,44 +119,45 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Finds out where the links are, what touches, what everything weighs, and what forces act.
-    pub(super) fn place(&mut self, world: &World<'_>) -> Share {
-        let mut links = [Share::NONE; J];
-        let mut walk = Walk::from(world.frame, &self.model);
-        let blocks = world.terrain.filter(|terrain| terrain.has_blocks());
+    /// Updates the positions, contacts, masses and forces of the links; returns the leg's
+    /// contribution to the body.
+    pub(super) fn place(&mut self, context: &StepContext<'_>) -> Contribution {
+        let mut links = [Contribution::NONE; J];
+        let mut walk = LinkWalk::from(context.frame, &self.model);
+        let blocks = context.terrain.filter(|terrain| terrain.has_blocks());
         let places = links.iter_mut().zip(&mut self.columns);
         let joints = self.model.joints.iter().zip(&self.servos);
-        for (((link, column), (joint, servo)), (j, grip)) in
-            places.zip(joints).zip((1..).zip(&mut self.grips))
+        for (((link, column), (joint, servo)), (j, bristle)) in
+            places.zip(joints).zip((1..).zip(&mut self.bristles))
         {
             (column.axis, column.place) = walk.turn(joint, servo);
             *link = walk.link(joint);
             let (end, velocity) = walk.end(joint);
-            let place = world.frame.position + end;
-            let touch = world.terrain.and_then(|terrain| terrain.touch(place));
+            let place = context.frame.position + end;
+            let touch = context.terrain.and_then(|terrain| terrain.touch(place));
             let bars = blocks.iter();
-            let bars = bars.flat_map(|terrain| terrain.bars(walk.rod(joint, world.frame)));
-            let mut bars = bars.map(|(at, touch)| (at - world.frame.position, touch));
+            let bars = bars.flat_map(|terrain| terrain.bars(walk.rod(joint, context.frame)));
+            let mut bars = bars.map(|(at, touch)| (at - context.frame.position, touch));
             // The bristle is the end's or, while that is free, of the first block that the link lies on.
             let lying = touch.is_none().then(|| bars.next()).flatten();
-            let (at, velocity, gripped) = match lying {
+            let (at, velocity, pressed) = match lying {
                 Some((at, touch)) => (at, walk.velocity(at), Some(touch)),
                 None => (end, velocity, touch),
             };
-            let force = grip.force(gripped, velocity, world.law, world.stride.dt);
+            let force = bristle.force(pressed, velocity, context.law, context.step.dt);
             link.force = link.force - Spatial::pushing(force, at);
             for (at, touch) in bars {
-                let force = touch.rub(walk.velocity(at), world.law, world.stride.dt);
+                let force = touch.rub(walk.velocity(at), context.law, context.step.dt);
                 link.force = link.force - Spatial::pushing(force, at);
             }
             if j == J {
                 // A link that lies on a block pushes elsewhere than with its foot.
                 let none = (Vector::zeros(), Vector::zeros());
                 let (force, normal) = touch.map_or(none, |touch| (force, touch.normal));
-                self.foot.at(place, force, normal, world.stride.dt);
+                self.foot.at(place, force, normal, context.step.dt);
             }
         }
-        let mut carried = Share::NONE;
+        let mut carried = Contribution::NONE;
         // By number: a reversed zip has a path that panics.
         for j in (0..J).rev() {
             let places = self.columns.get_mut(j).zip(self.bias.get_mut(j));
@@ -169,35 +170,36 @@ impl<const J: usize> LegBody<J> {
         carried
     }
 
-    /// Lets every motor aim; `left` steps of the cycle are left.
+    /// Updates the torque of every motor; `left` steps of the cycle are left.
     pub(super) fn aim(
         &mut self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         commands: Option<&[JointCommand; J]>,
         left: f64,
     ) {
-        self.spent = 0;
+        self.saturated = 0;
         let controls = self.controls();
         let joints = self.servos.iter_mut().zip(&self.model.joints);
         for (j, ((servo, joint), control)) in joints.zip(controls).enumerate() {
             let command = commands.and_then(|commands| commands.get(j)).copied();
-            servo.aim(control, command, joint, world.drives, world.stride, left);
+            servo.aim(control, command, joint, context.drives, context.step, left);
         }
     }
 
-    /// What the motor of joint `j` turns it by.
+    /// Returns the effort of the motor of joint `j`.
     #[inline]
-    fn motor(&self, j: usize, servo: &Servo, joint: &Joint, world: &World<'_>) -> Effort {
-        let (drives, dt) = (world.drives, world.stride.dt);
-        servo.motor(self.control(j), joint, drives, dt, self.is_spent(j))
+    fn motor(&self, j: usize, servo: &Servo, joint: &Joint, context: &StepContext<'_>) -> Effort {
+        let (drives, dt) = (context.drives, context.step.dt);
+        servo.motor(self.control(j), joint, drives, dt, self.is_saturated(j))
     }
 
-    fn is_spent(&self, j: usize) -> bool {
-        self.spent & bit(j) != 0
+    fn is_saturated(&self, j: usize) -> bool {
+        self.saturated & bit(j) != 0
     }
 
-    /// The joints' block of the equations of motion, factorised, and what is to turn them: N·m.
-    fn block(&self, world: &World<'_>) -> (Option<Factor<J>>, [f64; J]) {
+    /// Returns the joints' block of the equations of motion, factorised, and the torques on its
+    /// right side, N·m.
+    fn block(&self, context: &StepContext<'_>) -> (Option<CholeskyFactor<J>>, [f64; J]) {
         let mut matrix = [[0.0; J]; J];
         let mut torques = [0.0; J];
         let motions = self.columns.each_ref().map(Column::motion);
@@ -207,8 +209,8 @@ impl<const J: usize> LegBody<J> {
         for (j, ((row, torque), ((column, bias), (servo, joint)))) in
             rows.zip(joints.zip(drives)).enumerate()
         {
-            let own = self.motor(j, servo, joint, world);
-            let passive = servo.passive(joint, world.drives, world.stride.dt);
+            let own = self.motor(j, servo, joint, context);
+            let passive = servo.passive(joint, context.drives, context.step.dt);
             *torque = own.torque + passive.torque - bias;
             for (entry, motion) in row.iter_mut().zip(&motions).take(j + 1) {
                 *entry = motion.dot(&column.momentum);
@@ -217,10 +219,10 @@ impl<const J: usize> LegBody<J> {
                 *entry += own.inertia + passive.inertia;
             }
         }
-        (Factor::of(matrix), torques)
+        (CholeskyFactor::of(matrix), torques)
     }
 
-    /// The joints' momentum by each motion of the body.
+    /// Returns the joints' momentum for each motion of the body.
     fn coupling(&self) -> [[f64; J]; 6] {
         let mut coupling = [[0.0; J]; 6];
         for (j, column) in self.columns.iter().enumerate() {
@@ -233,18 +235,21 @@ impl<const J: usize> LegBody<J> {
         coupling
     }
 
-    /// Takes the joints out of the body's equations of motion, of which the lower triangle counts.
+    /// Eliminates the joints from the body's equations of motion, of which the lower triangle
+    /// counts.
     pub(super) fn eliminate(
         &self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         matrix: &mut [[f64; 6]; 6],
         forces: &mut [f64; 6],
     ) {
-        let (Some(factor), torques) = self.block(world) else {
+        let (Some(factor), torques) = self.block(context) else {
             return;
         };
-        let halves = self.coupling().map(|motion| factor.halve(motion));
-        let torques = factor.halve(torques);
+        let halves = self
+            .coupling()
+            .map(|motion| factor.forward_substitute(motion));
+        let torques = factor.forward_substitute(torques);
         let rows = matrix.iter_mut().zip(forces).zip(&halves).enumerate();
         for (i, ((row, force), half)) in rows {
             *force -= dot(half, &torques, J);
@@ -254,9 +259,9 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// What the joints accelerate by (rad/s²) while the body does so.
-    fn accelerations(&self, world: &World<'_>, body: &[f64; 6]) -> [f64; J] {
-        let (factor, mut torques) = self.block(world);
+    /// Returns the accelerations of the joints (rad/s²) for an acceleration of the body.
+    fn accelerations(&self, context: &StepContext<'_>, body: &[f64; 6]) -> [f64; J] {
+        let (factor, mut torques) = self.block(context);
         for (torque, column) in torques.iter_mut().zip(&self.columns) {
             for (momentum, acceleration) in column.momentum.entries().iter().zip(body) {
                 *torque -= momentum * acceleration;
@@ -265,52 +270,52 @@ impl<const J: usize> LegBody<J> {
         factor.map_or([0.0; J], |factor| factor.solve(torques))
     }
 
-    /// Finds out what the joints accelerate by, and which motors would have to give more than they can for that; whether
-    /// any of them is new.
+    /// Calculates the accelerations of the joints, and marks motors that would exceed their torque
+    /// as saturated; returns true if any of them is new.
     pub(super) fn overload(
         &mut self,
-        world: &World<'_>,
+        context: &StepContext<'_>,
         body: &[f64; 6],
         accelerations: &mut [f64; J],
     ) -> bool {
-        *accelerations = self.accelerations(world, body);
-        let before = self.spent;
+        *accelerations = self.accelerations(context, body);
+        let before = self.saturated;
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
                 break;
             };
-            let own = self.motor(j, servo, joint, world);
+            let own = self.motor(j, servo, joint, context);
             if let Some(servo) = self.servos.get_mut(j)
                 && servo.overload(joint, own, *acceleration)
             {
-                self.spent |= bit(j);
+                self.saturated |= bit(j);
             }
         }
-        self.spent != before
+        self.saturated != before
     }
 
-    /// Moves on while its joints accelerate so.
-    pub(super) fn advance(&mut self, world: &World<'_>, accelerations: &[f64; J]) {
+    /// Integrates the accelerations of the joints.
+    pub(super) fn advance(&mut self, context: &StepContext<'_>, accelerations: &[f64; J]) {
         for (j, acceleration) in accelerations.iter().enumerate() {
             let (Some(servo), Some(joint)) = (self.servos.get(j), self.model.joints.get(j)) else {
                 break;
             };
-            let own = self.motor(j, servo, joint, world);
+            let own = self.motor(j, servo, joint, context);
             if let Some(servo) = self.servos.get_mut(j) {
-                servo.advance(joint, own, *acceleration, world.stride.dt);
+                servo.advance(joint, own, *acceleration, context.step.dt);
             }
         }
     }
 
-    /// Both ends of the link after joint `j`, from the body's origin: m.
-    pub(super) fn link(&self, j: usize, frame: &Frame) -> Option<[Vector; 2]> {
+    /// Returns both ends of the link after joint `j`, from the body's origin, m.
+    pub(super) fn link(&self, j: usize, frame: &MovingFrame) -> Option<[Vector; 2]> {
         let start = self.columns.get(j)?.place;
         let next = self.columns.get(j + 1).map(|next| next.place);
         Some([start, next.unwrap_or(self.foot.place - frame.position)])
     }
 
-    /// How fast a point of the link after joint `j` moves: m/s.
-    pub(super) fn velocity(&self, j: usize, at: Vector, frame: &Frame) -> Vector {
+    /// Returns the velocity of a point of the link after joint `j`, m/s.
+    pub(super) fn velocity(&self, j: usize, at: Vector, frame: &MovingFrame) -> Vector {
         let own = frame.velocity + frame.rate.cross(&at);
         let joints = self.columns.iter().zip(&self.servos).take(j + 1);
         joints.fold(own, |velocity, (column, servo)| {
@@ -318,7 +323,8 @@ impl<const J: usize> LegBody<J> {
         })
     }
 
-    /// A force acts at a point of the link after joint `j`; what that does to the body is another's.
+    /// Applies a force at a point of the link after joint `j` to the joints; its effect on the body
+    /// is handled elsewhere.
     pub(super) fn push(&mut self, j: usize, at: Vector, force: Vector) {
         let joints = self.bias.iter_mut().zip(&self.columns);
         for (bias, column) in joints.take(j + 1) {
@@ -326,12 +332,14 @@ impl<const J: usize> LegBody<J> {
         }
     }
 
-    /// Twice the kinetic energy of its rotors, and of its links by what the body's motion adds to that of the joints: J.
-    pub(super) fn vigour(&self, body: &Spatial, drives: &Drives) -> f64 {
-        let mut vigour = 0.0;
+    /// Returns twice the kinetic energy of the rotors, and of the links beyond that of the body's
+    /// motion, J.
+    pub(super) fn double_kinetic_energy(&self, body: &Spatial, drives: &Drives) -> f64 {
+        let mut double_kinetic_energy = 0.0;
         for (j, (column, servo)) in self.columns.iter().zip(&self.servos).enumerate() {
             let rotor = (self.model.joints.get(j)).map_or(0.0, |joint| drives.rotor * joint.torque);
-            vigour += (rotor * servo.rate + 2.0 * column.momentum.dot(body)) * servo.rate;
+            double_kinetic_energy +=
+                (rotor * servo.rate + 2.0 * column.momentum.dot(body)) * servo.rate;
             for (i, (other, turned)) in self
                 .columns
                 .iter()
@@ -340,13 +348,14 @@ impl<const J: usize> LegBody<J> {
                 .take(j + 1)
             {
                 let both = if i == j { 1.0 } else { 2.0 };
-                vigour += both * other.motion().dot(&column.momentum) * turned.rate * servo.rate;
+                double_kinetic_energy +=
+                    both * other.motion().dot(&column.momentum) * turned.rate * servo.rate;
             }
         }
-        vigour
+        double_kinetic_energy
     }
 
-    /// The momentum that the joints' rates give the robot.
+    /// Returns the momentum of the joints' rates.
     pub(super) fn momentum(&self) -> Spatial {
         let mut momentum = Spatial::ZERO;
         for (column, servo) in self.columns.iter().zip(&self.servos) {
@@ -358,7 +367,7 @@ impl<const J: usize> LegBody<J> {
         momentum
     }
 
-    /// What its foot pushes back as at least: kg.
+    /// Returns the least effective mass of the foot, kg.
     pub(super) fn foot_mass(&self, drives: &Drives) -> f64 {
         self.model.joints.last().map_or(0.0, |joint| {
             let square = length(joint).norm_squared();
@@ -370,13 +379,14 @@ impl<const J: usize> LegBody<J> {
         })
     }
 
-    /// kg.
+    /// Returns the mass, kg.
     pub(super) fn mass(&self) -> f64 {
         self.model.joints.iter().map(|joint| joint.mass).sum()
     }
 }
 
-/// What the end of a link that floats pushes back as at least: kg. Of a uniform rod it is a quarter.
+/// Returns the least effective mass of the end of a floating link, kg: a quarter of a uniform rod's
+/// mass.
 fn end_mass(joint: &Joint) -> f64 {
     let Some(spread) = &joint.spread else {
         return joint.mass / 4.0;
@@ -395,7 +405,7 @@ fn end_mass(joint: &Joint) -> f64 {
     joint.mass / (1.0 + joint.mass * most)
 }
 
-/// The bit of joint `j`; none for more joints than robots have.
+/// Returns the bit of joint `j`; 0 for more joints than robots have.
 #[inline]
 fn bit(j: usize) -> u16 {
     u32::try_from(j)
@@ -404,7 +414,8 @@ fn bit(j: usize) -> u16 {
         .unwrap_or(0)
 }
 
-/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
 #[inline(never)]
 pub(super) fn fill_joints<const J: usize>(
     legs: &[LegBody<J>],
@@ -418,7 +429,7 @@ pub(super) fn fill_joints<const J: usize>(
     }
 }
 
-/// Fills in the load, N, and the contact force of each foot.
+/// Copies the load, N, and the contact force of each foot.
 #[inline(never)]
 pub(super) fn fill_feet<const J: usize>(
     legs: &[LegBody<J>],

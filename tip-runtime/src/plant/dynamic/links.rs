@@ -1,39 +1,38 @@
-//! Where the links are, how they move, and what they weigh.
+//! Kinematics and inertia of a leg's links, from base to foot.
 
 use super::Vector;
-use super::frame::Frame;
 use super::servo::Servo;
-use super::spatial::{Inertia, Spatial, placed, spread};
-use super::world::{GRAVITY, Share};
+use super::spatial::{Contribution, Inertia, MovingFrame, Spatial, placed, spread};
+use super::terrain::GRAVITY;
 use crate::model::{Joint, Leg};
 use nalgebra::{Rotation3, Unit};
 
-/// A link from its joint to the next one, at angle 0: m.
+/// Returns a link from its joint to the next one, at angle 0, m.
 #[inline]
 pub(super) fn length(joint: &Joint) -> Vector {
     Vector::from(joint.link) / 1000.0
 }
 
-/// Goes along a leg from its base to its foot. Places are from the body's origin.
-pub(super) struct Walk {
-    /// The joint, or the end of the link: m.
+/// A walk along a leg from its base to its foot. Positions are from the body's origin.
+pub(super) struct LinkWalk {
+    /// Position of the joint or of the link's end, m.
     at: Vector,
     /// m/s.
     velocity: Vector,
-    /// If no rate changed: m/s².
+    /// Acceleration at constant rates, m/s².
     acceleration: Vector,
     rotation: Rotation3<f64>,
     /// rad/s.
     rate: Vector,
-    /// If no rate changed: rad/s².
+    /// Angular acceleration at constant rates, rad/s².
     turning: Vector,
-    /// What everything falls by: m/s².
+    /// Acceleration of gravity, m/s².
     gravity: Vector,
 }
 
-impl Walk {
-    pub(super) fn from<const J: usize>(frame: &Frame, leg: &Leg<J>) -> Self {
-        let mut walk = Walk {
+impl LinkWalk {
+    pub(super) fn from<const J: usize>(frame: &MovingFrame, leg: &Leg<J>) -> Self {
+        let mut walk = LinkWalk {
             at: Vector::zeros(),
             velocity: frame.velocity,
             acceleration: Vector::zeros(),
@@ -46,7 +45,7 @@ impl Walk {
         walk
     }
 
-    /// Goes to another point of the same rigid body.
+    /// Moves to another point of the same rigid body.
     #[inline]
     fn step(&mut self, by: Vector) {
         self.acceleration = self.acceleration_at(by);
@@ -59,7 +58,7 @@ impl Walk {
         self.acceleration + self.turning.cross(&by) + self.rate.cross(&self.rate.cross(&by))
     }
 
-    /// Turns with the joint: its axis, and where it is.
+    /// Turns with the joint; returns its axis and position.
     #[inline]
     pub(super) fn turn(&mut self, joint: &Joint, servo: &Servo) -> (Vector, Vector) {
         let own = Unit::new_unchecked(Vector::from(joint.axis));
@@ -70,9 +69,10 @@ impl Walk {
         (axis, self.at)
     }
 
-    /// The link after the joint, a uniform rod unless the model says how its mass is spread.
+    /// Returns the contribution of the link after the joint: a uniform rod unless the model gives
+    /// its inertia.
     #[inline]
-    pub(super) fn link(&self, joint: &Joint) -> Share {
+    pub(super) fn link(&self, joint: &Joint) -> Contribution {
         let (arm, own) = match &joint.spread {
             None => {
                 let link = self.rotation * length(joint);
@@ -83,7 +83,7 @@ impl Walk {
         let centre = self.at + arm;
         let force = (self.acceleration_at(arm) - self.gravity) * joint.mass;
         let moment = own * self.turning + self.rate.cross(&(own * self.rate));
-        Share {
+        Contribution {
             inertia: Inertia::new(joint.mass, centre, own),
             force: Spatial {
                 angular: moment + centre.cross(&force),
@@ -92,20 +92,20 @@ impl Walk {
         }
     }
 
-    /// The link whose end has been reached, in the world: m.
+    /// Returns the link whose end has been reached, in the world, m.
     #[inline]
-    pub(super) fn rod(&self, joint: &Joint, frame: &Frame) -> [Vector; 2] {
+    pub(super) fn rod(&self, joint: &Joint, frame: &MovingFrame) -> [Vector; 2] {
         let end = frame.position + self.at;
         [end - self.rotation * length(joint), end]
     }
 
-    /// How fast a place of that link moves: m/s.
+    /// Returns the velocity of a point of that link, m/s.
     #[inline]
     pub(super) fn velocity(&self, at: Vector) -> Vector {
         self.velocity + self.rate.cross(&(at - self.at))
     }
 
-    /// Goes to the link's end: where it is, and how fast it moves.
+    /// Moves to the link's end; returns its position and velocity.
     #[inline]
     pub(super) fn end(&mut self, joint: &Joint) -> (Vector, Vector) {
         self.step(self.rotation * length(joint));

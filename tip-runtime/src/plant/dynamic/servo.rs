@@ -1,30 +1,32 @@
-//! A joint's motor, and the position loop that drives it: proportional and differential, with the forces that they will
-//! have at the end of the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*, 2011).
+//! A joint's motor and its position loop: proportional and differential, with the forces at the end
+//! of the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*, 2011).
 
 use crate::hardware::JointCommand;
 use crate::model::Joint;
 use crate::plant::{Effort, STOP, ServoDynamics};
 
-/// How much stiffer than a position loop a mechanical stop is.
+/// Stiffness of a mechanical stop, relative to a position loop.
 const HARDER: f64 = 10.0;
 
-/// What the motors of all joints are like. What grows with a motor is given for each N·m of the most that it gives.
+/// The motors of all joints. Values that grow with a motor are given for each N·m of its greatest
+/// torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drives {
-    /// How a joint's set point follows its command.
+    /// The dynamics of a joint's set point.
     pub servos: ServoDynamics,
-    /// How hard a joint is drawn to its set point: N·m/rad for each N·m.
+    /// Stiffness of the position loop, N·m/rad for each N·m.
     pub stiffness: f64,
-    /// How hard its rate is drawn to that of its set point: N·m·s/rad for each N·m.
+    /// Damping of the position loop, N·m·s/rad for each N·m.
     pub damping: f64,
-    /// The inertia of motor and gear, as the joint feels it: kg·m² for each N·m.
+    /// Inertia of motor and gear at the joint, kg·m² for each N·m.
     pub rotor: f64,
-    /// Viscous friction of the joint: N·m·s/rad for each N·m.
+    /// Viscous friction of the joint, N·m·s/rad for each N·m.
     pub friction: f64,
 }
 
 impl Default for Drives {
-    /// Of a motor of 40 N·m: 8000 N·m/rad, 120 N·m·s/rad, 0.03 kg·m² and 0.1 N·m·s/rad.
+    /// The motors of a robot with 40 N·m: 8000 N·m/rad, 120 N·m·s/rad, 0.03 kg·m² and 0.1
+    /// N·m·s/rad.
     fn default() -> Self {
         Drives {
             servos: ServoDynamics::default(),
@@ -36,28 +38,29 @@ impl Default for Drives {
     }
 }
 
-/// What a joint is commanded by. Its leg knows, in a bit: as a part of each joint it would take eight bytes.
+/// The control mode of a joint. Its leg stores it in a bit: in each joint it would take eight
+/// bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Control {
     Angle,
     Torque,
 }
 
-/// A piece of time, and what set points may do in it.
+/// A time step, and the motion of set points in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
+pub(super) struct TimeStep {
     /// s.
     pub(super) dt: f64,
-    /// What fraction of the distance to the command a set point moves.
+    /// The share of the distance to the command that a set point moves.
     share: f64,
-    /// The fastest: rad/s.
+    /// The greatest speed of a set point, rad/s.
     speed: f64,
 }
 
-impl Stride {
-    /// Of `dt` s.
+impl TimeStep {
+    /// Returns a step of `dt` s.
     pub(super) fn of(dt: f64, servos: &ServoDynamics) -> Self {
-        Stride {
+        TimeStep {
             dt,
             share: 1.0 - libm::exp(-1000.0 * dt / servos.lag),
             speed: servos.speed.to_radians(),
@@ -65,23 +68,24 @@ impl Stride {
     }
 }
 
-/// One joint.
+/// The motor of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Servo {
     /// rad.
     pub(super) angle: f64,
     /// rad/s.
     pub(super) rate: f64,
-    /// What is commanded now: an angle between the command before and this one (rad), or a torque (N·m).
+    /// The current command: an angle between the previous command and this one (rad), or a torque
+    /// (N·m).
     order: f64,
-    /// After lag and limit of speed: rad.
+    /// The set point after lag and limit of speed, rad.
     setpoint: f64,
-    /// What the motor gives: N·m.
+    /// The motor's torque, N·m.
     pub(super) torque: f64,
 }
 
 impl Servo {
-    /// At rest at an angle: deg.
+    /// Returns a joint at rest at an angle (deg).
     pub(super) const fn at(angle: f64) -> Self {
         let angle = angle.to_radians();
         Servo {
@@ -93,9 +97,9 @@ impl Servo {
         }
     }
 
-    /// Takes a command, and says what the joint is commanded by from now on; `unit` is how many of the robot's torque unit
-    /// one N·m is. A command that is not a number changes nothing.
-    pub(super) fn obey(&mut self, before: Control, command: JointCommand, unit: f64) -> Control {
+    /// Takes a command and returns the new control mode; `unit` is the number of the robot's torque
+    /// units in one N·m. A command that is not a number changes nothing.
+    pub(super) fn command(&mut self, before: Control, command: JointCommand, unit: f64) -> Control {
         match command {
             JointCommand::Torque(torque) if (torque / unit).is_finite() => {
                 self.order = torque / unit;
@@ -111,7 +115,7 @@ impl Servo {
         }
     }
 
-    /// Where a command wants the joint at the end of the cycle: rad.
+    /// Returns the commanded angle at the end of the cycle, rad.
     fn goal(&self, command: Option<JointCommand>) -> f64 {
         match command {
             Some(JointCommand::Angle { angle, .. }) if angle.is_finite() => angle.to_radians(),
@@ -119,13 +123,13 @@ impl Servo {
         }
     }
 
-    /// Holds the joint where it is to be now, from now on by angle.
+    /// Holds the joint at its set point, from now on by angle.
     pub(super) const fn hold(&mut self) {
         self.order = self.setpoint;
     }
 
-    /// Moves the set point on by one of `left` steps of a cycle, and lets the motor draw the joint there, or give the
-    /// torque that it is commanded. The command is the one [obeyed](Self::obey) before; without it the joint is held.
+    /// Moves the set point by one of `left` steps of a cycle, and updates the torque of the motor.
+    /// [`command`](Self::command) has taken the command before; without one the joint is held.
     #[inline]
     pub(super) fn aim(
         &mut self,
@@ -133,10 +137,10 @@ impl Servo {
         command: Option<JointCommand>,
         joint: &Joint,
         drives: &Drives,
-        stride: &Stride,
+        step: &TimeStep,
         left: f64,
     ) {
-        let Stride { dt, share, speed } = *stride;
+        let TimeStep { dt, share, speed } = *step;
         self.torque = match control {
             Control::Angle => {
                 self.order += (self.goal(command) - self.order) / left;
@@ -160,13 +164,14 @@ impl Servo {
         };
     }
 
-    /// Whether a joint turns the way of a torque faster than its motor.
+    /// Returns true if a joint turns the way of a torque faster than its motor.
     #[inline]
     fn is_too_fast(&self, torque: f64, speed: f64) -> bool {
         self.rate * torque.signum() > speed
     }
 
-    /// What the motor turns the joint by, after [`aim`](Self::aim); with no more than it can give if it is `spent`.
+    /// Returns the effort of the motor, after [`aim`](Self::aim); limited to its greatest torque if
+    /// it is `saturated`.
     #[inline]
     pub(super) fn motor(
         &self,
@@ -174,16 +179,16 @@ impl Servo {
         joint: &Joint,
         drives: &Drives,
         dt: f64,
-        spent: bool,
+        saturated: bool,
     ) -> Effort {
         let inertia = match control {
-            Control::Angle if !spent => {
+            Control::Angle if !saturated => {
                 dt * (drives.damping + dt * drives.stiffness) * joint.torque
             }
             _ => 0.0,
         };
         Effort {
-            torque: if spent {
+            torque: if saturated {
                 within(self.torque, joint.torque)
             } else {
                 self.torque
@@ -192,7 +197,7 @@ impl Servo {
         }
     }
 
-    /// What rotor, friction and mechanical stops add.
+    /// Returns the effort of rotor, friction and mechanical stops.
     #[inline]
     pub(super) fn passive(&self, joint: &Joint, drives: &Drives, dt: f64) -> Effort {
         let friction = drives.friction * joint.torque;
@@ -212,7 +217,8 @@ impl Servo {
         effort
     }
 
-    /// Whether a joint that accelerates so (rad/s²) asks more of its motor than it can give, which then gives that.
+    /// Returns true if an acceleration (rad/s²) takes more torque than the motor has, which then
+    /// gives its greatest torque.
     #[inline]
     pub(super) fn overload(&mut self, joint: &Joint, own: Effort, acceleration: f64) -> bool {
         let torque = own.torque - own.inertia * acceleration;
@@ -223,7 +229,7 @@ impl Servo {
         is_too_much
     }
 
-    /// Moves for `dt` s.
+    /// Integrates an acceleration (rad/s²) over `dt` s.
     #[inline]
     pub(super) fn advance(&mut self, joint: &Joint, own: Effort, acceleration: f64, dt: f64) {
         self.torque = within(own.torque - own.inertia * acceleration, joint.torque);
@@ -232,7 +238,7 @@ impl Servo {
     }
 }
 
-/// The value, or `most` of its sign.
+/// Limits a value to ±`most`.
 #[inline]
 fn within(value: f64, most: f64) -> f64 {
     if libm::fabs(value) > most {
@@ -249,17 +255,17 @@ mod tests {
     #[test]
     fn an_angle_after_a_torque_begins_where_the_joint_is() {
         let mut servo = Servo::at(10.0);
-        let torque = servo.obey(Control::Angle, JointCommand::Torque(5.0), 1.0);
+        let torque = servo.command(Control::Angle, JointCommand::Torque(5.0), 1.0);
         assert_eq!((torque, servo.order), (Control::Torque, 5.0));
         // A command that is not a number leaves the torque.
         let nonsense = JointCommand::Torque(f64::NAN);
-        assert_eq!(servo.obey(torque, nonsense, 1.0), Control::Torque);
+        assert_eq!(servo.command(torque, nonsense, 1.0), Control::Torque);
         assert_eq!(servo.order, 5.0);
         let angle = JointCommand::Angle {
             angle: 30.0,
             rate: 0.0,
         };
-        assert_eq!(servo.obey(torque, angle, 1.0), Control::Angle);
+        assert_eq!(servo.command(torque, angle, 1.0), Control::Angle);
         assert_eq!(servo.order, 10_f64.to_radians());
         assert_eq!(servo.goal(Some(angle)), 30_f64.to_radians());
         assert_eq!(servo.goal(None), servo.order);

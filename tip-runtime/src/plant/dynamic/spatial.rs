@@ -1,13 +1,14 @@
-//! Motions, forces and inertias in space, all about one point: the origin of the body's frame as it is now, along the
-//! axes of the world (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 2). In m, kg, s, rad and N.
+//! Spatial motions, forces and inertias, all about one point: the current origin of the body's
+//! frame, along the axes of the world (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch.
+//! 2). In m, kg, s, rad and N.
 
 use super::Vector;
 use crate::model::Spread;
 use core::ops::{Add, AddAssign, Sub};
 use nalgebra::{Matrix3, Rotation3};
 
-/// Six numbers: of a motion turn (rad/s) and velocity at the origin (m/s), of a force moment about the origin (N·m) and
-/// force (N), of a momentum likewise.
+/// Six numbers. Of a motion: angular velocity (rad/s) and velocity at the origin (m/s); of a force:
+/// moment about the origin (N·m) and force (N); of a momentum likewise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spatial {
     pub(super) angular: Vector,
@@ -20,7 +21,7 @@ impl Spatial {
         linear: Vector::new(0.0, 0.0, 0.0),
     };
 
-    /// The turn at 1 rad/s about an axis through `place`.
+    /// Returns the rotation at 1 rad/s about an axis through `place`.
     #[inline]
     pub(super) fn turning(axis: Vector, place: Vector) -> Self {
         Spatial {
@@ -29,7 +30,7 @@ impl Spatial {
         }
     }
 
-    /// A force that acts at `place`.
+    /// Returns a force that acts at `place`.
     #[inline]
     pub(super) fn pushing(force: Vector, place: Vector) -> Self {
         Spatial {
@@ -38,7 +39,7 @@ impl Spatial {
         }
     }
 
-    /// The power of a force in a motion.
+    /// Returns the power of a force in a motion.
     #[inline]
     pub(super) fn dot(&self, other: &Self) -> f64 {
         self.angular.dot(&other.angular) + self.linear.dot(&other.linear)
@@ -90,14 +91,14 @@ impl Sub for Spatial {
     }
 }
 
-/// What rigid bodies that move as one are heavy by.
+/// The inertia of rigid bodies that move as one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Inertia {
-    /// kg.
+    /// Mass, kg.
     mass: f64,
-    /// Mass times its centre: kg·m.
+    /// Mass times its centre, kg·m.
     moment: Vector,
-    /// About the origin: kg·m².
+    /// Inertia about the origin, kg·m².
     turning: Matrix3<f64>,
 }
 
@@ -108,7 +109,7 @@ impl Inertia {
         turning: Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     };
 
-    /// Of a mass (kg) with a centre (m) and an inertia of its own about it (kg·m²).
+    /// Returns the inertia of a mass (kg) with a centre (m) and a central inertia (kg·m²).
     #[inline]
     pub(super) fn new(mass: f64, centre: Vector, own: Matrix3<f64>) -> Self {
         Inertia {
@@ -118,7 +119,7 @@ impl Inertia {
         }
     }
 
-    /// The momentum in a motion.
+    /// Returns the momentum in a motion.
     #[inline]
     pub(super) fn momentum(&self, motion: &Spatial) -> Spatial {
         Spatial {
@@ -127,7 +128,7 @@ impl Inertia {
         }
     }
 
-    /// The same for any motion: angular rows and columns first.
+    /// Returns the matrix of the inertia, angular rows and columns first.
     #[inline]
     pub(super) fn matrix(&self) -> [[f64; 6]; 6] {
         let Inertia {
@@ -145,12 +146,12 @@ impl Inertia {
         ]
     }
 
-    /// kg.
+    /// Returns the mass, kg.
     pub(super) const fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// The centre of mass: m.
+    /// Returns the centre of mass, m.
     #[inline]
     pub(super) fn centre(&self) -> Vector {
         if self.mass > 0.0 {
@@ -170,7 +171,7 @@ impl AddAssign for Inertia {
     }
 }
 
-/// Where a mass is whose frame is turned so (m), and its inertia about there (kg·m²).
+/// Returns the centre (m) of a mass in a rotated frame, and its inertia about it (kg·m²).
 #[inline]
 pub(super) fn placed(spread: &Spread, turned: Rotation3<f64>) -> (Vector, Matrix3<f64>) {
     (
@@ -179,14 +180,14 @@ pub(super) fn placed(spread: &Spread, turned: Rotation3<f64>) -> (Vector, Matrix
     )
 }
 
-/// The inertia about its centre in its own frame: kg·m².
+/// Returns the inertia about the centre in its own frame, kg·m².
 #[inline]
 pub(super) fn tensor(spread: &Spread) -> Matrix3<f64> {
     let [xx, yy, zz, xy, xz, yz] = spread.inertia;
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
-/// The inertia of 1 kg at `place` about the origin.
+/// Returns the inertia of 1 kg at `place` about the origin.
 #[inline]
 pub(super) fn spread(place: Vector) -> Matrix3<f64> {
     let (x, y, z) = (place.x, place.y, place.z);
@@ -201,4 +202,69 @@ pub(super) fn spread(place: Vector) -> Matrix3<f64> {
         -y * z,
         x * x + y * y,
     )
+}
+
+/// The contribution of a leg or the body to the robot: its inertia, and the force that sustains its
+/// motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Contribution {
+    pub(super) inertia: Inertia,
+    pub(super) force: Spatial,
+}
+
+impl Contribution {
+    pub(super) const NONE: Self = Contribution {
+        inertia: Inertia::NONE,
+        force: Spatial::ZERO,
+    };
+
+    #[inline]
+    pub(super) fn add(&mut self, other: Contribution) {
+        self.inertia += other.inertia;
+        self.force += other.force;
+    }
+}
+
+/// The position, rotation and velocity of the body in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MovingFrame {
+    /// Position, m.
+    pub(super) position: Vector,
+    pub(super) rotation: Rotation3<f64>,
+    /// Velocity of the origin, m/s.
+    pub(super) velocity: Vector,
+    /// Angular velocity along the axes of the world, rad/s.
+    pub(super) rate: Vector,
+}
+
+impl MovingFrame {
+    /// Integrates an acceleration (angular first) over `dt` s.
+    pub(super) fn advance(&mut self, acceleration: [f64; 6], dt: f64) {
+        let Spatial { angular, linear } = Spatial::of(acceleration);
+        self.rate += angular * dt;
+        self.velocity += linear * dt;
+        self.position += self.velocity * dt;
+        self.rotation = orthogonal(Rotation3::from_scaled_axis(self.rate * dt) * self.rotation);
+    }
+
+    /// Transforms a point of the body into the world, m.
+    pub(super) fn point(&self, inner: Vector) -> Vector {
+        self.position + self.rotation * inner
+    }
+
+    /// Returns angular and linear velocity.
+    pub(super) const fn twist(&self) -> Spatial {
+        Spatial {
+            angular: self.rate,
+            linear: self.velocity,
+        }
+    }
+}
+
+/// Returns the rotation nearest to a matrix with rounding errors (one step of Newton's method for
+/// the polar decomposition).
+fn orthogonal(bent: Rotation3<f64>) -> Rotation3<f64> {
+    let matrix = bent.matrix();
+    let square = matrix.transpose() * matrix;
+    Rotation3::from_matrix_unchecked(matrix * (Matrix3::identity() * 3.0 - square) / 2.0)
 }

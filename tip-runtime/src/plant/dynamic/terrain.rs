@@ -1,20 +1,25 @@
-//! What is around the robot.
+//! The surroundings of a robot with mass: the floor and the blocks on it.
 
 use super::Vector;
-use super::contact::Touch;
+use super::contact::{ContactLaw, Touch};
+use super::servo::{Drives, TimeStep};
+use super::spatial::MovingFrame;
 use crate::plant::cuboid::{Cuboid, middle};
 use crate::scene::{BLOCKS, Block, Scene};
 use nalgebra::Rotation3;
 
-/// Higher than all blocks: m.
+/// Standard gravity: m/s² (3rd CGPM, 1901).
+pub(super) const GRAVITY: f64 = 9.80665;
+
+/// A height above all blocks, m.
 const SKY: f64 = 1e4;
 
-/// A floor and what stands on it, in m.
+/// A floor and its blocks, in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Terrain {
-    /// Above the world's origin.
+    /// Height above the world's origin.
     height: f64,
-    /// Up from the floor: a unit vector.
+    /// Normal of the floor, a unit vector.
     pub(super) normal: Vector,
     friction: f64,
     blocks: [Option<Block>; BLOCKS],
@@ -32,42 +37,42 @@ impl Terrain {
         }
     }
 
-    /// Turns the floor's frame (z along its normal) into the world's.
+    /// Returns the rotation from the floor's frame (z along its normal) to the world's.
     pub(super) fn tilt(&self) -> Rotation3<f64> {
         Rotation3::rotation_between(&Vector::z(), &self.normal).unwrap_or_else(Rotation3::identity)
     }
 
-    /// Where the floor is under the world's origin, or above it.
+    /// Returns the point of the floor below or above the world's origin.
     pub(super) fn origin(&self) -> Vector {
         Vector::new(0.0, 0.0, self.height)
     }
 
-    /// Where a point of the world is inside of something.
+    /// Returns the touch of a point of the world that is inside an obstacle.
     #[inline]
     pub(super) fn touch(&self, point: Vector) -> Option<Touch> {
         self.block(point).or_else(|| self.floor(point))
     }
 
-    /// Whether anything stands on the floor.
+    /// Returns true if there are blocks.
     #[inline]
     pub(super) fn has_blocks(&self) -> bool {
         self.blocks.iter().any(Option::is_some)
     }
 
-    /// What stands on the floor.
+    /// Iterates over the blocks.
     #[inline]
     pub(super) fn blocks(&self) -> impl Iterator<Item = Cuboid> + '_ {
         let blocks = self.blocks.iter().flatten();
         blocks.map(|block| Cuboid::of_block(block, 1000.0))
     }
 
-    /// Where it is inside of a block: it leaves by the nearest side.
+    /// Returns the touch of a point inside a block: it leaves by the nearest side.
     fn block(&self, point: Vector) -> Option<Touch> {
         let (depth, normal) = self.blocks().find_map(|block| block.depth(point))?;
         Some(self.touching(depth, normal))
     }
 
-    /// A touch on a side that faces so.
+    /// Returns a touch on a side with a normal.
     #[inline]
     pub(super) fn touching(&self, depth: f64, normal: Vector) -> Touch {
         Touch {
@@ -77,7 +82,8 @@ impl Terrain {
         }
     }
 
-    /// Where a rod goes through a block between its ends, which pushes it off at right angles: its middle in there.
+    /// Iterates over the blocks that a rod passes through between its ends: the midpoint of the
+    /// part inside, and a touch at right angles to the rod.
     pub(super) fn bars(&self, rod: [Vector; 2]) -> impl Iterator<Item = (Vector, Touch)> + '_ {
         self.blocks().filter_map(move |block| {
             let middle = middle(rod, block.through(rod)?);
@@ -89,20 +95,20 @@ impl Terrain {
         })
     }
 
-    /// By how much a stretch has to rise to be nowhere below the top of a block: m.
-    pub(super) fn rise(&self, stretch: [Vector; 2]) -> f64 {
+    /// Returns the rise of a segment that clears the top of every block, m.
+    pub(super) fn rise(&self, segment: [Vector; 2]) -> f64 {
         let rises = self.blocks().filter_map(|mut block| {
             let top = block.high.z;
             block.high.z = SKY;
-            let over = block.inside(stretch)?;
-            let [start, end] = stretch;
+            let over = block.inside(segment)?;
+            let [start, end] = segment;
             let lowest = over.map(|part| start.z + (end.z - start.z) * part);
             Some(top - lowest[0].min(lowest[1]))
         });
         rises.fold(0.0, f64::max)
     }
 
-    /// Where it is in the floor.
+    /// Returns the touch of a point in the floor.
     #[inline]
     fn floor(&self, point: Vector) -> Option<Touch> {
         let above = self.normal.dot(&point) - self.height * self.normal.z;
@@ -112,4 +118,15 @@ impl Terrain {
             friction: self.friction,
         })
     }
+}
+
+/// The frame of the body, its surroundings, the motors, and the time step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepContext<'a> {
+    pub(super) frame: &'a MovingFrame,
+    pub(super) drives: &'a Drives,
+    pub(super) law: &'a ContactLaw,
+    /// The terrain; `None` around a robot that is bolted down.
+    pub(super) terrain: Option<&'a Terrain>,
+    pub(super) step: &'a TimeStep,
 }

@@ -1,4 +1,4 @@
-//! What two things do to each other where they overlap.
+//! The contact law of the simulated hand.
 //!
 //! Normal to their surfaces: a spring and a damper that push and never pull. Along them: Coulomb
 //! friction by a spring that is stretched as they move past each other, and slides where it would
@@ -7,77 +7,79 @@
 
 use super::Vector;
 
-/// What two things are made of where they touch, along and across.
+/// Stiffness and damping of a contact, along its normal and across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct ContactLaw {
     /// N/m.
     stiffness: f64,
     /// N·s/m.
     damping: f64,
 }
 
-/// What counts as heavy, and a finger as no heavier: kg.
+/// Mass from which a body counts as heavy; fingers count as no heavier, kg.
 pub(super) const HEAVY: f64 = 0.2;
 
-/// By how much what is heavier makes contacts stiffer at most, so that no force leaves the numbers.
+/// Greatest factor by which heavier bodies make contacts stiffer, so that no force overflows.
 const HEAVIEST: f64 = 1e9;
 
-/// Of what is not heavier than `HEAVY`: N/m. What is heavier is as much stiffer, so that it rests as deep.
+/// Stiffness for masses up to `HEAVY`, N/m. It grows in proportion to heavier masses, so that they
+/// rest as deep.
 const STIFFNESS: f64 = 5000.0;
 
-/// Of what is just as heavy: N·s/m.
+/// Damping for a mass of `HEAVY`, N·s/m.
 const DAMPING: f64 = 15.0;
 
-impl Law {
-    /// Of fingers with the floor, and with what is heavy.
-    pub(super) const FINGER: Self = Law {
+impl ContactLaw {
+    /// The law of fingers on the floor, and on heavy bodies.
+    pub(super) const FINGER: Self = ContactLaw {
         stiffness: STIFFNESS,
         damping: DAMPING,
     };
 
-    /// Of the lighter one's mass (kg). Every mass swings in the same way, since its damping ratio on
-    /// one contact is the same: 0.24.
+    /// Returns the law for the lighter body's mass (kg). Every mass oscillates alike, since its
+    /// damping ratio on one contact is the same: 0.24.
     pub(super) fn of(mass: f64) -> Self {
         let share = (mass / HEAVY).min(HEAVIEST);
-        Law {
+        ContactLaw {
             stiffness: STIFFNESS * share.max(1.0),
             damping: DAMPING * share.max(libm::sqrt(share)),
         }
     }
 
-    /// How fast it swings what has that mass: rad/s.
+    /// Returns the frequency of oscillation of a mass, rad/s.
     pub(super) fn frequency(self, mass: f64) -> f64 {
         libm::sqrt(self.stiffness / mass)
     }
 }
 
-/// Where and how far two things overlap.
+/// The overlap of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Overlap {
-    /// m.
+    /// Position, m.
     pub(super) at: Vector,
-    /// Unit vector, from the second thing to the first.
+    /// Unit vector, from the second body to the first.
     pub(super) normal: Vector,
-    /// m.
+    /// Depth, m.
     pub(super) depth: f64,
 }
 
-/// The spring of friction of one contact: how far it is stretched, in m.
+/// The stretch of a contact's friction spring, m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Bristle(f64);
 
 impl Bristle {
-    /// Of what does not touch.
+    /// The bristle of a free point.
     pub(super) const NONE: Self = Bristle(0.0);
 
-    /// The force on the first thing in the middle of a step of `dt` s, where it moves at `velocity`
-    /// (m/s) past the second: N. Without overlap there is none, and friction forgets.
+    /// Returns the force on the first body in the middle of a step of `dt` s, where it moves at
+    /// `velocity` (m/s) past the second. Without overlap there is no force, and the bristle is
+    /// reset.
     #[inline]
     pub(super) fn press(
         &mut self,
         overlap: Option<Overlap>,
         velocity: impl FnOnce(Vector) -> Vector,
-        Law { stiffness, damping }: Law,
+        ContactLaw { stiffness, damping }: ContactLaw,
         friction: f64,
         dt: f64,
     ) -> Option<Push> {
@@ -103,9 +105,9 @@ impl Bristle {
 /// A force at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Push {
-    /// m.
+    /// Position, m.
     pub(super) at: Vector,
-    /// N.
+    /// Force, N.
     pub(super) force: Vector,
 }
 

@@ -9,33 +9,33 @@ use super::motor::Motor;
 use crate::model::{Joint, Leg};
 use crate::plant::Effort;
 
-/// Of each motor and its gear, as the joint feels it: kg·m².
+/// Inertia of each motor and its gear at the joint, kg·m².
 const ROTOR: f64 = 1e-4;
 
-/// One link where it is now, and how it moves.
+/// The state of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Link {
-    /// Its mass: kg.
+    /// Mass, kg.
     mass: f64,
     /// +1 if a positive joint angle turns it from x to y.
     sense: f64,
-    /// At angle 0: m.
+    /// The link at angle 0, m.
     straight: Vector,
-    /// From its middle to its ends: m.
+    /// Half of the length, m.
     pub(super) half: f64,
-    /// How far it is turned from there: its cosine and sine.
+    /// Cosine and sine of its angle.
     direction: Vector,
-    /// From its joint to the next one, or to the fingertip: m.
+    /// The vector from its joint to the next one, or to the fingertip, m.
     along: Vector,
-    /// Where its joint is: m.
+    /// Position of its joint, m.
     pub(super) start: Vector,
-    /// Where the next joint is, or the fingertip: m.
+    /// Position of the next joint or of the fingertip, m.
     pub(super) end: Vector,
-    /// Of its joint: m/s.
+    /// Velocity of its joint, m/s.
     velocity: Vector,
-    /// Its own turn: rad/s.
+    /// Angular velocity, rad/s.
     turn: f64,
-    /// Of its joint if no joint's rate changed: m/s².
+    /// Acceleration of its joint at constant rates, m/s².
     acceleration: Vector,
 }
 
@@ -58,31 +58,31 @@ impl Link {
         }
     }
 
-    /// Its middle: m.
+    /// Returns the midpoint, m.
     #[inline]
     pub(super) fn middle(&self) -> Vector {
         self.start + self.along / 2.0
     }
 
-    /// How fast a point of it moves: m/s.
+    /// Returns the velocity of a point, m/s.
     #[inline]
     pub(super) fn velocity_at(&self, point: Vector) -> Vector {
         self.velocity + across(point - self.start) * self.turn
     }
 
-    /// What a point that is `away` from its joint would accelerate by if no joint's rate changed: m/s².
+    /// Returns the acceleration at constant rates of a point that is `away` from its joint, m/s².
     #[inline]
     fn acceleration_at(&self, away: Vector) -> Vector {
         self.acceleration - away * (self.turn * self.turn)
     }
 
-    /// Of itself and its motor about its joint: kg·m².
+    /// Returns the inertia of link and motor about its joint, kg·m².
     fn inertia(&self) -> f64 {
         self.mass * self.straight.norm_squared() / 3.0 + ROTOR
     }
 }
 
-/// A finger in motion.
+/// The state of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Finger<const J: usize> {
     /// m.
@@ -91,16 +91,16 @@ pub(super) struct Finger<const J: usize> {
     pub(super) angles: [f64; J],
     /// rad/s.
     rates: [f64; J],
-    /// In the middle of the step, as the one before it lets expect: rad/s.
+    /// Expected rates in the middle of the step, rad/s.
     middle: [f64; J],
     pub(super) motors: [Motor; J],
     links: [Link; J],
-    /// What contacts exert on the joints: N·m.
+    /// Torques of contacts on the joints, N·m.
     loads: [f64; J],
 }
 
 impl<const J: usize> Finger<J> {
-    /// At rest in its initial posture.
+    /// Returns a finger at rest in its initial posture.
     pub(super) fn new(leg: &Leg<J>) -> Self {
         let [x, y, _] = leg.base;
         let mut finger = Finger {
@@ -120,8 +120,7 @@ impl<const J: usize> Finger<J> {
         finger
     }
 
-    /// The least mass with which a link meets what it touches with its end, while the other joints
-    /// hold: kg.
+    /// Returns the least effective mass of a link's end while the other joints hold, kg.
     pub(super) fn lightest(&self) -> f64 {
         let masses = self
             .links
@@ -130,18 +129,18 @@ impl<const J: usize> Finger<J> {
         masses.fold(f64::INFINITY, f64::min)
     }
 
-    /// Its links from base to tip.
+    /// Returns the links from base to tip.
     pub(super) const fn links(&self) -> &[Link; J] {
         &self.links
     }
 
-    /// The fingertip: m.
+    /// Returns the fingertip, m.
     pub(super) fn tip(&self) -> Vector {
         self.links.last().map_or(self.base, |link| link.end)
     }
 
-    /// Turns on at its rates for `time` s, to the end of a cycle, where its links are as its angles say, to
-    /// the last bit.
+    /// Turns at its rates for `time` s, to the end of a cycle, where the links are at their angles
+    /// to the last bit.
     pub(super) fn arrive(&mut self, time: f64) {
         for (angle, rate) in self.angles.iter_mut().zip(&self.rates) {
             *angle += (rate * time).to_degrees();
@@ -149,7 +148,7 @@ impl<const J: usize> Finger<J> {
         self.align();
     }
 
-    /// Its links are where its angles say.
+    /// Sets the directions of the links to their angles.
     fn align(&mut self) {
         let mut angle = 0.0;
         for (link, own) in self.links.iter_mut().zip(&self.angles) {
@@ -160,7 +159,7 @@ impl<const J: usize> Finger<J> {
         self.place();
     }
 
-    /// Turns on at its rates for `time` s, to the middle of a step of `dt` s; nothing pushes there yet.
+    /// Turns at its rates for `time` s, to the middle of a step of `dt` s, and resets the loads.
     pub(super) fn drift(&mut self, time: f64, dt: f64) {
         let mut turned = 0.0;
         let joints = self.angles.iter_mut().zip(&self.rates).zip(&mut self.links);
@@ -176,7 +175,7 @@ impl<const J: usize> Finger<J> {
         self.place();
     }
 
-    /// Finds out where every link is and how it moves; nothing pushes any more.
+    /// Updates the positions and velocities of the links, and resets the loads.
     fn place(&mut self) {
         self.loads = [0.0; J];
         let mut turn = 0.0;
@@ -200,7 +199,7 @@ impl<const J: usize> Finger<J> {
         }
     }
 
-    /// A force (N) acts at a point (m) of link `m`, counted from 0.
+    /// Applies a force (N) at a point (m) of link `m`, counted from 0.
     pub(super) fn push(&mut self, m: usize, point: Vector, force: Vector) {
         let joints = self.loads.iter_mut().zip(&self.links);
         for (load, link) in joints.take(m.saturating_add(1)) {
@@ -208,7 +207,8 @@ impl<const J: usize> Finger<J> {
         }
     }
 
-    /// Takes the rates from the start to the end of a step of `dt` s, in whose middle it is.
+    /// Integrates the loads from the start to the end of a step of `dt` s, in whose middle the
+    /// finger is.
     pub(super) fn kick(&mut self, dt: f64) {
         for motor in &mut self.motors {
             motor.advance(dt);
@@ -219,8 +219,8 @@ impl<const J: usize> Finger<J> {
         }
     }
 
-    /// What the joints accelerate by (rad/s²) over the next `dt` s. A motor that would have to give
-    /// more than it can gives what it can.
+    /// Returns the accelerations of the joints (rad/s²) over the next `dt` s. A motor that would
+    /// exceed its greatest torque gives that.
     fn accelerations(&mut self, dt: f64) -> [f64; J] {
         let (mass, inertial) = self.dynamics();
         let mut accelerations = [0.0; J];
@@ -254,8 +254,9 @@ impl<const J: usize> Finger<J> {
         accelerations
     }
 
-    /// The lower triangle of the mass matrix (kg·m²), which is all that is read, and what keeps the joints
-    /// turning at their rates (N·m): from the tip inwards, with all that is beyond a joint as one body.
+    /// Returns the lower triangle of the mass matrix (kg·m²), which is all that is read, and the
+    /// bias torques (N·m): calculated from the tip inwards, with all links beyond a joint as one
+    /// body.
     fn dynamics(&self) -> ([[f64; J]; J], [f64; J]) {
         let mut matrix = [[0.0; J]; J];
         let mut inertial = [0.0; J];
@@ -281,14 +282,14 @@ impl<const J: usize> Finger<J> {
     }
 }
 
-/// A quarter turn from x to y.
+/// Returns a vector turned by a quarter turn from x to y.
 #[inline]
 pub(super) fn across(vector: Vector) -> Vector {
     Vector::new(-vector.y, vector.x)
 }
 
-/// A unit vector turned by an angle (rad). Of small ones, which are all but those of frantic joints,
-/// the series is exact to the last bits.
+/// Returns a unit vector rotated by an angle (rad). For small angles, which are all except those of
+/// very fast joints, the series is exact to the last bits.
 pub(super) fn rotated(direction: Vector, angle: f64) -> Vector {
     let square = angle * angle;
     let (sin, cos) = if square < 0.01 {
@@ -302,8 +303,8 @@ pub(super) fn rotated(direction: Vector, angle: f64) -> Vector {
     direction * cos + across(direction) * sin
 }
 
-/// What a symmetric, positive definite matrix, of which only the lower triangle is read, turns into
-/// `right`: by elimination without roots, with one division for each row (Golub and Van Loan, *Matrix
+/// Solves a symmetric, positive definite system, of which only the lower triangle is read: by
+/// elimination without roots, with one division for each row (Golub and Van Loan, *Matrix
 /// Computations*, ch. 4.1).
 fn solved<const J: usize>(mut rows: [[f64; J]; J], mut right: [f64; J]) -> [f64; J] {
     let mut inverses = [0.0; J];
@@ -342,7 +343,7 @@ fn solved<const J: usize>(mut rows: [[f64; J]; J], mut right: [f64; J]) -> [f64;
     right
 }
 
-/// Entry `k` of both.
+/// Returns entry `k` of both.
 fn at<const J: usize>(one: &[f64; J], other: &[f64; J], k: usize) -> (f64, f64) {
     let entry = |all: &[f64; J]| all.get(k).copied().unwrap_or_default();
     (entry(one), entry(other))

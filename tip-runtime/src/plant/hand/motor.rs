@@ -1,32 +1,33 @@
-//! What drives a joint: its motor by torque or as a servo, friction, and the stops.
+//! The drive of a joint: its motor by torque or as a servo, friction, and the stops.
 //!
-//! Springs and dampers of a joint are taken at the end of each step, friction at its middle, so that
-//! no gain is too stiff for the step (Tan, Liu and Turk, *Stable Proportional-Derivative Controllers*,
-//! 2011): what depends on the acceleration is counted as inertia.
+//! Springs and dampers of a joint are taken at the end of each step, friction at its middle, so
+//! that no gain is too stiff for the step (Tan, Liu and Turk, *Stable Proportional-Derivative
+//! Controllers*, 2011): terms in the acceleration count as inertia.
 
 use crate::hardware::JointCommand;
 use crate::model::{Joint, Range};
 use crate::plant::{Effort, STOP};
 
-/// Of the position servo, which is far stiffer than what it meets: N·m/rad.
+/// Stiffness of the position servo, far stiffer than any contact, N·m/rad.
 const SERVO: f64 = 1e5;
 
-/// Of the position servo: N·m·s/rad.
+/// Damping of the position servo, N·m·s/rad.
 const SERVO_DAMPING: f64 = 100.0;
 
-/// Viscous, of the joint: N·m·s/rad.
+/// Viscous friction of the joint, N·m·s/rad.
 const FRICTION: f64 = 0.01;
 
-/// Of the stops: N·m/rad.
+/// Stiffness of the stops, N·m/rad.
 const STOP_STIFFNESS: f64 = 500.0;
 
-/// Of the stops: N·m·s/rad.
+/// Damping of the stops, N·m·s/rad.
 const STOP_DAMPING: f64 = 0.5;
 
 impl Effort {
-    /// A spring (N·m/rad) that is stretched by `gap` deg, and a damper (N·m·s/rad) between rates that
-    /// differ by `slower` rad/s, both at the end of a step of `dt` s if the rate does not change. What
-    /// changes it does so evenly, and turns the joint half as far as at the end's rate.
+    /// Returns the effort of a spring (N·m/rad) that is stretched by `gap` deg, and a damper
+    /// (N·m·s/rad) between rates that differ by `slower` rad/s, both at the end of a step of `dt` s
+    /// at constant rate. A change of the rate is even, and turns the joint half as far as the final
+    /// rate would.
     #[inline]
     fn spring(stiffness: f64, damping: f64, gap: f64, slower: f64, dt: f64) -> Self {
         Effort {
@@ -44,37 +45,37 @@ impl Effort {
     }
 }
 
-/// What a motor does.
+/// The mode of a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mode {
-    /// It gives a torque: N·m.
+    /// Gives a torque, N·m.
     Torque(f64),
-    /// It holds an angle, which moves.
+    /// Holds an angle, which moves.
     Servo,
-    /// As `Servo`, at its limit for this step: N·m.
+    /// As `Servo`, saturated for this step at a torque, N·m.
     Yielding(f64),
 }
 
 /// The motor of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Motor {
-    /// The most that it gives: N·m.
+    /// The greatest torque, N·m.
     strongest: f64,
-    /// Where the mechanical stops are: deg.
+    /// The mechanical stops, deg.
     stops: Range,
     mode: Mode,
-    /// The angle that a servo holds: deg.
+    /// The set point of a servo, deg.
     set_point: f64,
-    /// How fast that moves: rad/s.
+    /// Speed of the set point, rad/s.
     set_rate: f64,
-    /// What it gives: N·m.
+    /// The current torque, N·m.
     pub(super) torque: f64,
-    /// What its joint accelerated by in the last step, unless it was led by the servo: rad/s².
+    /// Acceleration of the joint in the last step, unless the servo led it, rad/s².
     carried: f64,
 }
 
 impl Motor {
-    /// Gives nothing.
+    /// A motor without torque.
     pub(super) const IDLE: Self = Motor {
         strongest: 0.0,
         stops: Range::new(0.0, 0.0),
@@ -85,7 +86,7 @@ impl Motor {
         carried: 0.0,
     };
 
-    /// Holds an angle (deg).
+    /// Returns a motor that holds an angle (deg).
     pub(super) fn new(joint: &Joint, angle: f64) -> Self {
         Motor {
             strongest: joint.torque,
@@ -95,10 +96,10 @@ impl Motor {
         }
     }
 
-    /// Takes a command for the next `time` s, in which a servo's set point goes evenly from where it
-    /// was to where it is sent, or to the stop before that; a joint at `angle` deg that was driven by
-    /// torque starts there. `unit` is how many of the command's unit one N·m is. A value that is not a
-    /// number is left out.
+    /// Takes a command for the next `time` s, in which a servo's set point moves evenly to its
+    /// target, or to the stop before that; the set point of a joint that was driven by torque
+    /// starts at its `angle` (deg). `unit` is the number of the command's units in one N·m. A value
+    /// that is not a number is ignored.
     pub(super) fn command(&mut self, command: JointCommand, unit: f64, angle: f64, time: f64) {
         if let Mode::Torque(_) = self.mode {
             self.set_point = angle;
@@ -118,14 +119,14 @@ impl Motor {
         }
     }
 
-    /// Holds the angle (deg) at which its joint is.
+    /// Holds the joint's current angle (deg).
     pub(super) const fn hold(&mut self, angle: f64) {
         self.mode = Mode::Servo;
         self.set_point = angle;
         self.set_rate = 0.0;
     }
 
-    /// The set point goes on for `dt` s.
+    /// Moves the set point for `dt` s.
     #[inline]
     pub(super) fn advance(&mut self, dt: f64) {
         self.set_point += (self.set_rate * dt).to_degrees();
@@ -134,14 +135,14 @@ impl Motor {
         }
     }
 
-    /// What its joint is expected to go on accelerating by: rad/s². A joint that is led keeps its rate.
+    /// Returns the expected acceleration of the joint, rad/s². A joint that is led keeps its rate.
     #[inline]
     pub(super) const fn carried(&self) -> f64 {
         self.carried
     }
 
-    /// What the motor itself does to a joint at `angle` deg in the middle of a step of `dt` s, at whose
-    /// start it turns at `rate` rad/s.
+    /// Returns the effort of the motor on a joint at `angle` deg in the middle of a step of `dt` s,
+    /// at whose start it turns at `rate` rad/s.
     #[inline]
     pub(super) fn effort(&self, angle: f64, rate: f64, dt: f64) -> Effort {
         match self.mode {
@@ -156,7 +157,7 @@ impl Motor {
         }
     }
 
-    /// What friction and the stops do to that joint.
+    /// Returns the efforts of friction and the stops on that joint.
     #[inline]
     pub(super) fn resistance(&self, angle: f64, rate: f64, dt: f64) -> [Effort; 2] {
         let friction = Effort {
@@ -167,8 +168,8 @@ impl Motor {
         [friction, self.stop(ahead, rate, dt)]
     }
 
-    /// Takes the acceleration (rad/s²) that resulted with the motor's `own` effort. Whether the motor
-    /// would have had to give more than it can, and is going to give what it can.
+    /// Takes the acceleration (rad/s²) that resulted with the motor's `own` effort. Returns true if
+    /// the motor exceeded its greatest torque, and saturates it.
     #[inline]
     pub(super) fn settle(&mut self, own: Effort, acceleration: f64) -> bool {
         self.torque = own.torque - own.inertia * acceleration;
@@ -184,7 +185,7 @@ impl Motor {
         yields
     }
 
-    /// What a stop gives back to a joint that is going to be at `ahead` deg.
+    /// Returns the effort of a stop on a joint whose angle is going to be `ahead` deg.
     #[inline]
     fn stop(&self, ahead: f64, rate: f64, dt: f64) -> Effort {
         let stops = self.stops;

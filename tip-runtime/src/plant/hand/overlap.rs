@@ -1,21 +1,22 @@
-//! Where things overlap. Depths are in m, normals point from the second thing to the first.
+//! Overlaps of links, bodies and surfaces. Depths are in m, normals point from the second body to
+//! the first.
 
 use super::Vector;
-use super::body::Body;
 use super::contact::Overlap;
+use super::contact_history::ContactHistory;
 use super::finger::{Link, across};
-use super::seam::Seam;
+use super::rigid_body::RigidBody;
 
-/// How far apart a link and a body may be that meet, or have passed each other, within a step: m. That
-/// is 20 m/s in the longest one.
+/// Greatest distance of a link and a body that meet, or pass each other, within a step, m. That is
+/// 20 m/s in the longest step.
 const SWEEP: f64 = 0.01;
 
-/// Something flat and endless that moves.
+/// A moving plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Surface {
-    /// A point of it: m.
+    /// A point of the plane, m.
     pub(super) point: Vector,
-    /// A unit vector out of it.
+    /// Outward normal, a unit vector.
     pub(super) normal: Vector,
     /// m/s.
     pub(super) velocity: Vector,
@@ -24,33 +25,35 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    /// How far a point is above it: m.
+    /// Returns the height of a point above the plane, m.
     #[inline]
     pub(super) fn height(&self, point: Vector) -> f64 {
         (point - self.point).dot(&self.normal)
     }
 
-    /// A point below it.
+    /// Returns the overlap of a point below the plane.
     #[inline]
     pub(super) fn overlap(&self, at: Vector) -> Option<Overlap> {
         overlap(at, self.normal, -self.height(at))
     }
 }
 
-/// The places where a link can touch a body: one along a disc; of a box its end, and each corner
-/// that pokes through it; `None` while they are far apart. The start of a link belongs to the link
-/// before it, if there is one. A body that has come too far through the link, or a link through the
-/// body, goes back to where the seam knows it from.
+/// Returns the places where a link can touch a body: one along a disc; of a box the link's end, and
+/// each corner that pokes through the link; `None` while they are far apart. The start of a link
+/// belongs to the link before it, if there is one. A body that has passed through the link, or a
+/// link through the body, goes back to the side in the contact history.
 #[inline]
 pub(super) fn of_link(
     link: &Link,
     is_first: bool,
-    body: &Body,
-    seam: &mut Seam,
+    body: &RigidBody,
+    history: &mut ContactHistory,
 ) -> Option<[Option<Overlap>; 5]> {
     let near = body.reach + SWEEP;
     let apart = near + link.half;
-    if *seam == Seam::UNKNOWN && (body.centre - link.middle()).norm_squared() > apart * apart {
+    if *history == ContactHistory::UNKNOWN
+        && (body.centre - link.middle()).norm_squared() > apart * apart
+    {
         return None;
     }
     let along = link.end - link.start;
@@ -61,13 +64,13 @@ pub(super) fn of_link(
     let is_far = from.norm_squared() > near * near;
     let side = libm::copysign(1.0, along.perp(&away));
     let is_beside = share > 0.0 && share < 1.0;
-    if is_far && !(is_beside && seam.is_other(side)) {
-        *seam = Seam::UNKNOWN;
+    if is_far && !(is_beside && history.is_other(side)) {
+        *history = ContactHistory::UNKNOWN;
         return None;
     }
     if !body.is_box() {
         let (out, depth) = body.way_out(nearest);
-        let (out, depth) = match seam.is_through(side, is_beside) {
+        let (out, depth) = match history.is_through(side, is_beside) {
             true => (-out, 2.0 * body.reach - depth),
             false => (out, depth),
         };
@@ -75,33 +78,33 @@ pub(super) fn of_link(
         let touch = overlap(nearest, out, depth).filter(|_| own);
         return Some([touch, None, None, None, None]);
     }
-    let (out, depth) = body.way_back(link.end, &mut seam.face);
+    let (out, depth) = body.way_back(link.end, &mut history.face);
     if depth > 0.0 {
-        seam.side = side;
+        history.side = side;
         return Some([overlap(link.end, out, depth), None, None, None, None]);
     }
     let passes = body
         .crossing(link.start, link.end)
         .is_some_and(|(enters, leaves)| enters > 0.0 && leaves < 1.0);
-    let is_through = seam.is_through(side, passes || is_beside);
+    let is_through = history.is_through(side, passes || is_beside);
     if !(passes || is_through) {
         return Some([None; 5]);
     }
-    let [a, b, c, d] = poking(link, along, seam.side, body);
+    let [a, b, c, d] = poking(link, along, history.side, body);
     Some([None, a, b, c, d])
 }
 
-/// The corners of a box that poke through a link from a side of it: +1 is where a quarter turn from
-/// it points.
-fn poking(link: &Link, along: Vector, side: f64, body: &Body) -> [Option<Overlap>; 4] {
+/// Returns the corners of a box that poke through a link from a side of it: +1 is where a quarter
+/// turn from the link points.
+fn poking(link: &Link, along: Vector, side: f64, body: &RigidBody) -> [Option<Overlap>; 4] {
     let normal = across(along) / along.norm();
     let away = normal * -side;
     body.corners()
         .map(|corner| overlap(corner, away, (corner - link.start).dot(&away)))
 }
 
-/// The places where two bodies can touch: of boxes the corners of each, otherwise one.
-pub(super) fn of_bodies(first: &Body, second: &Body) -> [Option<Overlap>; 8] {
+/// Returns the places where two bodies can touch: of boxes the corners of each, otherwise one.
+pub(super) fn of_bodies(first: &RigidBody, second: &RigidBody) -> [Option<Overlap>; 8] {
     let apart = first.centre - second.centre;
     let reach = first.reach + second.reach;
     let mut places = [None; 8];

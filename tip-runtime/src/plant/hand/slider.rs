@@ -5,21 +5,21 @@ use super::overlap::Surface;
 use crate::model::{Point, Range, Slider};
 use crate::plant::Floor;
 
-/// How fast it goes at most: mm/s.
+/// Greatest speed, mm/s.
 const FASTEST: f64 = 1000.0;
 
 /// A slider and the floor on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SliderServo {
     travel: [Range; 3],
-    /// mm.
+    /// Position, mm.
     pub(super) position: Point,
-    /// mm/s.
+    /// Velocity, mm/s.
     velocity: [f64; 3],
 }
 
 impl SliderServo {
-    /// At rest where the model has it at first.
+    /// Returns a slider at rest in the model's initial position.
     pub(super) fn new(slider: Option<&Slider>) -> Self {
         SliderServo {
             travel: slider.map_or([Range::new(0.0, 0.0); 3], |slider| slider.travel),
@@ -28,7 +28,7 @@ impl SliderServo {
         }
     }
 
-    /// Is sent somewhere, to arrive in `time` s; a position that is not a number leaves it where it is.
+    /// Starts a motion that arrives in `time` s; a position that is not a number stops the slider.
     pub(super) fn send(&mut self, target: Point, time: f64) {
         let axes = self.velocity.iter_mut().zip(self.position);
         for ((velocity, at), (target, travel)) in axes.zip(target.iter().zip(self.travel)) {
@@ -41,12 +41,12 @@ impl SliderServo {
         }
     }
 
-    /// Stays where it is.
+    /// Stops the slider.
     pub(super) const fn halt(&mut self) {
         self.velocity = [0.0; 3];
     }
 
-    /// Goes on for `dt` s.
+    /// Moves the slider for `dt` s.
     pub(super) fn advance(&mut self, dt: f64) {
         let axes = self.velocity.iter().zip(self.travel);
         for (at, (velocity, travel)) in self.position.iter_mut().zip(axes) {
@@ -54,7 +54,7 @@ impl SliderServo {
         }
     }
 
-    /// The floor that it carries.
+    /// Returns the floor on the slider.
     pub(super) fn floor(&self, floor: &Floor, friction: f64) -> Surface {
         let [x, y, _] = self.position;
         let [vx, vy, _] = self.velocity;

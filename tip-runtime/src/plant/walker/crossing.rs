@@ -1,24 +1,28 @@
-//! Legs that are where another leg is or a block, or below the floor.
+//! Collisions of legs with other legs, blocks or the floor.
 
 use super::Vector;
-use super::ground::Carrier;
+use super::floor::SINK_TOLERANCE;
+use super::ground::GroundInterface;
 use super::links::LegLinks;
-use super::obstacles::SUNK;
 
-/// How thick a leg is, as a share of its length.
+/// Thickness of a leg, as a share of its length.
 const THICK: f64 = 0.04;
 
-/// Whether a joint of a leg is below the floor.
-pub(super) fn sinks<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
-    (leg.places().skip(1)).any(|joint| ground.height(joint) < -SUNK)
+/// Returns true if a joint of a leg is below the floor.
+pub(super) fn is_below_floor<const J: usize>(
+    leg: &LegLinks<J>,
+    ground: &dyn GroundInterface,
+) -> bool {
+    (leg.places().skip(1)).any(|joint| ground.height(joint) < -SINK_TOLERANCE)
 }
 
-/// Whether a leg is in a block.
-pub(super) fn strikes<const J: usize>(leg: &LegLinks<J>, ground: &dyn Carrier) -> bool {
-    leg.lines().any(|line| ground.stops(line))
+/// Returns true if a leg is in a block.
+pub(super) fn is_in_block<const J: usize>(leg: &LegLinks<J>, ground: &dyn GroundInterface) -> bool {
+    leg.lines().any(|line| ground.is_segment_in_block(line))
 }
 
-/// Whether a leg goes through another one, both of this length (mm). Their first links are part of the body.
+/// Returns true if a leg goes through another one, both of this length (mm). Their first links are
+/// part of the body.
 pub(super) fn touch<const J: usize>(a: &LegLinks<J>, b: &LegLinks<J>, length: f64) -> bool {
     let thick = THICK * length;
     if a.is_beyond(b, thick) {
@@ -28,7 +32,8 @@ pub(super) fn touch<const J: usize>(a: &LegLinks<J>, b: &LegLinks<J>, length: f6
     lines.any(|one| (b.lines().skip(1)).any(|other| gap(one, other) < thick))
 }
 
-/// The distance between two stretches (Ericson, *Real-Time Collision Detection*, 2004, §5.1.9): mm.
+/// Returns the distance of two segments (Ericson, *Real-Time Collision Detection*, 2004, §5.1.9),
+/// mm.
 fn gap([from, to]: [Vector; 2], [other_from, other_to]: [Vector; 2]) -> f64 {
     let (along, other, apart) = (to - from, other_to - other_from, from - other_from);
     let (a, e, f) = (
@@ -55,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stretches_are_as_far_apart_as_their_nearest_points() {
+    fn segments_are_as_far_apart_as_their_nearest_points() {
         let at = |x: f64, y: f64, z: f64| Vector::new(x, y, z);
         let flat = [at(0.0, 0.0, 0.0), at(10.0, 0.0, 0.0)];
         // Over the middle, beyond an end, alongside, and a point.

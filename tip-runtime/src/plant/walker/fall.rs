@@ -1,21 +1,21 @@
-//! Falls: one definition for robots without mass and with it.
+//! Fall detection: one definition for robots without mass and with it.
 
 use super::Vector;
-use super::contacts::Contacts;
 use super::polygon;
+use super::support::Contacts;
 
-/// How far outside the polygon the centre of mass may be before the body tips: mm.
+/// Distance of the centre of mass outside the polygon from which the body tips, mm.
 pub(super) const TIPPING: f64 = 1.0;
 
-/// A body that touches the ground lies flat if it is tilted by no more than this: cosine of 2 deg.
+/// Cosine of the greatest tilt of a body that lies flat on the ground: 2 deg.
 const FLAT: f64 = 0.999_390_827_019_095_8;
-/// A body that comes to touch the ground has fallen if it is tilted by more, and feet that were lifted hold no body that
-/// is: cosine of 5 deg.
+/// Cosine of the tilt from which a body that touches the ground has fallen, and from which lifted
+/// feet do not hold it: 5 deg.
 pub(in crate::plant) const TILTED: f64 = 0.996_194_698_091_745_5;
-/// A body that leans farther has fallen, whatever it touches: cosine of 60 deg.
+/// Cosine of the tilt from which a body has fallen whatever it touches: 60 deg.
 const LEANING: f64 = 0.5;
 
-/// A robot fell: its body came down, or its support was lost.
+/// A fall: the body came down, or lost its support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fall {
@@ -23,46 +23,47 @@ pub struct Fall {
     pub cycle: u64,
     /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub margin: f64,
-    /// Its body was upright then: it had lost its support, and a robot without mass does not come down by that.
+    /// True if the body was upright: it had lost its support, and a robot without mass does not
+    /// come down by that.
     pub is_upright: bool,
 }
 
 /// The posture of a robot at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct Posture {
-    /// Its body touches the ground.
+    /// The body touches the ground.
     pub(in crate::plant) lies: bool,
     /// Cosine of the angle from the floor's normal to the body's z axis.
     pub(in crate::plant) uprightness: f64,
-    /// Its feet alone hold its centre of mass.
+    /// The feet alone hold the centre of mass.
     pub(in crate::plant) is_held: bool,
-    /// It has lost its support.
+    /// The robot has lost its support.
     pub(in crate::plant) is_lost: bool,
-    /// It stands on its feet alone, and has got up if it had fallen.
+    /// The robot stands on its feet alone, and has got up if it had fallen.
     pub(in crate::plant) is_up: bool,
     /// Distance of the centre of mass from the edge of the support polygon, mm; negative outside.
     pub(in crate::plant) margin: f64,
 }
 
-/// Counts falls. A robot falls when
+/// A counter of falls. A robot falls when
 ///
 /// - its body leans by more than 60 deg from the floor's normal,
 /// - its body comes to touch the ground tilted by more than 5 deg, or while its feet do not hold it, or
 /// - its support is lost, which leaves the body upright at first.
 ///
-/// A robot that has lain down flat may do there what it likes until it has got up again.
+/// A robot that has lain down flat may move there freely until it has got up again.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::plant) struct FallCounter {
     pub(in crate::plant) count: u32,
-    /// Number of these that brought the body down.
+    /// Number of falls that brought the body down.
     down: u32,
     pub(in crate::plant) first: Option<Fall>,
     is_falling: bool,
     /// The body has come down in the present fall.
     is_down: bool,
-    /// It has lain flat and not got up since.
+    /// The robot has lain flat and not got up since.
     lay: bool,
-    /// Its feet held it at the instant before.
+    /// The feet held the robot at the previous instant.
     was_held: bool,
 }
 
@@ -82,8 +83,8 @@ impl FallCounter {
         self.count - self.down
     }
 
-    /// Looks at the end of a cycle. A fall lasts until the robot has got up.
-    pub(in crate::plant) fn look(&mut self, posture: &Posture, cycle: u64) {
+    /// Updates the counter at the end of a cycle. A fall lasts until the robot has got up.
+    pub(in crate::plant) fn update(&mut self, posture: &Posture, cycle: u64) {
         let Posture {
             lies, uprightness, ..
         } = *posture;
@@ -114,21 +115,21 @@ impl FallCounter {
     }
 }
 
-/// What carries the robot, seen along its z axis: the standing feet, judged in the robot frame, since a body that
-/// tips follows the feet that were lifted, so being on the floor proves nothing. The belly belongs to it as soon as
-/// it carries.
+/// The support polygon, seen along the robot's z axis: the standing feet, judged in the robot
+/// frame, since a body that tips follows its lifted feet, so contact with the floor proves nothing.
+/// The belly belongs to the polygon as soon as it carries load.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polygon<const L: usize> {
-    /// How high the lowest foot is: mm.
+    /// Height of the lowest foot, mm.
     lowest: f64,
-    /// The first so many are those of standing feet.
+    /// Positions; the first `standing` ones are those of standing feet.
     places: [[f64; 2]; L],
     standing: usize,
     belly: Option<[[f64; 2]; 4]>,
 }
 
 impl<const L: usize> Polygon<L> {
-    /// Of feet no more than `lift` mm above the lowest one.
+    /// Returns the polygon of feet no more than `lift` mm above the lowest one.
     pub(super) fn new(points: &Contacts<Vector, L>, loads: &Contacts<f64, L>, lift: f64) -> Self {
         let heights = points.feet.iter().map(|foot| foot.z);
         let lowest = heights.fold(f64::INFINITY, f64::min);
@@ -150,13 +151,13 @@ impl<const L: usize> Polygon<L> {
         }
     }
 
-    /// Where the line from a point along `down` meets the height of the feet: mm.
+    /// Returns where the line from a point along `down` meets the height of the feet, mm.
     pub(super) fn under(&self, point: Vector, down: Vector) -> [f64; 2] {
         let fall = (self.lowest - point.z) / down.z;
         [point.x + fall * down.x, point.y + fall * down.y]
     }
 
-    /// How far inside a place is: mm; negative outside.
+    /// Returns the distance of a place from the edge, mm; negative outside.
     pub(super) fn margin(&self, over: [f64; 2]) -> f64 {
         match self.belly {
             Some(belly) => polygon::margin(self.feet().chain(belly), over),
@@ -164,7 +165,7 @@ impl<const L: usize> Polygon<L> {
         }
     }
 
-    /// The same without the belly.
+    /// Returns the margin without the belly.
     fn margin_of_feet(&self, over: [f64; 2]) -> f64 {
         polygon::margin(self.feet(), over)
     }
@@ -174,20 +175,20 @@ impl<const L: usize> Polygon<L> {
     }
 }
 
-/// Watches the centre of mass over the support polygon.
+/// A monitor of the centre of mass over the support polygon.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FallWatch {
-    /// Feet no more than this above the lowest count as standing: mm.
+pub(super) struct SupportMonitor {
+    /// Height above the lowest foot up to which feet count as standing, mm.
     pub(super) lift: f64,
     pub(super) margin: f64,
-    /// The least margin so far: mm.
+    /// The least margin so far, mm.
     pub(super) least: f64,
     pub(super) falls: FallCounter,
 }
 
-impl FallWatch {
+impl SupportMonitor {
     pub(super) const fn new() -> Self {
-        FallWatch {
+        SupportMonitor {
             lift: 20.0,
             margin: 0.0,
             least: f64::INFINITY,
@@ -195,8 +196,8 @@ impl FallWatch {
         }
     }
 
-    /// Looks at one instant. `down` is the direction of gravity, `normal` that of the floor.
-    pub(super) fn watch<const L: usize>(
+    /// Updates the monitor. `down` is the direction of gravity, `normal` that of the floor.
+    pub(super) fn update<const L: usize>(
         &mut self,
         polygon: &Polygon<L>,
         centre: Vector,
@@ -216,6 +217,6 @@ impl FallWatch {
             is_up: !lies,
             margin: on_feet,
         };
-        self.falls.look(&posture, cycle);
+        self.falls.update(&posture, cycle);
     }
 }

@@ -1,48 +1,51 @@
 //! The body on its contacts with the floor.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
-use super::fall::{FallWatch, Polygon};
+use super::descent::Descent;
+use super::fall::{Polygon, SupportMonitor};
+use super::floor::Obstacles;
 use super::links::{GRAVITY, Mass};
-use super::obstacles::Obstacles;
-use super::sink::Sinking;
+use super::odometry::Odometer;
+use super::pose::FloorPose;
 use super::stance::Stance;
+use super::support::Contacts;
 use super::support::{self, Load, Support};
-use super::travel::Start;
-use super::unmodelled::{Doubts, Oddities};
+use super::unmodelled::{CycleEvents, UnmodelledCounter};
 use crate::model;
 use crate::plant::cuboid::Cuboid;
 use crate::scene::{Floor, Scene};
 
-/// What carries the legs, whatever their number.
-pub(super) trait Carrier {
-    /// What every foot carries: N.
+/// The interface between legs and ground, independent of the number of legs.
+pub(super) trait GroundInterface {
+    /// Returns the load of every foot, N.
     fn loads(&self) -> &[f64];
-    /// The direction of gravity in the robot's frame.
+    /// Returns the direction of gravity in the robot's frame.
     fn down(&self) -> Vector;
-    /// Whether nothing moves while the legs do not.
+    /// Returns true if nothing moves while the legs do not.
     fn is_at_rest(&self) -> bool;
-    /// The body without legs: kg; and that times its centre in the robot's frame: kg·mm.
+    /// Returns the mass of the body without legs (kg), and that times its centre in the robot's
+    /// frame (kg·mm).
     fn body_mass(&self) -> (f64, Vector);
-    /// Where the feet are in the robot's frame, to be written before [`settle`](Self::settle).
+    /// Returns the positions of the feet in the robot's frame, to be written before
+    /// [`settle`](Self::settle).
     fn feet(&mut self) -> &mut [Vector];
-    /// Lets the body come to rest on its contacts within `dt` s, and takes stance feet along.
+    /// Lets the body come to rest on its contacts within `dt` s, and keeps stance feet in place.
     fn settle(&mut self, mass: Mass, dt: f64);
-    /// Whether the body is on its way down, without hold.
-    fn sinks(&self) -> bool;
-    /// Judges what the robot did in the last `dt` s.
+    /// Returns true if the body is on its way down, without hold.
+    fn has_lost_hold(&self) -> bool;
+    /// Judges the last `dt` s for unmodelled effects.
     fn judge(&mut self, dt: f64);
-    /// How high a point of the robot's frame is above the floor: mm. Of a robot that is bolted down everything is.
+    /// Returns the height of a point of the robot's frame above the floor, mm; infinite for a robot
+    /// that is bolted down.
     fn height(&self, point: Vector) -> f64;
-    /// Whether there is anything but the floor.
+    /// Returns true if there are blocks.
     fn has_blocks(&self) -> bool;
-    /// Whether a stretch of the robot's frame is in a block.
-    fn stops(&self, stretch: [Vector; 2]) -> bool;
-    /// Whether the body is in a block.
-    fn strikes(&self) -> bool;
-    /// A cycle is over, in which the legs did this.
-    fn close(&mut self, oddities: &Oddities);
+    /// Returns true if a segment of the robot's frame is in a block.
+    fn is_segment_in_block(&self, segment: [Vector; 2]) -> bool;
+    /// Returns true if the body is in a block.
+    fn is_in_block(&self) -> bool;
+    /// Ends a cycle with these events of the legs.
+    fn close(&mut self, events: &CycleEvents);
 }
 
 /// The body of a robot of `L` legs, and the floor under it.
@@ -52,30 +55,30 @@ pub(super) struct Ground<const L: usize> {
     pub(super) obstacles: Obstacles,
     /// The direction of gravity in the floor's frame.
     gravity: Vector,
-    /// The same in the robot's frame, as the body lies now.
+    /// The direction of gravity in the robot's frame.
     down: Vector,
-    /// The body as its model has it, if there is one.
+    /// The body of the model, if there is one.
     model: Option<model::Body>,
     pub(super) mass: Mass,
-    pub(super) body: Body,
-    pub(super) start: Start,
+    pub(super) body: FloorPose,
+    pub(super) start: Odometer,
     at_rest: bool,
     feet: [Vector; L],
     pub(super) loads: Contacts<f64, L>,
     pub(super) stance: Stance<L>,
-    pub(super) falls: FallWatch,
-    pub(super) doubts: Doubts,
-    sinking: Sinking,
-    /// Writings so far.
+    pub(super) falls: SupportMonitor,
+    pub(super) unmodelled: UnmodelledCounter,
+    descent: Descent,
+    /// Number of cycles so far.
     pub(super) cycle: u64,
 }
 
 impl<const L: usize> Ground<L> {
-    /// A level floor under a body that has not settled yet.
+    /// Returns a level floor under a body that has not settled yet.
     // Out of line, or it would be copied for each number of joints.
     #[inline(never)]
     pub(super) fn new(model: Option<model::Body>) -> Self {
-        let body = Body::standing(model.as_ref());
+        let body = FloorPose::standing(model.as_ref());
         Ground {
             floor: Floor::LEVEL,
             obstacles: Obstacles(Scene::EMPTY.blocks),
@@ -84,48 +87,48 @@ impl<const L: usize> Ground<L> {
             model,
             mass: Mass::NONE,
             body,
-            start: Start::at(&Floor::LEVEL, &body),
+            start: Odometer::at(&Floor::LEVEL, &body),
             at_rest: false,
             feet: [Vector::zeros(); L],
             loads: Contacts::new([0.0; L], [0.0; 4]),
             stance: Stance::new(),
-            falls: FallWatch::new(),
-            doubts: Doubts::new(Scene::EMPTY.friction),
-            sinking: Sinking::NONE,
+            falls: SupportMonitor::new(),
+            unmodelled: UnmodelledCounter::new(Scene::EMPTY.friction),
+            descent: Descent::NONE,
             cycle: 0,
         }
     }
 
-    /// Another floor, on which the body is placed again.
+    /// Replaces the floor and places the body again.
     pub(super) fn replace(&mut self, floor: Floor) {
         self.floor = floor;
         self.gravity = floor.gravity();
-        self.body = Body::standing(self.model.as_ref());
+        self.body = FloorPose::standing(self.model.as_ref());
         self.stance = Stance::new();
-        self.sinking = Sinking::NONE;
+        self.descent = Descent::NONE;
     }
 
-    /// Whether there is a body that moves.
+    /// Returns true if there is a body that moves.
     pub(super) const fn is_loose(&self) -> bool {
         self.model.is_some()
     }
 
-    /// What has been measured so far counts from here.
+    /// Restarts all measurements.
     pub(super) fn begin(&mut self) {
-        self.start = Start::at(&self.floor, &self.body);
+        self.start = Odometer::at(&self.floor, &self.body);
         self.falls.least = self.falls.margin;
-        self.doubts.begin();
+        self.unmodelled.begin();
         self.judge(0.0);
     }
 
-    /// The points that can touch the floor, if there is a body.
+    /// Returns the points that can touch the floor, if there is a body.
     fn points(&self) -> Option<Contacts<Vector, L>> {
         let body = self.model.as_ref()?;
         Some(Contacts::of(body, self.feet))
     }
 }
 
-impl<const L: usize> Carrier for Ground<L> {
+impl<const L: usize> GroundInterface for Ground<L> {
     fn loads(&self) -> &[f64] {
         &self.loads.feet
     }
@@ -169,20 +172,20 @@ impl<const L: usize> Carrier for Ground<L> {
             height,
             found,
         } = self
-            .sinking
+            .descent
             .towards(rest, &points, mass.weight, &self.body, dt);
         self.at_rest = found;
         self.body.rest(normal, height);
         self.loads = support::loads(&points, normal, height);
         let heading = self.body.heading;
-        let pull = self.doubts.friction * GRAVITY * 1000.0;
-        let pull = self.sinking.is_free.then_some(pull);
+        let pull = self.unmodelled.friction * GRAVITY * 1000.0;
+        let pull = self.descent.is_free.then_some(pull);
         let rotation = (self.stance).follow(&points, &self.loads, &mut self.body, (pull, dt));
         self.start.turned(heading, self.body.heading);
         self.down = rotation.inverse() * self.gravity;
         let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         self.falls
-            .watch(&polygon, mass.centre, (self.down, normal), self.cycle);
+            .update(&polygon, mass.centre, (self.down, normal), self.cycle);
     }
 
     fn judge(&mut self, dt: f64) {
@@ -190,10 +193,10 @@ impl<const L: usize> Carrier for Ground<L> {
             return;
         };
         let rotation = self.body.rotation();
-        self.doubts.moved(self.body.point(self.mass.centre), dt);
+        self.unmodelled.moved(self.body.point(self.mass.centre), dt);
         let polygon = Polygon::new(&points, &self.loads, self.falls.lift);
         let is_carried = self.loads.iter().any(|load| *load > 0.0);
-        self.doubts.judge(
+        self.unmodelled.judge(
             &polygon,
             self.mass.centre,
             (self.gravity, is_carried),
@@ -202,8 +205,8 @@ impl<const L: usize> Carrier for Ground<L> {
         );
     }
 
-    fn sinks(&self) -> bool {
-        self.sinking.is_free
+    fn has_lost_hold(&self) -> bool {
+        self.descent.is_free
     }
 
     fn height(&self, point: Vector) -> f64 {
@@ -218,14 +221,14 @@ impl<const L: usize> Carrier for Ground<L> {
         self.is_loose() && !self.obstacles.is_empty()
     }
 
-    fn stops(&self, stretch: [Vector; 2]) -> bool {
-        let ends = stretch.map(|end| self.floor.outer(&self.body, end));
-        self.obstacles.stop(ends)
+    fn is_segment_in_block(&self, segment: [Vector; 2]) -> bool {
+        let ends = segment.map(|end| self.floor.outer(&self.body, end));
+        self.obstacles.hits_segment(ends)
     }
 
-    fn strikes(&self) -> bool {
+    fn is_in_block(&self) -> bool {
         self.model.is_some_and(|body| {
-            self.obstacles.stop_body(
+            self.obstacles.hits_body(
                 &Cuboid::of_body(&body, 1.0),
                 |point| self.floor.inner(&self.body, point),
                 |point| self.floor.outer(&self.body, point),
@@ -233,7 +236,7 @@ impl<const L: usize> Carrier for Ground<L> {
         })
     }
 
-    fn close(&mut self, oddities: &Oddities) {
-        self.doubts.close(oddities);
+    fn close(&mut self, events: &CycleEvents) {
+        self.unmodelled.close(events);
     }
 }

@@ -1,20 +1,20 @@
-//! The legs of a walking robot: joints that follow their commands under load, and the links that they
-//! turn.
+//! The legs of a walking robot without mass: joints that follow their commands under load, and
+//! their links.
 
 use super::Vector;
-use super::crossing::{sinks, strikes, touch};
-use super::ground::Carrier;
+use super::crossing::{is_below_floor, is_in_block, touch};
+use super::ground::GroundInterface;
 use super::links::{GRAVITY, LegLinks, Mass};
-use super::path::{Path, hurries};
-use super::servo::{JointLoad, Servo, ServoDynamics, Stride};
+use super::servo::{JointLoad, Servo, ServoDynamics, StepLimits};
 use super::support;
-use super::unmodelled::Oddities;
+use super::tracking::{Path, hurries};
+use super::unmodelled::CycleEvents;
 use crate::analog;
 use crate::command::Port;
 use crate::hardware::{JointCommand, SensorsMut};
 use crate::model::Leg;
 
-/// The longest time that is simulated in one piece: ms.
+/// The longest time step, ms.
 const LONGEST_STEP: f64 = 20.0;
 
 /// One leg.
@@ -23,22 +23,22 @@ pub(super) struct LegPlant<const J: usize> {
     model: Leg<J>,
     pub(super) servos: [Servo; J],
     pub(super) links: LegLinks<J>,
-    /// From base to foot along the links: mm.
+    /// Length along the links from base to foot, mm.
     length: f64,
     path: Path,
 }
 
-/// All legs: an array of them, or a slice, over which all logic is.
+/// All legs: an array of them, or a slice, which holds all logic.
 #[derive(Clone, Debug)]
 pub(super) struct Legs<S: ?Sized> {
     pub(super) dynamics: ServoDynamics,
-    /// Whether a leg is where another one is, or the floor.
+    /// True if a leg is inside another one, or the floor.
     pub(super) crosses: bool,
     pub(super) each: S,
 }
 
 impl<const J: usize> LegPlant<J> {
-    /// In its initial posture.
+    /// Returns a leg in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn new(model: &Leg<J>) -> Self {
@@ -53,23 +53,24 @@ impl<const J: usize> LegPlant<J> {
         }
     }
 
-    /// What is odd about a cycle with these commands: it crosses nothing yet.
-    fn oddities(&mut self, commands: &[JointCommand; J], speed: f64) -> Oddities {
-        Oddities {
+    /// Returns the events of a cycle with these commands, without collisions.
+    fn events(&mut self, commands: &[JointCommand; J], speed: f64) -> CycleEvents {
+        CycleEvents {
             crosses: false,
             hurries: hurries(commands, speed),
             stray: self.path.stray(&self.model, commands, self.links.foot),
         }
     }
 
-    /// Moves every joint under the load of its foot (N) and gravity; whether any turned. Joints that gave way under a body
-    /// that `sinks` do not push their foot back before it has come down.
+    /// Moves every joint under the load of its foot (N) and gravity; returns true if any turned.
+    /// Joints that gave way under a body that `has_lost_hold` do not push their foot back before it has
+    /// come down.
     fn drive(
         &mut self,
         commands: &[JointCommand; J],
         load: f64,
-        (gravity, sinks): (Vector, bool),
-        stride: Stride,
+        (gravity, has_lost_hold): (Vector, bool),
+        step: StepLimits,
     ) -> bool {
         let push = -gravity * load;
         let torques = self.links.load_torques(&self.model, push, gravity);
@@ -84,12 +85,12 @@ impl<const J: usize> LegPlant<J> {
         let loads = torques.into_iter().zip(stiffness);
         let joints = self.servos.iter_mut().zip(&self.model.joints);
         for (((servo, joint), command), (torque, stiffness)) in joints.zip(commands).zip(loads) {
-            if servo.gave_way && sinks && is_free {
+            if servo.gave_way && has_lost_hold && is_free {
                 continue;
             }
             let before = servo.angle;
             let load = JointLoad { torque, stiffness };
-            servo.advance(joint, *command, load, stride);
+            servo.advance(joint, *command, load, step);
             turned |= servo.angle != before;
         }
         turned
@@ -100,20 +101,20 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     /// Puts every leg in its initial posture.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn put(&mut self, models: &[Leg<J>]) {
+    pub(super) fn set_initial_postures(&mut self, models: &[Leg<J>]) {
         for (leg, model) in self.each.iter_mut().zip(models) {
             *leg = LegPlant::new(model);
         }
     }
 
-    /// One control cycle of `period` ms.
+    /// Simulates a control cycle of `period` ms.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
     pub(super) fn advance(
         &mut self,
         commands: &[[JointCommand; J]],
         period: f64,
-        ground: &mut dyn Carrier,
+        ground: &mut dyn GroundInterface,
     ) {
         let steps = libm::ceil(period / LONGEST_STEP).clamp(1.0, 1000.0);
         let dt = period / steps / 1000.0;
@@ -127,14 +128,15 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
             }
             ground.judge(dt);
         }
-        let oddities = self.oddities(commands, moved, ground);
-        ground.close(&oddities);
+        let events = self.events(commands, moved, ground);
+        ground.close(&events);
     }
 
-    /// Whether a joint is below the floor, a leg or the body in a block, or a leg in another one.
-    fn cross(&self, ground: &dyn Carrier) -> bool {
-        let strikes = |leg: &LegPlant<J>| strikes(&leg.links, ground);
-        if ground.has_blocks() && (ground.strikes() || self.each.iter().any(strikes)) {
+    /// Returns true if a joint is below the floor, a leg or the body in a block, or a leg in
+    /// another one.
+    fn cross(&self, ground: &dyn GroundInterface) -> bool {
+        let is_in_block = |leg: &LegPlant<J>| is_in_block(&leg.links, ground);
+        if ground.has_blocks() && (ground.is_in_block() || self.each.iter().any(is_in_block)) {
             return true;
         }
         let mut after = &self.each;
@@ -143,7 +145,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
                 let length = (leg.length + other.length) / 2.0;
                 touch(&leg.links, &other.links, length)
             };
-            if sinks(&leg.links, ground) || others.iter().any(touches) {
+            if is_below_floor(&leg.links, ground) || others.iter().any(touches) {
                 return true;
             }
             after = others;
@@ -151,40 +153,46 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         false
     }
 
-    /// What the legs did that none with mass would.
-    fn oddities(
+    /// Returns the events of a cycle that no robot with mass shows.
+    fn events(
         &mut self,
         commands: &[[JointCommand; J]],
         moved: bool,
-        ground: &dyn Carrier,
-    ) -> Oddities {
+        ground: &dyn GroundInterface,
+    ) -> CycleEvents {
         if moved {
             self.crosses = self.cross(ground);
         }
         let speed = self.dynamics.speed;
         let legs = self.each.iter_mut().zip(commands);
-        let legs = legs.map(|(leg, commands)| leg.oddities(commands, speed));
-        let none = Oddities {
+        let legs = legs.map(|(leg, commands)| leg.events(commands, speed));
+        let none = CycleEvents {
             crosses: self.crosses,
-            ..Oddities::default()
+            ..CycleEvents::default()
         };
-        legs.fold(none, Oddities::and)
+        legs.fold(none, CycleEvents::and)
     }
 
-    /// Moves every joint for `dt` s under the load that it had; whether any turned.
-    fn drive(&mut self, commands: &[[JointCommand; J]], dt: f64, ground: &mut dyn Carrier) -> bool {
-        let gravity = (ground.down(), ground.sinks());
-        let stride = self.dynamics.within(dt);
+    /// Moves every joint for `dt` s under its previous load; returns true if any turned.
+    fn drive(
+        &mut self,
+        commands: &[[JointCommand; J]],
+        dt: f64,
+        ground: &mut dyn GroundInterface,
+    ) -> bool {
+        let gravity = (ground.down(), ground.has_lost_hold());
+        let step = self.dynamics.within(dt);
         let legs = self.each.iter_mut().zip(ground.loads()).zip(commands);
         legs.fold(false, |turned, ((leg, load), commands)| {
-            leg.drive(commands, *load, gravity, stride) | turned
+            leg.drive(commands, *load, gravity, step) | turned
         })
     }
 
-    /// Places every leg whose joints have turned, and lets the body come to rest on them within `dt` s.
+    /// Places every leg whose joints have turned, and lets the body come to rest on them within
+    /// `dt` s.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn settle(&mut self, ground: &mut dyn Carrier, dt: f64) {
+    pub(super) fn settle(&mut self, ground: &mut dyn GroundInterface, dt: f64) {
         for leg in &mut self.each {
             leg.links
                 .place(&leg.model, leg.servos.map(|servo| servo.angle));
@@ -196,10 +204,10 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         ground.settle(mass, dt);
     }
 
-    /// What the sensors read.
+    /// Measures joints and soles.
     // Out of line, or it would be copied for each number of legs.
     #[inline(never)]
-    pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>, ground: &dyn Carrier) {
+    pub(super) fn measure(&self, sensors: &mut SensorsMut<'_, J>, ground: &dyn GroundInterface) {
         let joints = sensors.angles.iter_mut().zip(sensors.torques.iter_mut());
         for ((angles, torques), leg) in joints.zip(&self.each) {
             *angles = leg.servos.map(|servo| servo.angle);
@@ -211,7 +219,7 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
         }
     }
 
-    /// Adds up body (kg, kg·mm) and links.
+    /// Returns the mass of body (kg, kg·mm) and links.
     fn mass(&self, body: (f64, Vector)) -> Mass {
         let (mut mass, mut moment) = body;
         for leg in &self.each {
@@ -227,7 +235,8 @@ impl<const J: usize> Legs<[LegPlant<J>]> {
     }
 }
 
-/// Fills one value of each servo into `into`. Out of line, so that it is compiled once for all numbers of legs.
+/// Copies one value of each servo into `into`. Out of line, so that it is compiled once for all
+/// numbers of legs.
 #[inline(never)]
 pub(super) fn fill_joints<const J: usize>(
     legs: &[LegPlant<J>],

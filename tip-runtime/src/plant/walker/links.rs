@@ -1,4 +1,4 @@
-//! Where the links are, what they weigh, and which torque a load asks of their joints.
+//! The links of a leg: positions, masses, and the torques of loads on their joints.
 
 use super::Vector;
 use crate::model::{Joint, Leg};
@@ -10,26 +10,26 @@ pub(super) const GRAVITY: f64 = 9.80665;
 /// A leg in the robot frame: mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LegLinks<const J: usize> {
-    /// The joint angles that put it there: deg.
+    /// Joint angles of this posture, deg.
     angles: [f64; J],
     joints: [Vector; J],
     axes: [Vector; J],
-    /// The centre of mass of each link.
+    /// Centres of mass of the links.
     pub(super) centres: [Vector; J],
     pub(super) foot: Vector,
 }
 
-/// All mass of the robot.
+/// The mass of the robot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
-    /// In the robot frame: mm.
+    /// Centre in the robot frame, mm.
     pub(super) centre: Vector,
-    /// N.
+    /// Weight, N.
     pub(super) weight: f64,
 }
 
 impl Mass {
-    /// Not added up yet.
+    /// An empty mass.
     pub(super) const NONE: Self = Mass {
         centre: Vector::new(0.0, 0.0, 0.0),
         weight: 0.0,
@@ -37,7 +37,7 @@ impl Mass {
 }
 
 impl<const J: usize> LegLinks<J> {
-    /// Not placed yet.
+    /// Links that are not placed yet.
     pub(super) const NOWHERE: Self = LegLinks {
         angles: [f64::NAN; J],
         joints: [Vector::new(0.0, 0.0, 0.0); J],
@@ -46,14 +46,14 @@ impl<const J: usize> LegLinks<J> {
         foot: Vector::new(0.0, 0.0, 0.0),
     };
 
-    /// Goes where the joints put it, if they have turned.
+    /// Places the links, if the joints have turned.
     pub(super) fn place(&mut self, leg: &Leg<J>, angles: [f64; J]) {
         if self.angles.map(f64::to_bits) != angles.map(f64::to_bits) {
             self.turn(leg, angles);
         }
     }
 
-    /// Follows the chain from base to foot.
+    /// Calculates the positions from base to foot.
     fn turn(&mut self, leg: &Leg<J>, angles: [f64; J]) {
         self.angles = angles;
         let mut turned = Rotation3::identity();
@@ -76,18 +76,18 @@ impl<const J: usize> LegLinks<J> {
         self.foot = at;
     }
 
-    /// Where the joints are, from base to foot.
+    /// Iterates over the positions of the joints, from base to foot.
     pub(super) fn places(&self) -> impl Iterator<Item = Vector> + Clone + '_ {
         self.joints.iter().copied()
     }
 
-    /// Both ends of each link.
+    /// Iterates over the links, by both ends.
     pub(super) fn lines(&self) -> impl Iterator<Item = [Vector; 2]> + Clone + '_ {
         let ends = self.places().skip(1).chain([self.foot]);
         self.places().zip(ends).map(|(from, to)| [from, to])
     }
 
-    /// Whether there is more than `gap` mm between the boxes around two legs.
+    /// Returns true if there is more than `gap` mm between the boxes around two legs.
     pub(super) fn is_beyond(&self, other: &Self, gap: f64) -> bool {
         let [least, most] = self.extent();
         let [other_least, other_most] = other.extent();
@@ -95,7 +95,7 @@ impl<const J: usize> LegLinks<J> {
         apart.max() > gap
     }
 
-    /// The least and the most of x, y and z of the joints and the foot, but for the base.
+    /// Returns the least and the greatest x, y and z of the joints and the foot, except the base.
     fn extent(&self) -> [Vector; 2] {
         let (mut least, mut most) = (self.foot, self.foot);
         for place in self.places().skip(1) {
@@ -105,9 +105,10 @@ impl<const J: usize> LegLinks<J> {
         [least, most]
     }
 
-    /// How stiffly each joint feels a foot whose contact gives way by `stiffness` (N/mm) along
-    /// `normal`: N·m/rad. All joints turn at once, so that a joint is lent what it shares with the
-    /// others: row sums, which are no less than the stiffness of any motion of the leg.
+    /// Returns the stiffness of each joint against a foot whose contact gives way by `stiffness`
+    /// (N/mm) along `normal`, N·m/rad. All joints turn together, so that a joint includes the terms
+    /// that it shares with the others: row sums, which are no less than the stiffness of any motion
+    /// of the leg.
     pub(super) fn stiffness(&self, normal: Vector, stiffness: f64) -> [f64; J] {
         let mut levers = [0.0; J];
         for (lever, (joint, axis)) in levers.iter_mut().zip(self.joints.iter().zip(&self.axes)) {
@@ -117,9 +118,9 @@ impl<const J: usize> LegLinks<J> {
         levers.map(|lever| stiffness * lever * sum / 1000.0)
     }
 
-    /// Torque about each joint axis that the floor's `push` at the foot (N) and the links' own
-    /// weight exert: Jᵀ F (e.g. Siciliano et al., Robotics, 2009, §3.8), N·m. `down` is the
-    /// direction of gravity. All in the robot frame.
+    /// Returns the torque about each joint axis of the floor's `push` at the foot (N) and the
+    /// links' weight: Jᵀ F (e.g. Siciliano et al., Robotics, 2009, §3.8), N·m. `down` is the
+    /// direction of gravity. All vectors are in the robot frame.
     pub(super) fn load_torques(&self, leg: &Leg<J>, push: Vector, down: Vector) -> [f64; J] {
         let weight_of = |link: &Joint| down * link.mass * GRAVITY;
         let weights = leg.joints.each_ref().map(weight_of);

@@ -1,7 +1,7 @@
-//! How far inside the convex hull of some points another point is.
+//! Distances of points from the edges of convex hulls.
 
-/// The distance of `inner` to the nearest edge of the hull, negative outside. Points on one line
-/// have a hull without inside.
+/// Returns the distance of `inner` from the nearest edge of the hull, negative outside. Points on
+/// one line have a hull without inside.
 pub(in crate::plant) fn margin(
     hull: impl Iterator<Item = [f64; 2]> + Clone,
     inner: [f64; 2],
@@ -10,11 +10,12 @@ pub(in crate::plant) fn margin(
     if inside.is_finite() && inside > 0.0 {
         inside
     } else {
-        -distance_to_stretches(hull, inner)
+        -distance_to_segments(hull, inner)
     }
 }
 
-/// How far `inner` is on the inner side of every edge of the hull; infinite without edges.
+/// Returns the least distance of `inner` on the inner side of every edge of the hull; infinite
+/// without edges.
 fn height_over_edges(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
     let mut least = f64::INFINITY;
     for from in hull.clone() {
@@ -30,8 +31,8 @@ fn height_over_edges(hull: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 
     least
 }
 
-/// The distance of `inner` to the nearest stretch between any two points.
-fn distance_to_stretches(points: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
+/// Returns the distance of `inner` from the nearest segment between any two points.
+fn distance_to_segments(points: impl Iterator<Item = [f64; 2]> + Clone, inner: [f64; 2]) -> f64 {
     let mut least = f64::INFINITY;
     for from in points.clone() {
         for to in points.clone() {
@@ -41,7 +42,7 @@ fn distance_to_stretches(points: impl Iterator<Item = [f64; 2]> + Clone, inner: 
     least
 }
 
-/// The distance of a point to the stretch between two others.
+/// Returns the distance of a point from the segment between two others.
 fn distance(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     let (way, off) = (
         [to[0] - from[0], to[1] - from[1]],
@@ -56,7 +57,7 @@ fn distance(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     libm::hypot(off[0] - share * way[0], off[1] - share * way[1])
 }
 
-/// Twice the area of a triangle; positive if `point` is on the left of the path.
+/// Returns twice the area of a triangle; positive if `point` is on the left of the path.
 fn side(from: [f64; 2], to: [f64; 2], point: [f64; 2]) -> f64 {
     (to[0] - from[0]) * (point[1] - from[1]) - (to[1] - from[1]) * (point[0] - from[0])
 }

@@ -1,20 +1,20 @@
-//! A joint's motor and its position loop.
+//! A joint's servo without inertia: its motor and its position loop.
 
 use crate::hardware::JointCommand;
 use crate::model::Joint;
 use crate::plant::STOP;
 
-/// How all joints follow their commands.
+/// The dynamics of all joints' position loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ServoDynamics {
     /// Time constant of the position loop: ms.
     pub lag: f64,
-    /// The fastest that a joint turns: deg/s.
+    /// The greatest speed of a joint, deg/s.
     pub speed: f64,
 }
 
 impl Default for ServoDynamics {
-    /// 15 ms and 360 deg/s.
+    /// Returns 15 ms and 360 deg/s.
     fn default() -> Self {
         ServoDynamics {
             lag: 15.0,
@@ -24,46 +24,46 @@ impl Default for ServoDynamics {
 }
 
 impl ServoDynamics {
-    /// What joints may do within `dt` s.
-    pub(super) fn within(&self, dt: f64) -> Stride {
-        Stride {
+    /// Returns the limits of a step of `dt` s.
+    pub(super) fn within(&self, dt: f64) -> StepLimits {
+        StepLimits {
             share: 1.0 - libm::exp(-1000.0 * dt / self.lag),
             farthest: self.speed * dt,
         }
     }
 }
 
-/// What any joint may do in a piece of time.
+/// The motion of any joint in a time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
-    /// What fraction of the distance to its command it moves.
+pub(super) struct StepLimits {
+    /// The share of the distance to its command.
     share: f64,
-    /// deg.
+    /// The greatest turn, deg.
     farthest: f64,
 }
 
-/// What the world does to a joint.
+/// The load of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JointLoad {
-    /// N·m.
+    /// Torque, N·m.
     pub(super) torque: f64,
-    /// By how much the torque opposes a turn: N·m/rad.
+    /// Decrease of the torque with a turn, N·m/rad.
     pub(super) stiffness: f64,
 }
 
-/// One joint.
+/// The servo of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Servo {
     /// deg.
     pub(super) angle: f64,
-    /// What the motor gives: N·m.
+    /// The motor's torque, N·m.
     pub(super) torque: f64,
-    /// Whether the load won when it last moved.
+    /// True if the load exceeded the motor at the last motion.
     pub(super) gave_way: bool,
 }
 
 impl Servo {
-    /// At rest at an angle.
+    /// Returns a joint at rest at an angle (deg).
     pub(super) const fn at(angle: f64) -> Self {
         Servo {
             angle,
@@ -72,7 +72,7 @@ impl Servo {
         }
     }
 
-    /// Moves under a load.
+    /// Moves the joint under a load.
     pub(super) fn advance(
         &mut self,
         joint: &Joint,
@@ -81,7 +81,7 @@ impl Servo {
             torque: load,
             stiffness,
         }: JointLoad,
-        Stride { share, farthest }: Stride,
+        StepLimits { share, farthest }: StepLimits,
     ) {
         let strongest = joint.torque;
         self.gave_way =
@@ -106,14 +106,14 @@ impl Servo {
             }
         };
         if turn.is_finite() {
-            let stops = (joint.outer.min - STOP, joint.outer.max + STOP);
+            let is_segment_in_block = (joint.outer.min - STOP, joint.outer.max + STOP);
             let angle = self.angle + within(turn, -farthest, farthest);
-            self.angle = within(angle, stops.0, stops.1);
+            self.angle = within(angle, is_segment_in_block.0, is_segment_in_block.1);
         }
     }
 }
 
-/// As [`f64::clamp`], which would panic where the limits of a model are nonsense.
+/// Limits a value like [`f64::clamp`], which would panic where the limits of a model are invalid.
 fn within(value: f64, least: f64, most: f64) -> f64 {
     if value > most {
         most
@@ -131,7 +131,7 @@ mod tests {
 
     const KNEE: Joint = titan8::MODEL.legs[0].joints[2];
 
-    /// A torque that no turn changes.
+    /// Returns a load that no turn changes.
     const fn free(torque: f64) -> JointLoad {
         JointLoad {
             torque,
@@ -139,15 +139,15 @@ mod tests {
         }
     }
 
-    /// Of an ordinary servo, in 20 ms.
-    fn stride() -> Stride {
+    /// Returns the limits of an ordinary servo in 20 ms.
+    fn step() -> StepLimits {
         ServoDynamics::default().within(0.02)
     }
 
     fn advanced(command: JointCommand, load: f64, cycles: u32) -> Servo {
         let mut servo = Servo::at(90.0);
         for _ in 0..cycles {
-            servo.advance(&KNEE, command, free(load), stride());
+            servo.advance(&KNEE, command, free(load), step());
         }
         servo
     }
@@ -166,8 +166,8 @@ mod tests {
             speed: 1e9,
         };
         let mut servo = Servo::at(90.0);
-        let stride = dynamics.within(0.02);
-        servo.advance(&KNEE, JointCommand::at(80.0), free(0.0), stride);
+        let step = dynamics.within(0.02);
+        servo.advance(&KNEE, JointCommand::at(80.0), free(0.0), step);
         assert!((servo.angle - 80.0 - 10.0 * libm::exp(-1.0)).abs() < 1e-12);
     }
 
@@ -207,7 +207,7 @@ mod tests {
                 torque,
                 stiffness: STIFFNESS,
             };
-            servo.advance(&KNEE, JointCommand::Torque(10.0), load, stride());
+            servo.advance(&KNEE, JointCommand::Torque(10.0), load, step());
             assert!(servo.angle - 90.0 >= depth, "it bounces");
             depth = servo.angle - 90.0;
         }

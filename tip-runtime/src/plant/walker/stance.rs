@@ -1,16 +1,16 @@
-//! The body goes where its stance feet take it.
+//! The stance: the body moves so that its stance feet stay in place.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
+use super::pose::FloorPose;
+use super::support::Contacts;
 use nalgebra::{Rotation3, Vector2};
 
 /// Feet and belly on the floor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stance<const L: usize> {
-    /// Where each contact is on the floor, `None` in the air.
+    /// Position of each contact on the floor, `None` in the air.
     places: Contacts<Option<Vector2<f64>>, L>,
-    /// Where each foot touched down.
+    /// Position of each foot's touchdown.
     touchdowns: [Option<Vector2<f64>>; L],
     slips: [f64; L],
     worst: f64,
@@ -19,7 +19,7 @@ pub(super) struct Stance<const L: usize> {
 }
 
 impl<const L: usize> Stance<L> {
-    /// Nothing touches yet.
+    /// Returns a stance without contacts.
     pub(super) const fn new() -> Self {
         Stance {
             places: Contacts::new([None; L], [None; 4]),
@@ -30,28 +30,28 @@ impl<const L: usize> Stance<L> {
         }
     }
 
-    /// How far a foot has slipped since it touched down: mm.
+    /// Returns the slip of a foot since its touchdown, mm.
     pub(super) fn slip(&self, leg: usize) -> f64 {
         self.slips.get(leg).copied().unwrap_or(0.0)
     }
 
-    /// The farthest that a foot has slipped so far: mm.
+    /// Returns the greatest slip of a foot so far, mm.
     pub(super) const fn worst(&self) -> f64 {
         self.worst
     }
 
-    /// Moves the body so that what touched before and still does stays where it was: the rigid
-    /// motion of least squares, weighed by the loads, which is what friction holds on to. A body
-    /// that falls gains at most `pull` mm/s² along the floor within `dt` s by that, all that friction
-    /// gives it; its feet slip. Returns what turns the robot frame into the floor's now.
+    /// Moves the body so that contacts that persist stay in place: the rigid motion of least
+    /// squares, weighted by the loads, which determine friction. A body that falls gains at most
+    /// `pull` mm/s² along the floor within `dt` s, the limit of friction; its feet slip. Returns
+    /// the new rotation from the robot frame to the floor's.
     pub(super) fn follow(
         &mut self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
-        body: &mut Body,
+        body: &mut FloorPose,
         (pull, dt): (Option<f64>, f64),
     ) -> Rotation3<f64> {
-        let levelling = Body::levelling(body.normal);
+        let levelling = FloorPose::levelling(body.normal);
         let stays = self.stays(points, loads, &levelling);
         let from = Vector2::new(body.x, body.y);
         fit(stays.iter().flatten(), body);
@@ -73,17 +73,17 @@ impl<const L: usize> Stance<L> {
         rotation
     }
 
-    /// What touched before and still does.
+    /// Returns the contacts that persist.
     fn stays(
         &self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
         levelling: &Rotation3<f64>,
-    ) -> Contacts<Option<Pair>, L> {
+    ) -> Contacts<Option<ContactPair>, L> {
         let (mut weights, mut places) = (loads.iter(), self.places.iter());
         points.map(|point| {
             let (weight, place) = (*weights.next()?, (*places.next()?)?);
-            (weight > 0.0).then(|| Pair {
+            (weight > 0.0).then(|| ContactPair {
                 own: (levelling * point).xy(),
                 place,
                 weight,
@@ -95,7 +95,7 @@ impl<const L: usize> Stance<L> {
         &mut self,
         points: &Contacts<Vector, L>,
         loads: &Contacts<f64, L>,
-        body: &Body,
+        body: &FloorPose,
         rotation: &Rotation3<f64>,
     ) {
         let here = Vector2::new(body.x, body.y);
@@ -127,27 +127,27 @@ impl<const L: usize> Stance<L> {
     }
 }
 
-/// A contact that stays on the floor.
-struct Pair {
-    /// Levelled, without heading, from the body's origin: mm.
+/// A contact that persists.
+struct ContactPair {
+    /// Position from the body's origin, levelled, without heading, mm.
     own: Vector2<f64>,
-    /// Where it was on the floor: mm.
+    /// Previous position on the floor, mm.
     place: Vector2<f64>,
-    /// N.
+    /// Load, N.
     weight: f64,
 }
 
-/// Contacts whose mean square distance from their centre is smaller say nothing about the heading:
-/// mm². A lone contact is as far from its centre as rounding puts it.
+/// Mean square distance from their centre below which contacts do not determine the heading, mm². A
+/// lone contact is as far from its centre as rounding puts it.
 const POINT: f64 = 1e-6;
 
 /// Moves the body by the planar rigid motion of weighted least squares (Kabsch, Acta Cryst. A32,
-/// 1976, in two dimensions). With nothing that stays the body keeps place and heading, with one
-/// contact its heading.
-fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
+/// 1976, in two dimensions). Without contacts the body keeps place and heading, with one contact
+/// its heading.
+fn fit<'a>(pairs: impl Iterator<Item = &'a ContactPair> + Clone, body: &mut FloorPose) {
     let mut total = 0.0;
     let (mut own_centre, mut place_centre) = (Vector2::zeros(), Vector2::zeros());
-    for Pair { own, place, weight } in pairs.clone() {
+    for ContactPair { own, place, weight } in pairs.clone() {
         total += weight;
         own_centre += own * *weight;
         place_centre += place * *weight;
@@ -158,7 +158,7 @@ fn fit<'a>(pairs: impl Iterator<Item = &'a Pair> + Clone, body: &mut Body) {
     own_centre /= total;
     place_centre /= total;
     let (mut along, mut across) = (0.0, 0.0);
-    for Pair { own, place, weight } in pairs {
+    for ContactPair { own, place, weight } in pairs {
         let (own, place) = (own - own_centre, place - place_centre);
         along += weight * own.dot(&place);
         across += weight * own.perp(&place);

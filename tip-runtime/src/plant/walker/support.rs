@@ -1,4 +1,4 @@
-//! How the body rests on its contacts.
+//! The support of the body: its rest on its contacts.
 //!
 //! Every contact is a stiff spring. The body is where its potential energy is least: with the
 //! floor as the plane `z = -(a x + b y + h)` seen from the body, that energy is convex in
@@ -6,53 +6,53 @@
 //! Numerical Optimization, 2006, ch. 3). For large tilts the frame is turned and it is done again.
 
 use super::Vector;
-use super::body::Body;
-use super::contacts::Contacts;
+use super::pose::FloorPose;
+use crate::model;
 use nalgebra::{Cholesky, Matrix3, U3, Vector3};
 
-/// Of a foot with its leg, and of the belly: N/mm.
+/// Stiffness of a foot with its leg, and of the belly, N/mm.
 pub(super) const STIFFNESS: f64 = 200.0;
-/// Turns of the frame in one go.
+/// Maximum number of rotations of the frame.
 const TURNS: u32 = 6;
-/// Steps of Newton's method in one frame.
+/// Maximum number of steps of Newton's method in one frame.
 const STEPS: u32 = 40;
-/// Halvings of one step.
+/// Maximum number of halvings of one step.
 const HALVINGS: u32 = 30;
 /// The largest step: slope, slope, height in mm.
 const LARGEST: [f64; 3] = [0.1, 0.1, 50.0];
 /// Slopes and heights in mm below which a step changes nothing.
 const SMALLEST: [f64; 3] = [1e-13, 1e-13, 1e-10];
-/// What an energy may rise by without being a rise: N·mm.
+/// Tolerance for a rise of the energy, N·mm.
 const ROUNDING: f64 = 1e-8;
 /// Keeps the curvature positive where fewer than three contacts carry: relative to one contact at
 /// about 100 mm.
 const DAMPING: f64 = 1e-6;
 
-/// What presses the body down.
+/// The weight of the robot.
 pub(super) struct Load {
     /// The centre of mass in the robot frame: mm.
     pub(super) centre: Vector,
-    /// N.
+    /// Weight, N.
     pub(super) weight: f64,
     /// Direction of gravity in the floor's frame.
     pub(super) gravity: Vector,
 }
 
-/// Where the floor is, seen from the body.
+/// The pose of the floor, seen from the body.
 pub(super) struct Support {
-    /// Its normal in the robot frame.
+    /// Normal of the floor in the robot frame.
     pub(super) normal: Vector,
-    /// The body's origin above it: mm.
+    /// Height of the body's origin above the floor, mm.
     pub(super) height: f64,
-    /// The rest was found; a body that tips is still moving.
+    /// True if the rest was found; a body that tips is still moving.
     pub(super) found: bool,
 }
 
-/// Finds the rest nearest to how `body` was.
+/// Finds the rest nearest to the pose of `body`.
 pub(super) fn rest<const L: usize>(
     points: &Contacts<Vector, L>,
     load: &Load,
-    body: &Body,
+    body: &FloorPose,
 ) -> Support {
     let mut support = Support {
         normal: body.normal,
@@ -61,7 +61,7 @@ pub(super) fn rest<const L: usize>(
     };
     let pull = pull(load, body.heading);
     for _ in 0..TURNS {
-        let levelling = Body::levelling(support.normal);
+        let levelling = FloorPose::levelling(support.normal);
         let problem = Problem {
             points: points.map(|point| levelling * point),
             centre: levelling * load.centre,
@@ -80,7 +80,7 @@ pub(super) fn rest<const L: usize>(
     support
 }
 
-/// What each contact carries: N.
+/// Returns the load of each contact, N.
 pub(super) fn loads<const L: usize>(
     points: &Contacts<Vector, L>,
     normal: Vector,
@@ -89,7 +89,7 @@ pub(super) fn loads<const L: usize>(
     points.map(|point| STIFFNESS * (-(normal.dot(&point) + height)).max(0.0))
 }
 
-/// The weight in a frame that is level on the floor, without the body's heading: N.
+/// Returns the weight in a frame that is level on the floor, without the body's heading, N.
 fn pull(load: &Load, heading: f64) -> Vector {
     let (sin, cos) = (libm::sin(heading), libm::cos(heading));
     let gravity = load.gravity;
@@ -106,10 +106,10 @@ struct Problem<const L: usize> {
     pull: Vector,
 }
 
-/// How bent the energy is while certain contacts carry.
+/// The curvature of the energy for a set of loaded contacts.
 struct Curvature<const L: usize> {
     carriers: Contacts<bool, L>,
-    /// `None` where it is not positive.
+    /// The factor; `None` where the curvature is not positive.
     factor: Option<Cholesky<f64, U3>>,
 }
 
@@ -137,13 +137,14 @@ impl<const L: usize> Problem<L> {
         plane
     }
 
-    /// How high each contact is above the plane; one below it carries.
+    /// Returns the height of each contact above the plane; one below it carries load.
     fn heights(&self, plane: &Vector3<f64>) -> Contacts<f64, L> {
         self.points
             .map(|point| plane.x * point.x + plane.y * point.y + plane.z + point.z)
     }
 
-    /// What the weight wants of `(a, b, h)`: on a slope it acts where its line meets the floor.
+    /// Returns the gradient of the weight's energy in `(a, b, h)`: on a slope the weight acts where
+    /// its line meets the floor.
     fn weight(&self, plane: &Vector3<f64>) -> Vector3<f64> {
         let above = self.centre.z + plane.z;
         let lean = above / self.pull.z;
@@ -197,7 +198,7 @@ impl<const L: usize> Problem<L> {
         step / excess
     }
 
-    /// Goes along `step` as far as the energy falls.
+    /// Descends along `step` as far as the energy falls.
     fn descend(
         &self,
         plane: Vector3<f64>,
@@ -231,4 +232,57 @@ fn energy<const L: usize>(
         let depth = (-height).max(0.0);
         energy + STIFFNESS / 2.0 * depth * depth
     })
+}
+
+/// A value for each foot and for each corner of the belly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Contacts<T, const L: usize> {
+    pub(super) feet: [T; L],
+    pub(super) belly: [T; 4],
+}
+
+impl<T, const L: usize> Contacts<T, L> {
+    pub(super) const fn new(feet: [T; L], belly: [T; 4]) -> Self {
+        Contacts { feet, belly }
+    }
+
+    /// Iterates over all contacts, feet first.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &T> + Clone {
+        self.feet.iter().chain(&self.belly)
+    }
+
+    /// Calls `f` with both values of each contact, feet first.
+    pub(super) fn for_each_with<U>(&self, other: &Contacts<U, L>, mut f: impl FnMut(&T, &U)) {
+        for (one, other) in self.feet.iter().zip(&other.feet) {
+            f(one, other);
+        }
+        for (one, other) in self.belly.iter().zip(&other.belly) {
+            f(one, other);
+        }
+    }
+}
+
+impl<T: Copy, const L: usize> Contacts<T, L> {
+    pub(super) fn map<U>(&self, mut f: impl FnMut(T) -> U) -> Contacts<U, L> {
+        Contacts {
+            feet: self.feet.map(&mut f),
+            belly: self.belly.map(&mut f),
+        }
+    }
+}
+
+impl<const L: usize> Contacts<Vector, L> {
+    /// Returns the points that can touch the floor, in the robot frame.
+    pub(super) fn of(body: &model::Body, feet: [Vector; L]) -> Self {
+        let (x, y, z) = (body.x, body.y, body.z.min);
+        Contacts {
+            feet,
+            belly: [
+                Vector::new(x.min, y.min, z),
+                Vector::new(x.max, y.min, z),
+                Vector::new(x.max, y.max, z),
+                Vector::new(x.min, y.max, z),
+            ],
+        }
+    }
 }

@@ -1,54 +1,59 @@
-//! What a robot without mass does not know of itself: counted, so that it can be said.
+//! Counts of the effects that a robot without mass leaves out.
 
 use super::Vector;
 use super::fall::{Polygon, TIPPING};
 use super::links::GRAVITY;
-use super::path::Following;
+use super::tracking::TrackingErrors;
 
-/// Over how much time accelerations are taken at least: s. Over less, feet that come to carry would look like blows.
+/// The shortest time over which accelerations are taken, s. Over a shorter one, feet that come to
+/// carry load would look like impacts.
 const SPAN: f64 = 0.02;
 
-/// A share of gravity: a robot that presses down by less flies.
+/// Share of gravity below which a robot that presses down is in flight.
 const FLYING: f64 = 0.05;
 
-/// What a quasi-static robot leaves out. Where a count is above 0 or a margin below, its mass would have mattered: see
-/// the simulation with [dynamics](crate::plant). Counts are of control cycles.
+/// The effects that a quasi-static robot leaves out. Where a count is above 0 or a margin below,
+/// its mass would have mattered: see the simulation with [dynamics](crate::plant). Counts are of
+/// control cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Unmodelled {
-    /// How far inside the support polygon the zero moment point is: mm; negative outside. It follows from the second
-    /// differences of the centre of mass over 20 ms or the sampling time, whichever is longer.
+    /// Distance of the zero moment point from the edge of the support polygon, mm; negative
+    /// outside. It follows from the second differences of the centre of mass over 20 ms or the
+    /// sampling time, whichever is longer.
     pub zmp_margin: f64,
-    /// The least that this margin has been so far: mm.
+    /// The least distance so far, mm.
     pub least_zmp_margin: f64,
-    /// In how many cycles the zero moment point was outside although the centre of mass was inside.
+    /// Number of cycles in which the zero moment point was outside although the centre of mass was
+    /// inside.
     pub tips: u32,
-    /// In how many cycles the friction of the floor would not have held the feet.
+    /// Number of cycles in which the friction of the floor would not have held the feet.
     pub slides: u32,
-    /// In how many cycles a joint was below the floor, a leg or the body in a block, or a leg in another one.
+    /// Number of cycles in which a joint was below the floor, a leg or the body in a block, or a
+    /// leg in another one.
     pub crossings: u32,
 }
 
 impl Unmodelled {
-    /// Whether nothing was left out that would have mattered.
+    /// Returns true if no unmodelled effect would have mattered.
     pub const fn is_empty(&self) -> bool {
         self.tips == 0 && self.slides == 0 && self.crossings == 0
     }
 }
 
-/// Events of a cycle that are counted.
+/// The counted events of a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Oddities {
+pub(super) struct CycleEvents {
     pub(super) crosses: bool,
     pub(super) hurries: bool,
-    /// The farthest that a foot is beside its path: mm.
+    /// The greatest distance of a foot from its path, mm.
     pub(super) stray: f64,
 }
 
-impl Oddities {
-    /// What either leg does.
+impl CycleEvents {
+    /// Merges the events of two legs.
     pub(super) fn and(self, other: Self) -> Self {
-        Oddities {
+        CycleEvents {
             crosses: self.crosses || other.crosses,
             hurries: self.hurries || other.hurries,
             stray: self.stray.max(other.stray),
@@ -56,26 +61,26 @@ impl Oddities {
     }
 }
 
-/// Counts what is left out.
+/// A counter of unmodelled effects.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Doubts {
-    /// Of the floor.
+pub(super) struct UnmodelledCounter {
+    /// The coefficient of Coulomb friction of the floor.
     pub(super) friction: f64,
     pub(super) counted: Unmodelled,
-    pub(super) following: Following,
-    /// The last two places of the centre of mass in the floor's frame (mm), the later one first.
+    pub(super) tracking_errors: TrackingErrors,
+    /// The last two positions of the centre of mass in the floor's frame (mm), the later one first.
     places: [Option<Vector>; 2],
-    /// How long ago the later one was: s.
+    /// Time since the later position, s.
     since: f64,
-    /// Its acceleration: mm/s².
+    /// Acceleration of the centre of mass, mm/s².
     acceleration: Vector,
     tips: bool,
     slides: bool,
 }
 
-impl Doubts {
+impl UnmodelledCounter {
     pub(super) const fn new(friction: f64) -> Self {
-        Doubts {
+        UnmodelledCounter {
             friction,
             counted: Unmodelled {
                 zmp_margin: 0.0,
@@ -84,7 +89,7 @@ impl Doubts {
                 slides: 0,
                 crossings: 0,
             },
-            following: Following::NONE,
+            tracking_errors: TrackingErrors::NONE,
             places: [None; 2],
             since: 0.0,
             acceleration: Vector::new(0.0, 0.0, 0.0),
@@ -93,7 +98,7 @@ impl Doubts {
         }
     }
 
-    /// The centre of mass is at `centre` (mm, in the floor's frame) after another `dt` s.
+    /// Records the centre of mass at `centre` (mm, in the floor's frame) after another `dt` s.
     pub(super) fn moved(&mut self, centre: Vector, dt: f64) {
         self.since += dt;
         // Rounding aside.
@@ -107,8 +112,9 @@ impl Doubts {
         self.since = 0.0;
     }
 
-    /// Judges one instant. All vectors are in the robot's frame but `gravity`, the direction of gravity in the
-    /// floor's, where z is along the floor's normal; `to_robot` leads from one to the other.
+    /// Judges one instant. All vectors are in the robot's frame except `gravity`, the direction of
+    /// gravity in the floor's frame, where z is along the floor's normal; `to_robot` transforms
+    /// from one to the other.
     pub(super) fn judge<const L: usize>(
         &mut self,
         polygon: &Polygon<L>,
@@ -129,18 +135,18 @@ impl Doubts {
         self.tips |= zmp < -TIPPING && margin >= 0.0;
     }
 
-    /// What has been counted so far was before the beginning.
+    /// Resets the counts.
     pub(super) fn begin(&mut self) {
-        *self = Doubts::new(self.friction);
+        *self = UnmodelledCounter::new(self.friction);
     }
 
-    /// A cycle is over.
-    pub(super) fn close(&mut self, oddities: &Oddities) {
+    /// Ends a cycle with these events.
+    pub(super) fn close(&mut self, events: &CycleEvents) {
         let counted = &mut self.counted;
         counted.tips += u32::from(self.tips);
         counted.slides += u32::from(self.slides);
-        counted.crossings += u32::from(oddities.crosses);
-        self.following.count(oddities.hurries, oddities.stray);
+        counted.crossings += u32::from(events.crosses);
+        self.tracking_errors.count(events.hurries, events.stray);
         (self.tips, self.slides) = (false, false);
     }
 }

@@ -1,4 +1,4 @@
-//! Records against lines written by hand from the trace's definition.
+//! Records compared with lines written by hand from the trace's definition.
 
 use super::*;
 use crate::command::{Op, Poll};
@@ -251,7 +251,7 @@ fn a_writer_that_refuses_is_remembered() {
     assert_eq!(trace.result(), Err(fmt::Error));
 }
 
-/// What a machine hands over, through the recorder.
+/// Records of a machine, through the recorder.
 mod through_a_machine {
     use super::*;
     use crate::console::Scripted;

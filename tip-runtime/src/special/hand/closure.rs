@@ -1,19 +1,19 @@
-//! Active force closure of the second kind (SPECIAL 5 and 6): the fingertips carry what they hold
-//! along, each joint by its steady torque and a correction, `τ = τ₀ + k (θ_d − θ)`.
+//! Active force closure of the second kind (SPECIAL 5 and 6): the fingertips move the object that
+//! they hold, each joint by its steady torque and a correction, `τ = τ₀ + k (θ_d − θ)`.
 
 use super::{FINGERS, JOINTS, not_negative};
 use crate::command::{Command, MAX, Op, Target, Teach, Value};
 use crate::fault::Fault;
 use crate::program::Robot;
 
-/// A finger when the closure began.
+/// The state of a finger at the beginning of the closure.
 #[derive(Clone, Copy, Debug, Default)]
 struct Finger {
-    /// Its steady torques: mN·m.
+    /// Steady torques, mN·m.
     torques: [f64; MAX],
-    /// Where its joints are to be, `θ_d`: deg.
+    /// Desired joint angles `θ_d`, deg.
     angles: [f64; MAX],
-    /// Where its fingertip was: mm.
+    /// Position of the fingertip, mm.
     fingertip: [f64; 2],
 }
 
@@ -23,12 +23,12 @@ struct Carrying {
     fingers: [Finger; FINGERS],
     /// mN·m/deg.
     gain: f64,
-    /// How far the fingertips are to go: mm; without one they go on.
+    /// Distance that the fingertips are to move, mm; without one they move on.
     distance: Option<f64>,
-    /// How far they should have gone: mm along x and y.
+    /// Desired displacement so far, mm along x and y.
     displacement: [f64; 2],
     arrived: bool,
-    /// Since the last SPECIAL 6: ms; `None` before the first one.
+    /// Time since the last SPECIAL 6, ms; `None` before the first one.
     elapsed: Option<f64>,
 }
 
@@ -36,7 +36,8 @@ struct Carrying {
 pub(super) struct Closure(Option<Carrying>);
 
 impl Closure {
-    /// SPECIAL 5: gain and distance; remembers the fingers as they are and clears SPECIAL_FLAG0.
+    /// SPECIAL 5: takes gain and distance, stores the state of the fingers and clears
+    /// SPECIAL_FLAG0.
     pub(super) fn begin(
         &mut self,
         arguments: [Option<f64>; 2],
@@ -65,8 +66,8 @@ impl Closure {
         Ok(())
     }
 
-    /// SPECIAL 6: the velocity along x and y; called again and again. The fingertips should have gone
-    /// on by it for the time since the last call.
+    /// SPECIAL 6: takes the velocity along x and y; called repeatedly. The desired displacement
+    /// grows by it for the time since the last call.
     pub(super) fn carry_on(
         &mut self,
         arguments: [Option<f64>; 2],
@@ -93,7 +94,7 @@ impl Closure {
         Ok(())
     }
 
-    /// A cycle of `period` ms is over.
+    /// Adds a cycle of `period` ms to the elapsed time.
     pub(super) fn elapse(&mut self, period: f64) {
         if let Some(Carrying {
             elapsed: Some(elapsed),
@@ -106,7 +107,8 @@ impl Closure {
 }
 
 impl Carrying {
-    /// Finds out whether the fingertips have arrived; if not, they should go on at `velocity` (mm/s).
+    /// Checks whether the fingertips have arrived; if not, their desired positions move at
+    /// `velocity` (mm/s).
     fn advance(&mut self, velocity: [f64; 2], robot: &dyn Robot) -> Result<(), Fault> {
         let gone = self.gone_along(velocity, robot)?;
         self.arrived |= self.distance.is_some_and(|distance| gone >= distance);
@@ -119,7 +121,7 @@ impl Carrying {
         Ok(())
     }
 
-    /// How far the fingertips have really gone along a velocity, on average: mm.
+    /// Returns the mean distance that the fingertips have moved along a velocity, mm.
     fn gone_along(&self, [vx, vy]: [f64; 2], robot: &dyn Robot) -> Result<f64, Fault> {
         let speed = libm::hypot(vx, vy);
         if speed == 0.0 {
@@ -133,7 +135,7 @@ impl Carrying {
         Ok(sum / FINGERS as f64)
     }
 
-    /// The torque of each joint: mN·m.
+    /// Returns the torque of each joint, mN·m.
     fn torques(&mut self, robot: &dyn Robot) -> Result<[[f64; JOINTS]; FINGERS], Fault> {
         let mut torques = [[0.0; JOINTS]; FINGERS];
         let [dx, dy] = self.displacement;

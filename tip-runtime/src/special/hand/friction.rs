@@ -1,5 +1,5 @@
-//! Active friction control (SPECIAL 10 to 16): fingers vibrate, so that what they hold slips in the
-//! direction wanted.
+//! Active friction control (SPECIAL 10 to 16): fingers vibrate, so that the object that they hold
+//! slips in the wanted direction.
 
 use super::{FINGERS, JOINTS, not_negative};
 use crate::command::Target;
@@ -8,12 +8,12 @@ use crate::model::Range;
 use crate::program::Robot;
 use crate::vibration::{Vibration, Waveform};
 
-/// What SPECIAL 14 to 16 may set: Hz.
+/// Valid frequencies of SPECIAL 14 to 16, Hz.
 const FREQUENCIES: Range = Range::new(0.0, 60.0);
-/// Until they do: Hz.
+/// Default frequency, Hz.
 const STANDARD_FREQUENCY: f64 = 30.0;
 
-/// What vibrates, and how.
+/// The vibration mode of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mode {
     /// 0: nothing; so do 5 and 7, which the language reserves.
@@ -42,8 +42,8 @@ impl Mode {
         })
     }
 
-    /// Waveform and share of the amplitude of each joint of finger `n`. Positive is closing; a
-    /// fingertip that points to the object moves up then, whichever side it is on.
+    /// Returns waveform and share of the amplitude of each joint of finger `n`. Positive is
+    /// closing; a fingertip that points to the object moves up then, whichever side it is on.
     fn waves(self, n: u8) -> [Option<(Waveform, f64)>; JOINTS] {
         let fingertip = |waveform, share| [None, None, Some((waveform, share))];
         match self {
@@ -84,7 +84,7 @@ impl Default for FrictionControl {
 }
 
 impl FrictionControl {
-    /// SPECIAL 10: every finger keeps still.
+    /// SPECIAL 10: stops the vibration of every finger.
     pub(super) fn stop(
         &mut self,
         arguments: [Option<f64>; 2],
@@ -100,7 +100,7 @@ impl FrictionControl {
         Ok(())
     }
 
-    /// SPECIAL 11 to 13: mode and amplitude of finger `n`, from 1. Its wave starts again.
+    /// SPECIAL 11 to 13: sets mode and amplitude of finger `n`, from 1, and restarts its wave.
     pub(super) fn switch(
         &mut self,
         n: u8,
@@ -119,7 +119,7 @@ impl FrictionControl {
         finger.shake(n, robot)
     }
 
-    /// SPECIAL 14 to 16: the frequency of finger `n`, from 1, whose wave keeps its phase.
+    /// SPECIAL 14 to 16: sets the frequency of finger `n`, from 1; its wave keeps the phase.
     pub(super) fn tune(
         &mut self,
         n: u8,

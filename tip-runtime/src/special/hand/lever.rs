@@ -13,14 +13,14 @@ const MILLIMETRES_PER_METRE: f64 = 1000.0;
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lever {
-    /// To be kept: mm.
+    /// Heights to keep, mm.
     heights: Option<[f64; FINGERS]>,
-    /// To the middle: N/m.
+    /// Stiffness towards the middle, N/m.
     stiffness: Option<f64>,
 }
 
 impl Lever {
-    /// SPECIAL 1: remembers the heights that are measured, and the stiffness, if one is given.
+    /// SPECIAL 1: stores the measured heights, and the stiffness, if one is given.
     pub(super) fn begin(
         &mut self,
         arguments: [Option<f64>; 2],

@@ -68,7 +68,7 @@ fn detect_floor_finds_the_floor_by_the_soles() {
     assert!(machine.hardware().feet()[1].touches());
 }
 
-/// The height of foot 1 that was commanded last, by the thigh angle.
+/// Returns the last commanded height of foot 1, by the thigh angle.
 fn thigh(machine: &Bench) -> f64 {
     machine.outputs().joints[0][1].value()
 }

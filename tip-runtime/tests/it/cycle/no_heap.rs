@@ -1,4 +1,4 @@
-//! A control cycle takes nothing from the heap.
+//! A control cycle allocates nothing on the heap.
 
 use crate::cycle::program::{Step, bench, hand_bench};
 use allocation_counter::measure;

@@ -1,4 +1,4 @@
-//! Lists of commands on simulated robots.
+//! Programs that are lists of commands, on simulated robots.
 
 use crate::list::{self, List};
 use tip_runtime::machine::Machine;
@@ -22,7 +22,7 @@ pub(crate) fn bench(steps: &'static [Step]) -> Bench {
 pub(crate) type HandBench =
     Machine<'static, List<&'static [f64]>, SimulatedHand<3, 3>, (), HandSpecials, 3, 3>;
 
-/// The hand, its native commands and something to grasp.
+/// Returns the hand with its native commands and an object to grasp.
 pub(crate) fn hand_bench(steps: &'static [Step]) -> HandBench {
     let plant = SimulatedHand::new(&hand::MODEL).with_scene(&Scene::CYLINDER);
     let program = List::new(steps.to_vec(), hand::MODEL.signature());

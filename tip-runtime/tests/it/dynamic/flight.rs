@@ -1,11 +1,11 @@
-//! In the air: what physics keeps, and closed forms.
+//! Flight: conservation laws and closed forms.
 
 use crate::dynamic::rig::{GRAVITY, Numbers, SMOOTH, hold, limp, rod, titan};
 use tip_runtime::model::titan8;
 use tip_runtime::plant::DynamicPlant;
 use tip_runtime::plant::dynamic::Twist;
 
-/// TITAN VIII thrown into the air, its legs limp and swinging.
+/// Returns TITAN VIII thrown into the air, its legs limp and swinging.
 fn thrown() -> DynamicPlant<4, 3> {
     let mut numbers = Numbers(3);
     titan()
@@ -18,12 +18,13 @@ fn thrown() -> DynamicPlant<4, 3> {
         .with_rates([(); 4].map(|()| numbers.some(60.0)))
 }
 
-/// What a method that falls g t (t + dt) / 2 loses of TITAN's potential energy in `time` s: J.
+/// Returns the potential energy that a method that falls g t (t + dt) / 2 loses in `time` s, J.
 fn method(time: f64, step: f64) -> f64 {
     20.0 * GRAVITY * GRAVITY * time * step / 2000.0
 }
 
-/// By how much energy (J), beyond that, and momentum about the centre of mass (N·m·s) have changed after 0.2 s in steps of `step` ms.
+/// Returns the changes of energy (J), beyond that, and of momentum about the centre of mass (N·m·s)
+/// after 0.2 s in steps of `step` ms.
 fn changes(step: f64) -> (f64, f64) {
     let mut plant = thrown();
     let (energy, momentum) = (plant.energy(), plant.momentum());

@@ -1,11 +1,11 @@
-//! Motors: torques that are commanded, their limits, and servos.
+//! Motors: commanded torques, their limits, and servos.
 
 use crate::dynamic::rig::{GRAVITY, SMOOTH, all, hold, rod, titan};
 use tip_runtime::hardware::{Hardware, JointCommand, Sensors};
 use tip_runtime::model::titan8;
 use tip_runtime::plant::{DynamicPlant, Noise, Plant};
 
-/// The inertia of the rod about its end, with the rotor: kg·m².
+/// Inertia of the rod about its end, with the rotor, kg·m².
 const INERTIA: f64 = 0.4 * 0.4 / 3.0 + 7.5e-3;
 
 fn run(plant: &mut DynamicPlant<1, 1>, command: JointCommand, cycles: u32) -> Sensors<1, 1> {
@@ -19,12 +19,12 @@ fn run(plant: &mut DynamicPlant<1, 1>, command: JointCommand, cycles: u32) -> Se
     sensors
 }
 
-/// A rod that turns in the horizontal plane.
+/// Returns a rod that turns in the horizontal plane.
 fn flat() -> DynamicPlant<1, 1> {
     DynamicPlant::new(&rod([0.0, 0.0, 1.0], [400.0, 0.0, 0.0], 0.0)).with_drives(SMOOTH)
 }
 
-/// A rod that is held out along x and would fall.
+/// Returns a rod that is held out along x and would fall.
 fn held_out() -> DynamicPlant<1, 1> {
     DynamicPlant::new(&rod([0.0, 1.0, 0.0], [400.0, 0.0, 0.0], 0.0))
 }

@@ -1,4 +1,4 @@
-//! On the ground: rest, friction, falls.
+//! The robot on the ground: rest, friction, falls.
 
 use crate::dynamic::rig::{GRAVITY, Numbers, all, falls, go, hold, loads, titan};
 use tip_runtime::fault::Fault;
@@ -10,7 +10,7 @@ use tip_runtime::plant::{Block, DynamicPlant, Floor, Motion, Plant, Scene, Simul
 
 const WEIGHT: f64 = 20.0 * GRAVITY;
 
-/// Angles with which the feet are so far below the body: mm.
+/// Returns angles with which the feet are `height` below the body, mm.
 fn standing(height: f64) -> [[f64; 3]; 4] {
     let mut legs = titan8::MODEL.legs.iter();
     [[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[side, end]| {
@@ -53,7 +53,7 @@ fn at_rest_the_loads_are_the_weight_and_nothing_creeps() {
     );
 }
 
-/// On its belly on a slope with friction 0.5.
+/// Returns a robot on its belly on a slope with friction 0.5.
 fn on_slope(slope: f64) -> DynamicPlant<4, 3> {
     let mut scene = Scene::EMPTY;
     scene.floor = Floor {
@@ -319,7 +319,7 @@ fn a_simulation_that_diverges_says_so_and_stays_as_it_was() {
     }
 }
 
-/// The motion after the feet have gone to `from` and then, without a pause, to `to`.
+/// Returns the motion after the feet have gone to `from` and then, without a pause, to `to`.
 fn dropped(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
     let mut plant = titan();
     go(&mut plant, from);
@@ -345,7 +345,7 @@ fn dropped_without_mass(from: [[f64; 3]; 4], to: [[f64; 3]; 4]) -> Motion {
     plant.motion().expect("it walks")
 }
 
-/// Standing so high (mm), and with the feet of some legs lifted by so much.
+/// Returns angles of a stand at a height (mm), with the feet of some legs lifted.
 fn lifted(height: f64, legs: &[usize], by: f64) -> [[f64; 3]; 4] {
     let (mut feet, up) = (standing(height), standing(height - by));
     for leg in legs {
@@ -432,7 +432,7 @@ fn what_could_not_be_followed_is_counted_as_without_mass() {
     let mut heavy = titan();
     let mut light = SimulatedPlant::new(&titan8::MODEL);
     go(&mut heavy, standing(250.0));
-    let follows = |motion: Option<Motion>| motion.expect("it walks").following;
+    let follows = |motion: Option<Motion>| motion.expect("it walks").tracking_errors;
     assert!(follows(heavy.motion()).is_empty(), "{heavy:?}");
     // A foot outwards and forwards, faster than its yaw can turn: 500 deg/s for ten cycles.
     let mut angles = standing(250.0);

@@ -1,4 +1,4 @@
-//! The mass matrix, against the energy of rods whose ends are followed by finite differences.
+//! The mass matrix, compared with the energy of rods whose ends are followed by finite differences.
 
 use crate::dynamic::rig::{Numbers, SMOOTH, all};
 use nalgebra::{Rotation3, Vector3};
@@ -10,7 +10,7 @@ use tip_runtime::plant::{DynamicPlant, Pose};
 
 pub(crate) type Vector = Vector3<f64>;
 
-/// How far things move for a difference: s.
+/// Time of a finite difference, s.
 pub(crate) const DIFFERENCE: f64 = 1e-5;
 
 pub(crate) fn rotation(pose: &Pose) -> Rotation3<f64> {
@@ -20,7 +20,7 @@ pub(crate) fn rotation(pose: &Pose) -> Rotation3<f64> {
         * turn(Vector::y_axis(), pose.roll)
 }
 
-/// Both ends of each link in the world, in m, when the robot has gone on as it moves for `time` s.
+/// Returns both ends of each link in the world, m, after a motion of `time` s at constant velocity.
 fn ends<const L: usize, const J: usize>(
     model: &Model<L, J>,
     plant: &DynamicPlant<L, J>,
@@ -48,7 +48,8 @@ fn ends<const L: usize, const J: usize>(
     ends
 }
 
-/// Kinetic energy: J. A rod whose ends have the velocities a and b has m (a² + a·b + b²) / 6.
+/// Returns the kinetic energy, J. A rod whose ends have the velocities a and b has m (a² + a·b +
+/// b²) / 6.
 fn kinetic<const L: usize, const J: usize>(model: &Model<L, J>, plant: &DynamicPlant<L, J>) -> f64 {
     let (before, after) = (
         ends(model, plant, -DIFFERENCE),
@@ -69,7 +70,7 @@ fn kinetic<const L: usize, const J: usize>(model: &Model<L, J>, plant: &DynamicP
     rods.sum::<f64>() + rotors(model, plant) + body(model.body.as_ref(), plant)
 }
 
-/// Kinetic energy of the rotors: J.
+/// Returns the kinetic energy of the rotors, J.
 pub(crate) fn rotors<const L: usize, const J: usize>(
     model: &Model<L, J>,
     plant: &DynamicPlant<L, J>,

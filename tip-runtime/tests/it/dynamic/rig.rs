@@ -1,4 +1,4 @@
-//! A plant that is commanded directly, without any controller.
+//! A plant that is commanded directly, without a controller.
 
 use tip_runtime::hardware::{Hardware, JointCommand, Outputs};
 use tip_runtime::model::{Joint, Leg, Model, titan8};
@@ -24,12 +24,12 @@ const DRIVES: Drives = Drives {
     friction: 2.5e-3,
 };
 
-/// TITAN VIII, its joints as in its initial posture.
+/// Returns TITAN VIII with its joints in the initial posture.
 pub(crate) fn titan() -> DynamicPlant<4, 3> {
     DynamicPlant::new(&titan8::MODEL)
 }
 
-/// The same command for every joint, for `period` ms.
+/// Returns outputs with one command for every joint, for `period` ms.
 pub(crate) fn all<const L: usize, const J: usize>(
     joints: [[JointCommand; J]; L],
     period: f64,
@@ -42,7 +42,7 @@ pub(crate) fn all<const L: usize, const J: usize>(
     }
 }
 
-/// Lets every motor go for so many cycles of `period` ms.
+/// Releases every motor for some cycles of `period` ms.
 pub(crate) fn limp<const L: usize, const J: usize>(
     plant: &mut DynamicPlant<L, J>,
     period: f64,
@@ -54,7 +54,7 @@ pub(crate) fn limp<const L: usize, const J: usize>(
     }
 }
 
-/// Holds every joint at angles (deg) for so many cycles of 20 ms.
+/// Holds every joint at angles (deg) for some cycles of 20 ms.
 pub(crate) fn hold<const L: usize, const J: usize>(
     plant: &mut DynamicPlant<L, J>,
     angles: [[f64; J]; L],
@@ -66,7 +66,7 @@ pub(crate) fn hold<const L: usize, const J: usize>(
     }
 }
 
-/// Goes to these angles (deg) evenly within a second, and rests for another.
+/// Moves to these angles (deg) evenly within a second, and rests for another.
 pub(crate) fn go<const L: usize, const J: usize>(
     plant: &mut DynamicPlant<L, J>,
     to: [[f64; J]; L],
@@ -82,18 +82,19 @@ pub(crate) fn go<const L: usize, const J: usize>(
     }
 }
 
-/// What feet and belly carry: N.
+/// Returns the load of feet and belly, N.
 pub(crate) fn loads<const L: usize, const J: usize>(plant: &DynamicPlant<L, J>) -> f64 {
     let feet: f64 = plant.feet().iter().map(|foot| foot.load).sum();
     feet + plant.belly_load()
 }
 
-/// How often it fell.
+/// Returns the number of falls.
 pub(crate) fn falls<const L: usize, const J: usize>(plant: &DynamicPlant<L, J>) -> u32 {
     plant.motion().expect("it walks").falls
 }
 
-/// A rod of 1 kg and 400 mm on one joint that turns about `axis`, bolted down; its motor gives 10 N·m.
+/// Returns a rod of 1 kg and 400 mm on one joint that turns about `axis`, bolted down; its motor
+/// gives 10 N·m.
 pub(crate) fn rod(axis: [f64; 3], link: [f64; 3], initial: f64) -> Model<1, 1> {
     let joint = Joint::revolute(axis, link).mass(1.0);
     Model {
@@ -102,7 +103,7 @@ pub(crate) fn rod(axis: [f64; 3], link: [f64; 3], initial: f64) -> Model<1, 1> {
     }
 }
 
-/// Numbers from −1 to 1 that look random, the same in every run.
+/// Pseudo-random numbers from −1 to 1, equal in every run.
 pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {

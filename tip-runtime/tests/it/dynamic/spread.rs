@@ -1,4 +1,4 @@
-//! Links and bodies whose mass is spread as the model says, against masses at points of them.
+//! Links and bodies with the model's inertia, compared with point masses.
 
 use crate::dynamic::mass::{DIFFERENCE, Vector, rotation, rotors};
 use crate::dynamic::rig::{GRAVITY, Numbers, SMOOTH, all, go, loads};
@@ -8,10 +8,10 @@ use tip_runtime::model::{Body, Joint, Leg, Model, Point, Range, Spread, titan8};
 use tip_runtime::plant::dynamic::Twist;
 use tip_runtime::plant::{DynamicPlant, SimulatedPlant};
 
-/// Where a quarter of a mass is each: mm.
+/// Positions of four quarters of a mass, mm.
 type Points = [Point; 4];
 
-/// Of a link or body that has a quarter of its mass (kg) at each point.
+/// Returns the inertia of a link or body that has a quarter of its mass (kg) at each point.
 const fn spread(points: Points, mass: f64) -> Spread {
     let mut centre = [0.0; 3];
     let mut at = 0;
@@ -86,7 +86,8 @@ const fn leg(x: f64, y: f64) -> Leg<3> {
     Leg::at([x, y, 10.0], joints)
 }
 
-/// Each mass (kg) and where it is in the world (m), when the robot has gone on as it moves for `time` s.
+/// Returns each mass (kg) and its position in the world (m), after a motion of `time` s at constant
+/// velocity.
 fn masses(plant: &DynamicPlant<3, 3>, time: f64) -> Vec<(f64, Vector)> {
     let (pose, twist) = (plant.body(), plant.twist());
     let turn = Vector::from(twist.rate.map(f64::to_radians)) * time;
@@ -106,7 +107,7 @@ fn masses(plant: &DynamicPlant<3, 3>, time: f64) -> Vec<(f64, Vector)> {
     masses
 }
 
-/// Thrown high up, turning, its joints let go.
+/// Returns the robot thrown high up, turning, its joints released.
 fn thrown(numbers: &mut Numbers) -> DynamicPlant<3, 3> {
     let plant = DynamicPlant::new(&ODD).with_drives(SMOOTH).lifted(5000.0);
     plant
@@ -149,8 +150,8 @@ fn a_robot_has_the_energy_and_the_centre_of_its_masses() {
     }
 }
 
-/// By how much its energy (J), beyond what a method that falls g t (t + dt) / 2 loses, and its momentum (N·m·s) have changed after
-/// 0.2 s in steps of `step` ms.
+/// Returns the changes of energy (J), beyond what a method that falls g t (t + dt) / 2 loses, and
+/// of momentum (N·m·s) after 0.2 s in steps of `step` ms.
 fn changes(step: f64) -> [f64; 2] {
     let mut plant = thrown(&mut Numbers(5));
     let (energy, momentum) = (plant.energy(), plant.momentum());
@@ -179,7 +180,7 @@ fn in_the_air_it_keeps_energy_and_momentum_the_better_the_shorter_the_step() {
     }
 }
 
-/// TITAN VIII with its mass spread evenly, but said so.
+/// Returns TITAN VIII with its uniform mass given explicitly.
 fn even() -> Model<4, 3> {
     let mut model = titan8::MODEL;
     if let Some(body) = &mut model.body {

@@ -16,7 +16,7 @@ fn foot<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> [f64; 3] {
     Chain::new(leg, angles).foot()
 }
 
-/// How many of `count` random places that the foot can reach are found. Every one that is found is
+/// Returns the number of `count` random reachable places that are found. Every one that is found is
 /// reached, within the limits.
 fn found<const J: usize>(leg: &Leg<J>, dice: &mut Dice, count: usize) -> usize {
     let places = (0..count).filter(|_| {
@@ -43,7 +43,7 @@ fn every_shape_reaches_what_it_can_reach() {
     every_shape!(reaches);
 }
 
-/// A chain of random axes, links and limits.
+/// Returns a chain of random axes, links and limits.
 fn random<const J: usize>(dice: &mut Dice) -> Leg<J> {
     const UNIT: Range = Range::new(-1.0, 1.0);
     let mut vector = |size: f64| [size; 3].map(|size| size * dice.within(UNIT));
@@ -161,7 +161,7 @@ fn jacobians_are_what_small_turns_do() {
     every_shape!(compare);
 }
 
-/// `a − J# J a`: the share of a turn that moves nothing.
+/// Returns `a − J# J a`: the share of a turn that moves nothing.
 fn idle<const J: usize>(jacobian: &SMatrix<f64, 3, J>, turn: SVector<f64, J>) -> SVector<f64, J> {
     let gram: Matrix3<f64> = jacobian * jacobian.transpose();
     let inverse = gram.try_inverse().expect("not singular");

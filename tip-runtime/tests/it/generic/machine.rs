@@ -23,7 +23,7 @@ fn foot<const J: usize>(leg: &Leg<J>, angles: &[f64; J]) -> [f64; 3] {
     Chain::new(leg, angles).foot()
 }
 
-/// How far a foot is from where a posture of its leg, from 0, puts it.
+/// Returns the distance of a foot from its place in a posture of its leg, from 0.
 fn gap<const L: usize, const J: usize>(
     model: &Model<L, J>,
     bench: &Bench<'_, L, J>,
@@ -34,7 +34,7 @@ fn gap<const L: usize, const J: usize>(
     distance(foot(leg, &bench.hardware().angles()[n]), foot(leg, posture))
 }
 
-/// The initial posture of a leg, each joint a tenth of the way towards its upper limit.
+/// Returns the initial posture of a leg, each joint a tenth of the way towards its upper limit.
 fn near<const J: usize>(leg: &Leg<J>) -> [f64; J] {
     let mut angles = leg.initial;
     for (angle, joint) in angles.iter_mut().zip(&leg.joints) {
@@ -43,7 +43,7 @@ fn near<const J: usize>(leg: &Leg<J>) -> [f64; J] {
     angles
 }
 
-/// A step for each leg.
+/// Returns a step for each leg.
 fn for_legs<const L: usize, const J: usize>(
     model: &Model<L, J>,
     op: Op,
@@ -178,7 +178,7 @@ fn a_joint_behind_the_third_one_knows_nothing_of_its_position() {
     assert_eq!(run(&TRIPOD, steps).1, Some(Fault::InvalidMode));
 }
 
-/// A speed, kept for half a second.
+/// Returns a speed, kept for half a second.
 fn at_speed<const L: usize, const J: usize>(
     model: &Model<L, J>,
     velocity: [f64; 3],
@@ -221,7 +221,7 @@ fn a_foot_keeps_its_velocity_where_its_joints_allow_it() {
     assert_eq!(at_speed(&PENDULUM, [0.0, 20.0, 0.0]), out_of_reach);
 }
 
-/// The robot without weight, so that nothing but its springs moves it.
+/// Returns the robot without weight, so that nothing but its springs moves it.
 fn weightless<const L: usize, const J: usize>(model: &Model<L, J>) -> Model<L, J> {
     let mut model = Model {
         body: None,
@@ -287,7 +287,7 @@ fn no_force_and_no_torque_leads_a_joint_beyond_its_limits() {
     every_shape!(stays);
 }
 
-/// Steps that keep every part of a controller busy.
+/// Returns steps that keep every part of a controller busy.
 fn busy<const L: usize, const J: usize>(model: &Model<L, J>) -> Vec<Step> {
     let mut steps = for_legs(model, Op::Ptp, |leg| foot(leg, &near(leg)).to_vec());
     steps.push(wait());

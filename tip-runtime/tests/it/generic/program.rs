@@ -1,4 +1,4 @@
-//! Lists of commands on the simulated robot.
+//! Programs that are lists of commands, on the simulated robot.
 
 use crate::list::{self, List};
 use tip_runtime::fault::Fault;

@@ -4,13 +4,13 @@ use crate::generic::shapes::{ARM, Dice, HEXAPOD, X, Y, Z};
 use tip_runtime::kinematics::{Chain, inverse, inverse_from, within_limits};
 use tip_runtime::model::{Inverse, Joint, Leg, Model, Range, hand, titan8};
 
-/// Postures of each robot with a closed form.
+/// Number of postures of each robot with a closed form.
 const POSTURES: usize = 10_000;
 
-/// Of each other one, for which a search takes a hundred times as long.
+/// Number of postures of each other robot, for which a search takes a hundred times as long.
 const SEARCHED: usize = 1500;
 
-/// How far a joint is from where it is to go, at most: deg.
+/// Greatest distance of a joint from its target, deg.
 const NEARBY: f64 = 3.0;
 
 /// Rolls about y, which is forward here, then pitches: the figures of the Unitree A1.
@@ -102,7 +102,7 @@ fn largest_turn<const J: usize>(a: &[f64; J], b: &[f64; J]) -> f64 {
     turns.fold(0.0, f64::max)
 }
 
-/// A posture within the limits, and within [`NEARBY`] of another one.
+/// Returns a posture within the limits, and within [`NEARBY`] of another one.
 fn near<const J: usize>(dice: &mut Dice, leg: &Leg<J>, angles: &[f64; J]) -> [f64; J] {
     let mut near = *angles;
     for (angle, joint) in near.iter_mut().zip(&leg.joints) {
@@ -113,8 +113,8 @@ fn near<const J: usize>(dice: &mut Dice, leg: &Leg<J>, angles: &[f64; J]) -> [f6
     near
 }
 
-/// How many of so many feet are refused. What is found is within the limits, puts the foot where it was, and is no farther
-/// than the posture that was taken.
+/// Returns the number of feet that are refused. A solution that is found is within the limits, puts
+/// the foot where it was, and is no farther than the posture that was taken.
 fn refused<const L: usize, const J: usize>(model: &Model<L, J>, postures: usize) -> usize {
     assert_eq!(model.check(), Ok(()), "{}", model.name);
     let mut dice = Dice::new(16);

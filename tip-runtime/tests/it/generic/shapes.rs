@@ -1,4 +1,4 @@
-//! Robots of every kind of shape.
+//! Robots of many shapes.
 
 use tip_runtime::model::{Body, Joint, Leg, Model, Range, generic};
 
@@ -6,7 +6,7 @@ pub(crate) const X: [f64; 3] = [1.0, 0.0, 0.0];
 pub(crate) const Y: [f64; 3] = [0.0, 1.0, 0.0];
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// A robot with torques that is bolted down.
+/// Returns a robot with torques that is bolted down.
 const fn bolted<const L: usize, const J: usize>(
     name: &'static str,
     legs: [Leg<J>; L],
@@ -17,7 +17,7 @@ const fn bolted<const L: usize, const J: usize>(
     }
 }
 
-/// A robot with torques that walks on the belly `z` mm below its middle.
+/// Returns a robot with torques that walks on the belly `z` mm below its middle.
 const fn walking<const L: usize, const J: usize>(
     name: &'static str,
     z: f64,
@@ -90,7 +90,7 @@ pub(crate) const TRIPOD: Model<3, 4> = walking(
     ],
 );
 
-/// A leg towards (x, y) of hip, thigh, shank and toe.
+/// Returns a leg towards (x, y) of hip, thigh, shank and toe.
 const fn redundant(x: f64, y: f64) -> Leg<4> {
     let across = [y, -x, 0.0];
     let joints = [
@@ -135,7 +135,7 @@ pub(crate) const SPIDER: Model<8, 3> = walking(
     ],
 );
 
-/// A leg on the left (−1) or right (+1).
+/// Returns a leg on the left (−1) or right (+1).
 const fn leg(side: f64, y: f64) -> Leg<3> {
     let joints = [
         Joint::revolute([0.0, 0.0, side], [side * 50.0, 0.0, 0.0]).limits(-60.0, 60.0),
@@ -191,7 +191,7 @@ fn every_shape_is_a_robot() {
     every_shape!(check);
 }
 
-/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
 pub(crate) struct Dice(u64);
 
 impl Dice {
@@ -206,7 +206,7 @@ impl Dice {
         range.min + (range.max - range.min) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A posture within a leg's limits.
+    /// Returns a posture within a leg's limits.
     pub(crate) fn posture<const J: usize>(&mut self, leg: &Leg<J>) -> [f64; J] {
         leg.joints.map(|joint| self.within(joint.limits))
     }

@@ -1,4 +1,4 @@
-//! Forces at the foot and the torques that they are felt by.
+//! Forces at the foot and the joint torques that balance them.
 
 use crate::generic::shapes::{Z, every_shape};
 use tip_runtime::kinematics::{Chain, LegPoint};

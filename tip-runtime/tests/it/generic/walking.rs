@@ -10,14 +10,14 @@ use tip_runtime::plant::SimulatedPlant;
 const ALL: Target = Target::All;
 const NONE: Target = Target::None;
 
-/// N, of body and links.
+/// Returns the weight of body and links, N.
 fn weight<const L: usize, const J: usize>(model: &Model<L, J>) -> f64 {
     let links = model.legs.iter().flat_map(|leg| &leg.joints);
     let body = model.body.expect("it walks").mass;
     links.fold(body, |mass, joint| mass + joint.mass) * 9.80665
 }
 
-/// A place for each foot, reached by all of them.
+/// Returns a place for each foot, reached by all of them.
 fn feet<const L: usize, const J: usize>(
     model: &Model<L, J>,
     place: impl Fn(usize, [f64; 3]) -> [f64; 3],
@@ -112,7 +112,7 @@ fn a_robot_on_two_feet_falls_as_soon_as_its_centre_of_mass_leaves_their_line() {
     assert!(plant.belly_load() > 0.0);
 }
 
-/// Steps of a tripod gait, each 40 mm long.
+/// Returns the steps of a tripod gait, each 40 mm long.
 fn gait(model: &Model<6, 3>, count: usize) -> Vec<Step> {
     const STRIDE: f64 = 40.0;
     let stand = |_, [x, y, _]: [f64; 3]| [x, y, -130.0];

@@ -1,20 +1,21 @@
-//! Points that are sent on while the joints of their finger still turn, each for itself.
+//! Points that are sent on while the joints of their finger still turn, each independently.
 
 use crate::hand::paths::search::{Place, fingertip_goes, third_joint_goes};
 use crate::hand::paths::{Dice, End, go_on, of_finger, resting};
 use crate::hand::rig::{F1, Hand, J13, all_close};
 use tip_runtime::command::{Op, Target};
 
-/// Whether a point can go straight from a posture to a place.
+/// A function that returns true if a point can go straight from a posture to a place.
 type Goes = fn([f64; 3], Place) -> bool;
 
 /// Lines from each posture and moment.
 const LINES: usize = 4;
 
-/// Where most fingers come from.
+/// The start posture of most fingers.
 const INITIAL: [f64; 3] = [-40.0, 0.0, 80.0];
 
-/// The finger on its way to a posture, as soon as its joints are within 5 (NEAR) or 1 deg (JUST) of it.
+/// Returns the finger on its way to a posture, as soon as its joints are within 5 (NEAR) or 1 deg
+/// (JUST) of it.
 fn arriving(posture: [f64; 3], wait: Op) -> Hand {
     let mut rig = resting(1, INITIAL);
     rig.done(Op::PtpAngle, F1, &posture);
@@ -22,7 +23,7 @@ fn arriving(posture: [f64; 3], wait: Op) -> Hand {
     rig
 }
 
-/// Where the joints come to rest that brake at once.
+/// Returns the angles at which the joints come to rest after immediate braking.
 fn rest(mut rig: Hand) -> [f64; 3] {
     rig.done(Op::RelPtpAngle, F1, &[0.0; 3]);
     rig.idle(500);

@@ -1,4 +1,4 @@
-//! Straight lines from any posture: whatever a search finds possible, the controller must do.
+//! Straight lines from any posture: the controller must do every line that a search finds possible.
 //!
 //! `PATHS=10000 cargo test --release -p tip-runtime --test it hand::paths -- --nocapture` tries that many
 //! lines of each finger and of each third joint, and prints the counts.
@@ -10,13 +10,13 @@ use search::{Place, fingertip_goes, third_joint_goes};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::model::hand;
 
-/// Lines of each point that must be possible, where PATHS says nothing else.
+/// Number of lines of each point that must be possible, unless PATHS sets another.
 const FEW: usize = 20;
 
 /// Postures to start from besides the initial and the straight one.
 const POSTURES: usize = 100;
 
-/// What became of a line.
+/// The outcome of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum End {
     Refused,
@@ -41,7 +41,7 @@ impl Count {
     }
 }
 
-/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
 pub(crate) struct Dice(pub(crate) u64);
 
 impl Dice {
@@ -53,7 +53,7 @@ impl Dice {
     }
 }
 
-/// The hand with finger `n` at rest in a posture.
+/// Returns the hand with finger `n` at rest in a posture.
 pub(crate) fn resting(n: u8, start: [f64; 3]) -> Hand {
     let mut rig = Hand::new();
     rig.sensors.angles[usize::from(n) - 1] = start;
@@ -65,18 +65,18 @@ pub(crate) fn resting(n: u8, start: [f64; 3]) -> Hand {
     rig
 }
 
-/// A place in the robot frame, from one in the frame of finger `n`.
+/// Transforms a place from the frame of finger `n` into the robot frame.
 pub(crate) fn of_finger(n: u8, [x, y]: Place) -> [f64; 3] {
     let base = hand::MODEL.legs[usize::from(n) - 1].base[0];
     [base + x * -base.signum(), y, 0.0]
 }
 
-/// What PTP of a finger's point makes of a line, from a posture at rest.
+/// Returns the outcome of a PTP of a finger's point, from a posture at rest.
 fn go(n: u8, target: Target, start: [f64; 3], place: Place) -> End {
     go_on(&mut resting(n, start), n, target, place)
 }
 
-/// What PTP of a finger's point makes of a line, from where it is.
+/// Returns the outcome of a PTP of a finger's point, from its current state.
 pub(crate) fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End {
     if rig.run(Op::Ptp, target, &of_finger(n, place)).is_err() {
         return End::Refused;
@@ -92,13 +92,14 @@ pub(crate) fn go_on(rig: &mut Hand, n: u8, target: Target, place: Place) -> End 
     End::Stopped
 }
 
-/// How many lines must be possible.
+/// Returns the number of lines that must be possible.
 fn lines() -> usize {
     let lines = std::env::var("PATHS").ok();
     lines.and_then(|lines| lines.parse().ok()).unwrap_or(FEW)
 }
 
-/// Tries lines of one point; the counts of those that are possible, and of those that are not.
+/// Tries lines of one point; returns the counts of those that are possible, and of those that are
+/// not.
 fn tried(n: u8, third: bool) -> [Count; 2] {
     let (target, reach, goes): (_, _, fn([f64; 3], Place) -> bool) = if third {
         (Target::Joint(n, 3), 120.0, third_joint_goes)

@@ -11,7 +11,7 @@ const ALL: Target = Target::All;
 const FLOOR: Target = Target::Floor;
 const PLANE: [bool; 3] = [true, true, false];
 
-/// The fingertip of F1 from its angles: links hang down, angles add up.
+/// Returns the fingertip of F1 for its angles: links hang down, angles add up.
 fn tip_of(angles: [f64; 3]) -> [f64; 3] {
     let (mut x, mut y, mut turned) = (-60.0, 0.0, 0.0_f64);
     for (length, angle) in [70.0, 50.0, 40.0].iter().zip(angles) {
@@ -226,7 +226,7 @@ fn a_robot_is_not_still_while_a_joint_behind_the_controlled_one_turns() {
     assert_eq!(rig.cycles(Op::InitialPosture, Target::None, &[]), Some(8));
 }
 
-/// PTP at high speed.
+/// Runs a PTP at high speed.
 fn done_hs(rig: &mut Hand, target: Target, place: [f64; 3]) {
     rig.controller.sense(&rig.sensors).expect("good sensors");
     let command = Command {
@@ -259,7 +259,7 @@ fn a_finger_gets_to_a_place_from_the_posture_that_it_has() {
     assert!(turned > 5.0, "{turned}");
 }
 
-/// The slider moving, at its full speed of 0.2 mm in a cycle.
+/// Returns the slider in motion, at its full speed of 0.2 mm in a cycle.
 fn slider_at_high_speed() -> Hand {
     let mut rig = Hand::new();
     done_hs(&mut rig, FLOOR, [0.0, -60.0, 0.0]);

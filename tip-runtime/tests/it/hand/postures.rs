@@ -7,11 +7,11 @@ use tip_runtime::model::hand;
 const ALL: Target = Target::All;
 const NONE: Target = Target::None;
 
-/// A second, in cycles of 2 ms.
+/// One second, in cycles of 2 ms.
 const SECOND: usize = 500;
 
-/// INITIAL_POSTURE from a posture of F1; how far each joint is from its initial angle one second
-/// after INPOS.
+/// Runs INITIAL_POSTURE from a posture of F1; returns the distance of each joint from its initial
+/// angle one second after INPOS.
 fn left_from(start: [f64; 3]) -> f64 {
     let mut rig = Hand::new();
     rig.sensors.angles[0] = start;

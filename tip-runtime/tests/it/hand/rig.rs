@@ -13,20 +13,20 @@ pub(crate) const J11: Target = Target::Joint(1, 1);
 pub(crate) const J12: Target = Target::Joint(1, 2);
 pub(crate) const J13: Target = Target::Joint(1, 3);
 
-/// Of each joint: kg·m².
+/// Inertia of each joint, kg·m².
 const INERTIA: f64 = 1e-4;
-/// Of each joint: N·m·s/rad.
+/// Friction of each joint, N·m·s/rad.
 const FRICTION: f64 = 0.01;
-/// Of what fingertips meet: N/mm.
+/// Stiffness of obstacles, N/mm.
 const HARDNESS: f64 = 5.0;
 const PIECES: usize = 5;
 
-/// What is in a fingertip's way.
+/// An obstacle of a fingertip.
 #[derive(Clone, Copy)]
 pub(crate) struct Wall {
-    /// Points from the wall to where the fingertip may be.
+    /// Direction from the wall to the free side.
     pub(crate) normal: [f64; 2],
-    /// mm along the normal.
+    /// Position along the normal, mm.
     pub(crate) at: f64,
 }
 
@@ -35,11 +35,11 @@ pub(crate) struct Hand {
     pub(crate) sensors: Sensors<3, 3>,
     /// deg/s.
     rates: [[f64; 3]; 3],
-    /// What pulls at each fingertip from outside: N.
+    /// External force on each fingertip, N.
     pub(crate) pull: [[f64; 3]; 3],
-    /// Rough: a fingertip sticks where it touches.
+    /// Rough obstacles: a fingertip sticks where it touches.
     pub(crate) walls: [Option<Wall>; 3],
-    /// Where each fingertip touched its wall, along it: mm.
+    /// Position along its wall where each fingertip touched it, mm.
     touched: [Option<f64>; 3],
 }
 
@@ -82,7 +82,7 @@ impl Hand {
         self.command(op, target, &values)
     }
 
-    /// As `run`, with `R` before every operand.
+    /// Like `run`, with `R` before every operand.
     pub(crate) fn relative(&mut self, op: Op, target: Target, values: &[f64]) {
         let values: Vec<Value> = values.iter().copied().map(Value::Relative).collect();
         assert_eq!(self.command(op, target, &values), Ok(Poll::Done));
@@ -96,7 +96,7 @@ impl Hand {
         self.run(op, target, values).expect_err("it must fail")
     }
 
-    /// Cycles until a command is done.
+    /// Returns the number of cycles until a command is done.
     pub(crate) fn cycles(&mut self, op: Op, target: Target, values: &[f64]) -> Option<usize> {
         (1..20_000).find(|_| self.run(op, target, values).expect("no fault") == Poll::Done)
     }
@@ -126,7 +126,7 @@ impl Hand {
         self.chain(n).foot()
     }
 
-    /// The torques commanded of finger `n`; `None` for a joint held by angle.
+    /// Returns the commanded torques of finger `n`; `None` for a joint held by angle.
     pub(crate) fn told(&self, n: usize) -> [Option<f64>; 3] {
         self.controller.outputs()[n - 1].map(|command| match command {
             JointCommand::Angle { .. } => None,
@@ -184,12 +184,13 @@ impl Hand {
     }
 }
 
-/// `Jᵀ F` in N·mm, from the places of the joints: the moment of the force about each.
+/// Returns `Jᵀ F` in N·mm, from the places of the joints: the moment of the force about each.
 pub(crate) fn transposed(chain: &Chain<3>, [fx, fy, _]: [f64; 3]) -> [f64; 3] {
     moments(chain, chain.foot(), [fx, fy])
 }
 
-/// The moment of a force at `point` about each joint, positive where the joint's angle grows: N·mm.
+/// Returns the moment of a force at `point` about each joint, positive where the joint's angle
+/// grows, N·mm.
 pub(crate) fn moments(chain: &Chain<3>, [px, py, _]: [f64; 3], [fx, fy]: [f64; 2]) -> [f64; 3] {
     let mut joints = chain.joints();
     let side = if chain.joint(0).expect("a joint")[0] < 0.0 {

@@ -135,7 +135,8 @@ fn the_fingers_of_one_side_share_its_force() {
     }
 }
 
-/// Cycles until F1, whose joint 1 presses and turns at `rate` (deg/s), is found to have stopped.
+/// Returns the number of cycles until F1, whose joint 1 presses and turns at `rate` (deg/s), is
+/// found to have stopped.
 fn cycles_at(rate: f64) -> Option<usize> {
     let mut rig = Hand::new();
     // Times and angles without rounding.

@@ -32,7 +32,7 @@ fn bar_graphs_go_on_and_off() {
     assert_eq!(bench.robot.graphs.len(), 2);
 }
 
-/// Knows 30, which sets a flag, and counts cycles.
+/// A handler of SPECIAL 30, which sets a flag, that counts cycles.
 #[derive(Default)]
 struct Own {
     cycles: f64,
@@ -59,7 +59,7 @@ impl Special for Own {
 // clauses: 7.43 7.48
 #[test]
 fn a_users_commands_stand_beside_those_of_the_hand() {
-    let mut bench = Bench::beside(Own::default());
+    let mut bench = Bench::with_user(Own::default());
     bench.idle(4);
     bench.done(14, &[30.0]);
     bench.done(30, &[5.0]);

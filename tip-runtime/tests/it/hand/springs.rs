@@ -72,7 +72,7 @@ fn a_limit_for_each_joint_of_all_fingers() {
     }
 }
 
-/// What F1 is commanded by the cycle in which a spring is set, with HS and without.
+/// Returns the commands of F1 in the cycle in which a spring is set, with HS and without.
 fn first_pulls(op: Op, target: Target, goal: &[f64]) -> [[Option<f64>; 3]; 2] {
     [true, false].map(|hs| {
         let mut rig = Hand::new();
@@ -176,7 +176,8 @@ fn a_fingertip_spring_gives_way_at_its_limit_until_that_is_reset() {
     assert_eq!(fault, Fault::Domain);
 }
 
-/// What F1's first two joints are commanded as soon as a spring draws a point 20 mm along x, 30 along y.
+/// Returns the commands of F1's first two joints as soon as a spring draws a point 20 mm along x,
+/// 30 along y.
 fn pulled(rig: &Hand, target: Target, [x, y, _]: [f64; 3]) -> [f64; 2] {
     let mut controller = rig.controller.clone();
     controller.sense(&rig.sensors).expect("good sensors");

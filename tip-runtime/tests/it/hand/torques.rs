@@ -1,4 +1,4 @@
-//! TORQUE, its limits, and what ends it.
+//! TORQUE, its limits, and the commands that end it.
 
 use crate::hand::rig::{F1, Hand, J11, J12, J13, close};
 use tip_runtime::command::{Op, Target, Teach};
@@ -119,7 +119,7 @@ fn a_joint_that_is_driven_to_its_limit_stops() {
     assert!(rig.sensors.angles[0][2] < 109.0);
 }
 
-/// A finger whose third joint, with a limit of 110 deg, overshot to 112 deg under torque.
+/// Returns a finger whose third joint, with a limit of 110 deg, overshot to 112 deg under torque.
 fn overshot() -> Hand {
     let mut rig = Hand::new();
     rig.done(Op::EmgOff, Target::None, &[]);

@@ -1,4 +1,4 @@
-//! Vibration of joints about what they are commanded.
+//! Vibration of joints about their commands.
 
 use crate::hand::rig::{F1, Hand, J11, J12, J13, close};
 use core::f64::consts::TAU;
@@ -9,7 +9,7 @@ use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::titan8;
 use tip_runtime::vibration::{Vibration, Waveform};
 
-/// Waves of 25 Hz take 20 cycles of 2 ms.
+/// Number of cycles of 2 ms in a wave of 25 Hz.
 const WAVE: usize = 20;
 
 fn vibration(waveform: Waveform, amplitude: f64) -> Vibration {
@@ -26,7 +26,7 @@ impl Hand {
         told.expect("the joint vibrates");
     }
 
-    /// What joint `m` of finger 1 is commanded in each of the next cycles.
+    /// Returns the commands of joint `m` of finger 1 in the next cycles.
     fn told_next(&mut self, m: usize, cycles: usize) -> Vec<f64> {
         let mut told = || {
             self.idle(1);

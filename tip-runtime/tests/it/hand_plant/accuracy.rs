@@ -1,6 +1,6 @@
-//! How exact the simulated hand is in its own time steps: against closed forms, equations that are
-//! derived and integrated here, and itself in steps of 0.01 ms. `cargo test -p tip-runtime --test
-//! hand_plant accuracy -- --nocapture` prints the table of docs/robots.md.
+//! The accuracy of the simulated hand in its own time steps: compared with closed forms, equations
+//! that are derived and integrated here, and itself in steps of 0.01 ms. `cargo test -p tip-runtime
+//! --test it hand_plant::accuracy -- --nocapture` prints the table of docs/robots.md.
 
 use crate::hand_plant::rig::{F1, Plant, Rig, cycles, held, object, outputs, over, plant, write};
 use std::io::{self, Write};
@@ -17,7 +17,7 @@ const MASSES: [f64; 3] = [0.060, 0.040, 0.025];
 const ROTOR: f64 = 1e-4;
 const FRICTION: f64 = 0.01;
 
-/// 100 mm wide, 60 mm high, 0.2 kg, on the floor under the palm.
+/// A box 100 mm wide, 60 mm high, 0.2 kg, on the floor under the palm.
 const BOX: Object = Object {
     shape: Shape::Box {
         width: 100.0,
@@ -34,7 +34,7 @@ fn scene(object: Object) -> Scene {
     Scene::EMPTY.with_object(object).expect("a good object")
 }
 
-/// `seconds` of the same commands, in cycles of `period` ms.
+/// Runs the same commands for `seconds`, in cycles of `period` ms.
 fn go(plant: &mut Plant, joints: [[JointCommand; 3]; 3], seconds: f64, period: f64) {
     let commands = Outputs {
         period,
@@ -47,8 +47,8 @@ fn go(plant: &mut Plant, joints: [[JointCommand; 3]; 3], seconds: f64, period: f
     );
 }
 
-/// How far apart two runs of `seconds` are at most, one in cycles of 2 ms, the other in steps of
-/// 0.01 ms, of what is `seen` every 2 ms; and how far it went.
+/// Returns the greatest distance of two runs of `seconds`, one in cycles of 2 ms, the other in
+/// steps of 0.01 ms, in the values that are `seen` every 2 ms; and the greatest motion.
 fn refined<const N: usize>(
     ready: &Plant,
     joints: [[JointCommand; 3]; 3],
@@ -70,8 +70,9 @@ fn refined<const N: usize>(
     (error, path)
 }
 
-/// Accelerations of three rods in a chain, from Lagrange's equations in the rods' own angles: with
-/// a = (angle of each rod), `T = Σ Aᵢⱼ cos(aᵢ − aⱼ) ȧᵢ ȧⱼ / 2`, and motors between neighbours.
+/// Returns the accelerations of three rods in a chain, from Lagrange's equations in the rods' own
+/// angles: with a = (angle of each rod), `T = Σ Aᵢⱼ cos(aᵢ − aⱼ) ȧᵢ ȧⱼ / 2`, and motors between
+/// neighbours.
 fn chain(angles: [f64; 3], rates: [f64; 3], torques: [f64; 3]) -> [f64; 3] {
     let mut matrix = nalgebra::Matrix3::<f64>::zeros();
     let mut forces = nalgebra::Vector3::<f64>::zeros();
@@ -105,8 +106,8 @@ fn chain(angles: [f64; 3], rates: [f64; 3], torques: [f64; 3]) -> [f64; 3] {
     [solved[0], solved[1], solved[2]]
 }
 
-/// Where the joints of a free finger are (deg) after `time` s of constant torques (N·m), by
-/// Runge and Kutta's method of fourth order in steps of 0.01 ms.
+/// Returns the joints of a free finger (deg) after `time` s of constant torques (N·m), by Runge and
+/// Kutta's method of fourth order in steps of 0.01 ms.
 fn swung(start: [f64; 3], torques: [f64; 3], time: f64) -> [f64; 3] {
     type State = [[f64; 3]; 2];
     let sums = |[a, b, c]: [f64; 3]| [a, a + b, a + b + c];
@@ -129,7 +130,8 @@ fn swung(start: [f64; 3], torques: [f64; 3], time: f64) -> [f64; 3] {
     [a, b - a, c - b].map(f64::to_degrees)
 }
 
-/// A finger that three torques swing: the greatest error of an angle in 40 ms, and its path: deg.
+/// Returns the greatest error of an angle of a finger that three torques swing for 40 ms, and its
+/// path, deg.
 fn free_finger() -> (f64, f64) {
     let torques = [40.0, -30.0, -12.0];
     let start = hand::MODEL.legs[0].initial;
@@ -155,10 +157,10 @@ fn free_finger() -> (f64, f64) {
 /// The fingers, and the side of the box that each touches.
 const FINGERS: [(Target, f64); 3] = [(F1, -1.0), (Target::Foot(2), 1.0), (Target::Foot(3), 1.0)];
 
-/// How high the fingers grasp: mm.
+/// Height of the fingers at the grasp, mm.
 const HEIGHT: f64 = -115.0;
 
-/// The fingertips beside the box on a low floor, 6 mm from it.
+/// Returns the fingertips 6 mm from the sides of the box on a low floor.
 fn beside() -> Rig {
     let mut rig = Rig::on(over(&scene(BOX)));
     rig.run(Op::Ptp, Target::Floor, &[0.0, -155.0, 0.0]);
@@ -176,7 +178,7 @@ fn beside() -> Rig {
     rig
 }
 
-/// The first joints press, F1's twice as hard as the others.
+/// Returns a grasp by the first joints, F1's twice as hard as the others.
 fn grasped() -> Rig {
     let mut rig = beside();
     for (n, torque) in [(1, 200.0), (2, 100.0), (3, 100.0)] {
@@ -186,15 +188,15 @@ fn grasped() -> Rig {
     rig
 }
 
-/// The moment about F1's first joint of the force with which its tip presses the box, and the joint's
-/// torque: N·m.
+/// Returns the moment about F1's first joint of the force with which its tip presses the box, and
+/// the joint's torque, N·m.
 fn grasp_force() -> (f64, f64) {
     let tip = grasped().plant.fingertips()[0];
     let ([x, y, _], [along, up, _]) = (tip.position, tip.on_objects);
     (((x + 60.0) * up - y * along) / 1000.0, 0.2)
 }
 
-/// What springs carry of the box by their stretch, and its weight: N.
+/// Returns the part of the box's weight that stretched springs carry, and its weight, N.
 fn lift() -> (f64, f64) {
     let mut rig = grasped();
     for (n, (finger, _)) in FINGERS.into_iter().enumerate() {
@@ -219,7 +221,7 @@ fn lift() -> (f64, f64) {
     (0.4 * a + 0.2 * b + 0.2 * c, 0.2 * G)
 }
 
-/// The greatest error of a free finger in cycles of one step of so many ms: deg.
+/// Returns the greatest error of a free finger in cycles of one step of `period` ms, deg.
 fn error_in_steps_of(period: f64) -> f64 {
     let torques = [40.0, -30.0, -12.0];
     let mut joints = held();
@@ -243,7 +245,7 @@ fn half_the_step_makes_a_quarter_of_the_error() {
     }
 }
 
-/// One line of the table.
+/// Writes one line of the table.
 fn row(out: &mut impl Write, what: &str, error: f64, of: f64, unit: &str) -> f64 {
     let share = error / of;
     writeln!(

@@ -1,4 +1,4 @@
-//! Fingers without anything in their way.
+//! Fingers without obstacles.
 
 use crate::hand_plant::rig::{F1, J11, J13, Rig, close, cycles, held, limp, outputs, plant, write};
 use tip_runtime::command::{Op, Target, Teach};
@@ -6,7 +6,7 @@ use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, JointCommand};
 use tip_runtime::model::hand;
 
-/// Of each motor: kg·m².
+/// Inertia of each motor, kg·m².
 const ROTOR: f64 = 1e-4;
 /// Viscous friction of a joint: N·m·s/rad.
 const FRICTION: f64 = 0.01;
@@ -44,19 +44,19 @@ fn fingers_and_slider_arrive_where_they_are_sent() {
     close(rig.sensors().slider[1], -150.0, 1e-9);
 }
 
-/// Where a joint has turned to in `time` s from rest: `I θ̈ = τ − b θ̇`.
+/// Returns the angle of a joint after `time` s from rest: `I θ̈ = τ − b θ̇`.
 fn turned(torque: f64, inertia: f64, time: f64) -> f64 {
     let lag = inertia / FRICTION;
     torque / FRICTION * (time - lag * (1.0 - (-time / lag).exp()))
 }
 
-/// The acceleration that three samples in a row show.
+/// Returns the accelerations of each three samples in a row.
 fn accelerations(angles: &[f64]) -> Vec<f64> {
     let second = |three: &[f64]| (three[2] - 2.0 * three[1] + three[0]) / (0.002 * 0.002);
     angles.windows(3).map(second).collect()
 }
 
-/// A joint of finger 1 that is commanded a torque, cycle by cycle, against the closed form.
+/// Compares a joint of finger 1 that is commanded a torque with the closed form, cycle by cycle.
 fn accelerates(mut rig: Rig, joint: Target, m: usize, torque: f64, inertia: f64) {
     let start = rig.plant.angles()[0];
     rig.run(Op::Torque, joint, &[torque]);

@@ -6,16 +6,16 @@ use tip_runtime::kinematics::Chain;
 use tip_runtime::model::hand;
 use tip_runtime::plant::{Scene, SimulatedHand};
 
-/// Postures of the three fingers together.
+/// Number of postures of the three fingers together.
 const POSTURES: usize = 40;
 
-/// Cycles that a search may take: 4 s.
+/// Maximum number of cycles of a search: 4 s.
 const CYCLES: usize = 2000;
 
-/// The travel of the slider, which carries the floor: mm.
+/// Travel of the slider, which carries the floor, mm.
 const TRAVEL: (f64, f64) = (-200.0, -60.0);
 
-/// Numbers that are as good as random and the same in every run (Marsaglia's xorshift).
+/// Pseudo-random numbers, equal in every run (Marsaglia's xorshift).
 struct Dice(u64);
 
 impl Dice {
@@ -27,7 +27,8 @@ impl Dice {
     }
 }
 
-/// Heights of a finger's third joint and fingertip at these angles, from the palm down: mm.
+/// Returns the heights of a finger's third joint and fingertip at these angles, from the palm down,
+/// mm.
 fn depths([first, second, third]: [f64; 3]) -> [f64; 2] {
     let mut directions = [first, first + second, first + second + third].into_iter();
     let mut down = |length: f64| length * directions.next().expect("a link").to_radians().cos();
@@ -35,7 +36,8 @@ fn depths([first, second, third]: [f64; 3]) -> [f64; 2] {
     [knuckle, knuckle + down(40.0)]
 }
 
-/// The deepest that a fingertip comes while joint 3 stays: mm. No other part is as deep there.
+/// Returns the greatest depth of a fingertip while joint 3 stays, mm. No other part is as deep
+/// there.
 fn deepest(third: f64) -> f64 {
     let postures = (-90..=90).flat_map(|first| (-10..=110).map(move |second| (first, second)));
     let depths = postures.map(|(first, second)| depths([first.into(), second.into(), third]));
@@ -43,7 +45,8 @@ fn deepest(third: f64) -> f64 {
     tips.fold(0.0, |deepest: f64, [_, tip]| deepest.max(tip))
 }
 
-/// Postures of three fingers, and the height of a floor between them and the deepest that all reach.
+/// Returns postures of three fingers, and the height of a floor between them and the greatest depth
+/// that all reach.
 fn drawn(dice: &mut Dice) -> Option<([[f64; 3]; 3], f64)> {
     let postures = [(); 3].map(|()| {
         [(-90.0, 90.0), (-10.0, 110.0), (-10.0, 110.0)].map(|(min, max)| dice.within(min, max))
@@ -55,7 +58,7 @@ fn drawn(dice: &mut Dice) -> Option<([[f64; 3]; 3], f64)> {
     (low < high).then(|| (postures, dice.within(low, high)))
 }
 
-/// Where the fingertips end on a floor; `None` if they search for ever.
+/// Returns the final heights of the fingertips on a floor; `None` if the search does not end.
 fn searched(postures: &[[f64; 3]; 3], floor: f64, friction: f64) -> Option<[f64; 3]> {
     let mut model = hand::MODEL;
     for (leg, posture) in model.legs.iter_mut().zip(postures) {

@@ -25,7 +25,7 @@ fn with(objects: &[Object]) -> Plant {
     over(&objects.iter().fold(Scene::EMPTY, add))
 }
 
-/// Of one contact, in N/m: 5 N/mm up to 0.2 kg, then 25 N/mm for each kg.
+/// Returns the stiffness of one contact, N/m: 5 N/mm up to 0.2 kg, then 25 N/mm for each kg.
 fn stiffness(mass: f64) -> f64 {
     5000.0_f64.max(25_000.0 * mass)
 }
@@ -61,7 +61,7 @@ fn heavy_boxes_move_alike() {
     }
 }
 
-/// How fast a disc comes back from the floor onto which it falls, to how fast it fell.
+/// Returns the ratio of the speeds of a disc after and before a bounce off the floor.
 fn bounce(mass: f64) -> f64 {
     let shape = Shape::Disc { radius: 20.0 };
     let mut plant = with(&[Object { shape, mass, ..BOX }]);

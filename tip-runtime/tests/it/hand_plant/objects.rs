@@ -1,4 +1,4 @@
-//! Objects on the floor, by themselves.
+//! Objects on the floor, alone.
 
 use crate::hand_plant::rig::{close, cycles, held, object, outputs, over, write};
 use tip_runtime::plant::{Floor, Object, Scene, SceneError, Shape};
@@ -28,7 +28,7 @@ fn with(objects: &[Object]) -> Scene {
     })
 }
 
-/// A floor that rises to the right.
+/// Returns a scene with a floor that rises to the right.
 fn on_slope(rise: f64, object: Object) -> Scene {
     Scene {
         floor: Floor {

@@ -13,22 +13,22 @@ pub(crate) const F1: Target = Target::Foot(1);
 pub(crate) const J11: Target = Target::Joint(1, 1);
 pub(crate) const J13: Target = Target::Joint(1, 3);
 
-/// The hand alone, commanded joint by joint.
+/// Returns the hand alone, commanded joint by joint.
 pub(crate) fn plant() -> Plant {
     SimulatedHand::new(&hand::MODEL)
 }
 
-/// The hand alone, over a scene.
+/// Returns the hand alone, over a scene.
 pub(crate) fn over(scene: &Scene) -> Plant {
     plant().with_scene(scene)
 }
 
-/// The first object of the scene.
+/// Returns the first object of the scene.
 pub(crate) fn object(plant: &Plant) -> ObjectState {
     plant.objects()[0].expect("there is an object")
 }
 
-/// One cycle of the model's sampling time.
+/// Returns one cycle of the model's sampling time.
 pub(crate) fn outputs(joints: [[JointCommand; 3]; 3]) -> Outputs<3, 3> {
     Outputs {
         joints,
@@ -38,14 +38,14 @@ pub(crate) fn outputs(joints: [[JointCommand; 3]; 3]) -> Outputs<3, 3> {
     }
 }
 
-/// Every joint holds its initial angle.
+/// Returns commands that hold the initial angles.
 pub(crate) fn held() -> [[JointCommand; 3]; 3] {
     hand::MODEL
         .legs
         .map(|leg| leg.initial.map(JointCommand::at))
 }
 
-/// Every motor gives nothing.
+/// Returns commands of zero torque.
 pub(crate) fn limp() -> [[JointCommand; 3]; 3] {
     [[JointCommand::Torque(0.0); 3]; 3]
 }
@@ -56,7 +56,7 @@ pub(crate) fn write(plant: &mut Plant, outputs: &Outputs<3, 3>, cycles: usize) {
     }
 }
 
-/// Cycles in so many seconds.
+/// Returns the number of cycles in `seconds`.
 pub(crate) fn cycles(seconds: f64) -> usize {
     (seconds * 1000.0 / hand::MODEL.standards.period).round() as usize
 }
@@ -83,7 +83,7 @@ impl Rig {
         }
     }
 
-    /// One control cycle, with a command if there is one.
+    /// Runs a control cycle, with a command if there is one.
     pub(crate) fn cycle(&mut self, command: Option<&Command<'_>>) -> Result<Poll, Fault> {
         let sensors = self.sensors();
         self.controller.sense(&sensors)?;
@@ -108,7 +108,7 @@ impl Rig {
         sensors
     }
 
-    /// A command until it is done: in how many cycles.
+    /// Runs a command until it is done; returns the number of cycles.
     pub(crate) fn run(&mut self, op: Op, target: Target, values: &[f64]) -> usize {
         let values: Vec<Value> = values.iter().copied().map(Value::Absolute).collect();
         let command = Command {

@@ -1,4 +1,4 @@
-//! The same bits again, and no nonsense out of nonsense.
+//! Reproducibility to the bit, and robustness against invalid input.
 
 use crate::hand_plant::rig::{
     Plant, close, cycles, held, limp, object, outputs, over, plant, write,
@@ -8,7 +8,8 @@ use tip_runtime::fault::Fault;
 use tip_runtime::hardware::{Hardware, JointCommand, Outputs, Sensors};
 use tip_runtime::plant::{Object, Plant as _, Scene, Shape};
 
-/// First joints close by torque, the others hold their angles, over a floor out of their reach.
+/// Returns outputs with which the first joints close by torque and the others hold their angles,
+/// over a floor out of their reach.
 fn closing(torque: f64) -> Outputs<3, 3> {
     let mut joints = held();
     for [first, ..] in &mut joints {
@@ -20,7 +21,7 @@ fn closing(torque: f64) -> Outputs<3, 3> {
     }
 }
 
-/// Everything that a run shows, to the bit.
+/// Returns the whole visible state of a run, to the bit.
 fn bits(plant: &Plant) -> Vec<u64> {
     let mut all: Vec<f64> = plant.angles().as_flattened().to_vec();
     all.extend(plant.torques().as_flattened());

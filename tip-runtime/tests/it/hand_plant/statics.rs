@@ -1,4 +1,4 @@
-//! Forces that are known, and what the robot makes of them.
+//! Known forces, and their measurements by the robot.
 
 use crate::hand_plant::rig::{F1, Rig, close, over, plant};
 use tip_runtime::command::{Op, Target, Teach};
@@ -9,7 +9,7 @@ const G: f64 = 9.80665;
 const F2: Target = Target::Foot(2);
 const F3: Target = Target::Foot(3);
 
-/// The hand with its fingertips turned up: each the highest point of its last link.
+/// The hand with its fingertips turned up: each is the highest point of its last link.
 static TIPS_UP: Model<3, 3> = {
     let mut model = hand::MODEL;
     let mut n = 0;

@@ -1,4 +1,4 @@
-//! What is thin, or fast, does not pass through a finger.
+//! Thin or fast objects do not pass through a finger.
 
 use crate::hand_plant::rig::{Plant, close, cycles, held, object, outputs, plant, write};
 use tip_runtime::hardware::{JointCommand, Outputs};
@@ -6,7 +6,8 @@ use tip_runtime::plant::{Object, Scene, Shape};
 
 const G: f64 = 9.80665;
 
-/// F1 lies straight and level, to the left of the palm, over a floor with such a thing above its first link: its top is at 0 mm.
+/// Returns F1 straight and level, to the left of the palm, over a floor with an object above its
+/// first link: its top is at 0 mm.
 fn over_a_level_finger(thing: Object) -> Plant {
     let mut plant = plant();
     let [_, right, behind] = held();
@@ -16,7 +17,7 @@ fn over_a_level_finger(thing: Object) -> Plant {
     plant.with_scene(&scene)
 }
 
-/// What stays as it is.
+/// Returns outputs that keep this posture.
 fn level() -> Outputs<3, 3> {
     let mut joints = held();
     joints[0] = [-90.0, 0.0, 0.0].map(JointCommand::at);

@@ -4,8 +4,8 @@ use crate::hand_plant::rig::{Rig, close};
 use tip_runtime::command::{Op, Target};
 use tip_runtime::vibration::{Vibration, Waveform};
 
-/// What the fingertip joint of finger `n` is measured to do in a second: how often it crosses its
-/// mean, and how far it goes to either side.
+/// Returns measurements of the fingertip joint of finger `n` in a second: the number of crossings
+/// of its mean, and its amplitude to either side.
 fn second(rig: &mut Rig, n: usize) -> (usize, f64) {
     let angles: Vec<f64> = (0..500)
         .map(|_| {

@@ -1,8 +1,8 @@
-//! Falls and slips: what a wrong gait does.
+//! Falls and slips of wrong gaits.
 
 use crate::plant::rig::{Rig, close, stance};
 
-/// Shifts the body so that a foot can be lifted: all feet the other way.
+/// Shifts the body so that a foot can be lifted: moves all feet the other way.
 fn shift(rig: &mut Rig, x: f64, y: f64) {
     rig.change(|feet| {
         for foot in feet {

@@ -5,7 +5,7 @@ use crate::plant::rig::{Rig, close};
 const STRIDE: f64 = 80.0;
 const SHIFT: [f64; 2] = [45.0, 60.0];
 
-/// What may be wrong with a gait.
+/// A flaw of a gait.
 #[derive(Clone, Copy, PartialEq)]
 enum Flaw {
     None,
@@ -35,7 +35,8 @@ fn lift(rig: &mut Rig, leg: usize, height: f64, flaw: Flaw) {
     });
 }
 
-/// One cycle of the gait: every foot takes a step of [`STRIDE`], the body follows by as much.
+/// Runs one cycle of the gait: every foot takes a step of [`STRIDE`], and the body follows by as
+/// much.
 fn crawl(rig: &mut Rig, flaw: Flaw) {
     for (leg, [side, end]) in [
         (2, [-1.0, -1.0]),

@@ -1,4 +1,4 @@
-//! Where the body rests and how it rises, tilts and travels.
+//! The pose of the body: rest, rise, tilt and travel.
 
 use crate::plant::rig::{CENTIMETRE, Rig, WEIGHT, angles, close, high_bellied, stance};
 use tip_runtime::model::titan8;

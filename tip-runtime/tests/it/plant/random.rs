@@ -1,4 +1,4 @@
-//! Short random programs that move joints: whatever legs do, the body goes where feet and gravity take it.
+//! Short random programs that move joints: the body only moves as feet and gravity make it.
 
 use crate::list::{List, Step};
 use tip_runtime::command::{Op, Target};
@@ -10,13 +10,14 @@ use tip_runtime::plant::{Pose, SimulatedPlant};
 /// The acceleration of free fall, mm/s².
 const GRAVITY: f64 = 9806.65;
 
-/// Greatest step of a body within 20 ms: mm. Feet take it some 5 mm, and a fall over one of them the rest.
+/// Greatest step of a body within 20 ms, mm. Feet move it some 5 mm, and a fall over one of them
+/// the rest.
 const FARTHEST: f64 = 20.0;
 
-/// Greatest turn of a body about the vertical within 20 ms: deg.
+/// Greatest turn of a body about the vertical within 20 ms, deg.
 const WIDEST: f64 = 5.0;
 
-/// A leg on the left (−1) or right (+1) of a robot with six.
+/// Returns a leg on the left (−1) or right (+1) of a robot with six.
 const fn leg(side: f64, y: f64) -> Leg<3> {
     let joints = [
         Joint::revolute([0.0, 0.0, -side], [40.0 * side, 0.0, 0.0])
@@ -53,11 +54,11 @@ const HEXAPOD: Model<6, 3> = Model {
     )
 };
 
-/// Numbers that look random, the same in every run.
+/// Pseudo-random numbers, equal in every run.
 struct Numbers(u64);
 
 impl Numbers {
-    /// From `least` to `most`.
+    /// Returns a number from `least` to `most`.
     fn within(&mut self, least: f64, most: f64) -> f64 {
         self.0 = self
             .0
@@ -69,7 +70,8 @@ impl Numbers {
 
 type Steps = Vec<Step<Vec<f64>>>;
 
-/// Stands on feet below the initial ones and moves three legs, joint by joint.
+/// Returns a program that stands on feet below the initial ones and moves three legs, joint by
+/// joint.
 fn program<const L: usize>(model: &Model<L, 3>, numbers: &mut Numbers) -> Steps {
     let mut steps = Vec::new();
     for (leg, foot) in (1..).zip(model.legs.map(|leg| Chain::new(&leg, &leg.initial).foot())) {
@@ -88,7 +90,7 @@ fn program<const L: usize>(model: &Model<L, 3>, numbers: &mut Numbers) -> Steps 
     steps
 }
 
-/// The poses before the first cycle and after each one, of `period` ms.
+/// Returns the poses before the first cycle and after each one, of `period` ms.
 fn poses<const L: usize>(model: &Model<L, 3>, steps: &Steps, period: f64) -> Vec<Pose> {
     let mut all = vec![(Op::SetSamplingTime, Target::None, vec![period])];
     all.extend(steps.iter().cloned());
@@ -116,7 +118,7 @@ fn stays_together(name: &str, poses: &[Pose], apart: usize) {
     }
 }
 
-/// Returns how far the middle and the lower corners of the body have sunk, where they sank farthest: mm.
+/// Returns the greatest descent of the middle and the lower corners of the body, mm.
 fn sunk<const L: usize>(model: &Model<L, 3>, from: &Pose, to: &Pose) -> f64 {
     let body = model.body.expect("it walks");
     let height = |pose: &Pose, [x, y, z]: [f64; 3]| {
@@ -136,7 +138,7 @@ fn sunk<const L: usize>(model: &Model<L, 3>, from: &Pose, to: &Pose) -> f64 {
     sunk.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Fails if the body's fastest way down gains more than a fall does.
+/// Fails if the fastest descent of the body accelerates more than a fall does.
 fn falls_freely<const L: usize>(model: &Model<L, 3>, poses: &[Pose]) {
     let (dt, mut before) = (0.02, 0.0_f64);
     for (cycle, pair) in poses.windows(2).enumerate() {

@@ -1,4 +1,4 @@
-//! A plant whose feet are moved along straight lines, without any controller.
+//! A plant whose feet are moved along straight lines, without a controller.
 
 use tip_runtime::hardware::{Hardware, JointCommand, Outputs, Sensors};
 use tip_runtime::model::{Model, titan8};
@@ -22,7 +22,7 @@ pub(crate) struct Rig {
     pub(crate) period: f64,
 }
 
-/// Feet below mid-stroke, at a height under the body.
+/// Returns feet below mid-stroke, at a height under the body.
 pub(crate) fn stance(z: f64) -> Feet {
     CORNERS.map(|[side, end]| [391.0 * side, 201.0 * end, z])
 }
@@ -40,7 +40,7 @@ impl Rig {
         }
     }
 
-    /// Standing with the belly 50 mm above the floor.
+    /// Returns the robot standing with the belly 50 mm above the floor.
     pub(crate) fn standing() -> Self {
         let mut rig = Self::new();
         rig.move_to(stance(-250.0));
@@ -105,7 +105,7 @@ impl Rig {
     }
 }
 
-/// Joint angles in degrees of feet in the robot frame, by the cosine rule.
+/// Returns the joint angles (deg) of feet in the robot frame, by the cosine rule.
 pub(crate) fn angles(feet: &Feet) -> [[f64; 3]; 4] {
     let mut angles = [[0.0; 3]; 4];
     for ((angles, foot), [side, end]) in angles.iter_mut().zip(feet).zip(CORNERS) {
@@ -125,7 +125,7 @@ pub(crate) fn close(left: f64, right: f64, tolerance: f64) -> bool {
     (left - right).abs() <= tolerance
 }
 
-/// TITAN VIII with its belly higher, so that it stands in its initial posture.
+/// Returns TITAN VIII with its belly higher, so that it stands in its initial posture.
 pub(crate) fn high_bellied() -> Model<4, 3> {
     let mut model = titan8::MODEL;
     model.body.as_mut().expect("it walks").z.min = -150.0;

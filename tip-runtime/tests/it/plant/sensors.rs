@@ -7,7 +7,7 @@ use tip_runtime::hardware::{Hardware, Outputs};
 use tip_runtime::model::hand;
 use tip_runtime::plant::{Plant, SimulatedHand};
 
-/// What the soles of the four legs read: V.
+/// Returns the readings of the soles of the four legs, V.
 fn soles(rig: &mut Rig) -> [f64; 4] {
     let inputs = rig.sensors().inputs;
     [1, 2, 3, 4].map(|leg| inputs.get(Port::Paw(leg)).expect("a sole"))

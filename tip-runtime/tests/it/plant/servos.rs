@@ -1,11 +1,11 @@
-//! Limits of the motors, whatever they are commanded.
+//! Limits of the motors under any commands.
 
 use crate::plant::rig::{Rig, close, stance};
 use tip_runtime::hardware::JointCommand;
 use tip_runtime::model::titan8;
 use tip_runtime::plant::{ServoDynamics, SimulatedPlant};
 
-/// Numbers from −1 to 1 (Park and Miller's generator, CACM 31, 1988).
+/// Returns a number from −1 to 1 (Park and Miller's generator, CACM 31, 1988).
 fn noise(seed: &mut u64) -> f64 {
     *seed = *seed * 48_271 % 2_147_483_647;
     *seed as f64 / 1_073_741_823.5 - 1.0

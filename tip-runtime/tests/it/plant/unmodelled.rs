@@ -1,4 +1,4 @@
-//! What a robot without mass says of what it leaves out.
+//! The counts of unmodelled effects.
 
 use crate::plant::rig::{Rig, WEIGHT, angles, high_bellied, stance};
 use tip_runtime::hardware::JointCommand;
@@ -15,7 +15,7 @@ fn seen(rig: &Rig) -> Unmodelled {
     rig.plant.unmodelled()
 }
 
-/// Moves the body forward by `a t² / 2` over fixed feet for so many cycles, and compares the margin of the zero moment
+/// Moves the body forward by `a t² / 2` over fixed feet, and compares the margin of the zero moment
 /// point with that of `c − c̈ c_z / g` in the rectangle of the feet.
 fn accelerate(a: f64, cycles: u32) -> (Rig, f64) {
     let mut rig = Rig::standing();
@@ -74,7 +74,7 @@ fn a_robot_that_stands_leaves_nothing_out() {
     assert!(margins.abs() < 1e-6, "{margins}");
 }
 
-/// In how many of ten cycles a robot would slide that lies on a slope.
+/// Returns the number of ten cycles in which a robot that lies on a slope would slide.
 fn slides(slope: [f64; 2], friction: f64) -> u32 {
     let floor = Floor { height: 0.0, slope };
     let plant = SimulatedPlant::new(&titan8::MODEL).with_floor(floor);
@@ -101,7 +101,7 @@ fn feet_slide_on_slopes_that_are_steeper_than_their_friction() {
     assert_eq!(slides([0.0, 0.0], 0.0), 0);
 }
 
-/// Servos that are anywhere at once.
+/// Servos without lag and limit.
 const INSTANT: ServoDynamics = ServoDynamics {
     lag: 1e-3,
     speed: 1e9,
@@ -136,7 +136,7 @@ fn a_body_without_feet_falls_freely() {
     assert!((carried(&rig) - WEIGHT).abs() < 1e-3);
 }
 
-/// How high the corners of the belly are in the world: mm.
+/// Returns the heights of the corners of the belly in the world, mm.
 fn corners(rig: &Rig) -> [f64; 4] {
     let pose = rig.plant.body();
     let (pitch, roll) = (pose.pitch.to_radians(), pose.roll.to_radians());
@@ -211,7 +211,8 @@ fn legs_that_go_through_each_other_or_the_floor_are_counted() {
     assert_eq!(seen(&rig).crossings, 0);
 }
 
-/// In how many of ten cycles a robot that stands 50 mm above the floor is in a block.
+/// Returns the number of ten cycles in which a robot that stands 50 mm above the floor is in a
+/// block.
 fn in_block(x: [f64; 2], y: [f64; 2], height: f64) -> u32 {
     let scene = Scene::EMPTY.with_block(Block { x, y, height });
     let plant = SimulatedPlant::new(&titan8::MODEL);
@@ -254,10 +255,10 @@ fn joints_that_are_to_turn_faster_than_their_servos_are_counted() {
     };
     rig.command(turning(360.0), 20.0);
     rig.command(turning(-360.0), 20.0);
-    assert_eq!(rig.plant.following().hurries, 0);
+    assert_eq!(rig.plant.tracking_errors().hurries, 0);
     rig.command(turning(-361.0), 20.0);
     rig.command(turning(859.0), 20.0);
-    assert_eq!(rig.plant.following().hurries, 2);
+    assert_eq!(rig.plant.tracking_errors().hurries, 2);
 }
 
 #[test]
@@ -273,7 +274,7 @@ fn a_foot_beside_its_line_is_counted() {
             feet[1] = [391.0 - gone, 201.0 + gone, -180.0];
             rig.tell(&feet);
         }
-        rig.plant.following()
+        rig.plant.tracking_errors()
     };
     let fast = slanting(360.0);
     assert_eq!(fast.strays, 0, "{fast:?}");

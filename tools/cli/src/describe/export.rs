@@ -115,8 +115,8 @@ fn robot(arguments: &Export) -> Result<Option<Robot>, Error> {
             }
         },
         Model::Urdf(path) => {
-            let choices = urdf::Choices::default();
-            let Some(imported) = import::read(path, &choices, arguments.shown.lang()) else {
+            let options = urdf::ImportOptions::default();
+            let Some(imported) = import::read(path, &options, arguments.shown.lang()) else {
                 return Ok(None);
             };
             let robot = Robot::description(&imported.toml);

@@ -99,12 +99,12 @@ pub(super) fn is_urdf(path: &Path) -> bool {
 }
 
 /// The description that a URDF file makes; why there is none goes to standard error.
-pub(super) fn read(path: &Path, choices: &urdf::Choices, lang: Lang) -> Option<urdf::Import> {
+pub(super) fn read(path: &Path, options: &urdf::ImportOptions, lang: Lang) -> Option<urdf::Import> {
     let read = input::read(path, LIMIT).map_err(|reason| reason.in_lang(lang).to_string());
     let imported = read.and_then(|bytes| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let text = urdf::decode(&bytes);
-        let imported = text.and_then(|text| urdf::import_with(&name, &text, choices));
+        let imported = text.and_then(|text| urdf::import_with(&name, &text, options));
         imported.map_err(|refused| refused.message().in_lang(lang).to_string())
     });
     let complain = |reason: &String| {
@@ -118,7 +118,7 @@ pub(super) fn read(path: &Path, choices: &urdf::Choices, lang: Lang) -> Option<u
 /// Writes the description; the report goes to standard error.
 pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
     let path = &arguments.file;
-    let choices = urdf::Choices {
+    let options = urdf::ImportOptions {
         feet: arguments
             .foot
             .iter()
@@ -130,7 +130,7 @@ pub(super) fn import(arguments: &Import) -> Result<Status, Error> {
         stand: arguments.stand,
     };
     let lang = shown::lang(arguments.lang);
-    let Some(imported) = read(path, &choices, lang) else {
+    let Some(imported) = read(path, &options, lang) else {
         return Ok(Status::Failure);
     };
     match &arguments.out {

@@ -132,7 +132,7 @@ impl Lines {
         self.add(Figure::Slip, &Running::AtMost { value });
         let value = tenths(motion.least_margin);
         self.add(Figure::Margin, &Running::AtLeast { value });
-        let following = motion.following;
+        let following = motion.tracking_errors;
         if let Some(unmodelled) = motion.unmodelled {
             self.unmodelled(&unmodelled);
         }

@@ -5,8 +5,8 @@ use super::super::interrupt;
 use super::super::output;
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Path, PathBuf};
-use tip_runtime::printable::acts;
-use tip_runtime::record::{Ending, JsonLines, Moved, Sink, Stream, WholeFile};
+use tip_runtime::printable::is_control;
+use tip_runtime::record::{AtomicFile, Ending, JsonLines, MotionRecord, Sink, Stream};
 use tip_sim::Run;
 
 /// The name that stands for standard output.
@@ -34,7 +34,7 @@ pub(super) struct Extras {
 enum Output {
     Standard(Stdout),
     Terminal(Terminal),
-    File(WholeFile),
+    File(AtomicFile),
 }
 
 /// A terminal, on which nothing of a record may act: the same JSON, with escapes in place of such characters.
@@ -93,7 +93,7 @@ impl Trace {
         }
         let limbs = run.limbs();
         let legs = limbs.as_ref().map_or(&[][..], |limbs| &limbs.angles);
-        self.lines.moved(&Moved {
+        self.lines.motion(&MotionRecord {
             pose: run.pose(),
             motion: run.motion(),
             joints_per_leg: legs.first().map_or(0, Vec::len),
@@ -182,7 +182,7 @@ impl Write for Terminal {
 fn escaped(record: &str) -> String {
     let mut escaped = String::with_capacity(record.len());
     for c in record.chars() {
-        match acts(c) && c != '\n' {
+        match is_control(c) && c != '\n' {
             true => escaped += &format!("\\u{:04x}", u32::from(c)),
             false => escaped.push(c),
         }

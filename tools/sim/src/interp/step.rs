@@ -4,7 +4,7 @@ use super::Interpreter;
 use std::fmt;
 use tip_runtime::command::{Command, MAX, Poll, Value};
 use tip_runtime::fault::Fault;
-use tip_runtime::ops::{self, Shown};
+use tip_runtime::ops::{self, FormattedNumber};
 use tip_runtime::program::{CallStack, Context, Flow};
 use tipc::program::{Action, Argument, End, Mark, MessagePart, Scalar, StepId, VariableId};
 
@@ -246,7 +246,7 @@ impl Interpreter {
         let pieces = parts.iter().map(|part| {
             Ok(match part {
                 MessagePart::Text(text) => Piece::Text(text),
-                MessagePart::Value { scalar, decimals } => Piece::Value(Shown {
+                MessagePart::Value { scalar, decimals } => Piece::Value(FormattedNumber {
                     value: self.read(*scalar)?,
                     decimals: *decimals,
                 }),
@@ -261,7 +261,7 @@ struct Text<'a>(Vec<Piece<'a>>);
 
 enum Piece<'a> {
     Text(&'a str),
-    Value(Shown),
+    Value(FormattedNumber),
 }
 
 impl fmt::Display for Text<'_> {

@@ -39,15 +39,9 @@ tipc::message_table! {
     NoAttribute { at: Place, element: String, attribute: &'static str, example: &'static str }
         "{at}: element `{element}` has no attribute `{attribute}`: write it, as `{attribute}=\"{example}\"`",
         "{at}: 要素 `{element}` に属性 `{attribute}` がありません。`{attribute}=\"{example}\"` のように書いてください";
-    ElementForAttribute { at: Place, element: String, attribute: &'static str, example: &'static str }
-        "{at}: `{attribute}` is an element in `{element}`: write it as an attribute, as `{attribute}=\"{example}\"`",
-        "{at}: `{attribute}` が `{element}` の子要素になっています。`{attribute}=\"{example}\"` のように属性で書いてください";
     NoElement { at: Place, element: String, child: &'static str, example: &'static str }
         "{at}: element `{element}` holds no element `{child}`: write it, as `{example}`",
         "{at}: 要素 `{element}` の中に `{child}` がありません。`{example}` のように書いてください";
-    AttributeForElement { at: Place, element: String, child: &'static str, example: &'static str }
-        "{at}: element `{element}` has `{child}` as an attribute: write it as an element in it, as `{example}`",
-        "{at}: `{child}` が要素 `{element}` の属性になっています。`{example}` のように子要素で書いてください";
     ElementTwice { at: Place, element: String, child: &'static str }
         "{at}: element `{element}` holds element `{child}` twice: leave one out",
         "{at}: 要素 `{element}` の中に `{child}` が2つあります。1つにしてください";

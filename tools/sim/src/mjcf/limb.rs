@@ -5,14 +5,14 @@ use super::{SKIN, metres, quaternion};
 use crate::model::{Anatomy, Limb};
 use crate::robot::Beginning;
 use crate::urdf::frame::{self, BASE, BODY};
-use crate::urdf::shape::{loadable, rod_moments};
 use crate::urdf::xml::vector;
+use crate::urdf::{loadable, rod_moments};
 use std::f64::consts::FRAC_1_SQRT_2;
 use tip_runtime::model::{Body, Joint};
 use tip_runtime::plant::Drives;
 use tipc::description::{Form, Shape, Shapes};
 
-/// How far around a foot or fingertip its contacts are counted as its load: m.
+/// Radius around a foot or fingertip in which contacts count as its load, m.
 const REACH: f64 = 2.0 * SKIN;
 
 /// The shortest rod that is drawn: m. MuJoCo refuses ends less than 1e-6 m apart.
@@ -41,7 +41,8 @@ pub(super) fn base(parts: &mut Parts, anatomy: &Anatomy, beginning: &Beginning, 
     }
 }
 
-/// A box, its mass at the origin unless the model says more. Beside shapes it is in the group that viewers hide at first.
+/// Writes a box, its mass at the origin unless the model says more. With shapes, the box is in the
+/// group that viewers hide at first.
 fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     let ranges = [body.x, body.y, body.z];
     let half = ranges.map(|range| (range.max - range.min).abs().max(frame::LEAST) / 2000.0);
@@ -73,7 +74,7 @@ fn trunk(parts: &mut Parts, body: &Body, shapes: &[Shape]) {
     draw(parts, shapes);
 }
 
-/// Shapes, which touch nothing.
+/// Writes shapes that collide with nothing.
 fn draw(parts: &mut Parts, shapes: &[Shape]) {
     for shape in shapes {
         let form = match shape.form {
@@ -95,8 +96,8 @@ fn draw(parts: &mut Parts, shapes: &[Shape]) {
     }
 }
 
-/// A chain of links. Those of a `hand` are counterbalanced, and touch things along their length; those of other robots at their
-/// ends.
+/// Writes a chain of links. Links of a `hand` are counterbalanced, and collide along their length;
+/// those of other robots at their ends.
 pub(super) fn leg(
     parts: &mut Parts,
     number: u8,
@@ -135,8 +136,9 @@ pub(super) fn leg(
     }
 }
 
-/// A joint and its motor. A set point that follows its command with the lag of our servos, and whose rate the motor knows, is
-/// this motor on the command itself, as that lag is what its damping is against its stiffness.
+/// Writes a joint and its motor. The damping-to-stiffness ratio of the plants' motors equals the
+/// lag of their servos, so a motor whose set point follows its command with that lag, and whose
+/// rate it tracks, is this motor on the command itself.
 fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
     let drives = Drives::default();
     let [axis, range] = [
@@ -161,7 +163,7 @@ fn hinge(parts: &mut Parts, name: &str, joint: &Joint, posture: f64) {
     parts.controls.push(posture);
 }
 
-/// What a joint carries: its shapes or a rod (its radius in m), and what of it touches things.
+/// Writes the load of a joint: its shapes or a rod (its radius in m), and its contact shapes.
 fn carried(
     parts: &mut Parts,
     joint: &Joint,
@@ -199,12 +201,12 @@ fn carried(
     draw(parts, shapes);
 }
 
-/// xx, yy, zz, xy, xz and yz of a tensor.
+/// Formats xx, yy, zz, xy, xz and yz of a tensor.
 fn full(inertia: [f64; 6]) -> String {
     format!("fullinertia=\"{}\"", vector(loadable(inertia)))
 }
 
-/// xx, yy, zz, xy, xz and yz of a rod (kg, m) that ends at a point, about its middle.
+/// Returns xx, yy, zz, xy, xz and yz of a rod (kg, m) that ends at a point, about its middle.
 fn inertia(mass: f64, end: [f64; 3], radius: f64) -> [f64; 6] {
     let length = frame::length(end);
     let [x, y, z] = match length > 0.0 {

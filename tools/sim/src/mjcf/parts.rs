@@ -1,4 +1,4 @@
-//! The sections of a file, filled side by side.
+//! The sections of an MJCF file, filled in parallel.
 
 use crate::urdf::xml;
 
@@ -8,8 +8,8 @@ const HEAD: &str = r#"<!-- Made by `tip robot export`. m, rad, kg, N·m; z up, x
      of that name what these carry (N). The keyframe `initial` is the initial posture. -->
 "#;
 
-/// Everything that our plants have in common: steps of 0.5 ms, friction of whatever a thing touches, no contact of the robot with
-/// itself. A link may have no mass or no thickness, which MuJoCo does not allow.
+/// Common settings of the plants: steps of 0.5 ms, friction of the touched surface, no contact of
+/// the robot with itself. MuJoCo does not allow links without mass or thickness.
 const SETTINGS: &str = r#"  <compiler angle="radian" autolimits="true" boundmass="1e-9" boundinertia="1e-12"/>
   <option timestep="0.0005" integrator="implicitfast" cone="elliptic" impratio="10" gravity="0 0 -9.80665"/>
   <default>
@@ -20,22 +20,22 @@ const SETTINGS: &str = r#"  <compiler angle="radian" autolimits="true" boundmass
   </default>
 "#;
 
-/// A model of MuJoCo.
+/// A MuJoCo model.
 #[derive(Default)]
 pub(super) struct Parts {
     pub(super) world: Lines,
-    /// Of contacts whose friction is not that of one of the two.
+    /// Contact pairs whose friction differs from that of both geometries.
     pub(super) pairs: Lines,
     pub(super) motors: Lines,
     pub(super) sensors: Lines,
     /// The initial values of all joints, in the order of the file.
     pub(super) places: Vec<f64>,
-    /// Those of all motors.
+    /// The initial values of all motors.
     pub(super) controls: Vec<f64>,
 }
 
 impl Parts {
-    /// The file.
+    /// Returns the text of the file.
     pub(super) fn text(&self, name: &str) -> String {
         let name = xml::escaped(name);
         let mut text = format!("{HEAD}<mujoco model=\"{name}\">\n{SETTINGS}");
@@ -57,7 +57,7 @@ impl Parts {
     }
 }
 
-/// Lines of a section, each as deep as the elements that are open.
+/// Lines of a section, indented by the number of open elements.
 #[derive(Default)]
 pub(super) struct Lines {
     text: String,
@@ -65,18 +65,18 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// An element without others in it: its name and attributes.
+    /// Adds an element without children: its name and attributes.
     pub(super) fn add(&mut self, element: &str) {
         self.line(&format!("<{element}/>"));
     }
 
-    /// Begins an element with others in it.
+    /// Begins an element with children.
     pub(super) fn open(&mut self, element: &str) {
         self.line(&format!("<{element}>"));
         self.open += 1;
     }
 
-    /// Ends it.
+    /// Ends an element with children.
     pub(super) fn close(&mut self, name: &str) {
         self.open = self.open.saturating_sub(1);
         self.line(&format!("</{name}>"));

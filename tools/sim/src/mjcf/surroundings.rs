@@ -1,4 +1,5 @@
-//! What is around the robot: a floor and blocks, or a slider that carries a floor, and objects.
+//! The surroundings of the robot: a floor and blocks, or a slider that carries a floor, and
+//! objects.
 
 use super::metres;
 use super::parts::Parts;
@@ -8,18 +9,18 @@ use crate::urdf::xml::vector;
 use tip_runtime::model::{Inverse, Slider};
 use tip_runtime::plant::{Block, Object, ObjectState, Scene, Shape};
 
-/// How far blocks reach below the floor: m.
+/// Depth of blocks below the floor, m.
 const DEEP: f64 = 0.1;
-/// Half of the slider's plate along x and across, and how thick it is: m.
+/// Half of the slider's plate along x and across, and its thickness, m.
 const PLATE: [f64; 2] = [0.5, 0.02];
-/// The mass of a slider, and what holds it where it is commanded to be: kg, N/m, N·s/m.
+/// Mass of a slider, and stiffness and damping of its position servo: kg, N/m, N·s/m.
 const CARRIAGE: [f64; 3] = [10.0, 1e6, 6e3];
-/// How far objects and the palm reach beyond the outer fingers: m.
+/// Extent of objects and the palm beyond the outer fingers, m.
 const BESIDE: f64 = 0.02;
-/// The coefficient of Coulomb friction of the palm, and how thick it is: m.
+/// Friction coefficient of the palm, and its thickness, m.
 const PALM: (f64, f64) = (0.5, 0.02);
 
-/// A floor that does not move, and blocks on it.
+/// Writes a static floor, and the blocks on it.
 pub(super) fn ground(parts: &mut Parts, scene: &Scene) {
     let [x, y] = scene.floor.slope;
     let (up, height) = (vector([-x, -y, 1.0]), scene.floor.height / 1000.0);
@@ -36,7 +37,7 @@ pub(super) fn ground(parts: &mut Parts, scene: &Scene) {
     }
 }
 
-/// The middle of a block, and half of its sides: m.
+/// Returns the middle of a block, and half of its sides, m.
 fn block_of(block: &Block, scene: &Scene) -> ([f64; 3], [f64; 3]) {
     let corners = block
         .x
@@ -62,7 +63,7 @@ fn metres_of(range: [f64; 2]) -> [f64; 2] {
     range.map(|mm| mm / 1000.0)
 }
 
-/// A slider: it hangs on joints that are at 0 where it is at first, as in URDF.
+/// Writes a slider: it hangs on joints that are at 0 in its initial position, as in URDF.
 pub(super) fn slider(parts: &mut Parts, slider: &Slider, anatomy: &Anatomy, scene: &Scene) {
     let at = vector(metres(slider.initial));
     parts.world.open(&format!(
@@ -92,7 +93,7 @@ pub(super) fn slider(parts: &mut Parts, slider: &Slider, anatomy: &Anatomy, scen
     parts.world.close("body");
 }
 
-/// The slider's plate, whose upper side is the floor; under a hand it rises along x.
+/// Writes the slider's plate, whose upper side is the floor; under a hand it rises along x.
 fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
     let ([half, thick], height) = (PLATE, scene.floor.height / 1000.0);
     let turn = match is_planar {
@@ -114,8 +115,8 @@ fn plate(parts: &mut Parts, is_planar: bool, scene: &Scene) {
     ));
 }
 
-/// The objects under a hand, which move in its plane, and the palm above them. Where two of these touch, the smaller
-/// friction counts.
+/// Writes the objects under a hand, which move in its plane, and the palm above them. Where two of
+/// these touch, the smaller friction counts.
 pub(super) fn objects(parts: &mut Parts, anatomy: &Anatomy, scene: &Scene, states: &[ObjectState]) {
     let [x, y, z] = frame::around(&anatomy.legs, 0.0);
     let (middle, half) = ((z.min + z.max) / 2000.0, (z.max - z.min) / 2000.0 + BESIDE);
@@ -144,7 +145,7 @@ pub(super) fn objects(parts: &mut Parts, anatomy: &Anatomy, scene: &Scene, state
     }
 }
 
-/// An object, whose joints say where it is: x and y of its centre, and its turn.
+/// Writes an object whose joints give its state: x and y of its centre, and its turn.
 fn thing(parts: &mut Parts, name: &str, object: &Object, state: &ObjectState, [z, half]: [f64; 2]) {
     let [x, y, _] = metres(state.position);
     let turn = state.angle.to_radians();

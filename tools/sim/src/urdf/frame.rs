@@ -1,4 +1,4 @@
-//! The names and frames of exported files, which logs have as well: m, x forward and y left (REP 103).
+//! Names and frames of exported files and of logs: m, x forward and y left (REP 103).
 //!
 //! ```
 //! use tip_sim::urdf::frame;
@@ -12,75 +12,77 @@ use std::f64::consts::FRAC_PI_2;
 use tip_runtime::command::Target;
 use tip_runtime::model::{Point, Range, Slider};
 
-/// Where robots are bolted down.
+/// The link to which robots are bolted down.
 pub const WORLD: &str = "world";
-/// No size that is written is smaller, since readers refuse sizes of nothing: mm.
+/// Minimum size that is written, mm: readers refuse sizes of 0.
 pub(crate) const LEAST: f64 = 1e-6;
-/// How thick a link is drawn, against the mean length of all links.
+/// Radius of drawn links, relative to the mean length of all links.
 const THICKNESS: f64 = 0.1;
 
 /// The robot frame.
 pub const BASE: &str = "base_link";
-/// What the legs of a walking robot carry.
+/// The body of a walking robot.
 pub const BODY: &str = "body";
-/// What the slider carries.
+/// The floor on a slider.
 pub const FLOOR: &str = "floor";
 
-/// What joint and leg number from 1 to 9 are called: the joint.
+/// Returns the name of a joint; legs and joints count from 1.
 pub fn joint(leg: u8, joint: u8) -> String {
     Target::Joint(leg, joint).to_string()
 }
 
-/// The link after a joint.
+/// Returns the name of the link after a joint.
 pub fn link(leg: u8, joint: u8) -> String {
     format!("link{leg}{joint}")
 }
 
-/// The foot or fingertip.
+/// Returns the name of a foot or fingertip.
 pub fn foot(leg: u8) -> String {
     Target::Foot(leg).to_string()
 }
 
-/// Roll, pitch and yaw of the robot frame in the world, for a robot that is bolted down: rad. Where all joints turn about z, as
-/// those of the hand, y is the height.
+/// Returns roll, pitch and yaw of the robot frame in the world, for a robot that is bolted down,
+/// rad. If all joints turn about z, as in the hand, y is the height.
 pub fn standing(is_planar: bool) -> [f64; 3] {
     [0.0, if is_planar { -FRAC_PI_2 } else { 0.0 }, 0.0]
 }
 
-/// The axes along which a slider goes.
+/// Iterates over the axes along which a slider moves.
 pub(crate) fn ways(slider: &Slider) -> impl Iterator<Item = usize> {
     let travel = slider.travel;
     (0..3).filter(move |axis| travel[*axis].min < travel[*axis].max)
 }
 
-/// What the joint of a slider along x, y or z is called.
+/// Returns the name of the joint of a slider along an axis.
 pub(crate) fn carriage(axis: usize) -> &'static str {
     ["floor_x", "floor_y", "floor_z"][axis]
 }
 
-/// The joints of a slider, and their values where it is at a place of the robot frame (mm): m from where it was at first.
+/// Iterates over the joints of a slider, with their values (m) for a position in the robot frame
+/// (mm); they are 0 in the initial position.
 pub fn slide(slider: &Slider, at: Point) -> impl Iterator<Item = (&'static str, f64)> {
     let initial = slider.initial;
     ways(slider).map(move |axis| (carriage(axis), (at[axis] - initial[axis]) / 1000.0))
 }
 
-/// A place of the robot frame (mm; x to the right, y forward) in URDF's: m; x forward, y left.
+/// Converts a position of the robot frame (mm; x to the right, y forward) to URDF's (m; x forward,
+/// y left).
 pub fn metres(at: Point) -> [f64; 3] {
     direction(at).map(|mm| mm / 1000.0)
 }
 
-/// A direction of the robot frame in URDF's.
+/// Converts a direction of the robot frame to URDF's.
 pub fn direction([right, forward, up]: [f64; 3]) -> [f64; 3] {
     [forward, -right, up]
 }
 
-/// The elements xx, yy, zz, xy, xz and yz of a tensor of the robot frame in URDF's.
+/// Converts a tensor (xx, yy, zz, xy, xz, yz) of the robot frame to URDF's.
 pub(crate) fn tensor([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [f64; 6] {
     // Adding 0 makes of −0 a plain 0.
     [yy, xx, zz, -xy, yz, -xz].map(|element| element + 0.0)
 }
 
-/// What holds every first joint, and `more` (mm) on each side of them.
+/// Returns the box around every first joint, widened by `more` (mm) on each side.
 pub(crate) fn around(legs: &[Limb], more: f64) -> [Range; 3] {
     [0, 1, 2].map(|axis| {
         let along = || legs.iter().map(|leg| leg.base[axis]);
@@ -95,7 +97,7 @@ pub(crate) fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// How thick links are drawn: their radius in mm.
+/// Returns the radius of drawn links, mm.
 pub(crate) fn thickness(legs: &[Limb]) -> f64 {
     let joints = legs.iter().flat_map(|leg| &leg.joints);
     let lengths: Vec<f64> = joints

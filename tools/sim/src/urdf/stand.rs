@@ -1,4 +1,4 @@
-//! How a robot stands with its body as high as it is asked to.
+//! Initial postures of a robot that stands at a given height.
 
 use super::ImportError;
 use super::frame::length;
@@ -8,17 +8,18 @@ use tip_runtime::kinematics::{Chain, inverse_from};
 use tip_runtime::model::{Inverse, Leg, Model, Point, Range};
 use tipc::description::{Description, WithModel};
 
-/// In so many steps feet are set nearer to their first joints, until all are within reach.
+/// Number of steps in which feet move towards their first joints, until all are within reach.
 const NEARER: u8 = 8;
-/// So many heights are tried where the one that is asked for is out of reach.
+/// Number of other heights that are tried if the requested one is out of reach.
 const OTHERS: u16 = 40;
-/// Knees that are as high or as far behind as others but for less are so for rounding: mm.
+/// Greatest difference of knee positions that rounding explains, mm.
 const ROUNDING: f64 = 1e-6;
 
 /// The posture of each leg: deg.
 pub(super) type Postures = Vec<Vec<f64>>;
 
-/// What puts all feet `height` (mm) below the robot frame; what cannot be reached is refused with a height that can.
+/// Returns the postures that put all feet `height` (mm) below the robot frame; a height out of
+/// reach is refused with one that can be reached.
 pub(super) fn postures(robot: &Description, height: f64) -> Result<Postures, ImportError> {
     let stands = robot.with_model(Stand { height });
     stands.map_err(|near| {
@@ -29,12 +30,14 @@ pub(super) fn postures(robot: &Description, height: f64) -> Result<Postures, Imp
     })
 }
 
-/// Heights that are tried where the initial posture is left open, as shares of the length of the longest leg.
+/// Heights that are tried if the initial posture is left open, as shares of the length of the
+/// longest leg.
 const SHARES: [f64; 6] = [0.8, 0.7, 0.6, 0.5, 0.4, 0.3];
-/// How long a robot with mass has to stand: ms.
+/// Time that a robot with mass has to stand, ms.
 const STANDS_FOR: u64 = 500;
 
-/// The whole heights that are tried for a robot whose initial posture is left open: mm.
+/// Iterates over the whole heights that are tried for a robot whose initial posture is left open,
+/// mm.
 pub(super) fn heights(robot: &Description) -> impl Iterator<Item = f64> {
     let legs = Robot::described(robot).anatomy().legs;
     let size = |leg: &Limb| {
@@ -49,7 +52,7 @@ pub(super) fn heights(robot: &Description) -> impl Iterator<Item = f64> {
         .map(move |share| (share * longest).round())
 }
 
-/// Whether the robot stays on its feet in its initial posture, if everything has mass.
+/// Returns true if the robot stays on its feet in its initial posture, simulated with mass.
 pub(super) fn stays_up(robot: &Description) -> bool {
     let robot = Robot::described(robot).with_plant(Plant::Dynamic);
     let text = format!("3.1\nstands still\n\nSLEEP {STANDS_FOR}\nEND\n");
@@ -77,7 +80,7 @@ impl WithModel for Stand {
     }
 }
 
-/// The whole height that is nearest to another one, of those that are tried.
+/// Returns the reachable height that is nearest to another one, of those that are tried.
 #[inline(never)] // Else it is compiled for each number of legs.
 fn nearest<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Option<f64> {
     let size = |leg: &Leg<J>| {
@@ -94,7 +97,8 @@ fn nearest<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Optio
         .min_by(|a, b| (a - height).abs().total_cmp(&(b - height).abs()))
 }
 
-/// With each foot where it is while all joints are at 0, or as much nearer to its first joint as is needed.
+/// Returns postures with each foot in its position while all joints are at 0, or moved towards its
+/// first joint as far as needed.
 #[inline(never)]
 fn stand<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Option<Postures> {
     (0..=NEARER).find_map(|step| {
@@ -108,7 +112,8 @@ fn stand<const J: usize>(kind: Inverse, legs: &[Leg<J>], height: f64) -> Option<
     })
 }
 
-/// The posture of a foot whose last joint is the highest, or else the one farthest behind: so all legs bend alike.
+/// Returns the posture of a foot with the highest last joint, or else the one farthest behind, so
+/// that all legs bend alike.
 fn posture<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<Vec<f64>> {
     let mut best: Option<(Point, [f64; J])> = None;
     for from in starts(leg) {
@@ -123,7 +128,8 @@ fn posture<const J: usize>(kind: Inverse, leg: &Leg<J>, foot: Point) -> Option<V
     best.map(|(_, found)| found.to_vec())
 }
 
-/// The initial posture, and those with the last joint a quarter of its limits off either end.
+/// Returns the initial posture, and postures with the last joint a quarter of its limits off either
+/// end.
 fn starts<const J: usize>(leg: &Leg<J>) -> [[f64; J]; 3] {
     let mut starts = [leg.initial; 3];
     let [_, low, high] = &mut starts;

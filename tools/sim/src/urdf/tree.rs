@@ -1,27 +1,27 @@
-//! Links and joints as the tree that they must be.
+//! The tree of links and joints.
 
 use super::ImportError;
 use super::frame::WORLD;
-use super::pose::Pose;
-use super::robot::{Joint, Kind, Link, Robot};
+use super::parse::{JointType, UrdfJoint, UrdfLink, UrdfRobot};
+use super::transform::Transform;
 use crate::message::Importing;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The robot's links, and the joints that hang on each.
-pub(super) struct Tree<'a> {
-    links: BTreeMap<&'a str, &'a Link>,
-    joints: BTreeMap<&'a str, Vec<&'a Joint>>,
+/// The robot's links, and the joints on each.
+pub(super) struct LinkTree<'a> {
+    links: BTreeMap<&'a str, &'a UrdfLink>,
+    joints: BTreeMap<&'a str, Vec<&'a UrdfJoint>>,
     root: &'a str,
 }
 
-impl<'a> Tree<'a> {
-    /// Refuses what is not a tree; names have been seen to be there once.
-    pub(super) fn new(robot: &'a Robot) -> Result<Self, ImportError> {
+impl<'a> LinkTree<'a> {
+    /// Builds the tree; names are unique. Refuses everything that is not a tree.
+    pub(super) fn new(robot: &'a UrdfRobot) -> Result<Self, ImportError> {
         let mut links = BTreeMap::new();
         for link in &robot.links {
             links.insert(link.name.as_str(), link);
         }
-        let mut joints: BTreeMap<&str, Vec<&Joint>> = BTreeMap::new();
+        let mut joints: BTreeMap<&str, Vec<&UrdfJoint>> = BTreeMap::new();
         let mut held = BTreeSet::new();
         for joint in &robot.joints {
             for link in [&joint.parent, &joint.child] {
@@ -54,7 +54,7 @@ impl<'a> Tree<'a> {
                 return Err(ImportError::new(Importing::TwoBases { one, other }));
             }
         };
-        let tree = Tree {
+        let tree = LinkTree {
             root,
             links,
             joints,
@@ -63,7 +63,7 @@ impl<'a> Tree<'a> {
         Ok(tree)
     }
 
-    /// Refuses links that hang on each other in a circle.
+    /// Refuses loops of links.
     fn check_reach(&self) -> Result<(), ImportError> {
         let mut reached = BTreeSet::from([self.root]);
         let mut open = vec![self.root];
@@ -83,7 +83,8 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// The link that carries all others; of a robot that is bolted down to a link `world`, the one that is fixed there.
+    /// Returns the link that carries all others; for a robot that is bolted down to a link `world`,
+    /// the link that is fixed there.
     pub(super) fn base(&self) -> &'a str {
         match self.joints(self.root) {
             [only] if self.is_bolted_down() && is_fixed(only) => &only.child,
@@ -91,17 +92,18 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Whether the robot hangs on a link `world`, which by convention does not move.
+    /// Returns true if the root is a link `world`, which by convention does not move.
     pub(super) fn is_bolted_down(&self) -> bool {
         self.root == WORLD
     }
 
-    fn joints(&self, link: &str) -> &[&'a Joint] {
+    fn joints(&self, link: &str) -> &[&'a UrdfJoint] {
         self.joints.get(link).map_or(&[], Vec::as_slice)
     }
 
-    /// A link at `pose`, and all that fixed joints hold to it, each with its own pose.
-    pub(super) fn rigid(&self, link: &'a str, pose: Pose) -> Vec<(&'a Link, Pose)> {
+    /// Returns a link at `pose`, and all links that fixed joints hold to it, each with its own
+    /// pose.
+    pub(super) fn rigid(&self, link: &'a str, pose: Transform) -> Vec<(&'a UrdfLink, Transform)> {
         let mut open = vec![(link, pose)];
         let mut found = Vec::new();
         while let Some((name, pose)) = open.pop() {
@@ -112,8 +114,12 @@ impl<'a> Tree<'a> {
         found
     }
 
-    /// The joints that move on these links, in the order of the file, each with the pose of its frame.
-    pub(super) fn movable(&self, links: &[(&'a Link, Pose)]) -> Vec<(&'a Joint, Pose)> {
+    /// Returns the movable joints on these links, in the order of the file, each with the pose of
+    /// its frame.
+    pub(super) fn movable(
+        &self,
+        links: &[(&'a UrdfLink, Transform)],
+    ) -> Vec<(&'a UrdfJoint, Transform)> {
         let mut found = Vec::new();
         for (link, pose) in links {
             let moving = self
@@ -125,8 +131,8 @@ impl<'a> Tree<'a> {
         found
     }
 
-    /// The names of a joint, of its link, and of all that hangs there.
-    pub(super) fn names_after(&self, joint: &'a Joint) -> Vec<&'a str> {
+    /// Returns the names of a joint, of its link, and of all links and joints after it.
+    pub(super) fn names_after(&self, joint: &'a UrdfJoint) -> Vec<&'a str> {
         let mut open = vec![joint];
         let mut names = Vec::new();
         while let Some(joint) = open.pop() {
@@ -136,12 +142,12 @@ impl<'a> Tree<'a> {
         names
     }
 
-    /// Whether nothing hangs on the link.
-    pub(super) fn is_leaf(&self, link: &Link) -> bool {
+    /// Returns true if no joint is on the link.
+    pub(super) fn is_leaf(&self, link: &UrdfLink) -> bool {
         self.joints(&link.name).is_empty()
     }
 }
 
-fn is_fixed(joint: &Joint) -> bool {
-    joint.kind == Kind::Fixed
+fn is_fixed(joint: &UrdfJoint) -> bool {
+    joint.kind == JointType::Fixed
 }

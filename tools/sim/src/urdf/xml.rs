@@ -1,24 +1,31 @@
-//! How text is spelled in XML: encodings, sizes and values.
+//! The text of XML files: encodings, limits of size, xacro, escapes and positions.
 
 use super::ImportError;
 use crate::message::Importing;
 use crate::message::Place;
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
+use roxmltree::{Document, Node};
 use std::borrow::Cow;
 
-/// URDF needs six levels; what simulators add to it, a few more.
+/// Maximum nesting depth. URDF needs six levels; additions of simulators, a few more.
 const DEEPEST: u32 = 100;
-/// URDF needs four attributes; what simulators add to it, a few more.
+/// Maximum number of attributes of an element. URDF needs four; additions of simulators, a few
+/// more.
 const MOST_ATTRIBUTES: u32 = 100;
-/// How a declaration begins.
+/// The start of an XML declaration.
 const DECLARATION: &str = "<?xml";
-/// What is no element, and how it ends.
+/// Starts and ends of markup that is not an element.
 const PASSED_OVER: [(&str, &str); 4] = [
     ("<!--", "-->"),
     ("<![CDATA[", "]]>"),
     ("<?", "?>"),
     ("</", ">"),
 ];
+
+/// The namespace prefix of xacro.
+pub(super) const PREFIX: &str = "xacro";
+/// The start of an expression.
+const EXPRESSION: &str = "${";
 
 /// Decodes the bytes of a file: by their byte order mark, else by the encoding that its XML declaration names, else as UTF-8.
 ///
@@ -43,12 +50,12 @@ pub fn decode(bytes: &[u8]) -> Result<String, ImportError> {
     }
     let broken = text.find(char::REPLACEMENT_CHARACTER).unwrap_or_default();
     Err(ImportError::new(Importing::NotInEncoding {
-        at: place(&text, broken),
+        at: position(&text, broken),
         encoding: encoding.name(),
     }))
 }
 
-/// The encoding of bytes without a byte order mark.
+/// Returns the encoding of bytes without a byte order mark.
 fn unmarked(bytes: &[u8]) -> Result<&'static Encoding, ImportError> {
     match bytes {
         [0, 0, 0, ..] | [0, 0, 0xFE, 0xFF, ..] | [_, 0, 0, 0, ..] => return Err(unknown("UTF-32")),
@@ -74,7 +81,7 @@ fn unknown(encoding: &str) -> ImportError {
     })
 }
 
-/// The encoding that an XML declaration names.
+/// Returns the encoding that an XML declaration names.
 fn declared(bytes: &[u8]) -> Option<&[u8]> {
     let rest = bytes
         .trim_ascii_start()
@@ -90,7 +97,8 @@ fn declared(bytes: &[u8]) -> Option<&[u8]> {
     matches!(quote, b'"' | b'\'').then_some(&value[..end])
 }
 
-/// A text whose XML declaration stands after blank lines has blanks instead, so that it can be read, each place as it is.
+/// Replaces blank lines and a late XML declaration by blanks, so that the text can be parsed and
+/// every position stays.
 pub(super) fn without_late_declaration(text: &str) -> Cow<'_, str> {
     let text = text.trim_start_matches('\u{FEFF}');
     let declaration = text.trim_start();
@@ -106,8 +114,8 @@ pub(super) fn without_late_declaration(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Refuses elements that are nested too deep for any robot or have too many attributes: the parser's time grows with the square of
-/// both.
+/// Refuses elements that are nested too deep for any robot or have too many attributes: the
+/// parser's time grows with the square of both.
 pub(super) fn check_size(text: &str) -> Result<(), ImportError> {
     let mut depth = 0;
     let mut at = 0;
@@ -131,7 +139,7 @@ pub(super) fn check_size(text: &str) -> Result<(), ImportError> {
         let element = || tag.name.to_owned();
         if tag.attributes > MOST_ATTRIBUTES {
             return Err(ImportError::new(Importing::TooManyAttributes {
-                at: place(text, at),
+                at: position(text, at),
                 element: element(),
                 most: MOST_ATTRIBUTES,
             }));
@@ -148,18 +156,18 @@ pub(super) fn check_size(text: &str) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// The tag that begins an element.
+/// The tag at the start of an element.
 struct Tag<'a> {
     name: &'a str,
     attributes: u32,
-    /// Whether it ends the element as well.
+    /// True if it ends the element as well.
     is_empty: bool,
-    /// How many bytes it has.
+    /// Length, bytes.
     length: usize,
 }
 
 impl<'a> Tag<'a> {
-    /// The tag at the start of a text.
+    /// Returns the tag at the start of a text.
     fn of(text: &'a str) -> Self {
         let mut quote = None;
         let mut attributes = 0;
@@ -190,8 +198,8 @@ impl<'a> Tag<'a> {
     }
 }
 
-/// The line and column of a byte of a text.
-fn place(text: &str, byte: usize) -> Place {
+/// Returns the line and column of a byte of a text.
+fn position(text: &str, byte: usize) -> Place {
     let before = &text[..byte];
     let line = before.rfind('\n').map_or(0, |end| end + 1);
     Place::At {
@@ -215,7 +223,7 @@ pub fn permitted(text: &str) -> String {
     text.chars().map(permitted).collect()
 }
 
-/// A text as an attribute holds it.
+/// Escapes a text for an attribute.
 pub(crate) fn escaped(text: &str) -> String {
     permitted(text)
         .replace('&', "&amp;")
@@ -224,9 +232,49 @@ pub(crate) fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// Numbers with blanks between them, each to its last digit.
+/// Formats numbers with blanks between them, each to its last digit.
 pub(crate) fn vector(of: impl IntoIterator<Item = f64>) -> String {
     // Adding 0 makes of −0 a plain 0.
     let words = of.into_iter().map(|number| (number + 0.0).to_string());
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// Refuses elements of xacro, and attributes that are expressions: the file was not expanded. The
+/// namespace alone is accepted.
+pub(super) fn refuse_xacro(document: &Document<'_>) -> Result<(), ImportError> {
+    let mut elements = document.descendants().filter(Node::is_element);
+    match elements.find_map(find_xacro) {
+        None => Ok(()),
+        Some(at) => Err(ImportError::new(Importing::Xacro { at })),
+    }
+}
+
+/// Returns the place of an element, or of an attribute, that is xacro.
+fn find_xacro(node: Node<'_, '_>) -> Option<Place> {
+    let namespace = node.tag_name().namespace();
+    if namespace.is_some() && namespace == node.lookup_namespace_uri(Some(PREFIX)) {
+        return Some(start(node));
+    }
+    let mut attributes = node.attributes();
+    let expression = attributes.find(|attribute| attribute.value().contains(EXPRESSION))?;
+    Some(place(node, expression.range().start))
+}
+
+/// Returns the place of a byte of the file.
+pub(super) fn place(node: Node<'_, '_>, byte: usize) -> Place {
+    let at = node.document().text_pos_at(byte);
+    Place::At {
+        line: at.row,
+        column: at.col,
+    }
+}
+
+/// Returns the place of an element.
+pub(super) fn start(node: Node<'_, '_>) -> Place {
+    place(node, node.range().start)
+}
+
+/// Returns a name without control characters, for comments and reports.
+pub(super) fn printed(name: &str) -> String {
+    name.replace(char::is_control, "?")
 }

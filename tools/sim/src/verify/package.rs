@@ -11,7 +11,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
-use tip_runtime::record::WholeFile;
+use tip_runtime::record::AtomicFile;
 use tipc::description::Description;
 use tipc::emit;
 use tipc::program::Program;
@@ -188,7 +188,7 @@ fn spelling(name: &str) -> emit::Options {
 
 /// Writes a file, or leaves it as it was.
 fn replace(path: &Path, content: &[u8]) -> Result<(), NotBuilt> {
-    let written = WholeFile::create(path).and_then(|mut file| {
+    let written = AtomicFile::create(path).and_then(|mut file| {
         file.write_all(content)?;
         file.commit()
     });

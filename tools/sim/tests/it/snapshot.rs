@@ -66,7 +66,7 @@ fn busy(robot: Robot) -> Result<Run, Box<dyn Error>> {
 }
 
 fn robots() -> Result<Vec<Robot>, Box<dyn Error>> {
-    let beside = HandSpecials::beside(Patience::default());
+    let beside = HandSpecials::with_user(Patience::default());
     Ok(vec![
         Robot::named("titan8")?.with_special(Patience::default()),
         Robot::named("generic")?.with_special(Patience::default()),

@@ -2,11 +2,11 @@
 //! here from the numbers in the file, one homogeneous transform after the other.
 
 mod broken;
-mod choices;
-mod doubts;
 mod encodings;
 mod export;
 mod frames;
+mod options;
+mod placeholders;
 mod refusals;
 mod robots;
 mod shapes;

@@ -5,7 +5,7 @@ use std::path::Path;
 use tip_runtime::command::{Flag, Target};
 use tip_runtime::controller::Mode;
 use tip_runtime::plant::{Scene, Simulation};
-use tip_runtime::record::{JsonLines, Moved};
+use tip_runtime::record::{JsonLines, MotionRecord};
 use tip_sim::{Events, Interpreter, Robot, Run, tipc};
 use tip_view::{At, Extent, Outcome, Recording};
 use tipc::Loaded;
@@ -49,7 +49,7 @@ fn trace(text: &str, robot: &Robot, events: &str) -> String {
     while run.ending().is_none() {
         run.advance(Some(&mut lines));
         let limbs = run.limbs().expect("limbs");
-        lines.moved(&Moved {
+        lines.motion(&MotionRecord {
             pose: run.pose(),
             motion: run.motion(),
             joints_per_leg: limbs.angles[0].len(),

@@ -1,13 +1,14 @@
-//! Whether a finger can follow a straight line at all, found by trying every posture: closed forms of
-//! two joints, and for the fingertip every direction of its last link. Nothing here is the robot's own.
+//! An independent decision if a finger can follow a straight line at all, found by trying every
+//! posture: closed forms of two joints, and for the fingertip every direction of its last link.
+//! Nothing here is the robot's own.
 
 const LENGTHS: [f64; 3] = [70.0, 50.0, 40.0];
 const LIMITS: [[f64; 2]; 3] = [[-90.0, 90.0], [-10.0, 110.0], [-10.0, 110.0]];
 
-/// A joint 2 that is bent less than this is straight, and may bend to either side: deg.
+/// Bend of joint 2 below which it is straight and may bend to either side, deg.
 const STRAIGHT: f64 = 0.01;
 
-/// Pieces that a line is cut into.
+/// Number of pieces of a line.
 const PIECES: usize = 80;
 
 /// Directions of the last link: from `FIRST` deg on, `FINENESS` of them to a degree.
@@ -15,10 +16,10 @@ const FIRST: f64 = -110.0;
 const FINENESS: usize = 2;
 const DIRECTIONS: usize = 420 * FINENESS;
 
-/// A place from the finger's base, in a frame in which every finger closes to the right: mm.
+/// A place in a frame at the finger's base in which every finger closes to the right, mm.
 pub(crate) type Place = [f64; 2];
 
-/// Where joint 3 is, and where the fingertip.
+/// Returns the places of joint 3 and the fingertip.
 pub(crate) fn places(angles: [f64; 3]) -> [Place; 2] {
     let (mut at, mut turned, mut found) = ([0.0, 0.0], 0.0_f64, [[0.0; 2]; 3]);
     for (m, (length, angle)) in LENGTHS.iter().zip(angles).enumerate() {
@@ -33,7 +34,8 @@ fn within(m: usize, angle: f64) -> bool {
     angle >= LIMITS[m][0] && angle <= LIMITS[m][1]
 }
 
-/// Joints 1 and 2 that put joint 3 at a place, with joint 2 bent to a side (±1).
+/// Returns the angles of joints 1 and 2 that put joint 3 at a place, with joint 2 bent to a side
+/// (±1).
 fn two_joints([x, y]: Place, side: f64) -> Option<[f64; 2]> {
     let [a, b, _] = LENGTHS;
     let bend = (x * x + y * y - a * a - b * b) / (2.0 * a * b);
@@ -51,13 +53,14 @@ fn on_line(from: Place, to: Place, piece: usize) -> Place {
     [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]))
 }
 
-/// The sides to which joint 2 may be bent on the whole line.
+/// Returns the sides to which joint 2 may be bent on the whole line.
 fn sides(start: [f64; 3]) -> Vec<f64> {
     let both = [1.0, -1.0].into_iter();
     both.filter(|side| side * start[1] > -STRAIGHT).collect()
 }
 
-/// Whether joint 3 can go straight from a posture to a place, without changing the side of the elbow.
+/// Returns true if joint 3 can go straight from a posture to a place, without changing the side of
+/// the elbow.
 pub(crate) fn third_joint_goes(start: [f64; 3], to: Place) -> bool {
     let [from, _] = places(start);
     sides(start)
@@ -65,7 +68,7 @@ pub(crate) fn third_joint_goes(start: [f64; 3], to: Place) -> bool {
         .any(|side| (1..=PIECES).all(|piece| two_joints(on_line(from, to, piece), side).is_some()))
 }
 
-/// The directions of the last link in which the fingertip can be at a place.
+/// Returns the directions of the last link in which the fingertip can be at a place.
 fn directions(at: Place, side: f64) -> Vec<bool> {
     let tries = (0..DIRECTIONS).map(|number| {
         let direction = FIRST + number as f64 / FINENESS as f64;
@@ -76,8 +79,8 @@ fn directions(at: Place, side: f64) -> Vec<bool> {
     tries.collect()
 }
 
-/// Whether the fingertip can go straight from a posture to a place, without changing the side of the
-/// elbow: directions that can be had spread to their neighbours, piece by piece of the line.
+/// Returns true if the fingertip can go straight from a posture to a place, without changing the
+/// side of the elbow: possible directions spread to their neighbours, piece by piece of the line.
 pub(crate) fn fingertip_goes(start: [f64; 3], to: Place) -> bool {
     let [_, from] = places(start);
     let direction = (start.iter().sum::<f64>() - FIRST) * FINENESS as f64;

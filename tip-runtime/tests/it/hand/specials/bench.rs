@@ -11,7 +11,7 @@ use tip_runtime::vibration::Vibration;
 pub(crate) struct Ideal {
     pub(crate) hand: Hand,
     pub(crate) flags: [bool; 10],
-    /// Graphs switched on or off.
+    /// Switched graphs, on or off.
     pub(crate) graphs: Vec<(u8, bool)>,
 }
 
@@ -59,23 +59,23 @@ pub(crate) struct Bench<U = ()> {
 
 impl Bench {
     pub(crate) fn new() -> Self {
-        Self::beside(())
+        Self::with_user(())
     }
 }
 
 impl<U: Special> Bench<U> {
-    pub(crate) fn beside(user: U) -> Self {
+    pub(crate) fn with_user(user: U) -> Self {
         Bench {
             robot: Ideal {
                 hand: Hand::new(),
                 flags: [false; 10],
                 graphs: Vec::new(),
             },
-            special: HandSpecials::beside(user),
+            special: HandSpecials::with_user(user),
         }
     }
 
-    /// A cycle whose step is `SPECIAL number arguments`.
+    /// Runs a cycle whose step is `SPECIAL number arguments`.
     pub(crate) fn call(&mut self, number: u8, arguments: &[f64]) -> Result<Poll, Fault> {
         let hand = &mut self.robot.hand;
         hand.controller.sense(&hand.sensors)?;
@@ -90,12 +90,12 @@ impl<U: Special> Bench<U> {
         Ok(poll)
     }
 
-    /// As `call`, which takes this one cycle.
+    /// Like `call`, for a command that takes one cycle.
     pub(crate) fn done(&mut self, number: u8, arguments: &[f64]) {
         assert_eq!(self.call(number, arguments), Ok(Poll::Done));
     }
 
-    /// Each of these arguments is a Domain error of `number`.
+    /// Asserts that each of these arguments is a Domain error of `number`.
     pub(crate) fn refuse(&mut self, number: u8, wrong: &[&[f64]]) {
         for arguments in wrong {
             let told = self.call(number, arguments);
@@ -103,7 +103,7 @@ impl<U: Special> Bench<U> {
         }
     }
 
-    /// Cycles whose steps are others.
+    /// Runs cycles with other steps.
     pub(crate) fn idle(&mut self, cycles: usize) {
         for _ in 0..cycles {
             self.special.cycle(&mut self.robot).expect("nothing fails");

@@ -6,8 +6,8 @@ use tip_runtime::command::{Op, Target};
 
 const INITIAL: [f64; 3] = [-40.0, 0.0, 80.0];
 
-/// How far the joints of finger `n` are measured from the initial posture in each of the next
-/// cycles: deg.
+/// Returns the measured distances of the joints of finger `n` from the initial posture in each of
+/// the next cycles, deg.
 fn departures(bench: &mut Bench, n: usize, cycles: usize) -> Vec<[f64; 3]> {
     let mut next = || {
         bench.idle(1);
@@ -17,7 +17,8 @@ fn departures(bench: &mut Bench, n: usize, cycles: usize) -> Vec<[f64; 3]> {
     (0..cycles).map(|_| next()).collect()
 }
 
-/// How often the fingertip joint of finger `n` crosses where it is commanded, in a second.
+/// Returns the number of times in a second that the fingertip joint of finger `n` crosses its
+/// command.
 fn crossings(bench: &mut Bench, n: usize) -> usize {
     let seconds = departures(bench, n, 500);
     let above: Vec<bool> = seconds.iter().map(|joints| joints[2] > 0.0).collect();

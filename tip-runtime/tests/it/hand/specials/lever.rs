@@ -4,7 +4,7 @@ use super::bench::Bench;
 use crate::hand::rig::{J11, J13, close, moments};
 use tip_runtime::command::{Op, Target};
 
-/// The end of finger `n`'s second link: mm.
+/// Returns the end of finger `n`'s second link, mm.
 fn end(bench: &Bench, n: usize) -> [f64; 3] {
     let chain = bench.robot.hand.chain(n);
     chain.joint(2).expect("three joints")

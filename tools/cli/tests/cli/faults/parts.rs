@@ -7,7 +7,7 @@ use std::fs::{self, Permissions};
 use std::io::Write;
 use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
-use tip_runtime::record::WholeFile;
+use tip_runtime::record::AtomicFile;
 
 const ANY: &str = "any file";
 const TRACE: &str = "the trace";
@@ -56,7 +56,7 @@ fn equal_ids() -> Row {
     for file in FILES {
         let path = bench.folder.path(file);
         let texts = ["one ".repeat(5_000), "two ".repeat(7_000)];
-        let mut writers = [(); 2].map(|()| WholeFile::create(&path).expect("it is writable"));
+        let mut writers = [(); 2].map(|()| AtomicFile::create(&path).expect("it is writable"));
         for at in (0..28_000).step_by(1_000) {
             for (writer, text) in writers.iter_mut().zip(&texts) {
                 let piece = text.get(at..at + 1_000).unwrap_or_default();

@@ -16,7 +16,7 @@ fn text(declared: &str) -> String {
     text.replace("name=\"a\"", "name=\"\u{8db3}\"")
 }
 
-/// Whether the joint has its name.
+/// Asserts that the joint has its name.
 #[track_caller]
 fn reads(bytes: &[u8]) {
     let text = decode(bytes).unwrap_or_else(|error| panic!("{error}"));
@@ -28,7 +28,7 @@ fn utf16(text: &str, bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
     text.encode_utf16().flat_map(bytes).collect()
 }
 
-/// The text with the name as it is in another encoding of one byte for each ASCII letter.
+/// Returns the text with the name in another encoding of one byte for each ASCII letter.
 fn in_place(text: &str, name: &[u8]) -> Vec<u8> {
     let (before, after) = text.split_once('\u{8db3}').expect("the name");
     [before.as_bytes(), name, after.as_bytes()].concat()

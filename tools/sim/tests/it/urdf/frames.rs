@@ -1,4 +1,4 @@
-//! Where URDF itself puts a link: homogeneous transforms, one after the other, with nothing of the code under test.
+//! Forward kinematics of URDF by homogeneous transforms, independent of the code under test.
 
 use crate::urdf::robots::Joint;
 
@@ -36,7 +36,7 @@ fn transform(axis: [f64; 3], angle: f64, shift: [f64; 3]) -> Matrix {
     ]
 }
 
-/// The sine by its series, so that not even that is shared with the code under test.
+/// Returns the sine by its series, so that not even that is shared with the code under test.
 fn sine(angle: f64) -> f64 {
     let mut term = angle;
     let mut sum = angle;
@@ -48,7 +48,7 @@ fn sine(angle: f64) -> f64 {
     sum
 }
 
-/// Where URDF itself puts the origin of a joint's child link, in mm with x to the right and y forward.
+/// Returns the origin of a joint's child link by URDF's own frames, in mm with x to the right and y forward.
 pub(crate) fn place(joints: &[Joint], child: &str, angles: &[(&str, f64)]) -> [f64; 3] {
     const X: [f64; 3] = [1.0, 0.0, 0.0];
     const Y: [f64; 3] = [0.0, 1.0, 0.0];

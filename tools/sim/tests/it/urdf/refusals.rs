@@ -1,9 +1,9 @@
-//! What cannot be imported: by name, and what to do about it.
+//! Robots that cannot be imported: names, reasons and ways out.
 
 use crate::urdf::robots::{ARM, Joint, PLAIN, TIP, fixed, revolute, urdf};
 use tip_sim::urdf::import;
 
-/// What is said against a robot of these joints.
+/// Asserts that a robot of these joints is refused with these parts of a message.
 #[track_caller]
 fn refused(joints: &[Joint], parts: &[&str]) {
     let error = import("test.urdf", &urdf(joints))

@@ -1,15 +1,15 @@
 //! Robots that stand as high as they are asked to, by trigonometry of their figures.
 
-use tip_sim::urdf::{Choices, export, import_with};
+use tip_sim::urdf::{ImportOptions, export, import_with};
 use tip_sim::{Anatomy, Robot};
 
-/// What a robot becomes that is exported, and imported to stand so many mm high.
+/// Exports a robot, and imports it to stand at a height, mm.
 fn standing(robot: &Robot, height: f64) -> Result<Anatomy, String> {
-    let choices = Choices {
+    let options = ImportOptions {
         stand: Some(height),
-        ..Choices::default()
+        ..ImportOptions::default()
     };
-    let import = import_with("test.urdf", &export(robot), &choices);
+    let import = import_with("test.urdf", &export(robot), &options);
     let import = import.map_err(|error| error.to_string())?;
     let said = format!("has all feet {height} mm below the robot frame");
     assert!(
