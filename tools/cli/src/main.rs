@@ -15,7 +15,6 @@ mod error;
 mod explain;
 mod fix;
 mod fmt;
-mod framing;
 mod help;
 mod input;
 mod interrupt;

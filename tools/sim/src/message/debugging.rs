@@ -32,33 +32,6 @@ tipc::message_table! {
         "(program)",
         "(本体)";
 
-    Robot
-        "Robot",
-        "ロボット";
-
-    // What is shown of a robot.
-    Cycle
-        "cycle",
-        "サイクル";
-    Time
-        "time",
-        "時刻";
-    Pose
-        "position of the body",
-        "胴体の位置";
-    Lean
-        "roll, pitch, yaw",
-        "ロール、ピッチ、ヨー";
-    Falls
-        "falls",
-        "転倒回数";
-    Angles { leg: usize }
-        "angles of leg {leg}",
-        "脚{leg}の関節角度";
-    Loads
-        "loads",
-        "荷重";
-
     // How a leg is controlled.
     AtRest
         "rest",
@@ -98,18 +71,9 @@ tipc::message_table! {
     Fell
         "the robot falls",
         "ロボットが転倒しました";
-    FellIn { cycle: usize }
-        "the robot falls in cycle {cycle}",
-        "サイクル{cycle}でロボットが転倒しました";
-    FellBy { cycle: usize, outside: Text }
-        "the robot falls in cycle {cycle}, {outside} mm outside of its feet",
-        "サイクル{cycle}でロボットが転倒しました(支持多角形の外{outside} mm)";
     Ended
         "the program is over",
         "プログラムは終了しました";
-    EndedBy { word: &'static str }
-        "the program is over ({word})",
-        "プログラムは終了しました({word})";
     Interrupted
         "interrupted",
         "中断しました";
@@ -122,13 +86,6 @@ tipc::message_table! {
     Searching { percent: u32 }
         "searching backwards, {percent} %; Esc interrupts",
         "逆方向に検索中 {percent}%(Escで中断)";
-
-    Searches
-        "Searching",
-        "検索中";
-    FallsStop
-        "Falls of the robot",
-        "ロボットの転倒";
 
     // What is asked.
     AskEvent
@@ -180,36 +137,6 @@ tipc::message_table! {
         "`{text}` はイベントではありません。`key F`、`VR1=8`、`halt`、`N = 5` のように書いてください";
 
     // Why it does not do what it is asked.
-    NothingDebugged
-        "no program is being debugged",
-        "デバッグ中のプログラムがありません";
-    AlreadyDebugged
-        "a program is being debugged already",
-        "すでに別のプログラムをデバッグしています";
-    NothingToAttach
-        "a program is launched; there is none to attach to",
-        "プログラムは launch で起動します。attach はできません";
-    IsRunning
-        "the program is running",
-        "プログラムは実行中です";
-    NothingHappened
-        "nothing happened here",
-        "ここでは何も起きていません";
-    OtherFile
-        "this file is not the program that is debugged",
-        "このファイルはデバッグ中のプログラムではありません";
-    OnlyVariables
-        "only variables of the program are watched",
-        "監視できるのはプログラムの変数だけです";
-    WatchHasNoCondition
-        "a watch has no condition; a breakpoint on a line has",
-        "変数の監視に条件は付けられません。行のブレークポイントに付けてください";
-    NoSuchList
-        "there is no such list of variables",
-        "その変数一覧はありません";
-    Truth { text: Text }
-        "`{text}` is a condition, not a number",
-        "`{text}` は数ではなく条件です";
     NoStepFrom { line: u32 }
         "no step is on line {line} or after it",
         "{line}行目以降にステップがありません";
@@ -231,9 +158,6 @@ tipc::message_table! {
     WouldDiscard { cycles: usize }
         "{cycles} cycles have been run after this one, and would be discarded",
         "これより後の{cycles}サイクルの実行結果が破棄されます";
-    AgainConfirms { refused: Text }
-        "{refused}; do it again to confirm",
-        "{refused}。よければもう一度実行してください";
     NoInput { port: Text }
         "the robot has no input {port}",
         "このロボットに入力 {port} はありません";

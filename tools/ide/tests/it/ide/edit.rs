@@ -147,7 +147,7 @@ fn a_name_that_means_something_else_somewhere_is_refused() {
 fn check_fix(statements: &str, expected: &[&str]) {
     let (document, at) = cursor(statements);
     let place = tipc::source::Span::new(at, at);
-    let actions = document.actions(place);
+    let actions = document.code_actions(place);
     let texts = actions
         .iter()
         .map(|action| changed(&document, &action.edits));
@@ -155,7 +155,7 @@ fn check_fix(statements: &str, expected: &[&str]) {
 }
 
 #[test]
-fn a_fix_is_that_of_the_finding_at_the_cursor() {
+fn a_fix_is_that_of_the_diagnostic_at_the_cursor() {
     check_fix(
         "IF KB_HIT$0\nREM\nEND IF\nEND\n",
         &["IF KB_HIT THEN\nREM\nEND IF\nEND\n"],

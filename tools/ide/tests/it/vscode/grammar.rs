@@ -1,4 +1,4 @@
-//! The grammar of TextMate: the classes of [`tip_ide::Paint`], as far as a line tells them.
+//! The grammar of TextMate: the classes of [`tip_ide::TokenClass`], as far as a line tells them.
 
 use crate::vscode::rule::Rule;
 use serde::Serialize;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tip_ide::template;
+use tip_ide::snippet;
 use tipc::Robot;
 use tipc::language::commands::COMMANDS;
 use tipc::language::{Edition, Keyword};
@@ -22,7 +22,7 @@ pub(crate) fn snippets() -> BTreeMap<String, Snippet> {
     let commands = COMMANDS.iter().filter_map(|row| {
         let mut robots = Robot::ALL.iter().copied();
         let robot = robots.find(|robot| row.robots.contains(*robot))?;
-        let text = template(row, robot);
+        let text = snippet(row, robot);
         let names = row.robots.names();
         let only = match names.len() == Robot::ALL.len() {
             true => String::new(),

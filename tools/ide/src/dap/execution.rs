@@ -1,34 +1,37 @@
-//! Movements, and the events that report where they end.
+//! Movements forwards and backwards, and the events that report their progress and where they stop.
 
-use super::message::Step;
-use super::session::{Answer, Host, Session, THREAD, read};
+use super::Launcher;
+use super::breakpoints::Kind;
+use super::protocol::Step;
+use super::session::{Answer, Session, THREAD, read};
+use crate::message::Adapting;
 use serde_json::{Value, json};
 use tip_runtime::program::End;
 use tip_sim::debug::{Move, Progress, Reason};
 use tip_sim::message::Debugging;
 use tipc::language::Keyword;
 
-/// What a client calls a long search.
+/// The id of the progress of a search.
 const PROGRESS: &str = "search";
 
-/// A search of so many cycles is announced.
-const LONG: u64 = 20_000;
+/// Number of cycles from which the progress of a search is reported.
+const LONG_SEARCH: u64 = 20_000;
 
-impl<H: Host> Session<H> {
-    /// Everything is set up.
+impl<L: Launcher> Session<L> {
+    /// Starts the program after the configuration.
     pub(super) fn begin(&mut self) {
         match self.launch.stop_on_entry && !self.launch.no_debug {
             true => self.stopped_because("entry", None),
             false => {
                 if self.go(Move::Continue).is_ok() {
-                    self.settle();
+                    self.report_if_stopped();
                 }
             }
         }
     }
 
     pub(super) fn go(&mut self, movement: Move) -> Answer {
-        let debuggee = self.standing()?;
+        let debuggee = self.paused()?;
         debuggee.debugger.start(movement);
         Ok(match movement {
             Move::Continue => Some(json!({ "allThreadsContinued": true })),
@@ -36,7 +39,7 @@ impl<H: Host> Session<H> {
         })
     }
 
-    /// A statement, or with the finest granularity a control cycle.
+    /// Steps by a statement, or with the finest granularity by a control cycle.
     pub(super) fn step(&mut self, step: Move, cycle: Move, arguments: Value) -> Answer {
         let Step { granularity } = read(arguments)?;
         match granularity.as_deref() {
@@ -45,31 +48,31 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// A movement that is over before it begins.
+    /// Reports a movement that ends as soon as it begins.
     pub(super) fn follow_move(&mut self, command: &str) {
         match command {
             "continue" | "next" | "stepIn" | "stepOut" if self.is_at_end() => self.end_as_program(),
             "continue" | "next" | "stepIn" | "stepOut" | "stepBack" | "reverseContinue" => {
-                self.settle();
+                self.report_if_stopped();
             }
-            _ if std::mem::take(&mut self.has_moved) => self.settle(),
+            _ if std::mem::take(&mut self.has_moved) => self.report_if_stopped(),
             _ => {}
         }
     }
 
-    /// Tells where it stands, if it does.
-    fn settle(&mut self) {
-        if !self.is_going() {
-            self.stopped();
+    /// Reports the stop of a program that does not run.
+    fn report_if_stopped(&mut self) {
+        if !self.is_running() {
+            self.report_stop();
         }
     }
 
-    /// Whether it stood at the end before it was to go on: there is nothing to go on to.
+    /// Returns true if the program had stopped at its end already, so that it cannot continue.
     fn is_at_end(&self) -> bool {
         self.debuggee.as_ref().is_some_and(|debuggee| {
             let stop = debuggee.debugger.stop();
             let is_end = matches!(stop.reason, Reason::Ended(_) | Reason::Fault(_));
-            is_end && self.told_end == Some(stop.at) && !debuggee.debugger.is_going()
+            is_end && self.reported_end == Some(stop.at) && !debuggee.debugger.is_going()
         })
     }
 
@@ -81,7 +84,7 @@ impl<H: Host> Session<H> {
         self.end(if fault { 3 } else { 0 });
     }
 
-    /// The session is over for the client.
+    /// Reports the end of the program and of the session.
     pub(super) fn end(&mut self, code: i64) {
         if let Some(debuggee) = &mut self.debuggee {
             debuggee.debugger.cancel();
@@ -96,22 +99,22 @@ impl<H: Host> Session<H> {
         };
         if debuggee.debugger.is_going() {
             debuggee.debugger.cancel();
-            self.stopped();
+            self.report_stop();
         }
     }
 
-    /// Passes on what the program said for the first time, and what log points said.
-    pub(super) fn say(&mut self) {
+    /// Sends new messages of the program and of log points.
+    pub(super) fn report_output(&mut self) {
         let Some(debuggee) = &mut self.debuggee else {
             return;
         };
-        // What is said at a position comes before the cycle that begins there.
+        // A log point at a cycle comes before the message of that cycle.
         let debugger = &mut debuggee.debugger;
         let logged = debugger.logged().into_iter();
         let logged = logged.map(|(at, text)| (at, "console", text));
-        let said = debugger.news().into_iter();
-        let said = said.map(|(at, text)| (at, "stdout", text));
-        let mut all: Vec<_> = logged.chain(said).collect();
+        let messages = debugger.news().into_iter();
+        let messages = messages.map(|(at, text)| (at, "stdout", text));
+        let mut all: Vec<_> = logged.chain(messages).collect();
         all.sort_by_key(|(at, ..)| *at);
         for (_, category, text) in all {
             if !text.is_empty() {
@@ -121,9 +124,9 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// Tells how far a long search is.
-    pub(super) fn report(&mut self, progress: Progress) {
-        let Some(of) = progress.of.filter(|of| *of >= LONG) else {
+    /// Sends the progress of a long search.
+    pub(super) fn report_progress(&mut self, progress: Progress) {
+        let Some(of) = progress.of.filter(|of| *of >= LONG_SEARCH) else {
             return;
         };
         if !self.client.supports_progress_reporting {
@@ -132,7 +135,7 @@ impl<H: Host> Session<H> {
         let percentage = progress.done.saturating_mul(100) / of;
         if !self.has_progress {
             self.has_progress = true;
-            let title = self.text(Debugging::Searches);
+            let title = self.text(Adapting::Searches);
             self.event(
                 "progressStart",
                 Some(json!({ "progressId": PROGRESS, "title": title, "cancellable": true, "percentage": 0 })),
@@ -148,12 +151,12 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// Tells where and why it stands.
-    pub(super) fn stopped(&mut self) {
+    /// Reports where and why the program has stopped.
+    pub(super) fn report_stop(&mut self) {
         if std::mem::take(&mut self.has_progress) {
             self.event("progressEnd", Some(json!({ "progressId": PROGRESS })));
         }
-        self.say();
+        self.report_output();
         let Some(debuggee) = &self.debuggee else {
             return;
         };
@@ -162,8 +165,8 @@ impl<H: Host> Session<H> {
         if is_end && self.launch.no_debug {
             return self.end_as_program();
         }
-        self.told_end = is_end.then_some(stop.at);
-        let by_name = |id: &u32| self.placed[1].contains(id);
+        self.reported_end = is_end.then_some(stop.at);
+        let by_name = |id: &u32| self.breakpoints[Kind::Name as usize].contains(id);
         match &stop.reason {
             Reason::Start => self.stopped_because("entry", Some(self.text(Debugging::Start))),
             Reason::Step => self.stopped_because("step", None),
@@ -178,7 +181,7 @@ impl<H: Host> Session<H> {
             }
             Reason::Watch { id, .. } => self.stopped_at("data breakpoint", None, Some(*id)),
             Reason::Fall(fall) => {
-                let text = self.text(Debugging::FellIn {
+                let text = self.text(Adapting::FellIn {
                     cycle: count(fall.cycle),
                 });
                 self.stopped_because("exception", Some(text));
@@ -192,7 +195,7 @@ impl<H: Host> Session<H> {
                     End::Exit => Keyword::Exit,
                 };
                 let word = end.word();
-                let text = self.text(Debugging::EndedBy { word });
+                let text = self.text(Adapting::EndedBy { word });
                 self.stopped_because("pause", Some(text));
             }
             _ => self.stopped_because("pause", None),
@@ -215,23 +218,23 @@ impl<H: Host> Session<H> {
         self.event("stopped", Some(body));
     }
 
-    /// What happened, where an emergency or a fall stopped it.
+    /// Returns the emergency or the fall that stopped the program.
     pub(super) fn exception_info(&mut self) -> Answer {
         let lang = self.lang();
-        let debuggee = self.standing()?;
+        let debuggee = self.paused()?;
         let (id, text) = match &debuggee.debugger.stop().reason {
             Reason::Fault(emergency) => (emergency.fault.kind().to_string(), emergency.to_string()),
             Reason::Fall(fall) => {
                 let cycle = count(fall.cycle);
                 let fell = if fall.margin < 0.0 {
                     let outside = format!("{:.1}", -fall.margin).into();
-                    Debugging::FellBy { cycle, outside }
+                    Adapting::FellBy { cycle, outside }
                 } else {
-                    Debugging::FellIn { cycle }
+                    Adapting::FellIn { cycle }
                 };
                 ("fall".to_owned(), fell.in_lang(lang).to_string())
             }
-            _ => return Err(self.text(Debugging::NothingHappened)),
+            _ => return Err(self.text(Adapting::NothingHappened)),
         };
         Ok(Some(
             json!({ "exceptionId": id, "description": text, "breakMode": "always" }),
@@ -239,7 +242,7 @@ impl<H: Host> Session<H> {
     }
 }
 
-/// A cycle as messages count.
+/// Converts the number of a cycle for messages.
 fn count(cycle: u64) -> usize {
     usize::try_from(cycle).unwrap_or(usize::MAX)
 }

@@ -1,23 +1,31 @@
-//! What a client is shown where the program stands: calls, variables, the robot.
+//! The state of a paused program: call stack, variables and robot, expressions, and changes of it from variables and the console.
 
-use super::message::{Scope, SourceFile, StackFrame, StackTrace, Variable, Variables};
-use super::session::{Answer, Host, Session, THREAD};
+use super::Launcher;
+use super::protocol::{
+    Evaluate, Scope, SetVariable, SourceFile, StackFrame, StackTrace, Variable, Variables,
+};
+use super::session::{Answer, Session, THREAD};
+use crate::message::Adapting;
 use serde_json::{Value, json};
 use tip_runtime::controller::Aim;
-use tip_sim::debug::{self, Debugger, control};
+use tip_sim::Event;
+use tip_sim::debug::{self, Debugger, Discard, Move, Refused, Value as Evaluated, control};
 use tip_sim::message::Debugging;
-use tipc::message::Lang;
+use tipc::message::{Lang, Message};
 use tipc::program::VariableKind;
 use tipc::source::Source;
 
-/// What the numbers of lists of variables stand for.
+/// The references of lists of variables.
 const PROGRAM: i64 = 1;
 const ROBOT: i64 = 2;
 const LEGS: i64 = 3;
-/// A variable of the program with members; its place is added.
+/// The reference of the members of the first variable; the index of the variable is added.
 const MEMBERS: i64 = 1000;
 
-impl<H: Host> Session<H> {
+/// The prefix of a change that may discard later cycles.
+const DISCARD: &str = "discard ";
+
+impl<L: Launcher> Session<L> {
     pub(super) fn threads(&mut self) -> Answer {
         let debuggee = self.debuggee.as_ref();
         let name = debuggee.map_or("T.I.P.", |debuggee| {
@@ -28,7 +36,7 @@ impl<H: Host> Session<H> {
 
     pub(super) fn stack_trace(&mut self, asked: &StackTrace) -> Answer {
         let (first_line, first_column) = (self.first_line(), self.first_column());
-        let debuggee = self.standing()?;
+        let debuggee = self.paused()?;
         let file = SourceFile {
             name: Some(debuggee.debugger.program().source_name().to_owned()),
             path: Some(debuggee.path.clone()),
@@ -58,10 +66,10 @@ impl<H: Host> Session<H> {
     }
 
     pub(super) fn scopes(&mut self) -> Answer {
-        self.standing()?;
+        self.paused()?;
         let debuggee = self.debuggee.as_ref();
         let count = debuggee.map(|it| it.debugger.program().variables().len());
-        let scope = |name, variables_reference, presentation_hint| Scope {
+        let scope = |name: Message, variables_reference, presentation_hint| Scope {
             name: self.text(name),
             presentation_hint,
             variables_reference,
@@ -70,9 +78,9 @@ impl<H: Host> Session<H> {
             expensive: false,
         };
         let scopes = [
-            scope(Debugging::Variables, PROGRAM, Some("locals")),
-            scope(Debugging::Robot, ROBOT, None),
-            scope(Debugging::Legs, LEGS, None),
+            scope(Debugging::Variables.into(), PROGRAM, Some("locals")),
+            scope(Adapting::Robot.into(), ROBOT, None),
+            scope(Debugging::Legs.into(), LEGS, None),
         ];
         let scopes: Vec<Value> = scopes
             .iter()
@@ -83,8 +91,8 @@ impl<H: Host> Session<H> {
 
     pub(super) fn variables(&mut self, asked: &Variables) -> Answer {
         let lang = self.lang();
-        let no_such_list = self.text(Debugging::NoSuchList);
-        let debugger = &self.standing()?.debugger;
+        let no_such_list = self.text(Adapting::NoSuchList);
+        let debugger = &self.paused()?.debugger;
         let from = usize::try_from(asked.start.unwrap_or(0)).unwrap_or(usize::MAX);
         let count = asked.count.filter(|count| *count > 0).unwrap_or(u64::MAX);
         let count = usize::try_from(count).unwrap_or(usize::MAX);
@@ -116,18 +124,111 @@ impl<H: Host> Session<H> {
             .collect();
         Ok(Some(json!({ "variables": shown })))
     }
+
+    pub(super) fn set_variable(&mut self, asked: &SetVariable) -> Answer {
+        let debugger = &self.paused()?.debugger;
+        let value = match asked.value.trim().parse::<f64>() {
+            Ok(value) => value,
+            Err(_) => match debugger.evaluate(&asked.value) {
+                Ok(Evaluated::Number(value)) => value,
+                Ok(Evaluated::Truth(_)) => {
+                    let text = asked.value.trim().to_owned().into();
+                    return Err(self.text(Adapting::Truth { text }));
+                }
+                Err(refused) => return Err(refused.text(self.lang())),
+            },
+        };
+        let name = asked.name.trim().to_ascii_uppercase();
+        self.change(Event::Set(name.clone(), value), Discard::Nothing)?;
+        let lang = self.lang();
+        let debugger = &self.paused()?.debugger;
+        let value = debugger.value(&name).ok().flatten();
+        Ok(Some(json!({ "value": number(value, lang) })))
+    }
+
+    /// Applies an event. One that would discard later cycles is refused at first; repeating it confirms it.
+    fn change(&mut self, event: Event, discard: Discard) -> Result<(), String> {
+        let lang = self.lang();
+        let confirmed = self.unconfirmed.take();
+        let debugger = &mut self.paused()?.debugger;
+        let this = (debugger.now(), event.to_string());
+        let discard = match confirmed.as_ref() == Some(&this) {
+            true => Discard::Later,
+            false => discard,
+        };
+        match debugger.happens(event, discard) {
+            Ok(()) => {
+                if self.client.supports_invalidated_event {
+                    self.event("invalidated", Some(json!({ "areas": ["all"] })));
+                }
+                Ok(())
+            }
+            Err(refused @ Refused::WouldDiscard(_)) => {
+                self.unconfirmed = Some(this);
+                let refused = refused.text(lang).into();
+                let again = Adapting::AgainConfirms { refused };
+                Err(again.in_lang(lang).to_string())
+            }
+            Err(refused) => Err(refused.text(lang)),
+        }
+    }
+
+    /// Evaluates an expression; in the console, also applies an event, `N = 5`, or goes to a cycle, `to 300`.
+    pub(super) fn evaluate(&mut self, asked: &Evaluate) -> Answer {
+        let text = asked.expression.trim();
+        if asked.context.as_deref() == Some("repl")
+            && let Some(done) = self.command(text)
+        {
+            done?;
+            return Ok(Some(json!({ "result": "", "variablesReference": 0 })));
+        }
+        let lang = self.lang();
+        let debugger = &self.paused()?.debugger;
+        let name = text.to_ascii_uppercase();
+        let variables = debugger.variables();
+        if let Some((place, variable)) = (0..).zip(&variables).find(|(_, it)| it.name == name) {
+            return Ok(Some(json!({
+                "result": value(variable, lang),
+                "variablesReference": reference(place, variable),
+            })));
+        }
+        let result = match debugger.value(text) {
+            Ok(value) => number(value, lang),
+            Err(_) => match debugger.evaluate(text) {
+                Ok(Evaluated::Number(value)) => value.to_string(),
+                Ok(Evaluated::Truth(truth)) => truth.to_string(),
+                Err(refused) => return Err(refused.text(lang)),
+            },
+        };
+        Ok(Some(json!({ "result": result, "variablesReference": 0 })))
+    }
+
+    /// Runs a line of the console; `None` if it is not a command.
+    fn command(&mut self, text: &str) -> Option<Result<(), String>> {
+        if let Some(cycle) = text.strip_prefix("to ") {
+            let cycle = cycle.trim().parse().ok()?;
+            self.has_moved = true;
+            return Some(self.go(Move::To(cycle)).map(|_| ()));
+        }
+        let (discard, rest) = match text.strip_prefix(DISCARD) {
+            Some(rest) => (Discard::Later, rest.trim()),
+            None => (Discard::Nothing, text),
+        };
+        let event = rest.parse().ok().or_else(|| Event::assignment(rest))?;
+        Some(self.change(event, discard))
+    }
 }
 
-/// The number of the list of a variable's members; 0 if it is a number itself.
-pub(super) fn reference(place: i64, variable: &debug::Variable) -> i64 {
+/// Returns the reference of the members of a variable; 0 if it is a number.
+fn reference(place: i64, variable: &debug::Variable) -> i64 {
     match variable.kind {
         VariableKind::Var => 0,
         VariableKind::Pos | VariableKind::Joint => MEMBERS + place,
     }
 }
 
-/// A variable's value, or the values of its members.
-pub(super) fn value(variable: &debug::Variable, lang: Lang) -> String {
+/// Returns the value of a variable, or the values of its members.
+fn value(variable: &debug::Variable, lang: Lang) -> String {
     let scalars = variable.scalars.iter();
     let mut scalars = scalars.map(|(_, value)| number(*value, lang));
     match variable.kind {
@@ -138,7 +239,7 @@ pub(super) fn value(variable: &debug::Variable, lang: Lang) -> String {
     }
 }
 
-pub(super) fn number(value: Option<f64>, lang: Lang) -> String {
+fn number(value: Option<f64>, lang: Lang) -> String {
     let unassigned = || Debugging::Unassigned.in_lang(lang).to_string();
     value.map_or_else(unassigned, |value| value.to_string())
 }
@@ -180,32 +281,32 @@ fn plain(name: String, value: String) -> Variable {
     }
 }
 
-/// The time, and how the robot is.
+/// Returns time, pose, falls, angles and loads.
 fn robot(debugger: &Debugger, lang: Lang) -> Vec<Variable> {
-    let plain = |name: Debugging, value| plain(name.in_lang(lang).to_string(), value);
+    let plain = |name: Adapting, value| plain(name.in_lang(lang).to_string(), value);
     let run = debugger.run();
     let mut shown = vec![
-        plain(Debugging::Cycle, debugger.now().to_string()),
-        plain(Debugging::Time, format!("{} ms", run.time())),
+        plain(Adapting::Cycle, debugger.now().to_string()),
+        plain(Adapting::Time, format!("{} ms", run.time())),
     ];
     if let Some(motion) = run.motion() {
         let pose = motion.pose;
         let [x, y, z] = pose.position;
         let place = format!("({x:.1}, {y:.1}, {z:.1}) mm");
-        shown.push(plain(Debugging::Pose, place));
+        shown.push(plain(Adapting::Pose, place));
         let (roll, pitch, yaw) = (pose.roll, pose.pitch, pose.yaw);
         let lean = format!("({roll:.2}, {pitch:.2}, {yaw:.2}) deg");
-        shown.push(plain(Debugging::Lean, lean));
-        shown.push(plain(Debugging::Falls, motion.falls.to_string()));
+        shown.push(plain(Adapting::Lean, lean));
+        shown.push(plain(Adapting::Falls, motion.falls.to_string()));
     }
     if let Some(limbs) = run.limbs() {
         for (leg, angles) in (1..).zip(&limbs.angles) {
             let angles = format!("{} deg", list(angles));
-            shown.push(plain(Debugging::Angles { leg }, angles));
+            shown.push(plain(Adapting::Angles { leg }, angles));
         }
         if !limbs.loads.is_empty() {
             let loads = format!("{} N", list(&limbs.loads));
-            shown.push(plain(Debugging::Loads, loads));
+            shown.push(plain(Adapting::Loads, loads));
         }
     }
     shown
@@ -227,7 +328,7 @@ fn aim(aim: &Aim, lang: Lang) -> Variable {
     plain(aim.of.to_string(), format!("{mode}{goal}"))
 }
 
-/// A column in UTF-16 code units of one in characters; both from 1.
+/// Converts a column in characters to one in UTF-16 code units; both from 1.
 fn column(source: &Source, line: u32, column: u32) -> i64 {
     let line = source.line_text(line);
     let before = line.chars().take((column as usize).saturating_sub(1));
@@ -235,7 +336,7 @@ fn column(source: &Source, line: u32, column: u32) -> i64 {
     i64::try_from(units).unwrap_or(0) + 1
 }
 
-/// The column in characters, from 1, that so many UTF-16 code units come before.
+/// Converts a number of UTF-16 code units before a column to that column in characters, from 1.
 pub(super) fn character(source: &Source, line: u32, units: i64) -> u32 {
     let mut left = usize::try_from(units).unwrap_or(0);
     let mut column = 1;

@@ -1,30 +1,34 @@
-//! Breakpoints on lines, by name and on variables.
+//! Breakpoints on lines, on names and on variables.
 
-use super::message::{
+use super::inspection;
+use super::protocol::{
     Breakpoint, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
     SetFunctionBreakpoints, SourceBreakpoint,
 };
-use super::session::{Answer, Debuggee, Host, Session};
-use super::shown;
+use super::session::{Answer, Session};
+use super::{Debuggee, Launcher};
+use crate::message::Adapting;
 use serde_json::{Value, json};
 use tip_sim::debug::{Placed, Refused, When};
-use tip_sim::message::Debugging;
 use tipc::message::Lang;
 
-/// Which kind of breakpoints a client replaces together.
+/// A kind of breakpoints; a client replaces all of a kind together.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
+    /// On a line.
     Line,
+    /// On a command, label or routine.
     Name,
+    /// On a variable.
     Watch,
 }
 
-impl<H: Host> Session<H> {
+impl<L: Launcher> Session<L> {
     pub(super) fn set_breakpoints(&mut self, wanted: SetBreakpoints) -> Answer {
         let path = wanted.source.path.as_deref();
         let program = &self.debuggee()?.path;
-        if path.is_some_and(|path| !same(path, program)) {
-            return self.of_another_file(&wanted.breakpoints);
+        if path.is_some_and(|path| !is_same_file(path, program)) {
+            return self.reject_other_file(&wanted.breakpoints);
         }
         self.clear(Kind::Line)?;
         let (lang, base) = (self.lang(), self.first_line());
@@ -42,12 +46,12 @@ impl<H: Host> Session<H> {
                 .map_or(one.line, |placed| i64::from(placed.line) - 1 + base);
             answers.push(answer(placed, lang, Some(line)));
         }
-        self.keep(Kind::Line, answers)
+        self.answer_with(Kind::Line, answers)
     }
 
-    /// Breakpoints of a file that does not run: those of the program stay.
-    fn of_another_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
-        let reason = self.text(Debugging::OtherFile);
+    /// Rejects breakpoints in a file that is not debugged; those of the program stay.
+    fn reject_other_file(&self, wanted: &[SourceBreakpoint]) -> Answer {
+        let reason = self.text(Adapting::OtherFile);
         let answers = wanted
             .iter()
             .map(|one| unverified(reason.clone(), Some(one.line)));
@@ -58,7 +62,7 @@ impl<H: Host> Session<H> {
         self.clear(Kind::Name)?;
         let (lang, base) = (self.lang(), self.first_line());
         let debuggee = self.debuggee()?;
-        let place = |one: &super::message::FunctionBreakpoint| {
+        let place = |one: &super::protocol::FunctionBreakpoint| {
             let when = When {
                 condition: text(&one.condition),
                 hits: text(&one.hit_condition),
@@ -71,7 +75,7 @@ impl<H: Host> Session<H> {
             answer(placed, lang, line)
         };
         let answers = wanted.breakpoints.iter().map(place).collect();
-        self.keep(Kind::Name, answers)
+        self.answer_with(Kind::Name, answers)
     }
 
     pub(super) fn set_exception_breakpoints(&mut self, wanted: SetExceptionBreakpoints) -> Answer {
@@ -96,16 +100,16 @@ impl<H: Host> Session<H> {
                 "canPersist": true,
             }),
             false => {
-                json!({ "dataId": null, "description": self.text(Debugging::OnlyVariables) })
+                json!({ "dataId": null, "description": self.text(Adapting::OnlyVariables) })
             }
         }))
     }
 
     pub(super) fn set_data_breakpoints(&mut self, wanted: SetDataBreakpoints) -> Answer {
         self.clear(Kind::Watch)?;
-        let (lang, reason) = (self.lang(), self.text(Debugging::WatchHasNoCondition));
+        let (lang, reason) = (self.lang(), self.text(Adapting::WatchHasNoCondition));
         let debuggee = self.debuggee()?;
-        let watch = |one: &super::message::DataBreakpoint| {
+        let watch = |one: &super::protocol::DataBreakpoint| {
             if text(&one.condition).or(text(&one.hit_condition)).is_some() {
                 return unverified(reason.clone(), None);
             }
@@ -119,12 +123,12 @@ impl<H: Host> Session<H> {
             }
         };
         let answers = wanted.breakpoints.iter().map(watch).collect();
-        self.keep(Kind::Watch, answers)
+        self.answer_with(Kind::Watch, answers)
     }
 
-    /// Takes the breakpoints of a kind away.
+    /// Removes the breakpoints of a kind.
     fn clear(&mut self, kind: Kind) -> Result<(), String> {
-        let ids = std::mem::take(&mut self.placed[kind as usize]);
+        let ids = std::mem::take(&mut self.breakpoints[kind as usize]);
         let debugger = &mut self.debuggee()?.debugger;
         for id in ids {
             debugger.remove_breakpoint(id);
@@ -133,18 +137,19 @@ impl<H: Host> Session<H> {
         Ok(())
     }
 
-    fn keep(&mut self, kind: Kind, answers: Vec<Breakpoint>) -> Answer {
+    /// Remembers the ids of new breakpoints, and returns the body of the response.
+    fn answer_with(&mut self, kind: Kind, answers: Vec<Breakpoint>) -> Answer {
         let ids = answers.iter().filter_map(|one| one.id);
-        self.placed[kind as usize] = ids.collect();
+        self.breakpoints[kind as usize] = ids.collect();
         Ok(Some(json!({ "breakpoints": values(answers) })))
     }
 
-    /// The number of the first column, as the client counts.
+    /// Returns the number that the client gives to the first column.
     pub(super) fn first_column(&self) -> i64 {
         i64::from(self.client.columns_start_at1)
     }
 
-    /// The number of the first line, as the client counts.
+    /// Returns the number that the client gives to the first line.
     pub(super) fn first_line(&self) -> i64 {
         i64::from(self.client.lines_start_at1)
     }
@@ -160,7 +165,7 @@ fn place(
     let line = u32::try_from(line.max(1)).unwrap_or(u32::MAX);
     let column = wanted.column.map_or(1, |column| {
         let units = column.saturating_sub(first_column);
-        shown::character(&debuggee.source, line, units)
+        inspection::character(&debuggee.source, line, units)
     });
     let debugger = &mut debuggee.debugger;
     match text(&wanted.log_message) {
@@ -196,13 +201,13 @@ fn unverified(message: String, line: Option<i64>) -> Breakpoint {
     }
 }
 
-/// A text that is there and says something.
+/// Returns a text unless it is missing or blank.
 fn text(of: &Option<String>) -> Option<&str> {
     of.as_deref().filter(|text| !text.trim().is_empty())
 }
 
-/// Whether two paths name one file, as far as their texts say.
-fn same(one: &str, other: &str) -> bool {
+/// Returns true if one path is the end of the other, so that they probably name the same file.
+fn is_same_file(one: &str, other: &str) -> bool {
     let parts = |path: &str| -> Vec<String> {
         let parts = path
             .split(['/', '\\'])

@@ -1,26 +1,28 @@
-//! The programs that are open in the editor.
+//! Programs that are open in the editor: text, version, and the document that is made from them when it is needed.
 
-use super::places::Places;
-use super::surroundings::Chosen;
+use super::RobotConfig;
+use super::client::Positions;
+use crate::Document;
 use gen_lsp_types::TextDocumentContentChangeEvent as Change;
 use std::ops::Range;
 use std::thread;
-use tip_ide::Document;
 use tipc::diagnostic::Diagnostic;
 use tipc::source::{Encoding, Source, Unit};
 
-/// A text that is open, and what is known of it once somebody asks.
-pub(crate) struct Open {
+/// A program that is open in the editor.
+#[derive(Debug)]
+pub(crate) struct Buffer {
     pub(crate) version: Option<i32>,
     text: String,
+    /// `None` until it is needed.
     document: Option<Document>,
-    /// Its findings are not sent yet.
+    /// Its diagnostics have not been sent yet.
     pub(crate) is_due: bool,
 }
 
-impl Open {
+impl Buffer {
     pub(crate) fn new(version: Option<i32>, text: String) -> Self {
-        Open {
+        Buffer {
             version,
             text,
             document: None,
@@ -28,7 +30,7 @@ impl Open {
         }
     }
 
-    /// Changes the text.
+    /// Applies changes of the text in their order.
     pub(crate) fn change(&mut self, version: Option<i32>, changes: Vec<Change>, unit: Unit) {
         self.version = version;
         self.is_due = true;
@@ -38,55 +40,56 @@ impl Open {
                 Change::TextDocumentContentChangePartial(part) => {
                     let decoded = || Source::decode("", self.text.as_bytes(), Encoding::Utf8).0;
                     let bytes = match &self.document {
-                        Some(document) => place(document.source(), part.range, unit),
-                        None => place(&decoded(), part.range, unit),
+                        Some(document) => bytes(document.source(), part.range, unit),
+                        None => bytes(&decoded(), part.range, unit),
                     };
                     self.text.replace_range(bytes, &part.text);
                 }
             }
-            self.forget();
+            self.invalidate();
         }
     }
 
-    /// Its findings may be others now.
-    pub(crate) fn forget(&mut self) {
+    /// Drops the document; its diagnostics are due again.
+    pub(crate) fn invalidate(&mut self) {
         self.is_due = true;
         if let Some(past) = self.document.take() {
-            // To let go of it takes a while, and nobody should wait for that.
+            // Freeing a large document takes a while, and would delay the next answer.
             let _ = thread::Builder::new().spawn(|| drop(past));
         }
     }
 
-    /// Finds out what will be asked for next.
+    /// Computes what the next requests are likely to need.
     pub(crate) fn prepare(&self) {
         if let Some(document) = &self.document {
             document.prepare();
         }
     }
 
-    /// What is known of the text, for a robot; `other` says whether the crate around the file is for another one.
+    /// Returns the document of the text for a robot; `other_robot` returns the warning that the crate around the file is for
+    /// another one.
     pub(crate) fn document(
         &mut self,
         name: &str,
-        chosen: &Chosen,
-        other: impl FnOnce() -> Option<Diagnostic>,
+        config: &RobotConfig,
+        other_robot: impl FnOnce() -> Option<Diagnostic>,
     ) -> &Document {
         self.document.get_or_insert_with(|| {
-            let mut document = Document::new(name, &self.text, &chosen.options);
+            let mut document = Document::new(name, &self.text, &config.options);
             document.judge(|loaded| {
-                if let Some(robot) = &chosen.robot {
+                if let Some(robot) = &config.robot {
                     robot.warn(loaded);
                 }
-                loaded.add(other().into_iter().collect());
+                loaded.add(other_robot().into_iter().collect());
             });
             document
         })
     }
 }
 
-/// The bytes of a text in a range. A mark before the text is not part of its source.
-fn place(source: &Source, range: gen_lsp_types::Range, unit: Unit) -> Range<usize> {
-    let span = Places { source, unit }.span(range);
+/// Returns the bytes of a text in a range. A byte order mark is not part of the text's `Source`.
+fn bytes(source: &Source, range: gen_lsp_types::Range, unit: Unit) -> Range<usize> {
+    let span = Positions { source, unit }.span(range);
     let mark = source.mark().len();
     span.start + mark..span.end + mark
 }

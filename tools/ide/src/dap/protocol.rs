@@ -1,9 +1,9 @@
-//! The messages of the Debug Adapter Protocol that are served, as data.
+//! The messages of the Debug Adapter Protocol that are served, as types of serde.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-/// What a client asks for.
+/// A request of the client.
 #[derive(Debug, Deserialize)]
 pub(crate) struct Request {
     pub(crate) seq: i64,
@@ -12,7 +12,7 @@ pub(crate) struct Request {
     pub(crate) arguments: Value,
 }
 
-/// An answer, or an event.
+/// A message to the client.
 #[derive(Debug, Serialize)]
 #[serde(tag = "type", rename_all = "lowercase")]
 pub(crate) enum Sent {
@@ -40,7 +40,7 @@ pub(crate) struct Event {
     pub(crate) body: Option<Value>,
 }
 
-/// What a client says of itself.
+/// The capabilities of the client: the arguments of `initialize`.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub(crate) struct Client {
@@ -63,7 +63,7 @@ impl Default for Client {
     }
 }
 
-/// What can be asked for beyond the least.
+/// The optional features of the protocol that are supported.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Capabilities {
@@ -90,27 +90,36 @@ pub(crate) struct Filter {
     pub(crate) default: bool,
 }
 
-/// What is to be debugged.
+/// The arguments of `launch`: a program, its robot and its inputs.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct Launch {
-    pub(crate) program: String,
+pub struct Launch {
+    /// The path of the program.
+    pub program: String,
+    /// The robot, by name or description.
     #[serde(default)]
-    pub(crate) robot: Option<String>,
+    pub robot: Option<String>,
+    /// The scene, by name or file.
     #[serde(default)]
-    pub(crate) scene: Option<String>,
+    pub scene: Option<String>,
+    /// The simulated plant.
     #[serde(default)]
-    pub(crate) plant: Option<String>,
+    pub plant: Option<String>,
+    /// The encoding of the program.
     #[serde(default)]
-    pub(crate) encoding: Option<String>,
+    pub encoding: Option<String>,
+    /// The events of the run, as the option `--events` takes them.
     #[serde(default)]
-    pub(crate) events: Option<String>,
+    pub events: Option<String>,
+    /// Stop before the first statement.
     #[serde(default)]
-    pub(crate) stop_on_entry: bool,
+    pub stop_on_entry: bool,
+    /// Stop when the robot falls.
     #[serde(default)]
-    pub(crate) stop_on_fall: bool,
+    pub stop_on_fall: bool,
+    /// Run without stops.
     #[serde(default)]
-    pub(crate) no_debug: bool,
+    pub no_debug: bool,
 }
 
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
@@ -174,7 +183,7 @@ pub(crate) struct DataBreakpoint {
     pub(crate) hit_condition: Option<String>,
 }
 
-/// A breakpoint as it was placed, or why it was not.
+/// A breakpoint of a response: its line, or the reason why it was not placed.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Breakpoint {
     #[serde(skip_serializing_if = "Option::is_none")]

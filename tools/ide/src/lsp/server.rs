@@ -1,10 +1,10 @@
-//! The state of a session: its beginning and end, the open programs, and who answers what.
+//! The state of a session: initialization and shutdown, open programs and settings, and the messages that the server sends on
+//! its own. It does no input or output.
 
+use super::buffer::Buffer;
 use super::client::{self, Client};
-use super::findings;
-use super::open::Open;
-use super::surroundings::{Chosen, Surroundings};
-use super::tokens;
+use super::{RobotConfig, Workspace, convert};
+use crate::Document;
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
     PublishDiagnosticsParams, Uri,
@@ -16,23 +16,24 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
-use tip_ide::Document;
 
 /// A session with one editor.
-pub(crate) struct Server<S> {
-    pub(super) around: S,
-    /// None before `initialize`.
+#[derive(Debug)]
+pub struct Server<W> {
+    pub(super) workspace: W,
+    /// `None` before `initialize`.
     client: Option<Client>,
-    /// `shutdown` was asked for.
-    is_over: bool,
-    /// Whether the end was announced, once there is one.
-    end: Option<bool>,
-    open: BTreeMap<String, Open>,
-    /// What was complained of already.
-    complaints: Vec<String>,
+    /// True after `shutdown`.
+    is_shut_down: bool,
+    /// After `exit`, true if `shutdown` came before it.
+    exit: Option<bool>,
+    /// The open programs by address.
+    buffers: BTreeMap<String, Buffer>,
+    /// The errors about robots that were shown already.
+    shown_errors: Vec<String>,
 }
 
-/// Why there is no answer.
+/// The error of a request.
 #[derive(Debug)]
 pub(super) struct Failure {
     code: ErrorCode,
@@ -48,34 +49,34 @@ impl Failure {
     }
 }
 
-/// A program that is asked about.
-pub(super) struct Asked<'a, S> {
+/// The open program that a request is about.
+pub(super) struct OpenProgram<'a, W> {
     pub(super) uri: &'a str,
     pub(super) document: &'a Document,
     pub(super) client: &'a Client,
-    pub(super) around: &'a mut S,
+    pub(super) workspace: &'a mut W,
 }
 
-impl<S: Surroundings> Server<S> {
-    /// A session before its first message.
-    pub(crate) fn new(around: S) -> Self {
+impl<W: Workspace> Server<W> {
+    /// Returns a session before its first message.
+    pub fn new(workspace: W) -> Self {
         Server {
-            around,
+            workspace,
             client: None,
-            is_over: false,
-            end: None,
-            open: BTreeMap::new(),
-            complaints: Vec::new(),
+            is_shut_down: false,
+            exit: None,
+            buffers: BTreeMap::new(),
+            shown_errors: Vec::new(),
         }
     }
 
-    /// How the session ended, if it did: whether `shutdown` came before `exit`.
-    pub(crate) fn end(&self) -> Option<bool> {
-        self.end
+    /// After `exit`, returns true if `shutdown` came before it.
+    pub fn exit(&self) -> Option<bool> {
+        self.exit
     }
 
-    /// Takes a message; what there is to say to it at once.
-    pub(crate) fn take(&mut self, message: Message) -> Vec<Message> {
+    /// Handles a message; returns the response to a request, and requests to the client.
+    pub fn handle(&mut self, message: Message) -> Vec<Message> {
         match message {
             Message::Request(request) => {
                 let id = request.id.clone();
@@ -87,31 +88,31 @@ impl<S: Surroundings> Server<S> {
                 }]
             }
             Message::Notification(notification) => self.notification(notification),
-            // Whether the editor watches files changes nothing here.
+            // The only request to clients is the one to watch files; a refusal changes nothing here.
             Message::Response(_) => Vec::new(),
         }
     }
 
-    /// Findings that are not sent yet.
-    pub(crate) fn due(&mut self) -> Vec<Message> {
+    /// Returns the diagnostics of all programs that have changed since they were last returned.
+    pub fn due_diagnostics(&mut self) -> Vec<Message> {
         let mut messages = Vec::new();
-        let due = self.open.iter().filter(|(_, open)| open.is_due);
+        let due = self.buffers.iter().filter(|(_, buffer)| buffer.is_due);
         let due: Vec<String> = due.map(|(uri, _)| uri.clone()).collect();
         for uri in due {
-            messages.extend(self.published(&uri));
+            messages.extend(self.diagnostics(&uri));
         }
         messages
     }
 
-    /// Uses a moment in which nothing is asked.
-    pub(crate) fn rest(&self) {
-        self.open.values().for_each(Open::prepare);
+    /// Computes what hovers and hints need; for moments without requests.
+    pub fn prepare(&self) {
+        self.buffers.values().for_each(Buffer::prepare);
     }
 
     fn request(&mut self, request: Request) -> Result<Value, Failure> {
         let Request { method, params, .. } = request;
         match (method.as_str(), &self.client) {
-            _ if self.is_over => Err(Failure::new(
+            _ if self.is_shut_down => Err(Failure::new(
                 ErrorCode::InvalidRequest,
                 "the session is shut down",
             )),
@@ -125,7 +126,7 @@ impl<S: Surroundings> Server<S> {
                 "initialize comes first",
             )),
             ("shutdown", Some(_)) => {
-                self.is_over = true;
+                self.is_shut_down = true;
                 Ok(Value::Null)
             }
             (_, Some(_)) => self.answer(&method, params),
@@ -145,98 +146,101 @@ impl<S: Surroundings> Server<S> {
     fn notification(&mut self, notification: Notification) -> Vec<Message> {
         let Notification { method, params } = notification;
         if method == "exit" {
-            self.end = Some(self.is_over);
+            self.exit = Some(self.is_shut_down);
             return Vec::new();
         }
         let Some(client) = &self.client else {
             return Vec::new();
         };
         if method == "initialized" {
-            return client.can_watch.then(watch).into_iter().collect();
+            return client.can_watch.then(watch_request).into_iter().collect();
         }
         let unit = client.unit;
-        // Nobody waits for the answer to a bad one.
+        // Invalid notifications are ignored.
         match method.as_str() {
             "textDocument/didOpen" => {
                 if let Ok(params) = serde_json::from_value::<DidOpenTextDocumentParams>(params) {
-                    self.around.forget();
+                    self.workspace.invalidate();
                     let item = params.text_document;
-                    let open = Open::new(Some(item.version), item.text);
-                    self.open.insert(item.uri.0, open);
+                    let buffer = Buffer::new(Some(item.version), item.text);
+                    self.buffers.insert(item.uri.0, buffer);
                 }
             }
             "textDocument/didChange" => {
                 if let Ok(params) = serde_json::from_value::<DidChangeTextDocumentParams>(params) {
                     let uri = params.text_document.text_document_identifier.uri.0;
-                    if let Some(open) = self.open.get_mut(&uri) {
+                    if let Some(buffer) = self.buffers.get_mut(&uri) {
                         let version = Some(params.text_document.version);
-                        open.change(version, params.content_changes, unit);
+                        buffer.change(version, params.content_changes, unit);
                     }
                 }
             }
             "textDocument/didClose" => {
                 if let Ok(params) = serde_json::from_value::<DidCloseTextDocumentParams>(params) {
                     let uri = params.text_document.uri;
-                    self.open.remove(&uri.0);
+                    self.buffers.remove(&uri.0);
                     return vec![publish(uri.0, None, Vec::new())];
                 }
             }
             "workspace/didChangeConfiguration" => {
                 let settings = params.get("settings").unwrap_or(&Value::Null);
-                let robot = client::robot(settings);
+                let robot = client::configured_robot(settings);
                 if let Some(client) = &mut self.client {
                     client.robot = robot;
                 }
-                self.forget();
+                self.invalidate();
             }
             "workspace/didChangeWatchedFiles" => {
-                self.around.forget();
-                self.forget();
+                self.workspace.invalidate();
+                self.invalidate();
             }
             _ => {}
         }
         Vec::new()
     }
 
-    fn forget(&mut self) {
-        self.open.values_mut().for_each(Open::forget);
+    fn invalidate(&mut self) {
+        self.buffers.values_mut().for_each(Buffer::invalidate);
     }
 
-    /// The program of an address, for its robot.
-    pub(super) fn asked<'a>(&'a mut self, uri: &'a str) -> Option<(Asked<'a, S>, Rc<Chosen>)> {
+    /// Returns the open program at an address, checked for its robot; `None` if it is not open.
+    pub(super) fn open_program<'a>(
+        &'a mut self,
+        uri: &'a str,
+    ) -> Option<(OpenProgram<'a, W>, Rc<RobotConfig>)> {
         let client = self.client.as_ref()?;
-        let (path, robot) = (path(uri), client.robot.as_deref());
-        let around = &mut self.around;
-        let chosen = around.robot(path.as_deref(), robot, client.lang);
-        let open = self.open.get_mut(uri)?;
-        let other = || around.other_robot(path.as_deref()?, robot);
-        let asked = Asked {
+        let (path, configured) = (path(uri), client.robot.as_deref());
+        let workspace = &mut self.workspace;
+        let config = workspace.robot(path.as_deref(), configured, client.lang);
+        let buffer = self.buffers.get_mut(uri)?;
+        let other_robot = || workspace.other_robot(path.as_deref()?, configured);
+        let program = OpenProgram {
             uri,
-            document: open.document(uri, &chosen, other),
+            document: buffer.document(uri, &config, other_robot),
             client,
-            around,
+            workspace,
         };
-        Some((asked, chosen))
+        Some((program, config))
     }
 
-    /// The findings about a program.
-    fn published(&mut self, uri: &str) -> Vec<Message> {
-        let Some((asked, chosen)) = self.asked(uri) else {
+    /// Returns the diagnostics of one program, and the error about its robot unless it was shown before.
+    fn diagnostics(&mut self, uri: &str) -> Vec<Message> {
+        let Some((program, config)) = self.open_program(uri) else {
             return Vec::new();
         };
-        let loaded = asked.document.loaded();
-        let found = findings::findings(loaded, uri, asked.client, asked.around);
+        let loaded = program.document.loaded();
+        let diagnostics = convert::diagnostics(loaded, uri, program.client, program.workspace);
         let mut version = None;
-        if let Some(open) = self.open.get_mut(uri) {
-            open.is_due = false;
-            version = open.version;
+        if let Some(buffer) = self.buffers.get_mut(uri) {
+            buffer.is_due = false;
+            version = buffer.version;
         }
-        let mut messages = vec![publish(uri.to_owned(), version, found)];
-        if let Some(complaint) = &chosen.complaint
-            && !self.complaints.contains(complaint)
+        let mut messages = vec![publish(uri.to_owned(), version, diagnostics)];
+        if let Some(error) = &config.error
+            && !self.shown_errors.contains(error)
         {
-            self.complaints.push(complaint.clone());
-            let params = json!({ "type": 1, "message": complaint });
+            self.shown_errors.push(error.clone());
+            let params = json!({ "type": 1, "message": error });
             messages.push(Notification::new("window/showMessage".to_owned(), params).into());
         }
         messages
@@ -256,8 +260,8 @@ fn publish(
     Notification::new("textDocument/publishDiagnostics".to_owned(), params).into()
 }
 
-/// Asks the editor to say when a `tip.toml` or a description changes.
-fn watch() -> Message {
+/// Returns the request to be notified when a `tip.toml` or a description of a robot changes.
+fn watch_request() -> Message {
     let watched = json!({ "watchers": [{ "globPattern": "**/*.toml" }] });
     let method = "workspace/didChangeWatchedFiles";
     let registrations = json!([{ "id": "toml", "method": method, "registerOptions": watched }]);
@@ -266,7 +270,7 @@ fn watch() -> Message {
     Request::new(id, "client/registerCapability".to_owned(), params).into()
 }
 
-/// The file of an address, if it is one.
+/// Returns the path of a `file:` address.
 pub(super) fn path(uri: &str) -> Option<PathBuf> {
     let path = uri.strip_prefix("file://")?;
     let mut bytes = Vec::new();
@@ -288,12 +292,11 @@ pub(super) fn path(uri: &str) -> Option<PathBuf> {
         }
     }
     let path = String::from_utf8(bytes).ok()?;
-    // On Windows the address is /C:/folder.
+    // On Windows, the path of the address is /C:/folder.
     let is_drive = path.get(2..3) == Some(":");
     Some(PathBuf::from(if is_drive { &path[1..] } else { &path }))
 }
 
-/// What the server can do.
 fn capabilities(encoding: &str) -> Value {
     json!({
         "positionEncoding": encoding,
@@ -311,18 +314,21 @@ fn capabilities(encoding: &str) -> Value {
         "foldingRangeProvider": true,
         "inlayHintProvider": true,
         "semanticTokensProvider": {
-            "legend": { "tokenTypes": tokens::legend(), "tokenModifiers": tokens::MODIFIERS },
+            "legend": { "tokenTypes": convert::token_types(), "tokenModifiers": convert::TOKEN_MODIFIERS },
             "full": true,
             "range": true,
         },
     })
 }
 
-/// A message of the editor, or why something that it sent is none.
-pub(crate) type Incoming = Result<Box<Message>, String>;
+/// A message of the client, or the reason why its bytes are not a message.
+pub type Incoming = Result<Box<Message>, String>;
 
-/// Reads a message.
-pub(crate) fn parse(bytes: &[u8]) -> Incoming {
+/// Parses a message.
+///
+/// # Errors
+/// The bytes are not a message of JSON-RPC.
+pub fn parse(bytes: &[u8]) -> Incoming {
     match serde_json::from_slice(bytes) {
         Ok(Message::Notification(_)) if has_id(bytes) => {
             Err("an id is a number of 32 bits or a text".to_owned())
@@ -332,7 +338,7 @@ pub(crate) fn parse(bytes: &[u8]) -> Incoming {
     }
 }
 
-/// Whether it is a request, whose sender waits for an answer.
+/// Returns true if a message has an id, so that its sender waits for an answer.
 fn has_id(bytes: &[u8]) -> bool {
     #[derive(Deserialize)]
     struct Id {

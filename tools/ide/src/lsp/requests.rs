@@ -1,11 +1,10 @@
-//! The answers to requests, from `tip-ide`.
+//! Requests about programs: parameters in, answers of a [`Document`](crate::Document) out.
 
-use super::findings::finding;
-use super::places::Places;
-use super::server::{Asked, Failure, Server, path};
-use super::shapes;
-use super::surroundings::Surroundings;
-use super::tokens::tokens;
+use super::Workspace;
+use super::client::Positions;
+use super::convert;
+use super::server::{Failure, OpenProgram, Server, path};
+use crate::{CodeAction, Edit, FoldKind, ReferenceKind};
 use gen_lsp_types::{
     CompletionItem, CompletionList, DocumentHighlight, DocumentHighlightKind, FoldingRange,
     FoldingRangeKind, FoldingRangeParams, Hover, InlayHint, InlayHintParams, Location,
@@ -16,11 +15,16 @@ use lsp_server::ErrorCode;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, from_value, json, to_value};
-use tip_ide::{Action, FoldKind, MentionKind};
 use tipc::message::Message;
 use tipc::source::Span;
 
-/// The parameters that a request needs, or why they are no good.
+/// Maximum number of completion items in an answer: writing thousands of labels would take longer than typing the next letter.
+const MAX_COMPLETIONS: usize = 150;
+
+const QUICK_FIX: &str = "quickfix";
+const FIX_ALL: &str = "source.fixAll";
+
+/// Parses the parameters of a request.
 fn read<P: DeserializeOwned>(params: Value) -> Result<P, Failure> {
     from_value(params).map_err(|error| Failure::new(ErrorCode::InvalidParams, error.to_string()))
 }
@@ -29,8 +33,8 @@ fn write(answer: impl Serialize) -> Result<Value, Failure> {
     to_value(answer).map_err(|error| Failure::new(ErrorCode::InternalError, error.to_string()))
 }
 
-impl<S: Surroundings> Server<S> {
-    /// The answer to a request about a program.
+impl<W: Workspace> Server<W> {
+    /// Answers a request about a program.
     pub(super) fn answer(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
         match method {
             "textDocument/hover" => self.at(params, |it, at| it.hover(at)),
@@ -38,40 +42,44 @@ impl<S: Surroundings> Server<S> {
             "textDocument/documentHighlight" => self.at(params, |it, at| it.highlights(at)),
             "textDocument/completion" => self.at(params, |it, at| it.completion(at)),
             "textDocument/signatureHelp" => self.at(params, |it, at| it.signatures(at)),
-            "textDocument/prepareRename" => self.at(params, |it, at| it.nameable(at)),
+            "textDocument/prepareRename" => self.at(params, |it, at| it.prepare_rename(at)),
             "textDocument/references" => {
                 let params: ReferenceParams = read(params)?;
                 let declares = params.context.include_declaration;
-                self.at_place(params.text_document_position_params, |it, at| {
+                self.at_position(params.text_document_position_params, |it, at| {
                     it.references(at, declares)
                 })
             }
             "textDocument/rename" => {
                 let params: RenameParams = read(params)?;
                 let name = params.new_name;
-                self.at_place(params.text_document_position_params, |it, at| {
+                self.at_position(params.text_document_position_params, |it, at| {
                     it.rename(at, &name)
                 })
             }
             "textDocument/documentSymbol" => self.whole(params, |it| it.outline()),
             "textDocument/foldingRange" => self.whole(params, |it| it.folds()),
             "textDocument/formatting" => self.whole(params, |it| it.format()),
-            "textDocument/semanticTokens/full" => self.whole(params, |it| it.paint(it.all())),
-            "textDocument/semanticTokens/range" => self.part(params, |it, span| it.paint(span)),
-            "textDocument/inlayHint" => self.part(params, |it, span| it.hints(span)),
+            "textDocument/semanticTokens/full" => {
+                self.whole(params, |it| it.semantic_tokens(it.all()))
+            }
+            "textDocument/semanticTokens/range" => {
+                self.range(params, |it, span| it.semantic_tokens(span))
+            }
+            "textDocument/inlayHint" => self.range(params, |it, span| it.inlay_hints(span)),
             "textDocument/codeAction" => {
                 let only = params.pointer("/context/only").and_then(Value::as_array);
                 let only: Option<Vec<String>> = only.map(|kinds| {
                     let kinds = kinds.iter().filter_map(Value::as_str);
                     kinds.map(str::to_owned).collect()
                 });
-                self.part(params, |it, span| it.actions(span, only.as_deref()))
+                self.range(params, |it, span| it.actions(span, only.as_deref()))
             }
-            // Not of the protocol: an editor reads and writes files itself, and asks how.
+            // An extension of the protocol, for editors that read and write files in the encoding of a `tip.toml`.
             "tip/encoding" => {
                 let params: TextDocumentIdentifier = read(params)?;
                 let file = path(&params.uri.0);
-                write(file.and_then(|file| self.around.encoding(&file)))
+                write(file.and_then(|file| self.workspace.encoding(&file)))
             }
             _ => {
                 let message = format!("`{method}` is not served");
@@ -80,66 +88,67 @@ impl<S: Surroundings> Server<S> {
         }
     }
 
-    fn of<A>(
+    /// Answers a request about the open program at an address.
+    fn answer_about(
         &mut self,
         uri: &Uri,
-        ask: impl FnOnce(&mut Asked<'_, S>) -> Result<A, Failure>,
-    ) -> Result<A, Failure> {
-        let Some((mut asked, _)) = self.asked(&uri.0) else {
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
+    ) -> Result<Value, Failure> {
+        let Some((mut program, _)) = self.open_program(&uri.0) else {
             let message = format!("`{}` is not open", uri.0);
             return Err(Failure::new(ErrorCode::InvalidParams, message));
         };
-        ask(&mut asked)
+        ask(&mut program)
     }
 
-    /// An answer at a place.
+    /// Answers a request whose only parameter is a position.
     fn at(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut Asked<'_, S>, usize) -> Result<Value, Failure>,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
     ) -> Result<Value, Failure> {
         let params: TextDocumentPositionParams = read(params)?;
-        self.at_place(params, ask)
+        self.at_position(params, ask)
     }
 
-    fn at_place(
+    fn at_position(
         &mut self,
         params: TextDocumentPositionParams,
-        ask: impl FnOnce(&mut Asked<'_, S>, usize) -> Result<Value, Failure>,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, usize) -> Result<Value, Failure>,
     ) -> Result<Value, Failure> {
-        self.of(&params.text_document.uri, |asked| {
-            let at = asked.places().offset(params.position);
-            ask(asked, at)
+        self.answer_about(&params.text_document.uri, |program| {
+            let at = program.positions().offset(params.position);
+            ask(program, at)
         })
     }
 
-    /// An answer about a stretch of a program.
-    fn part(
+    /// Answers a request about a range of a program.
+    fn range(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut Asked<'_, S>, Span) -> Result<Value, Failure>,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>, Span) -> Result<Value, Failure>,
     ) -> Result<Value, Failure> {
         let params: InlayHintParams = read(params)?;
-        self.of(&params.text_document.uri, |asked| {
-            let span = asked.places().span(params.range);
-            ask(asked, span)
+        self.answer_about(&params.text_document.uri, |program| {
+            let span = program.positions().span(params.range);
+            ask(program, span)
         })
     }
 
-    /// An answer about a whole program.
+    /// Answers a request about a whole program.
     fn whole(
         &mut self,
         params: Value,
-        ask: impl FnOnce(&mut Asked<'_, S>) -> Result<Value, Failure>,
+        ask: impl FnOnce(&mut OpenProgram<'_, W>) -> Result<Value, Failure>,
     ) -> Result<Value, Failure> {
         let params: FoldingRangeParams = read(params)?;
-        self.of(&params.text_document.uri, ask)
+        self.answer_about(&params.text_document.uri, ask)
     }
 }
 
-impl<S: Surroundings> Asked<'_, S> {
-    pub(super) fn places(&self) -> Places<'_> {
-        Places {
+impl<W: Workspace> OpenProgram<'_, W> {
+    fn positions(&self) -> Positions<'_> {
+        Positions {
             source: self.document.source(),
             unit: self.client.unit,
         }
@@ -152,7 +161,7 @@ impl<S: Surroundings> Asked<'_, S> {
     fn location(&self, span: Span) -> Location {
         Location {
             uri: Uri(self.uri.to_owned()),
-            range: self.places().range(span),
+            range: self.positions().range(span),
         }
     }
 
@@ -170,14 +179,14 @@ impl<S: Surroundings> Asked<'_, S> {
                     value: hover.text,
                 }
                 .into(),
-                range: Some(self.places().range(hover.span)),
+                range: Some(self.positions().range(hover.span)),
             }
         }))
     }
 
     fn definition(&self, at: usize) -> Result<Value, Failure> {
-        let place = self.document.definition(at);
-        write(place.map(|span| self.location(span)))
+        let definition = self.document.definition(at);
+        write(definition.map(|span| self.location(span)))
     }
 
     fn references(&self, at: usize, declares: bool) -> Result<Value, Failure> {
@@ -188,25 +197,25 @@ impl<S: Surroundings> Asked<'_, S> {
     fn highlights(&self, at: usize) -> Result<Value, Failure> {
         let found = self.document.references(at, true).into_iter();
         let highlights = found.map(|it| DocumentHighlight {
-            range: self.places().range(it.span),
+            range: self.positions().range(it.span),
             kind: Some(match it.kind {
-                MentionKind::Uses => DocumentHighlightKind::Read,
-                MentionKind::Declares | MentionKind::Assigns => DocumentHighlightKind::Write,
+                ReferenceKind::Uses => DocumentHighlightKind::Read,
+                ReferenceKind::Declares | ReferenceKind::Assigns => DocumentHighlightKind::Write,
             }),
         });
         write(highlights.collect::<Vec<_>>())
     }
 
     fn completion(&self, at: usize) -> Result<Value, Failure> {
-        let (offers, are_all) = self.document.complete_with(at, MOST_OFFERS);
-        let places = self.places();
-        let items = offers
+        let (items, are_all) = self.document.complete_with(at, MAX_COMPLETIONS);
+        let positions = self.positions();
+        let items = items
             .into_iter()
-            .map(|it| shapes::item(it, places, self.client));
+            .map(|it| convert::completion_item(it, positions, self.client));
         let items: Vec<CompletionItem> = items.collect();
         match are_all {
             true => write(items),
-            // With the next letter the editor asks again.
+            // The editor asks again after the next letter.
             false => write(CompletionList {
                 is_incomplete: true,
                 items,
@@ -217,13 +226,13 @@ impl<S: Surroundings> Asked<'_, S> {
 
     fn signatures(&self, at: usize) -> Result<Value, Failure> {
         let found = self.document.signatures(at);
-        write(found.map(|found| shapes::signatures(found, self.client.lang)))
+        write(found.map(|found| convert::signatures(found, self.client.lang)))
     }
 
-    fn nameable(&self, at: usize) -> Result<Value, Failure> {
-        match self.document.nameable(at) {
+    fn prepare_rename(&self, at: usize) -> Result<Value, Failure> {
+        match self.document.prepare_rename(at) {
             Ok(name) => write(PrepareRenamePlaceholder {
-                range: self.places().range(name.span),
+                range: self.positions().range(name.span),
                 placeholder: name.name,
             }),
             Err(reason) => Err(self.refused(&reason)),
@@ -237,16 +246,16 @@ impl<S: Surroundings> Asked<'_, S> {
         }
     }
 
-    /// Changes of this program.
-    fn change(&self, edits: &[tip_ide::Edit]) -> Result<Value, Failure> {
-        let edits = write(self.places().edits(edits))?;
+    /// Returns edits of this program as a change of the workspace.
+    fn change(&self, edits: &[Edit]) -> Result<Value, Failure> {
+        let edits = write(self.positions().edits(edits))?;
         Ok(json!({ "changes": { self.uri: edits } }))
     }
 
     fn outline(&self) -> Result<Value, Failure> {
-        let places = self.places();
+        let positions = self.positions();
         let outline = self.document.outline();
-        let symbols = outline.iter().map(|one| shapes::symbol(one, places));
+        let symbols = outline.iter().map(|one| convert::symbol(one, positions));
         write(symbols.collect::<Vec<_>>())
     }
 
@@ -266,23 +275,23 @@ impl<S: Surroundings> Asked<'_, S> {
 
     fn format(&self) -> Result<Value, Failure> {
         match self.document.format() {
-            Ok(edits) => write(self.places().edits(&edits)),
+            Ok(edits) => write(self.positions().edits(&edits)),
             Err(reason) => Err(self.refused(&reason.into())),
         }
     }
 
-    fn paint(&self, span: Span) -> Result<Value, Failure> {
-        let painted = self.document.paint(span);
+    fn semantic_tokens(&self, span: Span) -> Result<Value, Failure> {
+        let tokens = self.document.semantic_tokens(span);
         write(SemanticTokens {
             result_id: None,
-            data: tokens(&painted, self.places()),
+            data: convert::semantic_tokens(&tokens, self.positions()),
         })
     }
 
-    fn hints(&self, span: Span) -> Result<Value, Failure> {
-        let hints = self.document.hints(span).into_iter();
+    fn inlay_hints(&self, span: Span) -> Result<Value, Failure> {
+        let hints = self.document.inlay_hints(span).into_iter();
         let hints = hints.map(|hint| InlayHint {
-            position: self.places().position(hint.at),
+            position: self.positions().position(hint.at),
             label: hint.text.in_lang(self.client.lang).to_string().into(),
             kind: None,
             text_edits: None,
@@ -294,7 +303,7 @@ impl<S: Surroundings> Asked<'_, S> {
         write(hints.collect::<Vec<_>>())
     }
 
-    /// Fixes of findings, or of the whole file where that is asked for.
+    /// Returns the fixes of diagnostics, or of the whole file if the client asks for them.
     fn actions(&mut self, span: Span, only: Option<&[String]>) -> Result<Value, Failure> {
         let wants = |kind: &str| {
             let includes = |only: &String| {
@@ -305,7 +314,7 @@ impl<S: Surroundings> Asked<'_, S> {
         };
         let mut found = Vec::new();
         if only.is_none() || wants(QUICK_FIX) {
-            found.extend(self.document.actions(span));
+            found.extend(self.document.code_actions(span));
         }
         if wants(FIX_ALL) {
             found.extend(self.document.fix_all());
@@ -314,29 +323,23 @@ impl<S: Surroundings> Asked<'_, S> {
         Ok(Value::Array(actions.collect::<Result<_, _>>()?))
     }
 
-    fn action(&mut self, action: &Action) -> Result<Value, Failure> {
+    fn action(&mut self, action: &CodeAction) -> Result<Value, Failure> {
         let title = action.title.in_lang(self.client.lang).to_string();
         let edit = self.change(&action.edits)?;
         let loaded = self.document.loaded();
         let one = action
-            .finding
+            .diagnostic
             .and_then(|index| loaded.diagnostics.get(index));
         let Some(one) = one else {
             return Ok(json!({ "title": title, "kind": FIX_ALL, "edit": edit }));
         };
-        let finding = finding(loaded, one, self.uri, self.client, self.around);
+        let diagnostic = convert::diagnostic(loaded, one, self.uri, self.client, self.workspace);
         Ok(json!({
             "title": title,
             "kind": QUICK_FIX,
-            "diagnostics": [write(finding)?],
+            "diagnostics": [write(diagnostic)?],
             "isPreferred": action.is_certain,
             "edit": edit,
         }))
     }
 }
-
-/// Writing out thousands of labels would take longer than typing the next letter.
-const MOST_OFFERS: usize = 150;
-
-const QUICK_FIX: &str = "quickfix";
-const FIX_ALL: &str = "source.fixAll";

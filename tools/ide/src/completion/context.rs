@@ -1,4 +1,4 @@
-//! What stands before a place, and therefore what can stand there.
+//! The syntactic position of the cursor, from the text before it on its line.
 
 use crate::Document;
 use tipc::language::commands::{self, Command, Form};
@@ -8,11 +8,11 @@ use tipc::lex::{self, Kind, Piece, Pieces, Token, split_comment};
 use tipc::source::Span;
 use tipc::syntax::StatementKind;
 
-/// What can stand at a place.
-pub(crate) enum Place {
-    /// The version of the language.
+/// The syntactic position of the cursor.
+pub(crate) enum Context {
+    /// Line 1, the version of the language.
     Version,
-    /// A statement.
+    /// The beginning of a statement.
     Start,
     /// A member of this variable.
     Member(String),
@@ -30,13 +30,13 @@ pub(crate) enum Place {
     Right,
     /// A variable between percent signs.
     Placeholder,
-    /// An argument, after so many that count.
+    /// An argument of a command; the number of arguments before it.
     Argument(&'static Command, usize),
 }
 
 impl Document {
-    /// What can stand at a byte of the text, and the word there that is begun; nothing in comments, texts and after END.
-    pub(crate) fn place(&self, offset: usize) -> Option<(Place, Span)> {
+    /// Returns the position of a byte of the text, and the span of the word there; `None` in comments, texts and after END.
+    pub(crate) fn completion_context(&self, offset: usize) -> Option<(Context, Span)> {
         let source = &self.loaded.source;
         let text = source.text();
         let offset = (0..=offset.min(text.len()))
@@ -45,9 +45,9 @@ impl Document {
         let number = self.line_of_cursor(offset);
         let line = source.line(number).span;
         let before = Span::new(line.start, offset.clamp(line.start, line.end));
-        let word = self.begun(before.end, line);
+        let word = self.letters_around(before.end, line);
         match number {
-            1 => return Some((Place::Version, Span::new(line.start, line.end))),
+            1 => return Some((Context::Version, Span::new(line.start, line.end))),
             2 => return None,
             _ => {}
         }
@@ -57,19 +57,19 @@ impl Document {
         let done = Span::new(line.start, word.start);
         if let Some(rest) = self.slice(done).strip_suffix('.') {
             let name = &rest[rest.trim_end_matches(is_letter).len()..];
-            return Some((Place::Member(name.to_owned()), word));
+            return Some((Context::Member(name.to_owned()), word));
         }
         let last = Pieces::new(text, done, false).last();
-        let place = match last {
+        let context = match last {
             Some(Piece::Statement {
                 word: head, span, ..
-            }) if !self.is_cut(span.end, done.end) => self.in_statement(head, span, done)?,
-            _ => Place::Start,
+            }) if !self.is_ended(span.end, done.end) => self.in_statement(head, span, done)?,
+            _ => Context::Start,
         };
-        Some((place, word))
+        Some((context, word))
     }
 
-    /// The line of a place; after the last line end it is one more line.
+    /// Returns the line of an offset; the end of a text that ends in a line end is on a line of its own.
     fn line_of_cursor(&self, offset: usize) -> u32 {
         let position = self
             .loaded
@@ -83,8 +83,8 @@ impl Document {
         last.is_some_and(|last| last.kind == StatementKind::End && offset > last.span.end)
     }
 
-    /// The letters around a place.
-    fn begun(&self, at: usize, line: Span) -> Span {
+    /// Returns the span of the letters around an offset.
+    fn letters_around(&self, at: usize, line: Span) -> Span {
         let before = self.slice(Span::new(line.start, at));
         let after = self.slice(Span::new(at, line.end));
         let start = before.trim_end_matches(is_letter).len() + line.start;
@@ -92,12 +92,12 @@ impl Document {
         Span::new(start, end)
     }
 
-    /// Whether a `;` stands between a statement and a place.
-    fn is_cut(&self, from: usize, to: usize) -> bool {
+    /// Returns true if a `;` ends the statement before an offset.
+    fn is_ended(&self, from: usize, to: usize) -> bool {
         from <= to && self.slice(Span::new(from, to)).contains(';')
     }
 
-    fn in_statement(&self, head: Span, span: Span, done: Span) -> Option<Place> {
+    fn in_statement(&self, head: Span, span: Span, done: Span) -> Option<Context> {
         let text = self.loaded.source.text();
         let mut tokens = Vec::new();
         lex::lex(
@@ -113,36 +113,39 @@ impl Document {
             .iter()
             .any(|token| matches!(token.kind, Kind::Assign(_)))
         {
-            return Some(Place::Right);
+            return Some(Context::Right);
         }
         let command = commands::find(self.slice(head))?;
         let written = tokens.get(1..).unwrap_or_default();
-        Some(Place::Argument(command, self.counted(command, written)))
+        Some(Context::Argument(
+            command,
+            self.argument_count(command, written),
+        ))
     }
 
-    fn after_keyword(&self, keyword: Keyword, tokens: &[Token], rest: Span) -> Option<Place> {
+    fn after_keyword(&self, keyword: Keyword, tokens: &[Token], rest: Span) -> Option<Context> {
         let has = |wanted: Keyword| {
             let is_it = |token: &Token| self.slice(token.span).eq_ignore_ascii_case(wanted.word());
             tokens.iter().skip(1).any(is_it)
         };
         Some(match keyword {
-            Keyword::Goto | Keyword::Gosub | Keyword::Call => Place::Label(keyword),
-            Keyword::If if has(Keyword::Goto) => Place::Label(Keyword::Goto),
-            Keyword::If if has(Keyword::Gosub) => Place::Label(Keyword::Gosub),
+            Keyword::Goto | Keyword::Gosub | Keyword::Call => Context::Label(keyword),
+            Keyword::If if has(Keyword::Goto) => Context::Label(Keyword::Goto),
+            Keyword::If if has(Keyword::Gosub) => Context::Label(Keyword::Gosub),
             Keyword::If | Keyword::ElseIf if has(Keyword::Then) => return None,
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Until => {
-                Place::Condition(keyword)
+                Context::Condition(keyword)
             }
-            Keyword::For if tokens.len() < 2 => Place::Counter,
-            Keyword::For if has(Keyword::Step) => Place::Counting(None),
-            Keyword::For if has(Keyword::To) => Place::Counting(Some(Keyword::Step)),
-            Keyword::For => Place::Counting(Some(Keyword::To)),
-            Keyword::Next => Place::Counter,
+            Keyword::For if tokens.len() < 2 => Context::Counter,
+            Keyword::For if has(Keyword::Step) => Context::Counting(None),
+            Keyword::For if has(Keyword::To) => Context::Counting(Some(Keyword::Step)),
+            Keyword::For => Context::Counting(Some(Keyword::To)),
+            Keyword::Next => Context::Counter,
             Keyword::DefVar | Keyword::DefPos | Keyword::DefJoint | Keyword::Subroutine => {
-                Place::Declaration
+                Context::Declaration
             }
             Keyword::Message if self.slice(rest).matches('%').count() % 2 == 1 => {
-                Place::Placeholder
+                Context::Placeholder
             }
             Keyword::Message
             | Keyword::Rem
@@ -160,8 +163,8 @@ impl Document {
         })
     }
 
-    /// How many arguments are written: flags of motions and signs do not count.
-    pub(crate) fn counted(&self, command: &Command, tokens: &[Token]) -> usize {
+    /// Returns the number of arguments among tokens; flags of motions and signs do not count.
+    pub(crate) fn argument_count(&self, command: &Command, tokens: &[Token]) -> usize {
         let has_flags =
             matches!(command.form, Form::Robot(arguments) if arguments.hs || arguments.motion);
         let edition = self.loaded.module.edition;

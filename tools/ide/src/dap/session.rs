@@ -1,107 +1,93 @@
-//! A session: what a client asks for, and what it is answered. Nothing here reads or writes.
+//! The state of a session: requests are dispatched, and responses and events are queued. It does no input or output.
 
-use super::message::{Capabilities, Client, Event, Filter, Launch, Request, Response, Sent};
+use super::protocol::{Capabilities, Client, Event, Filter, Launch, Request, Response, Sent};
+use super::{Debuggee, Launcher};
+use crate::message::Adapting;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
-use tip_sim::debug::{Debugger, Move, Work};
-use tip_sim::message::Debugging;
-use tipc::message::Lang;
-use tipc::source::Source;
+use tip_sim::debug::{Move, Work};
+use tipc::message::{Lang, Message};
 
-/// The one thread of a program.
+/// The thread of the program; it has one.
 pub(super) const THREAD: i64 = 1;
 
-/// How many cycles are done between two looks at what the client wants.
+/// Number of control cycles that are run between two looks for requests.
 const PORTION: u64 = 500;
 
-/// A program that was loaded, on its robot.
-pub(crate) struct Debuggee {
-    pub(crate) debugger: Debugger,
-    /// Of which it was made.
-    pub(crate) source: Source,
-    /// Its file, as the client calls it.
-    pub(crate) path: String,
-    /// The warnings about it, one line each.
-    pub(crate) warnings: String,
-}
-
-/// Who loads programs.
-pub(crate) trait Host {
-    /// Loads a program; an error says what is wrong, in this language.
-    fn launch(&mut self, launch: &Launch, lang: Lang) -> Result<Debuggee, String>;
-}
-
-/// A client's session.
-pub(crate) struct Session<H> {
-    pub(super) host: H,
+/// A session with one client.
+#[derive(Debug)]
+pub struct Session<L> {
+    launcher: L,
+    /// The number of the last message that was queued.
     seq: i64,
-    out: Vec<String>,
+    output: Vec<String>,
     pub(super) client: Client,
     pub(super) launch: Launch,
     pub(super) debuggee: Option<Debuggee>,
-    /// Numbers of the breakpoints on lines, of those by name, and of watches.
-    pub(super) placed: [Vec<u32>; 3],
-    /// A change of the past that was refused once; a second time it is confirmed.
-    pub(super) refused: Option<(u64, String)>,
-    /// Whether a long search has been announced.
+    /// The ids of breakpoints by kind.
+    pub(super) breakpoints: [Vec<u32>; 3],
+    /// The cycle and text of a change that would discard later cycles; repeating it confirms it.
+    pub(super) unconfirmed: Option<(u64, String)>,
+    /// True while the progress of a search is reported.
     pub(super) has_progress: bool,
-    /// Whether a line of the console has moved the program.
+    /// True if a line of the console has moved the program.
     pub(super) has_moved: bool,
-    /// The progress that was last reported: %.
+    /// The progress that was last reported, %.
     pub(super) percentage: u64,
-    /// The end of the program, once it has been reported.
-    pub(super) told_end: Option<u64>,
+    /// The cycle of the end of the program, once it was reported.
+    pub(super) reported_end: Option<u64>,
     is_over: bool,
 }
 
-/// An answer to a request.
+/// The body of a response, or the error message.
 pub(super) type Answer = Result<Option<Value>, String>;
 
-impl<H: Host> Session<H> {
-    pub(crate) fn new(host: H) -> Self {
+impl<L: Launcher> Session<L> {
+    /// Returns a session before its first message.
+    pub fn new(launcher: L) -> Self {
         Session {
-            host,
+            launcher,
             seq: 0,
-            out: Vec::new(),
+            output: Vec::new(),
             client: Client::default(),
             launch: Launch::default(),
             debuggee: None,
-            placed: Default::default(),
-            refused: None,
+            breakpoints: Default::default(),
+            unconfirmed: None,
             has_progress: false,
             has_moved: false,
             percentage: 0,
-            told_end: None,
+            reported_end: None,
             is_over: false,
         }
     }
 
-    /// Whether the client has said goodbye.
-    pub(crate) fn is_over(&self) -> bool {
+    /// Returns true once the client has disconnected.
+    pub fn is_over(&self) -> bool {
         self.is_over
     }
 
-    /// Whether there is work to do.
-    pub(crate) fn is_going(&self) -> bool {
+    /// Returns true while the program runs, so that [`Session::work`] continues it.
+    pub fn is_running(&self) -> bool {
         let debuggee = self.debuggee.as_ref();
         !self.is_over && debuggee.is_some_and(|debuggee| debuggee.debugger.is_going())
     }
 
-    /// What is to be sent since the last time.
-    pub(crate) fn sent(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.out)
+    /// Returns the queued messages, and empties the queue.
+    pub fn take_output(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.output)
     }
 
-    /// A message came.
-    pub(crate) fn handle(&mut self, message: &[u8]) {
+    /// Handles a message.
+    pub fn handle(&mut self, message: &[u8]) {
         let value: Value = match serde_json::from_slice(message) {
             Ok(value) => value,
             Err(error) => return self.refuse(0, "", format!("not a message: {error}")),
         };
         match value.get("type").and_then(Value::as_str) {
             Some("request") => {}
-            // Nothing is asked of clients.
+            // The session sends no requests.
             Some("response" | "event") => return,
             _ => return self.refuse(0, "", "not a request".to_owned()),
         }
@@ -111,9 +97,13 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// Something came that is no message.
-    pub(crate) fn broken(&mut self) {
-        self.refuse(0, "", "not a message: its header says no length".to_owned());
+    /// Handles a header without a usable length.
+    pub fn handle_malformed(&mut self) {
+        self.refuse(
+            0,
+            "",
+            "not a message: its header has no valid Content-Length".to_owned(),
+        );
     }
 
     fn serve(&mut self, request: Request) {
@@ -136,7 +126,7 @@ impl<H: Host> Session<H> {
                 body(&self.capabilities())
             }
             "launch" => self.start(read(arguments)?),
-            "attach" => Err(self.text(Debugging::NothingToAttach)),
+            "attach" => Err(self.text(Adapting::NothingToAttach)),
             "configurationDone" | "cancel" => Ok(None),
             "disconnect" | "terminate" => {
                 self.is_over = command == "disconnect";
@@ -165,7 +155,7 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// What comes after the answer.
+    /// Does what follows the response to a request.
     fn follow(&mut self, command: &str) {
         match command {
             "launch" => {
@@ -197,7 +187,7 @@ impl<H: Host> Session<H> {
             supports_cancel_request: true,
             exception_breakpoint_filters: vec![Filter {
                 filter: "fall",
-                label: self.text(Debugging::FallsStop),
+                label: self.text(Adapting::FallsStop),
                 default: false,
             }],
         }
@@ -205,16 +195,16 @@ impl<H: Host> Session<H> {
 
     fn start(&mut self, launch: Launch) -> Answer {
         if self.debuggee.is_some() {
-            return Err(self.text(Debugging::AlreadyDebugged));
+            return Err(self.text(Adapting::AlreadyDebugged));
         }
-        let mut debuggee = self.host.launch(&launch, self.lang())?;
+        let mut debuggee = self.launcher.launch(&launch, self.lang())?;
         debuggee.debugger.stop_at_fall(launch.stop_on_fall);
         self.debuggee = Some(debuggee);
         self.launch = launch;
         Ok(None)
     }
 
-    /// Shows the warnings about the program.
+    /// Sends the warnings about the program.
     fn warn(&mut self) {
         let warnings = self.debuggee.as_ref().map(|it| it.warnings.clone());
         if let Some(warnings) = warnings.filter(|text| !text.is_empty()) {
@@ -224,12 +214,12 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// A message in the language of the client.
-    pub(super) fn text(&self, message: Debugging) -> String {
-        message.in_lang(self.lang()).to_string()
+    /// Returns a message in the language of the client.
+    pub(super) fn text(&self, message: impl Into<Message>) -> String {
+        message.into().in_lang(self.lang()).to_string()
     }
 
-    /// The language of messages.
+    /// Returns the language of messages.
     pub(super) fn lang(&self) -> Lang {
         match &self.client.locale {
             Some(locale) if locale.starts_with("ja") => Lang::Japanese,
@@ -237,28 +227,28 @@ impl<H: Host> Session<H> {
         }
     }
 
-    /// Does a portion of what is under way.
-    pub(crate) fn work(&mut self) {
+    /// Runs the program for some cycles.
+    pub fn work(&mut self) {
         let Some(debuggee) = &mut self.debuggee else {
             return;
         };
         let work = debuggee.debugger.work(PORTION);
-        self.say();
+        self.report_output();
         match work {
-            Work::Going(progress) => self.report(progress),
-            Work::Stopped(_) => self.stopped(),
+            Work::Going(progress) => self.report_progress(progress),
+            Work::Stopped(_) => self.report_stop(),
         }
     }
 
     pub(super) fn debuggee(&mut self) -> Result<&mut Debuggee, String> {
         let lang = self.lang();
-        let nothing = || Debugging::NothingDebugged.in_lang(lang).to_string();
+        let nothing = || Adapting::NothingDebugged.in_lang(lang).to_string();
         self.debuggee.as_mut().ok_or_else(nothing)
     }
 
-    /// The same where it stands; what moves is nowhere.
-    pub(super) fn standing(&mut self) -> Result<&mut Debuggee, String> {
-        let running = self.text(Debugging::IsRunning);
+    /// Returns the program if it is paused.
+    pub(super) fn paused(&mut self) -> Result<&mut Debuggee, String> {
+        let running = self.text(Adapting::IsRunning);
         let debuggee = self.debuggee()?;
         match debuggee.debugger.is_going() {
             true => Err(running),
@@ -299,22 +289,22 @@ impl<H: Host> Session<H> {
     }
 
     fn send(&mut self, message: &Sent) {
-        // What is sent has no maps with keys that are not text.
-        self.out.extend(serde_json::to_string(message).ok());
+        // It cannot fail: all keys of maps are strings.
+        self.output.extend(serde_json::to_string(message).ok());
     }
 }
 
-/// The arguments of a request; none at all stand for none of them.
+/// Parses the arguments of a request; without any, all of them are absent.
 pub(super) fn read<T: DeserializeOwned>(arguments: Value) -> Result<T, String> {
     let arguments = match arguments {
         Value::Null => json!({}),
         object @ Value::Object(_) => object,
-        _ => return Err("wrong arguments: they are an object".to_owned()),
+        _ => return Err("wrong arguments: they must be an object".to_owned()),
     };
     serde_json::from_value(arguments).map_err(|error| format!("wrong arguments: {error}"))
 }
 
-/// The body of an answer.
+/// Serialises the body of a response.
 pub(super) fn body(of: &impl Serialize) -> Answer {
     serde_json::to_value(of)
         .map(Some)
