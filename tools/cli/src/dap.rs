@@ -6,10 +6,8 @@ use super::choices::EncodingName;
 use super::error::{self, Error};
 use super::input;
 use super::loader::{self, NotLoaded, Subject};
-use super::plant::Ours;
-use super::robot::RobotChoice;
-use super::scene::SceneChoice;
-use super::usage::Wrong;
+use super::setup::{BuiltInOnly, RobotChoice, SceneChoice};
+use super::usage::BadValue;
 use clap::{Args, ValueEnum};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
@@ -63,7 +61,7 @@ impl Launcher for Files {
         let (mut source, mut inputs) = arguments(launch, path, lang)?;
         let given = source.complete_run(path, &mut inputs);
         given.map_err(|loaded| diagnostics(&loaded, lang))?;
-        let subject = loader::load(path, &source, &inputs, Some(Ours::Again("dap")));
+        let subject = loader::load(path, &source, &inputs, Some(BuiltInOnly::RunsAgain("dap")));
         let Subject { loaded, robot, .. } = subject.map_err(|refused| match refused {
             NotLoaded::Found(loaded) => diagnostics(&loaded, lang),
             NotLoaded::Failed(error) => error.to_string(),
@@ -91,7 +89,7 @@ fn arguments(
     program: &Path,
     lang: Lang,
 ) -> Result<(SourceArguments, InputArguments), String> {
-    let wrong = |wrong: Wrong| wrong.text(lang);
+    let wrong = |wrong: BadValue| wrong.text(lang);
     let robot = parsed(&launch.robot)
         .map_err(wrong)?
         .map(|robot| match robot {

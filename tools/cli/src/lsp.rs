@@ -3,8 +3,8 @@
 use super::Status;
 use super::choices::EncodingName;
 use super::error::Error;
-use super::robot::RobotChoice;
-use super::usage::Wrong;
+use super::setup::RobotChoice;
+use super::usage::BadValue;
 use super::{embedded, explain, project, sarif};
 use clap::Args;
 use std::collections::HashMap;
@@ -85,7 +85,7 @@ impl Files {
             return Ok(choice.clone());
         }
         if let Some(name) = configured {
-            let choice: RobotChoice = name.parse().map_err(|wrong: Wrong| wrong.text(lang))?;
+            let choice: RobotChoice = name.parse().map_err(|wrong: BadValue| wrong.text(lang))?;
             return Ok(choice.beside(path));
         }
         let given = path.map_or(Ok(None), project::of);

@@ -1,51 +1,38 @@
-//! The command `tip`: its commands, one file each, and what they share.
+//! The command `tip`: a module for each command or family of commands, and the modules that they share.
 #![forbid(unsafe_code)]
 
 mod arguments;
 mod check;
 mod choices;
-mod cycles;
 mod dap;
 mod debug;
-mod deny;
-mod describe;
 mod embedded;
-mod emit;
 mod error;
 mod explain;
-mod fix;
-mod fmt;
 mod help;
 mod input;
 mod interrupt;
 mod loader;
-mod log;
 mod lsp;
 mod message;
-mod migrate;
 mod new;
 mod output;
-mod plant;
-mod plot;
 mod project;
-mod recorded;
+mod record;
 mod report;
 mod robot;
 mod run;
 mod sarif;
-mod scene;
 mod serve;
-mod shell;
-mod shown;
+mod setup;
+mod translate;
 mod usage;
 mod verify;
-mod view;
 mod watch;
 
-use choices::Format;
+use choices::{Format, OutputOptions};
 use clap::{FromArgMatches, Parser, Subcommand};
 use error::Error;
-use shown::Shown;
 use std::process::ExitCode;
 use tipc::Loaded;
 
@@ -83,7 +70,7 @@ struct Arguments {
     verb: Verb,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 enum Verb {
     /// Make a crate whose robot moves at once, with a test and an editor's configuration
@@ -93,19 +80,19 @@ enum Verb {
     /// Run a program on the simulated robot
     Run(run::Run),
     /// Lay programs out in the one style
-    Fmt(fmt::Fmt),
+    Fmt(translate::Fmt),
     /// Write what a run did as a log for other tools: MCAP or CSV
-    Log(log::Log),
+    Log(record::Log),
     /// Draw what a run did as diagrams: SVG
-    Plot(plot::Plot),
+    Plot(record::Plot),
     /// Write a program in another form
-    Emit(emit::Emit),
+    Emit(translate::Emit),
     /// Count the control cycles that the parts of a program take
-    Cycles(cycles::Cycles),
+    Cycles(translate::Cycles),
     /// Compare a program's compiled code with the reference interpreter
     Verify(verify::Verify),
     /// Write a page that replays a run: the robot in 3-D beside its program
-    View(view::View),
+    View(record::View),
     /// Run a program live in a page, where it is steered and edited
     Serve(serve::Serve),
     /// Debug a program on the terminal, forwards and backwards
@@ -113,53 +100,53 @@ enum Verb {
     /// Serve a debugger to editors: the Debug Adapter Protocol
     Dap(dap::Dap),
     /// Turn a program of an older version into one of version 3.1
-    Migrate(migrate::Migrate),
+    Migrate(translate::Migrate),
     /// Say what the code of a finding means, with a wrong and a right program
     Explain(explain::Explain),
     /// Serve an editor: the language server
     Lsp(lsp::Lsp),
     /// Print what a shell completes the command line with
-    Completions(shell::Completions),
+    Completions(help::Completions),
     /// Write the pages of man
-    Man(shell::Man),
+    Man(help::Man),
     /// Descriptions of robots
     #[command(subcommand)]
-    Robot(describe::RobotVerb),
+    Robot(robot::RobotVerb),
 }
 
 impl Verb {
-    /// The form of findings that it is asked for, if it is one of those that write no document.
+    /// Returns the format of diagnostics, for commands that write no document.
     fn format(&self) -> Option<Format> {
-        let shown = match self {
-            Verb::Run(arguments) => arguments.source.shown,
-            Verb::Fmt(arguments) => arguments.shown,
-            Verb::Emit(arguments) => arguments.source.shown,
-            Verb::Cycles(arguments) => arguments.source.shown,
-            Verb::Verify(arguments) => arguments.source.shown,
-            Verb::Migrate(arguments) => arguments.shown,
-            Verb::New(arguments) => arguments.shown,
-            Verb::Robot(describe::RobotVerb::Check(arguments)) => arguments.shown,
-            Verb::Robot(describe::RobotVerb::Show(arguments)) => arguments.shown,
+        let output_options = match self {
+            Verb::Run(arguments) => arguments.source.output_options,
+            Verb::Fmt(arguments) => arguments.output_options,
+            Verb::Emit(arguments) => arguments.source.output_options,
+            Verb::Cycles(arguments) => arguments.source.output_options,
+            Verb::Verify(arguments) => arguments.source.output_options,
+            Verb::Migrate(arguments) => arguments.output_options,
+            Verb::New(arguments) => arguments.output_options,
+            Verb::Robot(robot::RobotVerb::Check(arguments)) => arguments.output_options,
+            Verb::Robot(robot::RobotVerb::Show(arguments)) => arguments.output_options,
             _ => return None,
         };
-        Some(shown.message_format)
+        Some(output_options.message_format)
     }
 }
 
 impl Verb {
-    /// Takes what options leave open from the nearest `tip.toml`; of commands for several programs each takes its own.
+    /// Completes the options from the nearest `tip.toml`; commands for several programs do so for each of them.
     ///
     /// # Errors
     /// What is wrong with it, and how to show that.
-    fn complete(&mut self) -> Result<(), (Box<Loaded>, Shown)> {
+    fn complete(&mut self) -> Result<(), (Box<Loaded>, OutputOptions)> {
         let (file, source, inputs, says) = match self {
             Verb::Run(it) => (&it.file, &mut it.source, Some(&mut it.inputs), !it.quiet),
             Verb::Verify(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
             Verb::Emit(it) => (&it.file, &mut it.source, None, false),
             Verb::Cycles(it) => (&it.file, &mut it.source, None, false),
             Verb::Debug(it) => (&it.file, &mut it.source, Some(&mut it.inputs), false),
-            Verb::Log(log::Log { recorded: it, .. })
-            | Verb::Plot(plot::Plot { recorded: it, .. })
+            Verb::Log(record::Log { recorded: it, .. })
+            | Verb::Plot(record::Plot { recorded: it, .. })
             | Verb::Serve(serve::Serve { recorded: it, .. }) => {
                 (&it.file, &mut it.source, Some(&mut it.inputs), false)
             }
@@ -175,12 +162,12 @@ impl Verb {
             }
             _ => return Ok(()),
         };
-        let shown = source.shown;
+        let output_options = source.output_options;
         let given = match inputs {
             Some(inputs) => source.complete_run(file, inputs),
             None => source.complete(file),
         };
-        let given = given.map_err(|loaded| (loaded, shown))?;
+        let given = given.map_err(|loaded| (loaded, output_options))?;
         if let Some(given) = given.filter(|_| says) {
             report::complain(&format!("{given}\n"));
         }
@@ -188,10 +175,10 @@ impl Verb {
     }
 }
 
-/// How the process ends.
+/// The exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Status {
-    /// Everything went well: END, EXIT or LIMIT of a run.
+    /// Success: END, EXIT or LIMIT of a run.
     Success = 0,
     /// A program does not load or does not verify, or a file cannot be written.
     Failure = 1,
@@ -205,7 +192,7 @@ enum Status {
     Interrupted = 130,
 }
 
-/// Does what the command line says.
+/// Runs the command of the command line.
 fn main() -> ExitCode {
     let matches = help::command(usage::lang()).try_get_matches();
     let arguments = matches.and_then(|matches| Arguments::from_arg_matches(&matches));
@@ -220,8 +207,8 @@ fn main() -> ExitCode {
             });
         }
     };
-    if let Err((loaded, shown)) = arguments.verb.complete() {
-        report::findings(&loaded, shown);
+    if let Err((loaded, output_options)) = arguments.verb.complete() {
+        report::diagnostics(&loaded, output_options);
         return exit(Status::Failure);
     }
     let outcome = match &arguments.verb {
@@ -231,22 +218,22 @@ fn main() -> ExitCode {
         Verb::New(arguments) => new::new(arguments),
         Verb::Check(arguments) => check::check(arguments),
         Verb::Run(arguments) => run::run(arguments),
-        Verb::Fmt(arguments) => fmt::fmt(arguments),
-        Verb::Log(arguments) => log::log(arguments),
-        Verb::Plot(arguments) => plot::plot(arguments),
-        Verb::Emit(arguments) => emit::emit(arguments),
-        Verb::Cycles(arguments) => cycles::cycles(arguments),
+        Verb::Fmt(arguments) => translate::fmt(arguments),
+        Verb::Log(arguments) => record::log(arguments),
+        Verb::Plot(arguments) => record::plot(arguments),
+        Verb::Emit(arguments) => translate::emit(arguments),
+        Verb::Cycles(arguments) => translate::cycles(arguments),
         Verb::Verify(arguments) => verify::verify(arguments),
-        Verb::View(arguments) => view::view(arguments),
+        Verb::View(arguments) => record::view(arguments),
         Verb::Serve(arguments) => serve::serve(arguments),
         Verb::Debug(arguments) => debug::debug(arguments),
         Verb::Dap(arguments) => dap::dap(arguments),
-        Verb::Migrate(arguments) => migrate::migrate(arguments),
+        Verb::Migrate(arguments) => translate::migrate(arguments),
         Verb::Explain(arguments) => explain::explain(arguments),
         Verb::Lsp(arguments) => lsp::lsp(arguments),
-        Verb::Completions(arguments) => shell::completions(arguments),
-        Verb::Man(arguments) => shell::man(arguments),
-        Verb::Robot(verb) => describe::robot(verb),
+        Verb::Completions(arguments) => help::completions(arguments),
+        Verb::Man(arguments) => help::man(arguments),
+        Verb::Robot(verb) => robot::robot(verb),
     };
     exit(outcome.unwrap_or_else(|error| {
         report::error(&error);

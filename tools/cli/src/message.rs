@@ -8,30 +8,30 @@ use tipc::language::Keyword;
 use tipc::message::Text;
 use tipc::message::list::{Each, List};
 
-/// So many of something, as an argument of messages.
+/// Numbers of something, as arguments of messages.
 pub(crate) mod count {
     tipc::count_table! {
-        /// So many errors.
+        /// Number of errors.
         Errors: "1 error", "エラー1件"; "{count} errors", "エラー{count}件";
     }
 
     tipc::count_table! {
-        /// So many warnings.
+        /// Number of warnings.
         Warnings: "1 warning", "警告1件"; "{count} warnings", "警告{count}件";
     }
 
     tipc::count_table! {
-        /// So many steps.
+        /// Number of steps.
         Steps: "1 step", "1ステップ"; "{count} steps", "{count}ステップ";
     }
 
     tipc::count_table! {
-        /// So many control cycles.
+        /// Number of control cycles.
         Cycles: "1 cycle", "1周期"; "{count} cycles", "{count}周期";
     }
 
     tipc::count_table! {
-        /// So many files.
+        /// Number of files.
         Files: "1 file", "1ファイル"; "{count} files", "{count}ファイル";
     }
 }
@@ -140,7 +140,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What checks come to.
+    /// Results of checks.
     Checking;
 
     Sound { file: Text, steps: Steps, robot: String, warnings: Warnings }
@@ -161,7 +161,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a run says of itself.
+    /// Summaries and warnings of runs.
     Running;
 
     Ended { file: Text, how: How, line: u32, cycles: Cycles, time: String }
@@ -264,7 +264,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// How bad something is.
+    /// Severities.
     Weight;
 
     Error "error", "エラー";
@@ -272,7 +272,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// How a run ended.
+    /// Endings of runs.
     How;
 
     By { word: Keyword } "{word}", "{word}で終了";
@@ -282,7 +282,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a line of the summary is about.
+    /// Labels of the lines of a summary.
     Figure;
 
     Next "next", "次";
@@ -304,7 +304,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Where a robot went along its front.
+    /// Directions along the front of a robot.
     Along;
 
     Forward "forward", "前へ";
@@ -312,7 +312,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// To which side it went or turned.
+    /// Directions to the side of a robot.
     Aside;
 
     Right "to the right", "右へ";
@@ -320,7 +320,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Where its body went.
+    /// Vertical directions.
     Upright;
 
     Up "up", "上へ";
@@ -328,7 +328,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What a statement waits for.
+    /// Conditions that statements wait for.
     Until;
 
     Time "the time is over", "時間がたつまで";
@@ -341,7 +341,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// The place, condition and duration of a wait.
+    /// Waits with line, condition and duration.
     Waiting;
 
     Line { line: u32, what: Awaited, since: String, time: String }
@@ -359,7 +359,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// Why a run has stopped.
+    /// Reasons of emergency stops.
     Stopping;
 
     // What the program did.
@@ -416,7 +416,7 @@ tipc::message_table! {
 }
 
 tipc::message_table! {
-    /// What becomes of a new crate.
+    /// Results of making a crate.
     Making;
 
     Made { folder: Text, robot: String }

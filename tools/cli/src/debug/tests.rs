@@ -1,7 +1,7 @@
-//! The screen, and what keys do to it.
+//! Keys and screens of the debugger.
 
-use super::app::App;
-use super::{draw, keys};
+use super::app::{App, press as press_key};
+use super::screen as view;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -42,7 +42,7 @@ fn app_of(robot: &str, text: &str, lang: Lang) -> App {
 fn screen(app: &App, width: u16, height: u16) -> String {
     let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("memory");
     terminal
-        .draw(|frame| draw::draw(app, frame))
+        .draw(|frame| view::draw(app, frame))
         .expect("memory");
     let shown = terminal.backend().to_string();
     // What follows a wide character is not a character of its own.
@@ -56,7 +56,7 @@ fn press(app: &mut App, keys: &str) {
             '\u{1B}' => KeyCode::Esc,
             other => KeyCode::Char(other),
         };
-        keys::press(app, KeyEvent::new(code, KeyModifiers::NONE));
+        press_key(app, KeyEvent::new(code, KeyModifiers::NONE));
         while app.is_going() {
             app.work(1000);
         }
@@ -173,7 +173,7 @@ fn every_variable_can_be_seen_however_many_there_are() {
         let shown = screen(&app, 80, 24);
         assert!(shown.contains("(Tab)"), "page {page} in\n{shown}");
         seen += &shown;
-        keys::press(&mut app, KeyEvent::new(KeyCode::Tab, KeyModifiers::NONE));
+        press_key(&mut app, KeyEvent::new(KeyCode::Tab, KeyModifiers::NONE));
     }
     for name in &names {
         assert!(seen.contains(name.as_str()), "{name} in\n{seen}");
@@ -263,7 +263,7 @@ fn hardly_any_room_is_no_reason_to_fail() {
 fn control_c_ends_whatever_is_asked() {
     let mut app = app("titan8", Lang::English);
     press(&mut app, "e");
-    keys::press(
+    press_key(
         &mut app,
         KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL),
     );

@@ -1,19 +1,19 @@
-//! What a crate is made of that depends on its robot: the model, a motion, and what shows and tests it.
+//! The parts of a new crate that depend on its robot: the model, a motion, and the code that shows and tests it.
 
-use super::{bend, gait};
+use super::motion;
 use crate::choices::RobotName;
 use crate::input;
 use crate::message::Making;
-use crate::robot::RobotChoice;
-use crate::usage::Wrong;
+use crate::setup::RobotChoice;
+use crate::usage::BadValue;
 use std::str::FromStr;
 use tip_runtime::model::{Model as RobotModel, hand, titan8};
 use tip_sim::Robot;
 use tipc::Loaded;
 
-/// The description of six legs that comes with this command.
+/// The description of the hexapod.
 const HEXAPOD: &str = include_str!("../../templates/hexapod.toml");
-/// How it is asked for.
+/// The name of the hexapod.
 const HEXAPOD_NAME: &str = "hexapod";
 
 /// The robot of the command line.
@@ -24,9 +24,9 @@ pub(super) enum Choice {
 }
 
 impl FromStr for Choice {
-    type Err = Wrong;
+    type Err = BadValue;
 
-    fn from_str(text: &str) -> Result<Self, Wrong> {
+    fn from_str(text: &str) -> Result<Self, BadValue> {
         match text.eq_ignore_ascii_case(HEXAPOD_NAME) {
             true => Ok(Choice::Hexapod),
             false => text.parse().map(Choice::Robot),
@@ -34,15 +34,15 @@ impl FromStr for Choice {
     }
 }
 
-/// A motion, and what shows and tests it.
+/// A motion with the code that shows and tests it.
 #[derive(Debug)]
 pub(super) struct Motion {
-    /// What its file is called.
+    /// The name of its file, without extension.
     pub(super) stem: &'static str,
     pub(super) program: String,
     pub(super) main: &'static str,
     pub(super) test: &'static str,
-    /// How far it walks at least: mm.
+    /// Minimum travel, mm.
     pub(super) travel: f64,
     /// The results of trying it on the simulated robot, one per line.
     pub(super) tried: Vec<Making>,
@@ -60,12 +60,12 @@ impl Motion {
         }
     }
 
-    /// A gait for a robot that walks, if there is one; else one leg after the other bends.
+    /// Returns a gait for a robot that can walk; else a motion that bends one leg after the other.
     fn of(robot: &Robot) -> Self {
         if robot.anatomy().body.is_none() {
-            return Motion::bend(robot, bend::TURN);
+            return Motion::bend(robot, motion::BEND_ANGLE);
         }
-        match gait::find(robot) {
+        match motion::find_gait(robot) {
             Ok(gait) => Motion {
                 travel: (0.9 * gait.travel).floor(),
                 tried: vec![match gait.has_mass {
@@ -79,16 +79,16 @@ impl Motion {
                 ..Motion::walk(&gait.program)
             },
             Err(reason) => {
-                let small = bend::TURNS
+                let small = motion::BEND_ANGLES
                     .into_iter()
                     .map(|turn| Motion::bend(robot, turn));
-                let falls = |motion: &Motion| bend::falls(&motion.program, robot);
-                let motion = small.into_iter().find(|motion| falls(motion) == 0);
-                let motion = motion.unwrap_or_else(|| Motion::bend(robot, bend::TURN));
-                let falls = falls(&motion);
+                let falls = |motion: &Motion| motion::count_falls(&motion.program, robot);
+                let bending = small.into_iter().find(|motion| falls(motion) == 0);
+                let bending = bending.unwrap_or_else(|| Motion::bend(robot, motion::BEND_ANGLE));
+                let falls = falls(&bending);
                 Motion {
                     tried: vec![Making::NoGait { falls }, reason],
-                    ..motion
+                    ..bending
                 }
             }
         }
@@ -108,7 +108,7 @@ impl Motion {
     fn bend(robot: &Robot, turn: f64) -> Self {
         Motion {
             stem: "bend",
-            program: bend::program(&robot.anatomy(), turn),
+            program: motion::bend_program(&robot.anatomy(), turn),
             main: include_str!("../../templates/main_walk.rs"),
             test: include_str!("../../templates/test_bend.rs"),
             travel: 0.0,
@@ -117,32 +117,32 @@ impl Motion {
     }
 }
 
-/// The parts.
+/// The parts of a new crate that depend on its robot.
 #[derive(Debug)]
-pub(super) struct Kit {
+pub(super) struct Template {
     pub(super) motion: Motion,
     pub(super) robot: String,
     /// Its description, unless the runtime has the robot.
     pub(super) description: Option<Vec<u8>>,
     pub(super) legs: usize,
-    /// Of each leg.
+    /// Joints of each leg.
     pub(super) joints: usize,
-    /// What surrounds it, as a file.
+    /// The file of the scene.
     pub(super) scene: Option<&'static str>,
 }
 
 impl Choice {
-    /// The parts for this robot.
+    /// Returns the parts for this robot.
     ///
     /// # Errors
-    /// What is wrong with its description.
-    pub(super) fn kit(&self) -> Result<Kit, Box<Loaded>> {
+    /// The description has errors.
+    pub(super) fn template(&self) -> Result<Template, Box<Loaded>> {
         let walk = || Motion::walk(include_str!("../../templates/motions/walk.prg"));
         let tripod = || Motion::walk(include_str!("../../templates/motions/tripod.prg"));
         match self {
             Choice::Hexapod => {
-                let kit = |_: &Robot| tripod();
-                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), kit)
+                let template = |_: &Robot| tripod();
+                described(HEXAPOD_NAME, HEXAPOD.as_bytes().to_vec(), template)
             }
             Choice::Robot(RobotChoice::File(path)) => {
                 let (name, bytes) = input::bytes(path)?;
@@ -153,7 +153,7 @@ impl Choice {
             }
             Choice::Robot(RobotChoice::Named(name)) => Ok(match name {
                 RobotName::Titan8 | RobotName::Generic => named(*name, &titan8::MODEL, walk()),
-                RobotName::Hand => Kit {
+                RobotName::Hand => Template {
                     scene: Some(include_str!("../../templates/scene.toml")),
                     ..named(*name, &hand::MODEL, Motion::grasp())
                 },
@@ -162,13 +162,13 @@ impl Choice {
     }
 }
 
-/// The parts for a robot of the runtime.
+/// Returns the parts for a robot of the runtime.
 fn named<const L: usize, const J: usize>(
     name: RobotName,
     _: &RobotModel<L, J>,
     motion: Motion,
-) -> Kit {
-    Kit {
+) -> Template {
+    Template {
         motion,
         robot: name.robot().name().to_owned(),
         description: None,
@@ -178,15 +178,15 @@ fn named<const L: usize, const J: usize>(
     }
 }
 
-/// The parts for a described robot.
+/// Returns the parts for a described robot.
 fn described(
     name: &str,
     description: Vec<u8>,
     motion: impl Fn(&Robot) -> Motion,
-) -> Result<Kit, Box<Loaded>> {
+) -> Result<Template, Box<Loaded>> {
     let robot = Robot::described(&tipc::description::parse(name, &description)?);
     let anatomy = robot.anatomy();
-    Ok(Kit {
+    Ok(Template {
         motion: motion(&robot),
         robot: robot.name().to_owned(),
         description: Some(description),

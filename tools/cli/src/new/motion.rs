@@ -1,41 +1,42 @@
-//! A gait for any robot that walks: it crawls, one foot after the other. It is tried before it is given away.
+//! Motions for described robots: a crawling gait that was tried in simulation, or else legs that bend their joints in turn.
 
 use crate::message::Making;
+use crate::new::fill;
 use std::fmt::Write as _;
 use tip_lint::format::format;
 use tip_runtime::command::Target;
 use tip_runtime::model::Point;
-use tip_sim::{Anatomy, Limit, Plant, Robot, Run, load};
+use tip_sim::{Anatomy, Limb, Limit, Plant, Robot, Run, load};
 
-/// Lengths of a stride that are tried, as shares of the longest leg.
+/// Strides that are tried, relative to the longest leg.
 const STRIDES: [f64; 3] = [0.2, 0.12, 0.06];
-/// Heights of the body that are tried, as shares of that of the initial posture.
+/// Heights of the body that are tried, relative to the initial posture.
 const HEIGHTS: [f64; 4] = [1.0, 0.85, 1.1, 0.7];
-/// How high a foot is lifted, as a share of the longest leg.
+/// Height of a step, relative to the longest leg.
 const LIFT: f64 = 0.08;
-/// So many strides at least are ahead of where the robot began.
+/// Minimum number of strides beyond the starting point.
 const AHEAD: f64 = 4.0;
-/// A robot that walks comes so much of the way that is commanded.
+/// Minimum travel of a robot that walks, relative to the commanded way.
 const COMES: f64 = 0.9;
-/// No gait takes longer: cycles.
+/// Maximum number of control cycles of a gait.
 const LONGEST: u64 = 20_000;
-/// So many gaits that hold without mass are tried with it.
+/// Number of gaits that work without mass and are tried with it.
 const WITH_MASS: usize = 3;
 
 /// A gait that was tried.
 pub(super) struct Gait {
     pub(super) program: String,
-    /// How far the body came: mm.
+    /// Travel of the body, mm.
     pub(super) travel: f64,
-    /// Whether it came as far with mass.
+    /// True if it works with mass, too.
     pub(super) has_mass: bool,
 }
 
-/// A gait on which the robot does not fall.
+/// Finds a gait on which the robot does not fall.
 ///
 /// # Errors
 /// Why there is none.
-pub(super) fn find(robot: &Robot) -> Result<Gait, Making> {
+pub(super) fn find_gait(robot: &Robot) -> Result<Gait, Making> {
     let anatomy = robot.anatomy();
     if anatomy.legs.len() < 4 {
         return Err(Making::TooFewLegs);
@@ -82,14 +83,14 @@ pub(super) fn find(robot: &Robot) -> Result<Gait, Making> {
     without_mass.ok_or(why)
 }
 
-/// Where the feet stand, and where the body is above them: mm.
+/// Positions of the feet and of the body, mm.
 struct Plan {
-    /// On the floor, seen from where the body begins.
+    /// Footholds relative to the start of the body.
     feet: Vec<Point>,
-    /// The feet one after the other: from rear to front on the left, then on the right.
+    /// The order of steps: from rear to front on the left, then on the right.
     order: Vec<usize>,
     middle: Point,
-    /// From the middle of the feet to the body, so that its centre of mass is above it.
+    /// Offset of the body from the middle of the feet, which puts the centre of mass above it.
     offset: Point,
     strides: f64,
     stride: f64,
@@ -132,12 +133,12 @@ impl Plan {
         }
     }
 
-    /// How far forward the body comes if no foot slips: mm.
+    /// Returns the travel of the body if no foot slips, mm.
     fn way(&self) -> f64 {
         self.strides * self.stride + self.middle[1] + self.offset[1]
     }
 
-    /// How far the robot walks without a fall: mm.
+    /// Runs the gait; returns the travel, mm, if the robot does not fall.
     fn walks(&self, program: &str, robot: &Robot) -> Result<f64, Making> {
         let fails = |_| Making::OutOfReach;
         let loaded = load("walk.prg", program, robot).map_err(|_| Making::OutOfReach)?;
@@ -158,7 +159,7 @@ impl Plan {
         }
     }
 
-    /// The text of the program, laid out as `tip fmt` does.
+    /// Returns the program, formatted as by `tip fmt`.
     fn program(&self, robot: &Robot) -> String {
         let legs = || {
             (1..)
@@ -236,7 +237,7 @@ impl Plan {
     }
 }
 
-/// x and y of the centre of mass in the initial posture, in the robot frame: mm.
+/// Returns x and y of the centre of mass in the initial posture, in the robot frame, mm.
 fn centre_of_mass(anatomy: &Anatomy) -> [f64; 2] {
     let mut all = Vec::new();
     if let Some(body) = &anatomy.body {
@@ -258,9 +259,120 @@ fn size([x, y, z]: Point) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// A number that people read: to a tenth, or to two digits below 1.
+/// Rounds a number for people: to a tenth, or to two digits below 1.
 fn round(value: f64) -> f64 {
     let parts = if value.abs() < 1.0 { 100.0 } else { 10.0 };
     // Adding 0 makes of −0 a plain 0.
     (value * parts).round() / parts + 0.0
+}
+
+/// Angle that joints turn, if they can, deg.
+pub(super) const BEND_ANGLE: f64 = 15.0;
+/// Angles that are tried on a robot that may fall, deg.
+pub(super) const BEND_ANGLES: [f64; 3] = [BEND_ANGLE, 6.0, 3.0];
+/// Maximum share of the way to a limit.
+const SHARE: f64 = 0.8;
+
+/// Returns a program that turns each joint by an angle, deg.
+pub(super) fn bend_program(anatomy: &Anatomy, turn: f64) -> String {
+    let numbered = (1..).zip(&anatomy.legs);
+    let legs = numbered.map(|(number, limb)| bend_leg(Target::Foot(number), limb, turn));
+    let begin = include_str!("../../templates/motions/bend.prg");
+    let end = include_str!("../../templates/motions/bend_end.prg");
+    format!("{begin}{}{end}", legs.collect::<String>())
+}
+
+/// Runs the program; returns the number of falls.
+pub(super) fn count_falls(program: &str, robot: &Robot) -> u32 {
+    /// Maximum number of control cycles.
+    const LONGEST: u64 = 20_000;
+    let Ok(loaded) = load("bend.prg", program, robot) else {
+        return 0;
+    };
+    let Ok(mut run) = Run::new(loaded, robot.clone()) else {
+        return 0;
+    };
+    run.to_end(Limit::cycles(LONGEST));
+    run.motion().map_or(0, |motion| motion.falls)
+}
+
+/// Returns the lines for a leg.
+fn bend_leg(leg: Target, limb: &Limb, turn: f64) -> String {
+    let placeholders = [
+        ("leg", &*leg.to_string()),
+        ("bent", &degrees(&bent_angles(limb, turn))),
+        ("initial", &degrees(&limb.initial)),
+    ];
+    fill(
+        include_str!("../../templates/motions/bend_leg.prg"),
+        &placeholders,
+    )
+}
+
+fn degrees(angles: &[f64]) -> String {
+    let words: Vec<String> = angles.iter().map(f64::to_string).collect();
+    words.join(" ")
+}
+
+/// Returns the bent angles of a leg: each joint turns to the side that raises the foot, else to the side with more room.
+fn bent_angles(limb: &Limb, turn: f64) -> Vec<f64> {
+    let turned = |place: usize, angle: f64| {
+        let mut angles = limb.initial.clone();
+        angles[place] = angle;
+        angles
+    };
+    let height = |place, angle| limb.foot(&turned(place, angle))[2];
+    let joints = limb.joints.iter().zip(&limb.initial).enumerate();
+    let bent = joints.map(|(place, (joint, initial))| {
+        let [down, up] = [joint.limits.min - initial, joint.limits.max - initial];
+        let [down, up] = [down, up].map(|room| room.clamp(-turn / SHARE, turn / SHARE) * SHARE);
+        let [down, up] = [initial + down, initial + up];
+        let gain = height(place, up) - height(place, down);
+        let has_room = (up - initial) >= (initial - down);
+        let is_up = if gain.abs() > 1e-6 {
+            gain > 0.0
+        } else {
+            has_room
+        };
+        let angle = if is_up { up } else { down };
+        // A program that people read has tenths.
+        (angle * 10.0).round() / 10.0
+    });
+    bent.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn anatomy(joints: &str, initial: &str) -> Anatomy {
+        let text = format!(
+            "name = \"ours\"\njoint = [{joints}]\nleg = [{{ base = [0, 100, 0] }}]\ninitial = [{initial}]\n"
+        );
+        Robot::description(&text).expect("a description").anatomy()
+    }
+
+    #[test]
+    fn joints_turn_to_where_the_foot_rises() {
+        // A positive turn about -y raises what points along x; at the limit of 5 deg there is only the other side.
+        let limb = &anatomy(
+            "{ axis = \"-y\", link = [100, 0, 0], limits = [-60, 60] },
+             { axis = \"y\", link = [100, 0, 0], limits = [-60, 60] },
+             { axis = \"z\", link = [100, 0, 0], limits = [-60, 5] }",
+            "0, 0, 0",
+        )
+        .legs[0];
+        assert_eq!(bent_angles(limb, 15.0), [15.0, -15.0, -15.0]);
+        assert_eq!(bent_angles(limb, 2.0), [2.0, -2.0, 2.0]);
+    }
+
+    #[test]
+    fn a_joint_stays_within_its_limits() {
+        let limb = &anatomy(
+            "{ axis = \"z\", link = [100, 0, 0], limits = [-10, 2] }",
+            "0",
+        )
+        .legs[0];
+        assert_eq!(bent_angles(limb, 15.0), [-8.0]);
+    }
 }

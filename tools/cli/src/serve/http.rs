@@ -1,36 +1,36 @@
-//! The head of a request of HTTP/1.1.
+//! Requests and responses of HTTP/1.1.
 
-use std::io::{self, Read};
-use std::net::TcpStream;
+use std::io::{self, Read, Write};
+use std::net::{Shutdown, TcpStream};
 use std::time::{Duration, Instant};
 
-/// The longest head, and the most fields in it.
-const LONGEST: usize = 8 << 10;
-const FIELDS: usize = 64;
-/// A client, of which nobody knows yet whether it has the token, has so long to send it.
-const PATIENCE: Duration = Duration::from_secs(2);
+/// Maximum length of a head, bytes, and number of its fields.
+const MAX_HEAD: usize = 8 << 10;
+const MAX_FIELDS: usize = 64;
+/// Time for a client to send its head: it may not know the token.
+const HEAD_TIMEOUT: Duration = Duration::from_secs(2);
 
-/// What a request asks for.
+/// The head of a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Head {
     pub(super) method: String,
-    /// Without the query.
+    /// The path, without the query.
     pub(super) path: String,
-    /// What follows `?`.
+    /// The query, after `?`.
     pub(super) query: String,
     fields: Vec<(String, String)>,
-    /// What was read after the head.
+    /// The bytes that were read after the head.
     pub(super) rest: Vec<u8>,
 }
 
-/// Why there is no head.
+/// The error of a head.
 #[derive(Debug)]
 pub(super) enum BadHead {
-    /// The client went away, or takes too long.
+    /// The client closed the connection or takes too long.
     Gone,
-    /// It has more than a head may have.
+    /// It is too long.
     Long,
-    /// It is no HTTP.
+    /// It is not HTTP.
     Malformed,
 }
 
@@ -41,16 +41,16 @@ impl From<io::Error> for BadHead {
 }
 
 impl Head {
-    /// Reads one.
+    /// Reads a head.
     pub(super) fn read(stream: &mut TcpStream) -> Result<Self, BadHead> {
-        let end = Instant::now() + PATIENCE;
+        let end = Instant::now() + HEAD_TIMEOUT;
         let mut bytes = Vec::new();
         let mut part = [0; 2048];
         loop {
             if let Some(head) = Head::parse(&bytes)? {
                 return Ok(head);
             }
-            if bytes.len() >= LONGEST {
+            if bytes.len() >= MAX_HEAD {
                 return Err(BadHead::Long);
             }
             let left = end.saturating_duration_since(Instant::now());
@@ -65,9 +65,9 @@ impl Head {
         }
     }
 
-    /// The head that these bytes begin with, if it is complete.
+    /// Parses the head at the beginning of some bytes, if it is complete.
     fn parse(bytes: &[u8]) -> Result<Option<Self>, BadHead> {
-        let mut fields = [httparse::EMPTY_HEADER; FIELDS];
+        let mut fields = [httparse::EMPTY_HEADER; MAX_FIELDS];
         let mut request = httparse::Request::new(&mut fields);
         let length = match request.parse(bytes) {
             Ok(httparse::Status::Complete(length)) => length,
@@ -90,11 +90,62 @@ impl Head {
         }))
     }
 
-    /// The value of a field, by its name in small letters; none if there are several.
+    /// Returns the value of a field by its name in small letters; `None` if there are several.
     pub(super) fn field(&self, name: &str) -> Option<&str> {
         let mut values = self.fields.iter().filter(|(own, _)| own == name);
         let (_, value) = values.next()?;
         values.next().is_none().then_some(value)
+    }
+}
+
+/// Time for a client to receive a response.
+const WRITE_TIMEOUT: Duration = Duration::from_secs(30);
+
+/// Time to read what a client sends after its request: closing earlier would lose the response.
+const LINGER: Duration = Duration::from_millis(200);
+
+/// Fields of every response: it is not cached, guessed, framed, or passed on to other sites.
+const RESPONSE_FIELDS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n\
+    Referrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\nConnection: close\r\n";
+
+/// Sends the page.
+pub(super) fn send_page(stream: &mut TcpStream, page: &str) -> io::Result<()> {
+    send(stream, "200 OK", "text/html; charset=utf-8", page)
+}
+
+/// Sends an error, such as `404 Not Found`, with a reason.
+pub(super) fn send_error(stream: &mut TcpStream, status: &str, word: &str) -> io::Result<()> {
+    send(
+        stream,
+        status,
+        "text/plain; charset=utf-8",
+        &format!("{word}\n"),
+    )
+}
+
+fn send(stream: &mut TcpStream, status: &str, kind: &str, body: &str) -> io::Result<()> {
+    stream.set_write_timeout(Some(WRITE_TIMEOUT))?;
+    let length = body.len();
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\n{RESPONSE_FIELDS}\r\n"
+    );
+    stream.write_all(head.as_bytes())?;
+    stream.write_all(body.as_bytes())?;
+    stream.flush()?;
+    close(stream);
+    Ok(())
+}
+
+/// Closes a connection: shuts down writing, and reads for a moment what still comes.
+pub(super) fn close(stream: &mut TcpStream) {
+    let end = Instant::now() + LINGER;
+    let mut part = [0; 4096];
+    let mut goes_on = stream.shutdown(Shutdown::Write).is_ok();
+    while goes_on {
+        let left = end.saturating_duration_since(Instant::now());
+        goes_on = !left.is_zero()
+            && stream.set_read_timeout(Some(left)).is_ok()
+            && matches!(stream.read(&mut part), Ok(1..));
     }
 }
 
@@ -139,7 +190,10 @@ mod tests {
                 "{bytes:?}"
             );
         }
-        let many = format!("GET / HTTP/1.1\r\n{}\r\n", "A: 1\r\n".repeat(FIELDS + 1));
+        let many = format!(
+            "GET / HTTP/1.1\r\n{}\r\n",
+            "A: 1\r\n".repeat(MAX_FIELDS + 1)
+        );
         assert!(matches!(Head::parse(many.as_bytes()), Err(BadHead::Long)));
     }
 }
